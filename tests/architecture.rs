@@ -1,6 +1,10 @@
 //! The house rules that a machine can check: who may import whom, and who may touch the disk.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::disallowed_methods)] // a test may fail loudly
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -14,26 +18,61 @@ fn read(path: &str) -> String {
 /// The crates below `src`, as `Cargo.toml` lists them.
 fn crates() -> Vec<String> {
     let manifest = read("Cargo.toml");
-    let members = manifest.split("members = [").nth(1).and_then(|rest| rest.split(']').next()).unwrap();
-    let names = members.lines().filter_map(|line| line.trim().strip_prefix("\"src/")?.strip_suffix("\","));
+    let members = manifest
+        .split("members = [")
+        .nth(1)
+        .and_then(|rest| rest.split(']').next())
+        .unwrap();
+    let names = members
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("\"src/")?.strip_suffix("\","));
     names.map(str::to_owned).collect()
 }
 
 /// The crates of this repository that a crate uses.
 fn used(name: &str) -> Vec<String> {
     let manifest = read(&format!("src/{name}/Cargo.toml"));
-    let dependencies = manifest.split("[dependencies]").nth(1).unwrap_or("").split("\n[").next().unwrap();
-    let names = dependencies.lines().filter_map(|line| line.split(['.', ' ']).next());
+    let dependencies = manifest
+        .split("[dependencies]")
+        .nth(1)
+        .unwrap_or("")
+        .split("\n[")
+        .next()
+        .unwrap();
+    let names = dependencies
+        .lines()
+        .filter_map(|line| line.split(['.', ' ']).next());
     let known = crates();
-    names.filter(|name| known.iter().any(|crate_name| crate_name == name)).map(str::to_owned).collect()
+    names
+        .filter(|name| known.iter().any(|crate_name| crate_name == name))
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The rows of the table in `docs/architecture.md`: crates that do not use each other.
 fn rows() -> Vec<Vec<String>> {
     let page = read("docs/architecture.md");
-    let table = page.split("| crate | what it is |").nth(1).unwrap().split("\n\n").next().unwrap().to_owned();
-    let cells = table.lines().skip(2).filter_map(|line| line.split('|').nth(1));
-    cells.map(|cell| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()).collect()
+    let table = page
+        .split("| crate | what it is |")
+        .nth(1)
+        .unwrap()
+        .split("\n\n")
+        .next()
+        .unwrap()
+        .to_owned();
+    let cells = table
+        .lines()
+        .skip(2)
+        .filter_map(|line| line.split('|').nth(1));
+    cells
+        .map(|cell| {
+            cell.split('`')
+                .skip(1)
+                .step_by(2)
+                .map(str::to_owned)
+                .collect()
+        })
+        .collect()
 }
 
 fn rust_files(dir: &Path, found: &mut Vec<PathBuf>) {
@@ -59,7 +98,10 @@ fn sources() -> Vec<(PathBuf, String, String)> {
             let inside = path.strip_prefix(&src).unwrap().to_path_buf();
             let crate_name = inside.iter().next().unwrap().to_string_lossy().into_owned();
             let text = fs::read_to_string(&path).unwrap();
-            let code: Vec<&str> = text.lines().map(|l| l.split("//").next().unwrap_or("")).collect();
+            let code: Vec<&str> = text
+                .lines()
+                .map(|l| l.split("//").next().unwrap_or(""))
+                .collect();
             (inside, crate_name, code.join("\n"))
         })
         .collect()
@@ -72,7 +114,10 @@ fn each_crate_uses_only_those_in_front_of_it() {
     let place = |name: &String| order.iter().position(|known| known == name).unwrap();
     for name in &order {
         for other in used(name) {
-            assert!(place(&other) < place(name), "`{name}` uses `{other}`, which Cargo.toml lists behind it");
+            assert!(
+                place(&other) < place(name),
+                "`{name}` uses `{other}`, which Cargo.toml lists behind it"
+            );
         }
     }
 }
@@ -104,14 +149,20 @@ fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
     ];
     let mut wrong = Vec::new();
     for (path, crate_name, code) in sources() {
-        let parts: Vec<String> = path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
-        let is_test = parts
+        let parts: Vec<String> = path
             .iter()
-            .any(|part| part == "testing.rs" || part.ends_with("tests.rs") || part.ends_with("tests"));
+            .map(|part| part.to_string_lossy().into_owned())
+            .collect();
+        let is_test = parts.iter().any(|part| {
+            part == "testing.rs" || part.ends_with("tests.rs") || part.ends_with("tests")
+        });
         let product = code.split("#[cfg(test)]").next().unwrap_or("");
         for (name, allowed) in rules {
             if product.contains(name) && !allowed.contains(&crate_name.as_str()) && !is_test {
-                wrong.push(format!("{}: `{name}` is not for `{crate_name}`", path.display()));
+                wrong.push(format!(
+                    "{}: `{name}` is not for `{crate_name}`",
+                    path.display()
+                ));
             }
         }
     }
@@ -126,15 +177,35 @@ fn methods_stand_beside_their_type() {
         if crate_name != "server" {
             continue;
         }
-        for line in code.lines().filter(|line| line.starts_with("impl") && !line.contains(" for ")) {
+        for line in code
+            .lines()
+            .filter(|line| line.starts_with("impl") && !line.contains(" for "))
+        {
             let head = line.split('{').next().unwrap().trim();
             let name = head.rsplit(' ').next().unwrap().split('<').next().unwrap();
-            let is_declared =
-                ["struct", "enum", "trait"].iter().any(|kind| code.contains(&format!("{kind} {name}")));
+            let is_declared = ["struct", "enum", "trait"]
+                .iter()
+                .any(|kind| code.contains(&format!("{kind} {name}")));
             if !is_declared {
                 wrong.push(format!("{}: `{head}`", path.display()));
             }
         }
     }
-    assert!(wrong.is_empty(), "methods away from their types:\n{}", wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "methods away from their types:\n{}",
+        wrong.join("\n")
+    );
+}
+
+#[test]
+fn files_are_short() {
+    const MOST_LINES: usize = 600;
+    let long: Vec<String> = sources()
+        .into_iter()
+        .map(|(path, _, text)| (path, text.lines().count()))
+        .filter(|(_, lines)| *lines > MOST_LINES)
+        .map(|(path, lines)| format!("{}: {lines} lines", path.display()))
+        .collect();
+    assert!(long.is_empty(), "{}", long.join("\n"));
 }

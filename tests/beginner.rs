@@ -51,7 +51,13 @@ fn mistakes() -> Vec<Mistake> {
 fn mistake(section: &str) -> Mistake {
     let mut lines = section.lines();
     let name = lines.next().unwrap().to_owned();
-    let mut read = Mistake { name, edits: Vec::new(), found: Vec::new(), typed: Vec::new(), reveals: false };
+    let mut read = Mistake {
+        name,
+        edits: Vec::new(),
+        found: Vec::new(),
+        typed: Vec::new(),
+        reveals: false,
+    };
     let mut file = PathBuf::new();
     while let Some(line) = lines.next() {
         if line == "```diff" {
@@ -82,7 +88,10 @@ fn replacement(hunk: &[&str]) -> Edit {
     {
         return Edit::ReplaceAll(old.replace("\\n", "\n"), new.replace("\\n", "\n"));
     }
-    assert!(hunk.iter().all(|line| line.starts_with(['-', '+'])), "{hunk:?}");
+    assert!(
+        hunk.iter().all(|line| line.starts_with(['-', '+'])),
+        "{hunk:?}"
+    );
     let mut pairs = Vec::new();
     let mut lines = hunk.iter().peekable();
     while lines.peek().is_some() {
@@ -101,9 +110,18 @@ fn replacement(hunk: &[&str]) -> Edit {
 /// A robot with the mistake, in a folder of its own.
 fn plant(mistake: &Mistake, below: &str) -> PathBuf {
     let name: String = mistake.name.split(' ').next().unwrap().to_owned();
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("beginner").join(below).join(name);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("beginner")
+        .join(below)
+        .join(name);
     let _ = fs::remove_dir_all(&folder);
-    let robot = mistake.edits[0].0.components().next().unwrap().as_os_str().to_owned();
+    let robot = mistake.edits[0]
+        .0
+        .components()
+        .next()
+        .unwrap()
+        .as_os_str()
+        .to_owned();
     copy(&home().join("robots").join(&robot), &folder.join(&robot));
     // the workspace ends here: the packages of the other mistakes have the same names
     fs::create_dir_all(folder.join(".git")).unwrap();
@@ -140,7 +158,10 @@ fn make(mistake: &Mistake, folder: &Path, file: &Path, edit: &Edit) {
 
 fn copy(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
-    for entry in fs::read_dir(from).unwrap().map(|entry| entry.unwrap().path()) {
+    for entry in fs::read_dir(from)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+    {
         let target = to.join(entry.file_name().unwrap());
         if entry.is_dir() {
             copy(&entry, &target);
@@ -152,7 +173,10 @@ fn copy(from: &Path, to: &Path) {
 
 /// The meshes that the lists `meshes.txt` describe: a file and its recipe in each line.
 fn write_meshes(folder: &Path) {
-    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+    for entry in fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+    {
         if entry.is_dir() {
             write_meshes(&entry);
         } else if entry.ends_with("meshes.txt") {
@@ -168,11 +192,27 @@ fn write_meshes(folder: &Path) {
 }
 
 fn session(folder: &Path) -> (Session, CheckOptions) {
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: folder.to_owned() };
-    let setup = Setup { about: folder.to_owned(), overrides: Overrides::default(), ..Setup::default() };
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )]);
+    let env = Environment {
+        vars,
+        cwd: folder.to_owned(),
+    };
+    let setup = Setup {
+        about: folder.to_owned(),
+        overrides: Overrides::default(),
+        ..Setup::default()
+    };
     let session = Session::new(&env, setup).unwrap();
-    (session, CheckOptions { paths: vec![folder.to_owned()], ..CheckOptions::default() })
+    (
+        session,
+        CheckOptions {
+            paths: vec![folder.to_owned()],
+            ..CheckOptions::default()
+        },
+    )
 }
 
 fn check(folder: &Path) -> Report {
@@ -182,10 +222,17 @@ fn check(folder: &Path) -> Report {
 
 /// `error RULE FILE:LINE` for each finding of a severity, in order.
 fn found(report: &Report, folder: &Path, least: Severity) -> Vec<String> {
-    let wanted = report.findings.iter().filter(|finding| finding.severity >= least);
+    let wanted = report
+        .findings
+        .iter()
+        .filter(|finding| finding.severity >= least);
     let found = wanted.map(|finding| {
         let path = report.path(finding.span.file);
-        let path = path.strip_prefix(folder).unwrap_or(path).display().to_string();
+        let path = path
+            .strip_prefix(folder)
+            .unwrap_or(path)
+            .display()
+            .to_string();
         let line = report.position(finding.span).start.0;
         format!("{} {} {path}:{line}", finding.severity, finding.rule.name)
     });
@@ -195,11 +242,17 @@ fn found(report: &Report, folder: &Path, least: Severity) -> Vec<String> {
 #[test]
 fn the_robots_are_silent() {
     for robot in ["arm", "planar", "cell"] {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("beginner/clean").join(robot);
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join("beginner/clean")
+            .join(robot);
         let _ = fs::remove_dir_all(&folder);
         copy(&home().join("robots").join(robot), &folder);
         write_meshes(&folder);
-        assert_eq!(found(&check(&folder), &folder, Severity::Warning), Vec::<String>::new(), "{robot}");
+        assert_eq!(
+            found(&check(&folder), &folder, Severity::Warning),
+            Vec::<String>::new(),
+            "{robot}"
+        );
     }
 }
 
@@ -215,7 +268,9 @@ fn each_mistake_is_found_as_written() {
         let folder = plant(mistake, "found");
         let report = check(&folder);
         let loud = found(&report, &folder, Severity::Warning);
-        let all: BTreeSet<String> = found(&report, &folder, Severity::Hint).into_iter().collect();
+        let all: BTreeSet<String> = found(&report, &folder, Severity::Hint)
+            .into_iter()
+            .collect();
         let is_loud = |line: &&String| line.starts_with("error") || line.starts_with("warning");
         let expected: Vec<&String> = mistake.found.iter().filter(is_loud).collect();
         if loud.iter().collect::<Vec<_>>() != expected {
@@ -233,16 +288,30 @@ fn each_mistake_is_found_as_written() {
         reported += usize::from(!mistake.found.is_empty());
         by_one += usize::from(loud.len() == 1);
     }
-    println!("{} mistakes, {reported} reported, {by_one} by one error or warning", mistakes.len());
+    println!(
+        "{} mistakes, {reported} reported, {by_one} by one error or warning",
+        mistakes.len()
+    );
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert!(reported * 100 >= mistakes.len() * REPORTED, "{reported} reported");
-    assert!(by_one * 100 >= mistakes.len() * BY_ONE, "{by_one} reported by one error or warning");
+    assert!(
+        reported * 100 >= mistakes.len() * REPORTED,
+        "{reported} reported"
+    );
+    assert!(
+        by_one * 100 >= mistakes.len() * BY_ONE,
+        "{by_one} reported by one error or warning"
+    );
 }
 
 /// The errors of a report, by rule and message.
 fn errors(report: &Report) -> BTreeSet<String> {
-    let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
-    errors.map(|finding| format!("{}: {}", finding.rule.name, finding.message)).collect()
+    let errors = report
+        .findings
+        .iter()
+        .filter(|finding| finding.severity == Severity::Error);
+    errors
+        .map(|finding| format!("{}: {}", finding.rule.name, finding.message))
+        .collect()
 }
 
 #[test]
@@ -252,21 +321,41 @@ fn fixes_write_what_is_said_and_bring_no_error() {
         for most in [Safety::Safe, Safety::Unsafe] {
             let folder = plant(&mistake, "fixed");
             let (session, options) = session(&folder);
-            let fixed = session.fix(&options, FixOptions { most, shown: Severity::Info });
-            let new: Vec<String> = errors(fixed.left()).difference(&errors(&fixed.found)).cloned().collect();
+            let fixed = session.fix(
+                &options,
+                FixOptions {
+                    most,
+                    shown: Severity::Info,
+                },
+            );
+            let new: Vec<String> = errors(fixed.left())
+                .difference(&errors(&fixed.found))
+                .cloned()
+                .collect();
             if !new.is_empty() && !mistake.reveals {
-                wrong.push(format!("{}: {} fixes bring {new:?}", mistake.name, most.name()));
+                wrong.push(format!(
+                    "{}: {} fixes bring {new:?}",
+                    mistake.name,
+                    most.name()
+                ));
             }
             let parses = |text: &str| xacro_lsp::xml::Document::parse(text).errors().len();
             for file in &fixed.files {
                 if parses(&file.after) > parses(&file.before) {
-                    wrong.push(format!("{}: {} does not parse", mistake.name, file.path.display()));
+                    wrong.push(format!(
+                        "{}: {} does not parse",
+                        mistake.name,
+                        file.path.display()
+                    ));
                 }
             }
             if most == Safety::Unsafe {
-                let is_there = |text: &&String| fixed.files.iter().any(|file| file.after.contains(*text));
+                let is_there =
+                    |text: &&String| fixed.files.iter().any(|file| file.after.contains(*text));
                 let missing = mistake.typed.iter().filter(|text| !is_there(text));
-                wrong.extend(missing.map(|text| format!("{}: no fix writes `{text}`", mistake.name)));
+                wrong.extend(
+                    missing.map(|text| format!("{}: no fix writes `{text}`", mistake.name)),
+                );
             }
         }
     }

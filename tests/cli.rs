@@ -36,9 +36,17 @@ fn words(line: &str) -> Vec<String> {
 
 /// What a command prints and its exit code, as it stands in a transcript.
 fn answer(line: &str, cwd: &Path) -> String {
-    let (line, input) = line.split_once(" < ").map_or((line, ""), |(line, input)| (line, input));
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), cwd.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: cwd.to_owned() };
+    let (line, input) = line
+        .split_once(" < ")
+        .map_or((line, ""), |(line, input)| (line, input));
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        cwd.join("none").display().to_string(),
+    )]);
+    let env = Environment {
+        vars,
+        cwd: cwd.to_owned(),
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut stdin = input.as_bytes();
     let mut io = Io::plain(&mut out, &mut err, &mut stdin);
@@ -62,7 +70,10 @@ fn rerun(transcript: &str) -> String {
         (_, name) => copy(&folder().join(name)),
     };
     let mut new = format!("{head}\n");
-    for line in transcript.lines().filter_map(|line| line.strip_prefix("$ ")) {
+    for line in transcript
+        .lines()
+        .filter_map(|line| line.strip_prefix("$ "))
+    {
         let answer = match line.split_once(' ').unwrap() {
             ("cat", file) => fs::read_to_string(cwd.join(file)).unwrap(),
             ("xacro-lint", arguments) => answer(arguments, &cwd),
@@ -75,7 +86,9 @@ fn rerun(transcript: &str) -> String {
 
 /// A folder that commands may change.
 fn copy(folder: &Path) -> PathBuf {
-    let new = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cli").join(folder.file_name().unwrap());
+    let new = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("cli")
+        .join(folder.file_name().unwrap());
     let _ = fs::remove_dir_all(&new);
     copy_into(folder, &new);
     new
@@ -84,7 +97,9 @@ fn copy(folder: &Path) -> PathBuf {
 fn copy_into(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
     for entry in fs::read_dir(from).unwrap() {
-        let (path, name) = entry.map(|entry| (entry.path(), entry.file_name())).unwrap();
+        let (path, name) = entry
+            .map(|entry| (entry.path(), entry.file_name()))
+            .unwrap();
         if path.is_dir() {
             copy_into(&path, &to.join(name));
         } else {
@@ -96,8 +111,10 @@ fn copy_into(from: &Path, to: &Path) {
 #[test]
 fn transcripts() {
     let mut wrong = Vec::new();
-    let mut paths: Vec<PathBuf> =
-        fs::read_dir(folder()).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
     paths.retain(|path| path.extension().is_some_and(|ending| ending == "txt"));
     paths.sort();
     assert!(!paths.is_empty());
@@ -107,12 +124,27 @@ fn transcripts() {
         if std::env::var_os("UPDATE").is_some() {
             fs::write(&path, &new).unwrap();
         } else if new != stored {
-            let line = new.lines().zip(stored.lines()).position(|(a, b)| a != b).unwrap_or(0);
-            let (got, want) = (new.lines().nth(line).unwrap_or(""), stored.lines().nth(line).unwrap_or(""));
-            wrong.push(format!("{}:{}: got\n{got}\nwant\n{want}", path.display(), line + 1));
+            let line = new
+                .lines()
+                .zip(stored.lines())
+                .position(|(a, b)| a != b)
+                .unwrap_or(0);
+            let (got, want) = (
+                new.lines().nth(line).unwrap_or(""),
+                stored.lines().nth(line).unwrap_or(""),
+            );
+            wrong.push(format!(
+                "{}:{}: got\n{got}\nwant\n{want}",
+                path.display(),
+                line + 1
+            ));
         }
     }
-    assert!(wrong.is_empty(), "{}\n(UPDATE=1 writes the answers anew)", wrong.join("\n\n"));
+    assert!(
+        wrong.is_empty(),
+        "{}\n(UPDATE=1 writes the answers anew)",
+        wrong.join("\n\n")
+    );
 }
 
 fn repository() -> &'static Path {
@@ -125,7 +157,11 @@ fn up_to_date(path: &Path, new: &str) {
         fs::write(path, new).unwrap();
     }
     let stored = fs::read_to_string(path).unwrap_or_default();
-    assert!(stored == new, "{} is old: run `UPDATE=1 cargo test --test cli`", path.display());
+    assert!(
+        stored == new,
+        "{} is old: run `UPDATE=1 cargo test --test cli`",
+        path.display()
+    );
 }
 
 /// A page with the part between the comments of `name` made again.
@@ -141,8 +177,16 @@ fn key_rows(schema: &serde_json::Value, prefix: &str) -> String {
     let mut rows = String::new();
     for (name, of) in schema["properties"].as_object().unwrap() {
         let name = format!("{prefix}{name}");
-        rows.push_str(&format!("| `{name}` | {} | {} |\n", kind(of), of["description"].as_str().unwrap()));
-        let inner = if of["properties"].is_object() { of } else { &of["items"] };
+        rows.push_str(&format!(
+            "| `{name}` | {} | {} |\n",
+            kind(of),
+            of["description"].as_str().unwrap()
+        ));
+        let inner = if of["properties"].is_object() {
+            of
+        } else {
+            &of["items"]
+        };
         if inner["properties"].is_object() {
             rows.push_str(&key_rows(inner, &format!("{name}.")));
         }
@@ -152,7 +196,11 @@ fn key_rows(schema: &serde_json::Value, prefix: &str) -> String {
 
 fn kind(of: &serde_json::Value) -> String {
     if let Some(values) = of["enum"].as_array() {
-        return values.iter().map(|value| format!("`{value}`")).collect::<Vec<_>>().join(", ");
+        return values
+            .iter()
+            .map(|value| format!("`{value}`"))
+            .collect::<Vec<_>>()
+            .join(", ");
     }
     match of["type"].as_str() {
         Some("array") if of["items"]["properties"].is_object() => "list of tables".to_owned(),
@@ -179,30 +227,53 @@ fn several(kind: &str) -> String {
 #[test]
 fn pages_are_up_to_date() {
     let schema = xacro_lsp::workspace::config::schema();
-    up_to_date(&repository().join("docs/xacro-lint.schema.json"), &format!("{schema:#}\n"));
+    up_to_date(
+        &repository().join("docs/xacro-lint.schema.json"),
+        &format!("{schema:#}\n"),
+    );
     let page = |name: &str| {
         let path = repository().join("docs").join(name);
         (fs::read_to_string(&path).unwrap(), path)
     };
     let (text, path) = page("configuration.md");
-    let keys = format!("\n| key | type | meaning |\n|---|---|---|\n{}\n", key_rows(&schema, ""));
+    let keys = format!(
+        "\n| key | type | meaning |\n|---|---|---|\n{}\n",
+        key_rows(&schema, "")
+    );
     up_to_date(&path, &with_part(&text, "keys", &keys));
     let (text, path) = page("cli.md");
-    up_to_date(&path, &with_part(&text, "commands", &format!("{}\n", cli::reference())));
+    up_to_date(
+        &path,
+        &with_part(&text, "commands", &format!("{}\n", cli::reference())),
+    );
 }
 
 #[test]
 fn the_settings_that_are_printed_are_a_configuration() {
     let cwd = folder().join("presets");
-    let printed =
-        answer("config", &cwd).lines().filter(|line| !line.starts_with("[")).collect::<Vec<_>>().join("\n");
+    let printed = answer("config", &cwd)
+        .lines()
+        .filter(|line| !line.starts_with("["))
+        .collect::<Vec<_>>()
+        .join("\n");
     let copied = copy(&folder().join("library"));
     fs::write(copied.join("xacro-lint.toml"), &printed).unwrap();
     let again = answer("config --format json", &copied);
     let values = |text: &str| -> Vec<serde_json::Value> {
-        let json = text.lines().take_while(|line| !line.starts_with("[stderr]")).collect::<String>();
+        let json = text
+            .lines()
+            .take_while(|line| !line.starts_with("[stderr]"))
+            .collect::<String>();
         let parsed: serde_json::Value = serde_json::from_str(&json).unwrap();
-        parsed["settings"].as_object().unwrap().values().map(|setting| setting["value"].clone()).collect()
+        parsed["settings"]
+            .as_object()
+            .unwrap()
+            .values()
+            .map(|setting| setting["value"].clone())
+            .collect()
     };
-    assert_eq!(values(&again), values(&answer("config --format json", &cwd)));
+    assert_eq!(
+        values(&again),
+        values(&answer("config --format json", &cwd))
+    );
 }

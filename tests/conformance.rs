@@ -30,7 +30,10 @@ impl Case {
     }
 
     fn section(&self, kind: &str) -> Option<(&str, &[String])> {
-        let found = self.sections.iter().find(|(head, _)| head.split(' ').next() == Some(kind));
+        let found = self
+            .sections
+            .iter()
+            .find(|(head, _)| head.split(' ').next() == Some(kind));
         found.map(|(head, lines)| (head.as_str(), lines.as_slice()))
     }
 
@@ -43,13 +46,22 @@ impl Case {
             }
             let path = folder.join(words.next().expect("`-- file` names a file"));
             let flags: Vec<&str> = words.collect();
-            let newline = if flags.contains(&"crlf") { "\r\n" } else { "\n" };
-            let mut text = if flags.contains(&"bom") { "\u{feff}".to_owned() } else { String::new() };
+            let newline = if flags.contains(&"crlf") {
+                "\r\n"
+            } else {
+                "\n"
+            };
+            let mut text = if flags.contains(&"bom") {
+                "\u{feff}".to_owned()
+            } else {
+                String::new()
+            };
             for line in lines {
                 text += line;
                 text += newline;
             }
-            fs::create_dir_all(path.parent().expect("a file has a folder")).expect("folder of a case");
+            fs::create_dir_all(path.parent().expect("a file has a folder"))
+                .expect("folder of a case");
             fs::write(path, text).expect("file of a case");
         }
     }
@@ -62,7 +74,10 @@ fn parse(path: &Path) -> Vec<Case> {
     let mut cases: Vec<Case> = Vec::new();
     for (index, line) in text.lines().enumerate() {
         if let Some(name) = line.strip_prefix("== ") {
-            cases.push(Case { place: format!("{file}:{}: {name}", index + 1), sections: Vec::new() });
+            cases.push(Case {
+                place: format!("{file}:{}: {name}", index + 1),
+                sections: Vec::new(),
+            });
         } else if let Some(case) = cases.last_mut() {
             match (line.strip_prefix("-- "), case.sections.last_mut()) {
                 (Some(head), _) => case.sections.push((head.to_owned(), Vec::new())),
@@ -74,7 +89,12 @@ fn parse(path: &Path) -> Vec<Case> {
     let last = cases.len().saturating_sub(1);
     for case in cases.iter_mut().take(last) {
         let lines = &mut case.sections.last_mut().expect("a case has sections").1;
-        assert_eq!(lines.pop().as_deref(), Some(""), "{}: no empty line after the case", case.place);
+        assert_eq!(
+            lines.pop().as_deref(),
+            Some(""),
+            "{}: no empty line after the case",
+            case.place
+        );
     }
     cases
 }
@@ -111,12 +131,20 @@ fn complaint(case: &Case, folder: &Path) -> Option<String> {
     let here = folder.to_str().expect("temporary folder in UTF-8");
     let args: Vec<String> = [String::from("input.xacro")]
         .into_iter()
-        .chain(case.lines("args").iter().map(|arg| arg.replace("@DIR@", here)))
+        .chain(
+            case.lines("args")
+                .iter()
+                .map(|arg| arg.replace("@DIR@", here)),
+        )
         .collect();
     let vars: Vec<(String, String)> = case
         .lines("env")
         .iter()
-        .filter_map(|line| line.replace("@DIR@", here).split_once('=').map(|(k, v)| (k.into(), v.into())))
+        .filter_map(|line| {
+            line.replace("@DIR@", here)
+                .split_once('=')
+                .map(|(k, v)| (k.into(), v.into()))
+        })
         .collect();
     let output = expand(folder, &args, &vars);
     let stdout = String::from_utf8_lossy(&output.stdout).replace(here, "@DIR@");
@@ -125,7 +153,8 @@ fn complaint(case: &Case, folder: &Path) -> Option<String> {
     if let Some((head, _)) = case.section("error") {
         let place = head.rsplit(' ').next().unwrap_or_default();
         let good = code == Some(2) && stdout.is_empty() && names_place(&stderr, place);
-        return (!good).then(|| format!("wanted exit 2 at {place}, got {code:?}\n{stderr}{stdout}"));
+        return (!good)
+            .then(|| format!("wanted exit 2 at {place}, got {code:?}\n{stderr}{stdout}"));
     }
     if code != Some(0) {
         return Some(format!("exit {code:?}\n{stderr}"));
@@ -133,7 +162,10 @@ fn complaint(case: &Case, folder: &Path) -> Option<String> {
     if !case.lines("warning").is_empty() && stderr.is_empty() {
         return Some(format!("no warning, wanted {:?}", case.lines("warning")));
     }
-    let wanted = case.lines("expect").iter().fold(String::new(), |text, line| text + line + "\n");
+    let wanted = case
+        .lines("expect")
+        .iter()
+        .fold(String::new(), |text, line| text + line + "\n");
     difference(&wanted.replace("@BANNER@\n", &banner()), &stdout)
 }
 
@@ -149,7 +181,8 @@ fn difference(wanted: &str, got: &str) -> Option<String> {
     if wanted == got {
         return None;
     }
-    let (wanted, got): (Vec<&str>, Vec<&str>) = (wanted.split('\n').collect(), got.split('\n').collect());
+    let (wanted, got): (Vec<&str>, Vec<&str>) =
+        (wanted.split('\n').collect(), got.split('\n').collect());
     let first = wanted.iter().zip(&got).take_while(|(a, b)| a == b).count();
     let mut text = format!("line {} differs\n", first + 1);
     for (sign, lines) in [('-', &wanted), ('+', &got)] {
@@ -164,7 +197,9 @@ fn difference(wanted: &str, got: &str) -> Option<String> {
 fn fresh_folder(name: &str) -> PathBuf {
     let folder = env::temp_dir().join(format!("xacro-lint-{}-{name}", std::process::id()));
     fs::create_dir_all(&folder).expect("temporary folder");
-    folder.canonicalize().expect("real path of the temporary folder")
+    folder
+        .canonicalize()
+        .expect("real path of the temporary folder")
 }
 
 fn report(count: usize, complaints: &[String]) {
@@ -172,14 +207,20 @@ fn report(count: usize, complaints: &[String]) {
         eprintln!("{text}\n");
     }
     assert!(count > 0, "nothing was run");
-    assert!(complaints.is_empty(), "{} of {count} failed", complaints.len());
+    assert!(
+        complaints.is_empty(),
+        "{} of {count} failed",
+        complaints.len()
+    );
 }
 
 #[test]
 fn cases_expand_as_the_reference_expands_them() {
     let folder = Path::new(REPOSITORY).join("tests/conformance/cases");
-    let mut files: Vec<PathBuf> =
-        fs::read_dir(folder).expect("folder of cases").map(|entry| entry.expect("entry").path()).collect();
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .expect("folder of cases")
+        .map(|entry| entry.expect("entry").path())
+        .collect();
     files.sort();
     let (mut count, mut complaints) = (0, Vec::new());
     for case in files.iter().flat_map(|file| parse(file)) {
@@ -205,7 +246,8 @@ fn example_robots_expand_to_their_golden_files() {
         let stdout = hide_workspace(&String::from_utf8_lossy(&output.stdout), &args);
         let wanted = fs::read_to_string(golden.join(&name)).expect("golden file");
         let stderr = String::from_utf8_lossy(&output.stderr);
-        complaints.extend(difference(&wanted, &stdout).map(|text| format!("{name}: {text}{stderr}")));
+        complaints
+            .extend(difference(&wanted, &stdout).map(|text| format!("{name}: {text}{stderr}")));
         count += 1;
     }
     report(count, &complaints);
@@ -213,6 +255,12 @@ fn example_robots_expand_to_their_golden_files() {
 
 /// Replaces the source folder of the example in front of package names by `@WS@`.
 fn hide_workspace(text: &str, args: &[String]) -> String {
-    let example = args.first().and_then(|input| input.split('/').nth(2)).unwrap_or_default();
-    text.replace(&format!("{REPOSITORY}/docs/examples/{example}/src/"), "@WS@/")
+    let example = args
+        .first()
+        .and_then(|input| input.split('/').nth(2))
+        .unwrap_or_default();
+    text.replace(
+        &format!("{REPOSITORY}/docs/examples/{example}/src/"),
+        "@WS@/",
+    )
 }

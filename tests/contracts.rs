@@ -19,13 +19,16 @@ use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_xacro-lint");
-const ROBOT: &str = "<?xml version=\"1.0\"?>\n<robot name=\"r\">\n  <link name=\"base_link\"/>\n</robot>\n";
+const ROBOT: &str =
+    "<?xml version=\"1.0\"?>\n<robot name=\"r\">\n  <link name=\"base_link\"/>\n</robot>\n";
 
 /// An empty folder with these files.
 fn folder(files: &[(&str, &str)]) -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("contracts").join(number.to_string());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("contracts")
+        .join(number.to_string());
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(folder.join(".git")).unwrap();
     for (name, text) in files {
@@ -37,14 +40,27 @@ fn folder(files: &[(&str, &str)]) -> PathBuf {
 
 fn command(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(PROGRAM);
-    command.args(arguments).current_dir(folder).stdin(Stdio::null());
-    command.env_remove("AMENT_PREFIX_PATH").env_remove("ROS_PACKAGE_PATH");
+    command
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null());
+    command
+        .env_remove("AMENT_PREFIX_PATH")
+        .env_remove("ROS_PACKAGE_PATH");
     command
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let Output { status, stdout, stderr } = command(folder, arguments).output().unwrap();
-    (status.code(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = command(folder, arguments).output().unwrap();
+    (
+        status.code(),
+        String::from_utf8(stdout).unwrap(),
+        String::from_utf8(stderr).unwrap(),
+    )
 }
 
 #[test]
@@ -53,7 +69,10 @@ fn a_full_disk_is_an_error() {
         println!("skipped: no /dev/full here");
         return;
     }
-    let folder = folder(&[("r.urdf", ROBOT), ("package.xml", "<package><name>p</name></package>")]);
+    let folder = folder(&[
+        ("r.urdf", ROBOT),
+        ("package.xml", "<package><name>p</name></package>"),
+    ]);
     for arguments in [
         vec!["expand", "r.urdf"],
         vec!["check", "--format", "sarif", "."],
@@ -72,19 +91,33 @@ fn a_full_disk_is_an_error() {
         let output = command(&folder, &arguments).stdout(full).output().unwrap();
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
-        assert!(said.contains("cannot write to standard output: No space left"), "{arguments:?}: {said}");
+        assert!(
+            said.contains("cannot write to standard output: No space left"),
+            "{arguments:?}: {said}"
+        );
     }
 }
 
 #[test]
 fn a_reader_that_goes_away_is_none() {
     let folder = folder(&[("r.urdf", ROBOT)]);
-    for arguments in [vec!["expand", "r.urdf"], vec!["rules"], vec!["check", "--format", "json", "."]] {
-        let mut child =
-            command(&folder, &arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    for arguments in [
+        vec!["expand", "r.urdf"],
+        vec!["rules"],
+        vec!["check", "--format", "json", "."],
+    ] {
+        let mut child = command(&folder, &arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
         drop(child.stdout.take());
         let output = child.wait_with_output().unwrap();
-        assert_eq!(String::from_utf8(output.stderr).unwrap(), "", "{arguments:?}");
+        assert_eq!(
+            String::from_utf8(output.stderr).unwrap(),
+            "",
+            "{arguments:?}"
+        );
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
     }
 }
@@ -93,9 +126,13 @@ fn a_reader_that_goes_away_is_none() {
 fn a_configuration_that_cannot_be_read_is_an_error() {
     type Make = fn(&Path);
     let makes: [(&str, Make); 4] = [
-        ("a link that leads nowhere", |path| symlink("gone", path).unwrap()),
+        ("a link that leads nowhere", |path| {
+            symlink("gone", path).unwrap()
+        }),
         ("a folder", |path| fs::create_dir(path).unwrap()),
-        ("very large", |path| fs::File::create(path).unwrap().set_len(25_000_000).unwrap()),
+        ("very large", |path| {
+            fs::File::create(path).unwrap().set_len(25_000_000).unwrap()
+        }),
         ("not for us", |path| {
             fs::write(path, "ignore = [\"ALL\"]").unwrap();
             fs::set_permissions(path, fs::Permissions::from_mode(0o000)).unwrap();
@@ -109,12 +146,18 @@ fn a_configuration_that_cannot_be_read_is_an_error() {
             println!("skipped, {kind}: this user may read everything");
             continue;
         }
-        for arguments in
-            [vec!["check", "."], vec!["fix", "."], vec!["config", "."], vec!["format", "--check", "."]]
-        {
+        for arguments in [
+            vec!["check", "."],
+            vec!["fix", "."],
+            vec!["config", "."],
+            vec!["format", "--check", "."],
+        ] {
             let (code, _, said) = run(&folder, &arguments);
             assert_eq!(code, Some(2), "{kind}, {arguments:?}: {said}");
-            assert!(said.contains("error: xacro-lint.toml: "), "{kind}, {arguments:?}: {said}");
+            assert!(
+                said.contains("error: xacro-lint.toml: "),
+                "{kind}, {arguments:?}: {said}"
+            );
         }
     }
 }
@@ -124,10 +167,18 @@ fn text_of_files_stays_in_its_line() {
     let name = "a&#10;::error file=x::said&#155;&#127;";
     let link = |name: &str| format!("<link name=\"{name}\"/>");
     let joint = "<joint name=\"j&#10;::error::\" type=\"fixed\"><parent link=\"base\"/><child link=\"a&#10;::error file=x::said&#155;&#127;\"/></joint>";
-    let robot = format!("<robot name=\"r&#10;::error::\">{}{}{joint}</robot>", link("base"), link(name));
+    let robot = format!(
+        "<robot name=\"r&#10;::error::\">{}{}{joint}</robot>",
+        link("base"),
+        link(name)
+    );
     let message = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"a\"/>${xacro.message('m\\n::error::x')}</robot>";
     let manifest = "<package><name>p&#10;::error::</name></package>";
-    let folder = folder(&[("r.urdf", &robot), ("m.xacro", message), ("p/package.xml", manifest)]);
+    let folder = folder(&[
+        ("r.urdf", &robot),
+        ("m.xacro", message),
+        ("p/package.xml", manifest),
+    ]);
     for arguments in [
         vec!["tree", "r.urdf"],
         vec!["tree", "--joints", "r.urdf"],
@@ -154,13 +205,25 @@ fn a_file_that_cannot_be_fixed_does_not_keep_others_from_it() {
         "<robot name=\"r\">",
         "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><property name=\"a\" value=\"1\"/>",
     );
-    let folder = folder(&[("a.xacro", &wrong), ("b.xacro", &wrong), ("c.xacro", &wrong)]);
+    let folder = folder(&[
+        ("a.xacro", &wrong),
+        ("b.xacro", &wrong),
+        ("c.xacro", &wrong),
+    ]);
     let latin = [wrong.as_bytes(), b"<!-- \xe9 -->"].concat();
     fs::write(folder.join("d.xacro"), latin).unwrap();
     fs::set_permissions(folder.join("b.xacro"), fs::Permissions::from_mode(0o444)).unwrap();
-    let is_root = fs::File::options().write(true).open(folder.join("b.xacro")).is_ok();
+    let is_root = fs::File::options()
+        .write(true)
+        .open(folder.join("b.xacro"))
+        .is_ok();
     let (code, _, said) = run(&folder, &["fix", "."]);
-    for (name, fixed) in [("a.xacro", true), ("b.xacro", is_root), ("c.xacro", true), ("d.xacro", false)] {
+    for (name, fixed) in [
+        ("a.xacro", true),
+        ("b.xacro", is_root),
+        ("c.xacro", true),
+        ("d.xacro", false),
+    ] {
         let text = fs::read(folder.join(name)).unwrap();
         let text = String::from_utf8_lossy(&text);
         assert_eq!(text.contains("<xacro:property"), fixed, "{name}: {said}");
@@ -195,7 +258,11 @@ fn a_comment_at_an_include_hides_what_is_in_the_file() {
 fn bash_completes_below_the_first_word() {
     let script = run(Path::new("."), &["completions", "bash"]).1;
     let ask = |words: &[&str]| {
-        let list = words.iter().map(|word| format!("'{word}'")).collect::<Vec<_>>().join(" ");
+        let list = words
+            .iter()
+            .map(|word| format!("'{word}'"))
+            .collect::<Vec<_>>()
+            .join(" ");
         let last = words.len() - 1;
         let code = format!(
             "{script}\nCOMP_WORDS=({list}); COMP_CWORD={last}; _xacro__lint xacro-lint '{}' '{}'; printf '%s\\n' \"${{COMPREPLY[@]}}\"",
@@ -212,23 +279,47 @@ fn bash_completes_below_the_first_word() {
         return;
     };
     assert_eq!(commands.trim(), "check");
-    assert!(ask(&["xacro-lint", "check", "--fo"]).unwrap().contains("--format"));
-    assert!(ask(&["xacro-lint", "check", "--format", ""]).unwrap().contains("sarif"));
-    assert!(ask(&["xacro-lint", "fix", "--"]).unwrap().contains("--unsafe-fixes"));
+    assert!(
+        ask(&["xacro-lint", "check", "--fo"])
+            .unwrap()
+            .contains("--format")
+    );
+    assert!(
+        ask(&["xacro-lint", "check", "--format", ""])
+            .unwrap()
+            .contains("sarif")
+    );
+    assert!(
+        ask(&["xacro-lint", "fix", "--"])
+            .unwrap()
+            .contains("--unsafe-fixes")
+    );
 }
 
 #[test]
 fn places_of_a_sarif_result_differ() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples/broken_cell");
-    let (_, out, _) = run(&folder, &["check", "--format", "sarif", "--show", "all", "."]);
+    let (_, out, _) = run(
+        &folder,
+        &["check", "--format", "sarif", "--show", "all", "."],
+    );
     let report: serde_json::Value = serde_json::from_str(&out).unwrap();
     let mut seen = 0;
     for result in report["runs"][0]["results"].as_array().unwrap() {
-        let places = result["relatedLocations"].as_array().cloned().unwrap_or_default();
+        let places = result["relatedLocations"]
+            .as_array()
+            .cloned()
+            .unwrap_or_default();
         for (number, place) in places.iter().enumerate() {
-            let without_id =
-                |place: &serde_json::Value| (place["physicalLocation"].clone(), place["message"].clone());
-            assert!(places[..number].iter().all(|other| without_id(other) != without_id(place)), "{result}");
+            let without_id = |place: &serde_json::Value| {
+                (place["physicalLocation"].clone(), place["message"].clone())
+            };
+            assert!(
+                places[..number]
+                    .iter()
+                    .all(|other| without_id(other) != without_id(place)),
+                "{result}"
+            );
         }
         seen += places.len();
     }
@@ -245,7 +336,10 @@ fn a_file_that_is_excluded_does_not_look_checked() {
     let folder = folder(&files);
     let (code, out, err) = run(&folder, &["check", "sub/b.urdf", "a.urdf"]);
     assert_eq!(code, Some(0), "{out}{err}");
-    assert!(err.contains("warning: sub/b.urdf was not checked: it is excluded"), "{err}");
+    assert!(
+        err.contains("warning: sub/b.urdf was not checked: it is excluded"),
+        "{err}"
+    );
     assert!(out.contains("1 file checked"), "{out}");
 }
 
@@ -253,10 +347,21 @@ fn a_file_that_is_excluded_does_not_look_checked() {
 fn a_baseline_speaks_of_the_files_that_are_checked() {
     let wrong = ROBOT.replace("/>", "/><link name=\"loose\"/>");
     let folder = folder(&[("a.urdf", &wrong), ("b.urdf", &wrong)]);
-    assert_eq!(run(&folder, &["check", "--write-baseline", "k.json", "."]).0, Some(0));
-    let said = |arguments: &[&str]| run(&folder, &[&["check", "--baseline", "k.json"], arguments].concat()).2;
+    assert_eq!(
+        run(&folder, &["check", "--write-baseline", "k.json", "."]).0,
+        Some(0)
+    );
+    let said = |arguments: &[&str]| {
+        run(
+            &folder,
+            &[&["check", "--baseline", "k.json"], arguments].concat(),
+        )
+        .2
+    };
     fs::write(folder.join("a.urdf"), ROBOT).unwrap();
-    assert!(said(&["b.urdf"]).contains("not shown") && !said(&["b.urdf"]).contains("no longer found"));
+    assert!(
+        said(&["b.urdf"]).contains("not shown") && !said(&["b.urdf"]).contains("no longer found")
+    );
     let one = said(&["a.urdf"]);
     assert!(one.contains("from the baseline no longer found\n"), "{one}");
     assert!(said(&["."]).contains("no longer found: update it with --write-baseline"));
@@ -269,14 +374,24 @@ fn run_without_rights(folder: &Path, arguments: &[&str]) -> Option<(Option<i32>,
     if fs::read_dir(folder.join("closed")).is_ok() {
         command.uid(65534).gid(65534);
     }
-    let Output { status, stdout, stderr } = command.output().ok()?;
-    Some((status.code(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap()))
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = command.output().ok()?;
+    Some((
+        status.code(),
+        String::from_utf8(stdout).unwrap(),
+        String::from_utf8(stderr).unwrap(),
+    ))
 }
 
 #[test]
 fn folders_that_cannot_be_read_are_named() {
     let folder = folder(&[("a.urdf", ROBOT), ("closed/b.urdf", ROBOT)]);
-    let mode = |mode| fs::set_permissions(folder.join("closed"), fs::Permissions::from_mode(mode)).unwrap();
+    let mode = |mode| {
+        fs::set_permissions(folder.join("closed"), fs::Permissions::from_mode(mode)).unwrap()
+    };
     mode(0o000);
     let inside = run_without_rights(&folder, &["check", "."]);
     let named = run_without_rights(&folder, &["check", "closed"]);
@@ -289,7 +404,10 @@ fn folders_that_cannot_be_read_are_named() {
     let said = "warning: closed was not checked: cannot read the folder: Permission denied";
     assert!(inside.contains(said), "{inside}");
     assert_eq!(failed, Some(2), "{named}");
-    assert!(named.contains("error: closed: Permission denied"), "{named}");
+    assert!(
+        named.contains("error: closed: Permission denied"),
+        "{named}"
+    );
 }
 
 #[test]
@@ -307,7 +425,12 @@ fn names_that_are_no_text_are_said_to_be_skipped() {
     let (code, out, err) = run(&folder, &["check", "."]);
     assert_eq!(code, Some(0), "{out}{err}");
     assert!(out.contains("1 file checked"), "{out}");
-    assert_eq!(err.matches("was not checked: its name is not valid UTF-8").count(), 2, "{err}");
+    assert_eq!(
+        err.matches("was not checked: its name is not valid UTF-8")
+            .count(),
+        2,
+        "{err}"
+    );
 }
 
 #[test]
@@ -316,7 +439,11 @@ fn roots_folders_and_arguments_that_are_not_there() {
                   file = \"r.xacro\"\nargs = { side = \"left\" }\npresets.far = { distance = 2, dept = 1 }\n";
     let robot = "<robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\">\n<xacro:arg name=\"depth\" default=\"1\"/>\n\
                  <link name=\"$(arg side)_$(arg depth)\"/>\n</robot>\n";
-    let folder = folder(&[("xacro-lint.toml", config), ("r.xacro", robot), ("src/a.txt", "")]);
+    let folder = folder(&[
+        ("xacro-lint.toml", config),
+        ("r.xacro", robot),
+        ("src/a.txt", ""),
+    ]);
     let (code, out, _) = run(&folder, &["check", "--format", "concise", "."]);
     assert_eq!(code, Some(1), "{out}");
     for said in [
@@ -365,20 +492,36 @@ fn a_diff_has_the_bytes_of_the_file() {
                  <link name=\"b\"/>\n  <joint name=\"j\" type=\"fixed\">\n    <parent link=\"a\"/>\n    <child link=\"b\"/>\n  </joint>\n</robot>\n";
     let folder = folder(&[("a file.urdf", wrong), ("z.urdf", wrong), ("b.urdf", wrong)]);
     let (_, diff, err) = run(&folder, &["check", "--diff", "."]);
-    let names: Vec<&str> = diff.lines().filter(|line| line.starts_with("--- ")).collect();
-    assert_eq!(names, ["--- a/a file.urdf\t", "--- a/b.urdf", "--- a/z.urdf"], "{err}");
+    let names: Vec<&str> = diff
+        .lines()
+        .filter(|line| line.starts_with("--- "))
+        .collect();
+    assert_eq!(
+        names,
+        ["--- a/a file.urdf\t", "--- a/b.urdf", "--- a/z.urdf"],
+        "{err}"
+    );
     fs::write(folder.join("fix.patch"), &diff).unwrap();
     let fixed = wrong.replace("  <!-- xacro-lint: disable-next-line STR: x -->\n", "");
-    for (program, arguments) in
-        [("git", vec!["apply", "fix.patch"]), ("patch", vec!["-p1", "--binary", "-i", "fix.patch"])]
-    {
-        let Ok(output) = Command::new(program).args(arguments).current_dir(&folder).output() else {
+    for (program, arguments) in [
+        ("git", vec!["apply", "fix.patch"]),
+        ("patch", vec!["-p1", "--binary", "-i", "fix.patch"]),
+    ] {
+        let Ok(output) = Command::new(program)
+            .args(arguments)
+            .current_dir(&folder)
+            .output()
+        else {
             println!("skipped: no {program} here");
             continue;
         };
         assert!(output.status.success(), "{program}: {output:?}");
         for name in ["a file.urdf", "b.urdf", "z.urdf"] {
-            assert_eq!(fs::read_to_string(folder.join(name)).unwrap(), fixed, "{program} {name}");
+            assert_eq!(
+                fs::read_to_string(folder.join(name)).unwrap(),
+                fixed,
+                "{program} {name}"
+            );
             fs::write(folder.join(name), wrong).unwrap();
         }
     }
@@ -387,9 +530,17 @@ fn a_diff_has_the_bytes_of_the_file() {
 #[test]
 fn an_empty_path_is_no_folder() {
     let folder = folder(&[("a.urdf", ROBOT)]);
-    for arguments in [vec!["fix", ""], vec!["check", ""], vec!["check", "a.urdf", ""]] {
+    for arguments in [
+        vec!["fix", ""],
+        vec!["check", ""],
+        vec!["check", "a.urdf", ""],
+    ] {
         let (code, _, err) = run(&folder, &arguments);
-        assert_eq!((code, err.contains("empty path")), (Some(2), true), "{arguments:?}: {err}");
+        assert_eq!(
+            (code, err.contains("empty path")),
+            (Some(2), true),
+            "{arguments:?}: {err}"
+        );
     }
 }
 

@@ -50,7 +50,9 @@ const PART: &str = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n<xacr
 
 /// What `fix` changes: the prefix is missing.
 fn fixable(lines: usize) -> String {
-    let lines: String = (0..lines).map(|n| format!("  <!-- \"l{n}\" -->\n")).collect();
+    let lines: String = (0..lines)
+        .map(|n| format!("  <!-- \"l{n}\" -->\n"))
+        .collect();
     format!(
         "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n  <property name=\"p\" value=\"a\"/>\n\
          {lines}  <link name=\"${{p}}\"/>\n</robot>\n"
@@ -62,15 +64,23 @@ fn fixed(lines: usize) -> String {
 }
 
 fn run(mut command: Command, folder: &Path) -> (i32, String) {
-    let command =
-        command.current_dir(folder).stdin(Stdio::null()).env("AMENT_PREFIX_PATH", folder.join("none"));
+    let command = command
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .env("AMENT_PREFIX_PATH", folder.join("none"));
     told(command.output().unwrap())
 }
 
 fn told(output: Output) -> (i32, String) {
-    let text =
-        format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    let code = output.status.code().unwrap_or_else(|| panic!("ended by a signal: {text}"));
+    let text = format!(
+        "{}{}",
+        String::from_utf8_lossy(&output.stdout),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let code = output
+        .status
+        .code()
+        .unwrap_or_else(|| panic!("ended by a signal: {text}"));
     assert!(!text.contains("panicked"), "{text}");
     assert!((0..=2).contains(&code), "exit {code}: {text}");
     (code, text)
@@ -92,11 +102,19 @@ fn lint_bound(folder: &Path, arguments: &[&str]) -> Option<(i32, String)> {
     mode(&program, 0o755);
     let nobody = ["--reuid=65534", "--regid=65534", "--clear-groups"];
     let mut command = Command::new("setpriv");
-    let works = command.args(nobody).arg("true").output().is_ok_and(|done| done.status.success());
+    let works = command
+        .args(nobody)
+        .arg("true")
+        .output()
+        .is_ok_and(|done| done.status.success());
     let result = works.then(|| {
         // a program that another thread inherits open for writing is busy for a moment
-        let ready =
-            || Command::new(&program).arg("--version").output().is_ok_and(|done| done.status.success());
+        let ready = || {
+            Command::new(&program)
+                .arg("--version")
+                .output()
+                .is_ok_and(|done| done.status.success())
+        };
         while !ready() {
             std::thread::sleep(Duration::from_millis(10));
         }
@@ -132,10 +150,16 @@ fn what_may_not_be_read_is_named() {
     mode(&folder.join("closed"), 0o000);
     if let Some((code, text)) = lint_bound(&folder, &["check", "r.urdf.xacro"]) {
         assert_eq!(code, 1, "{text}");
-        assert!(text.contains("`part.xacro` cannot be read: Permission denied"), "{text}");
+        assert!(
+            text.contains("`part.xacro` cannot be read: Permission denied"),
+            "{text}"
+        );
         assert!(text.contains("r.urdf.xacro:2:"), "{text}");
         let (code, text) = lint_bound(&folder, &["check", "part.xacro"]).unwrap();
-        assert!(code > 0 && text.contains("part.xacro") && text.contains("Permission denied"), "{text}");
+        assert!(
+            code > 0 && text.contains("part.xacro") && text.contains("Permission denied"),
+            "{text}"
+        );
         let (_, text) = lint_bound(&folder, &["check", "."]).unwrap();
         assert!(text.contains("`part.xacro` cannot be read"), "{text}");
     }
@@ -150,10 +174,16 @@ fn a_workspace_that_may_only_be_read_is_checked_and_left_alone() {
     mode(&folder, 0o555);
     if let Some((code, text)) = lint_bound(&folder, &["fix", "."]) {
         assert_eq!(code, 2, "{text}");
-        assert!(text.contains("cannot write r.urdf.xacro: Permission denied"), "{text}");
+        assert!(
+            text.contains("cannot write r.urdf.xacro: Permission denied"),
+            "{text}"
+        );
     }
     mode(&folder, 0o777);
-    assert_eq!(texts(&folder), BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(3))]));
+    assert_eq!(
+        texts(&folder),
+        BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(3))])
+    );
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -164,9 +194,15 @@ fn a_file_that_is_protected_is_not_replaced() {
     mode(&folder.join("r.urdf.xacro"), 0o444);
     if let Some((code, text)) = lint_bound(&folder, &["fix", "."]) {
         assert_eq!(code, 2, "{text}");
-        assert!(text.contains("cannot write r.urdf.xacro: Permission denied"), "{text}");
+        assert!(
+            text.contains("cannot write r.urdf.xacro: Permission denied"),
+            "{text}"
+        );
     }
-    assert_eq!(texts(&folder), BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(3))]));
+    assert_eq!(
+        texts(&folder),
+        BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(3))])
+    );
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -181,9 +217,16 @@ fn permissions_and_owner_stay() {
     }
     let before = fs::metadata(&path).unwrap();
     let (code, text) = lint(&folder, &["fix", "."]);
-    assert_eq!((code, fs::read_to_string(&path).unwrap()), (0, fixed(3)), "{text}");
+    assert_eq!(
+        (code, fs::read_to_string(&path).unwrap()),
+        (0, fixed(3)),
+        "{text}"
+    );
     let after = fs::metadata(&path).unwrap();
-    assert_eq!((after.mode(), after.uid(), after.gid()), (before.mode(), before.uid(), before.gid()));
+    assert_eq!(
+        (after.mode(), after.uid(), after.gid()),
+        (before.mode(), before.uid(), before.gid())
+    );
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -193,11 +236,27 @@ fn links_are_followed_inside_the_workspace_and_refused_outside() {
     write(&folder, "robots/r.urdf.xacro", &fixable(1));
     write(&other, "foreign.urdf.xacro", &fixable(1));
     symlink("robots/r.urdf.xacro", folder.join("link.urdf.xacro")).unwrap();
-    symlink(other.join("foreign.urdf.xacro"), folder.join("away.urdf.xacro")).unwrap();
+    symlink(
+        other.join("foreign.urdf.xacro"),
+        folder.join("away.urdf.xacro"),
+    )
+    .unwrap();
     lint(&folder, &["fix", "."]);
-    assert!(folder.join("link.urdf.xacro").symlink_metadata().unwrap().is_symlink());
-    assert_eq!(fs::read_to_string(folder.join("robots/r.urdf.xacro")).unwrap(), fixed(1));
-    assert_eq!(fs::read_to_string(other.join("foreign.urdf.xacro")).unwrap(), fixable(1));
+    assert!(
+        folder
+            .join("link.urdf.xacro")
+            .symlink_metadata()
+            .unwrap()
+            .is_symlink()
+    );
+    assert_eq!(
+        fs::read_to_string(folder.join("robots/r.urdf.xacro")).unwrap(),
+        fixed(1)
+    );
+    assert_eq!(
+        fs::read_to_string(other.join("foreign.urdf.xacro")).unwrap(),
+        fixable(1)
+    );
     fs::remove_dir_all(folder).unwrap();
     fs::remove_dir_all(other).unwrap();
 }
@@ -214,14 +273,24 @@ fn what_is_no_file_is_named_and_not_waited_for() {
             code == 1 && text.contains("part.xacro") && text.contains("r.urdf.xacro:2:"),
             "{what}: {text}"
         );
-        assert!(begin.elapsed() < Duration::from_secs(20), "{what}: {:?}", begin.elapsed());
+        assert!(
+            begin.elapsed() < Duration::from_secs(20),
+            "{what}: {:?}",
+            begin.elapsed()
+        );
         let (code, text) = lint(&folder, &["fix", "r.urdf.xacro"]);
         assert_eq!(code, 1, "{what}: {text}");
     };
     fs::create_dir(&part).unwrap();
     named("a folder");
     fs::remove_dir(&part).unwrap();
-    assert!(Command::new("mkfifo").arg(&part).status().unwrap().success());
+    assert!(
+        Command::new("mkfifo")
+            .arg(&part)
+            .status()
+            .unwrap()
+            .success()
+    );
     named("a pipe");
     fs::remove_file(&part).unwrap();
     for device in ["/dev/zero", "/dev/tty", "/dev/stdin"] {
@@ -258,14 +327,22 @@ fn meanwhile<T>(disturb: impl Fn(usize) + Sync, work: impl FnOnce() -> T) -> T {
 fn files_that_change_vanish_and_shrink_while_they_are_read() {
     let folder = folder();
     write(&folder, "r.urdf.xacro", ROBOT);
-    let large = PART.replace("</robot>", &format!("{}</robot>", "<link name=\"b\"/>\n".repeat(20_000)));
+    let large = PART.replace(
+        "</robot>",
+        &format!("{}</robot>", "<link name=\"b\"/>\n".repeat(20_000)),
+    );
     let part = folder.join("part.xacro");
     fs::write(&part, &large).unwrap();
     let disturb = |turn: usize| {
         match turn % 6 {
             0 => drop(fs::remove_file(&part)),
             1 => drop(fs::write(&part, &large)),
-            2 => drop(fs::File::options().write(true).open(&part).and_then(|file| file.set_len(100))),
+            2 => drop(
+                fs::File::options()
+                    .write(true)
+                    .open(&part)
+                    .and_then(|file| file.set_len(100)),
+            ),
             3 => drop(fs::remove_file(&part).and_then(|()| fs::create_dir(&part))),
             4 => drop(fs::remove_dir(&part).and_then(|()| symlink("/dev/zero", &part))),
             _ => drop(fs::remove_file(&part).and_then(|()| fs::write(&part, &large))),
@@ -284,9 +361,17 @@ fn files_that_change_vanish_and_shrink_while_they_are_read() {
 fn names_that_are_not_utf_8() {
     use std::os::unix::ffi::OsStrExt;
     let folder = folder();
-    write(&folder, "r.urdf", "<robot name=\"r\"><link name=\"a\"/><link name=\"a\"/></robot>");
+    write(
+        &folder,
+        "r.urdf",
+        "<robot name=\"r\"><link name=\"a\"/><link name=\"a\"/></robot>",
+    );
     let name = std::ffi::OsStr::from_bytes(b"\xff\xfe.urdf");
-    if fs::write(folder.join(name), "<robot name=\"x\"><link name=\"b\"/><link name=\"b\"/></robot>").is_err()
+    if fs::write(
+        folder.join(name),
+        "<robot name=\"x\"><link name=\"b\"/><link name=\"b\"/></robot>",
+    )
+    .is_err()
     {
         println!("skipped: this file system knows no such names");
         return;
@@ -303,7 +388,11 @@ fn names_that_are_not_utf_8() {
 #[test]
 fn names_in_other_letter_cases() {
     let folder = folder();
-    write(&folder, "r.urdf.xacro", &ROBOT.replace("part.xacro", "Part.xacro"));
+    write(
+        &folder,
+        "r.urdf.xacro",
+        &ROBOT.replace("part.xacro", "Part.xacro"),
+    );
     write(&folder, "part.xacro", PART);
     if folder.join("PART.XACRO").exists() {
         println!("skipped: this file system does not tell letter cases apart");
@@ -311,7 +400,10 @@ fn names_in_other_letter_cases() {
     }
     // here such an include is missing; a mesh is found by listing the folder, so that it is reported everywhere
     let (code, text) = lint(&folder, &["check", "."]);
-    assert!(code == 1 && text.contains("`Part.xacro` not found"), "{text}");
+    assert!(
+        code == 1 && text.contains("`Part.xacro` not found"),
+        "{text}"
+    );
     write(&folder, "Part.xacro", PART);
     let (_, text) = lint(&folder, &["check", "r.urdf.xacro"]);
     assert!(!text.contains("Part.xacro` not found"), "{text}");
@@ -324,11 +416,20 @@ fn a_full_disk_leaves_the_old_file() {
     let folder = folder();
     write(&folder, "r.urdf.xacro", &fixable(400));
     let mut command = Command::new("sh");
-    command.arg("-c").arg("trap '' XFSZ; ulimit -f 1; exec \"$0\" fix .").arg(LINT);
+    command
+        .arg("-c")
+        .arg("trap '' XFSZ; ulimit -f 1; exec \"$0\" fix .")
+        .arg(LINT);
     let (code, text) = run(command, &folder);
     assert_eq!(code, 2, "{text}");
-    assert!(text.contains("cannot write r.urdf.xacro: File too large"), "{text}");
-    assert_eq!(texts(&folder), BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(400))]));
+    assert!(
+        text.contains("cannot write r.urdf.xacro: File too large"),
+        "{text}"
+    );
+    assert_eq!(
+        texts(&folder),
+        BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(400))])
+    );
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -338,7 +439,10 @@ fn a_small_file_system_leaves_the_old_file() {
     let folder = folder();
     let small = folder.join("small");
     fs::create_dir(&small).unwrap();
-    let mounted = Command::new("mount").args(["-t", "tmpfs", "-o", "size=64k", "none"]).arg(&small).output();
+    let mounted = Command::new("mount")
+        .args(["-t", "tmpfs", "-o", "size=64k", "none"])
+        .arg(&small)
+        .output();
     if !mounted.is_ok_and(|done| done.status.success()) {
         println!("skipped: a small file system can be made by the superuser only");
         return;
@@ -347,8 +451,14 @@ fn a_small_file_system_leaves_the_old_file() {
     let (code, text) = lint(&small, &["fix", "."]);
     let left = texts(&small);
     Command::new("umount").arg(&small).status().unwrap();
-    assert!(code == 2 && text.contains("cannot write r.urdf.xacro: No space left on device"), "{text}");
-    assert_eq!(left, BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(2000))]));
+    assert!(
+        code == 2 && text.contains("cannot write r.urdf.xacro: No space left on device"),
+        "{text}"
+    );
+    assert_eq!(
+        left,
+        BTreeMap::from([("r.urdf.xacro".to_owned(), fixable(2000))])
+    );
     fs::remove_dir_all(folder).unwrap();
 }
 
@@ -379,7 +489,10 @@ fn two_runs_of_fix_at_once() {
         }
         let left = texts(&folder);
         assert_eq!(left.len(), 40, "{:?}", left.keys());
-        assert!(left.values().all(|text| *text == fixed(200)), "round {round}");
+        assert!(
+            left.values().all(|text| *text == fixed(200)),
+            "round {round}"
+        );
     }
     fs::remove_dir_all(folder).unwrap();
 }
@@ -407,8 +520,14 @@ fn who_saves_a_file_while_it_is_fixed_finds_it_whole() {
         }
     });
     // whole in every case: one of the texts that were saved, fixed or not
-    let text = fs::read_to_string(&path).unwrap().replace("<xacro:property", "<property");
-    let number = text.split("\"saved").nth(1).and_then(|rest| rest.split('"').next()).unwrap();
+    let text = fs::read_to_string(&path)
+        .unwrap()
+        .replace("<xacro:property", "<property");
+    let number = text
+        .split("\"saved")
+        .nth(1)
+        .and_then(|rest| rest.split('"').next())
+        .unwrap();
     assert_eq!(text, fixable(10).replace("l3", &format!("saved{number}")));
     fs::remove_dir_all(folder).unwrap();
 }
@@ -429,12 +548,19 @@ fn ctrl_c_at_any_time_leaves_every_file_whole() {
         std::thread::sleep(Duration::from_millis(round * 8));
         // a shell that started the tests in the background has told them to ignore the first one
         let signal = if round % 2 == 0 { "-INT" } else { "-TERM" };
-        Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
+        Command::new("kill")
+            .args([signal, &child.id().to_string()])
+            .stderr(Stdio::null())
+            .status()
+            .unwrap();
         interrupted += usize::from(child.wait().unwrap().code().is_none());
         for (name, text) in texts(&folder) {
             // a new file that did not get its name yet is no description and may be cut
             let is_new = name.starts_with('.') && name.ends_with(".tmp");
-            assert!(is_new || text == fixable(200) || text == fixed(200), "round {round}: {name} is cut");
+            assert!(
+                is_new || text == fixable(200) || text == fixed(200),
+                "round {round}: {name} is cut"
+            );
         }
     }
     assert!(interrupted > 0, "no run was interrupted");
@@ -448,12 +574,23 @@ fn ctrl_c_at_any_time_leaves_every_file_whole() {
 fn nesting_is_no_matter_of_the_stack_that_a_shell_gives() {
     let folder = folder();
     let (open, close) = ("<a>".repeat(100_000), "</a>".repeat(100_000));
-    write(&folder, "deep.urdf", &format!("<robot name=\"deep\">{open}{close}</robot>"));
+    write(
+        &folder,
+        "deep.urdf",
+        &format!("<robot name=\"deep\">{open}{close}</robot>"),
+    );
     for kilobytes in [256, 512, 1024, 2048, 8192, 16_384] {
         let script = format!("ulimit -S -s {kilobytes} && exec \"$0\" expand deep.urdf");
-        let run = Command::new("sh").args(["-c", &script, LINT]).current_dir(&folder).output().unwrap();
+        let run = Command::new("sh")
+            .args(["-c", &script, LINT])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
         let said = String::from_utf8_lossy(&run.stderr);
-        assert!(run.status.code() == Some(2) && said.contains("nested more than"), "{kilobytes} KB: {said}");
+        assert!(
+            run.status.code() == Some(2) && said.contains("nested more than"),
+            "{kilobytes} KB: {said}"
+        );
     }
 }
 
@@ -466,12 +603,24 @@ fn nesting_has_no_end() {
         ("<link name=\"a\">", "</link>"),
         ("<group>", "</group>"),
     ] {
-        let nested = format!("<robot name=\"r\">{}{}</robot>", open.repeat(100_000), close.repeat(100_000));
+        let nested = format!(
+            "<robot name=\"r\">{}{}</robot>",
+            open.repeat(100_000),
+            close.repeat(100_000)
+        );
         for name in ["r.urdf.xacro", "r.urdf", "r.srdf"] {
             write(&folder, name, &nested);
             for command in ["check", "expand", "tree", "format"] {
-                let done = Command::new(LINT).arg(command).arg(name).current_dir(&folder).output().unwrap();
-                assert!(done.status.code().is_some(), "{command} {name} with {open}: {done:?}");
+                let done = Command::new(LINT)
+                    .arg(command)
+                    .arg(name)
+                    .current_dir(&folder)
+                    .output()
+                    .unwrap();
+                assert!(
+                    done.status.code().is_some(),
+                    "{command} {name} with {open}: {done:?}"
+                );
                 fs::write(folder.join(name), &nested).unwrap();
             }
         }
@@ -481,15 +630,33 @@ fn nesting_has_no_end() {
 
 #[test]
 fn preview_of_a_build_without_the_viewer_says_how_to_get_it() {
-    if Path::new(env!("CARGO_MANIFEST_DIR")).join("editors/viewer/dist/viewer.js").exists() {
+    if Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("editors/viewer/dist/viewer.js")
+        .exists()
+    {
         println!("skip: this build has the viewer; the suite `preview` opens it");
         return;
     }
     let folder = folder();
-    fs::write(folder.join("r.urdf"), "<robot name=\"r\"><link name=\"a\"/></robot>").unwrap();
-    let said = Command::new(LINT).args(["preview", "r.urdf"]).current_dir(&folder).output().unwrap();
+    fs::write(
+        folder.join("r.urdf"),
+        "<robot name=\"r\"><link name=\"a\"/></robot>",
+    )
+    .unwrap();
+    let said = Command::new(LINT)
+        .args(["preview", "r.urdf"])
+        .current_dir(&folder)
+        .output()
+        .unwrap();
     let error = String::from_utf8(said.stderr).unwrap();
     assert_eq!(said.status.code(), Some(2), "{error}");
-    assert!(error.starts_with("error: this program was built without the viewer; run `npm ci`"), "{error}");
-    assert_eq!((error.lines().count(), said.stdout.len()), (1, 0), "{error}");
+    assert!(
+        error.starts_with("error: this program was built without the viewer; run `npm ci`"),
+        "{error}"
+    );
+    assert_eq!(
+        (error.lines().count(), said.stdout.len()),
+        (1, 0),
+        "{error}"
+    );
 }

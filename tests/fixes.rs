@@ -19,7 +19,9 @@ use xacro_lsp::rules::{self, Finding, Safety, Severity};
 use xacro_lsp::vfs::Environment;
 
 fn temporary(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fixes").join(name);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("fixes")
+        .join(name);
     let _ = fs::remove_dir_all(&folder);
     // a repository of its own: nothing is read of folders above
     fs::create_dir_all(folder.join(".git")).unwrap();
@@ -27,8 +29,14 @@ fn temporary(name: &str) -> PathBuf {
 }
 
 fn environment(folder: &Path) -> Environment {
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    Environment { vars, cwd: folder.to_owned() }
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )]);
+    Environment {
+        vars,
+        cwd: folder.to_owned(),
+    }
 }
 
 /// The files of the bad blocks of a page, the one to check first.
@@ -62,43 +70,92 @@ fn expansion(folder: &Path, file: &str) -> Option<Vec<String>> {
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut stdin = std::io::empty();
     let mut io = Io::plain(&mut out, &mut err, &mut stdin);
-    let code = cli::run(&["expand".to_owned(), file.to_owned()], &environment(folder), &mut io);
+    let code = cli::run(
+        &["expand".to_owned(), file.to_owned()],
+        &environment(folder),
+        &mut io,
+    );
     let text = String::from_utf8(out).unwrap();
-    let document = roxmltree::Document::parse(&text).ok().filter(|_| code == 0)?;
-    let nodes = document.root().descendants().filter(|node| node.is_element() || node.is_text());
+    let document = roxmltree::Document::parse(&text)
+        .ok()
+        .filter(|_| code == 0)?;
+    let nodes = document
+        .root()
+        .descendants()
+        .filter(|node| node.is_element() || node.is_text());
     let shown = nodes.map(|node| match node.text().filter(|_| node.is_text()) {
         Some(text) => text.trim().to_owned(),
         None => {
-            let attributes: BTreeMap<_, _> = node.attributes().map(|a| (a.name(), a.value())).collect();
-            format!("{} {:?} {attributes:?}", node.ancestors().count(), node.tag_name().name())
+            let attributes: BTreeMap<_, _> =
+                node.attributes().map(|a| (a.name(), a.value())).collect();
+            format!(
+                "{} {:?} {attributes:?}",
+                node.ancestors().count(),
+                node.tag_name().name()
+            )
         }
     });
     Some(shown.filter(|text| !text.is_empty()).collect())
 }
 
 fn fix(folder: &Path, file: &str, extend_select: Option<Vec<String>>, most: Safety) -> Fixed {
-    let overrides = Overrides { extend_select, ..Overrides::default() };
-    let setup = Setup { about: folder.to_owned(), overrides, ..Setup::default() };
+    let overrides = Overrides {
+        extend_select,
+        ..Overrides::default()
+    };
+    let setup = Setup {
+        about: folder.to_owned(),
+        overrides,
+        ..Setup::default()
+    };
     let session = Session::new(&environment(folder), setup).unwrap();
-    let options = CheckOptions { paths: vec![file.into()], ..CheckOptions::default() };
-    let fixed = session.fix(&options, FixOptions { most, shown: Severity::Hint });
+    let options = CheckOptions {
+        paths: vec![file.into()],
+        ..CheckOptions::default()
+    };
+    let fixed = session.fix(
+        &options,
+        FixOptions {
+            most,
+            shown: Severity::Hint,
+        },
+    );
     for file in &fixed.files {
-        session.vfs.rewrite(&file.path, &file.before, &file.after).unwrap();
+        session
+            .vfs
+            .rewrite(&file.path, &file.before, &file.after)
+            .unwrap();
     }
     fixed
 }
 
 fn serious(report: &Report) -> Vec<(&'static str, &str)> {
-    let findings = report.findings.iter().filter(|finding| finding.severity >= Severity::Warning);
-    findings.map(|finding| (finding.rule.name, finding.message.as_str())).collect()
+    let findings = report
+        .findings
+        .iter()
+        .filter(|finding| finding.severity >= Severity::Warning);
+    findings
+        .map(|finding| (finding.rule.name, finding.message.as_str()))
+        .collect()
 }
 
 /// Whether errors had safe fixes. They are gone then.
 fn fixed_errors(fixed: &Fixed) -> bool {
-    let is_safe = |finding: &&Finding| finding.fix.as_ref().is_some_and(|fix| fix.safety == Safety::Safe);
+    let is_safe = |finding: &&Finding| {
+        finding
+            .fix
+            .as_ref()
+            .is_some_and(|fix| fix.safety == Safety::Safe)
+    };
     let errors = |report: &Report| {
-        let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
-        errors.filter(is_safe).map(|finding| (finding.rule.name, finding.message.clone())).collect()
+        let errors = report
+            .findings
+            .iter()
+            .filter(|finding| finding.severity == Severity::Error);
+        errors
+            .filter(is_safe)
+            .map(|finding| (finding.rule.name, finding.message.clone()))
+            .collect()
     };
     let (found, left): (BTreeSet<_>, BTreeSet<_>) = (errors(&fixed.found), errors(fixed.left()));
     assert!(found.is_disjoint(&left), "{left:?} are still there");
@@ -111,11 +168,23 @@ fn try_out(folder: &Path, file: &str, select: Option<&str>, most: Safety) -> Opt
     let before = expansion(folder, file);
     let fixed = fix(folder, file, select(), most);
     let after = expansion(folder, file);
-    for finding in fixed.found.findings.iter().filter(|finding| finding.fix.is_some()) {
-        assert!(finding.rule.fix.is_some(), "the page of {} says that it has no fix", finding.rule.name);
+    for finding in fixed
+        .found
+        .findings
+        .iter()
+        .filter(|finding| finding.fix.is_some())
+    {
+        assert!(
+            finding.rule.fix.is_some(),
+            "the page of {} says that it has no fix",
+            finding.rule.name
+        );
     }
     let (found, left) = (serious(&fixed.found), serious(fixed.left()));
-    let news: BTreeSet<_> = left.iter().filter(|finding| !found.contains(finding)).collect();
+    let news: BTreeSet<_> = left
+        .iter()
+        .filter(|finding| !found.contains(finding))
+        .collect();
     // fixed errors may uncover what they hid; whatever else was fixed is just gone
     if most == Safety::Safe && !fixed_errors(&fixed) {
         if !news.is_empty() {
@@ -144,15 +213,22 @@ fn fixes_of_the_pages() {
                 }
                 let file = &files[0].0;
                 let trouble = try_out(&folder, file, Some(rule.name), most);
-                wrong.extend(trouble.map(|text| format!("{} #{number}, {}: {text}", rule.name, most.name())));
-                if files.iter().any(|(name, text)| fs::read_to_string(folder.join(name)).unwrap() != *text) {
+                wrong.extend(
+                    trouble.map(|text| format!("{} #{number}, {}: {text}", rule.name, most.name())),
+                );
+                if files
+                    .iter()
+                    .any(|(name, text)| fs::read_to_string(folder.join(name)).unwrap() != *text)
+                {
                     fixed.insert(rule.name);
                 }
             }
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert!(fixed.contains("nonstandard-xacro-namespace") && fixed.contains("unprefixed-xacro-tag"));
+    assert!(
+        fixed.contains("nonstandard-xacro-namespace") && fixed.contains("unprefixed-xacro-tag")
+    );
 }
 
 #[test]
@@ -194,7 +270,11 @@ fn check_safe_fix(content: &str, parts: &[(&str, &str)], expected: &[(&str, &str
     }
     for _ in 0..2 {
         fix(&folder, ".", Some(vec!["ALL".to_owned()]), Safety::Safe);
-        assert_eq!(fs::read_to_string(folder.join("r.urdf.xacro")).unwrap(), wanted, "{content}");
+        assert_eq!(
+            fs::read_to_string(folder.join("r.urdf.xacro")).unwrap(),
+            wanted,
+            "{content}"
+        );
     }
 }
 
@@ -210,7 +290,11 @@ fn comparisons_that_other_values_need() {
     let argument = "<xacro:arg name=\"q\" default=\"true\"/>";
     check_safe_fix(&format!("{argument}{}", switch("$(arg q)")), &[], &[]);
     let called = "<xacro:macro name=\"m\" params=\"q\"><xacro:if value=\"${q == 'true'}\"><link name=\"a\"/></xacro:if></xacro:macro>";
-    check_safe_fix(&format!("{called}<xacro:m q=\"true\"/><xacro:m q=\"maybe\"/>"), &[], &[]);
+    check_safe_fix(
+        &format!("{called}<xacro:m q=\"true\"/><xacro:m q=\"maybe\"/>"),
+        &[],
+        &[],
+    );
     check_safe_fix(called, &[], &[]);
 }
 
@@ -243,15 +327,26 @@ fn elements_that_other_calls_need() {
 fn includes_that_do_something_twice() {
     let include = "<xacro:include filename=\"p.xacro\"/>";
     let twice = |between: &str| {
-        format!("<xacro:property name=\"w\" value=\"1\"/>{include}<link name=\"a${{v}}\"/>{between}{include}")
+        format!(
+            "<xacro:property name=\"w\" value=\"1\"/>{include}<link name=\"a${{v}}\"/>{between}{include}"
+        )
     };
-    let part = |value: &str| format!("<xacro:property name=\"v\" value=\"{value}\" lazy_eval=\"false\"/>");
+    let part =
+        |value: &str| format!("<xacro:property name=\"v\" value=\"{value}\" lazy_eval=\"false\"/>");
     let again = "<xacro:property name=\"w\" value=\"5\"/>";
     let uses = "<xacro:macro name=\"m\"><material name=\"${v}\"/></xacro:macro><xacro:m/>";
-    check_safe_fix(&format!("{}{uses}", twice(again)), &[("p.xacro", &part("${w + 1}"))], &[]);
+    check_safe_fix(
+        &format!("{}{uses}", twice(again)),
+        &[("p.xacro", &part("${w + 1}"))],
+        &[],
+    );
     let harmless = format!("{}{uses}", twice(""));
     let gone = format!("<link name=\"a${{v}}\"/>{include}");
-    check_safe_fix(&harmless, &[("p.xacro", &part("2"))], &[(&gone, "<link name=\"a${v}\"/>")]);
+    check_safe_fix(
+        &harmless,
+        &[("p.xacro", &part("2"))],
+        &[(&gone, "<link name=\"a${v}\"/>")],
+    );
 }
 
 #[test]
@@ -259,8 +354,9 @@ fn suppressions_that_other_arguments_need() {
     let comment = "<!-- xacro-lint: disable-next-line orphan-link, zero-mass: reason -->\n";
     let link = "<link name=\"base\"/>";
     let argument = "<xacro:arg name=\"sim\" default=\"false\"/>";
-    let condition =
-        format!("{argument}{link}<xacro:if value=\"$(arg sim)\">\n{comment}<link name=\"b\"/></xacro:if>");
+    let condition = format!(
+        "{argument}{link}<xacro:if value=\"$(arg sim)\">\n{comment}<link name=\"b\"/></xacro:if>"
+    );
     check_safe_fix(&condition, &[], &[]);
     let idle = format!(
         "{link}<xacro:macro name=\"m\" params=\"n\">\n{comment}<link name=\"${{n}}\"/></xacro:macro>"
@@ -268,7 +364,9 @@ fn suppressions_that_other_arguments_need() {
     check_safe_fix(&idle, &[], &[]);
     check_safe_fix(&format!("\n{comment}{link}"), &[], &[(comment, "")]);
     check_safe_fix(
-        &format!("{argument}<xacro:if value=\"$(arg sim)\"><link name=\"b\"/></xacro:if>\n{comment}{link}"),
+        &format!(
+            "{argument}<xacro:if value=\"$(arg sim)\"><link name=\"b\"/></xacro:if>\n{comment}{link}"
+        ),
         &[],
         &[],
     );
@@ -279,13 +377,28 @@ fn findings_that_are_not_shown_stay() {
     let folder = temporary("not-shown");
     let text = "<?xml version=\"1.0\"?>\n<robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\"><link name=\"base\"/></robot>\n";
     fs::write(folder.join("r.urdf.xacro"), text).unwrap();
-    let setup = Setup { about: folder.clone(), ..Setup::default() };
+    let setup = Setup {
+        about: folder.clone(),
+        ..Setup::default()
+    };
     let session = Session::new(&environment(&folder), setup).unwrap();
-    let options = CheckOptions { paths: vec![".".into()], ..CheckOptions::default() };
-    let how = FixOptions { most: Safety::Safe, shown: Severity::Warning };
+    let options = CheckOptions {
+        paths: vec![".".into()],
+        ..CheckOptions::default()
+    };
+    let how = FixOptions {
+        most: Safety::Safe,
+        shown: Severity::Warning,
+    };
     let fixed = session.fix(&options, how);
     assert_eq!((fixed.count, fixed.hidden), (0, 1));
-    let fixed = session.fix(&options, FixOptions { shown: Severity::Info, ..how });
+    let fixed = session.fix(
+        &options,
+        FixOptions {
+            shown: Severity::Info,
+            ..how
+        },
+    );
     assert_eq!((fixed.count, fixed.hidden), (1, 0));
 }
 
@@ -296,14 +409,25 @@ fn line_ends_stay() {
     fs::write(folder.join("r.urdf"), text).unwrap();
     fix(&folder, ".", Some(vec!["ALL".to_owned()]), Safety::Safe);
     let after = fs::read_to_string(folder.join("r.urdf")).unwrap();
-    assert!(after.contains("<child link=\"b\"/>\r\n  <axis xyz=\"1 0 0\"/>\r\n"), "{after:?}");
-    assert_eq!(after.matches('\n').count(), after.matches("\r\n").count(), "{after:?}");
+    assert!(
+        after.contains("<child link=\"b\"/>\r\n  <axis xyz=\"1 0 0\"/>\r\n"),
+        "{after:?}"
+    );
+    assert_eq!(
+        after.matches('\n').count(),
+        after.matches("\r\n").count(),
+        "{after:?}"
+    );
 }
 
 fn copy_into(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
     for entry in fs::read_dir(from).unwrap().map(Result::unwrap) {
         let (path, to) = (entry.path(), to.join(entry.file_name()));
-        if path.is_dir() { copy_into(&path, &to) } else { fs::copy(&path, &to).map(|_| ()).unwrap() }
+        if path.is_dir() {
+            copy_into(&path, &to)
+        } else {
+            fs::copy(&path, &to).map(|_| ()).unwrap()
+        }
     }
 }

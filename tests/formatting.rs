@@ -32,13 +32,18 @@ fn plain(text: &str) -> String {
 
 /// Elements, attributes and text of a document, one a line; white space between elements left away.
 fn infoset(text: &str) -> Vec<String> {
-    let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..Default::default()
+    };
     let document = roxmltree::Document::parse_with_options(text, options).unwrap();
     let mut lines = Vec::new();
     for node in document.descendants() {
         let depth = node.ancestors().count();
         if node.is_element() {
-            let attributes = node.attributes().map(|a| format!("{:?}={}", a.namespace(), a.value()));
+            let attributes = node
+                .attributes()
+                .map(|a| format!("{:?}={}", a.namespace(), a.value()));
             let attributes: Vec<_> = attributes.collect();
             lines.push(format!("{depth} {:?} {attributes:?}", node.tag_name()));
         } else if node.is_comment() || node.is_pi() {
@@ -60,7 +65,9 @@ fn verbatim(text: &str) -> Vec<String> {
     for (_, item) in document.parts() {
         for node in item.all_nodes() {
             match node.kind() {
-                NodeKind::Element => found.extend(node.attrs().map(|a| format!("{}={}", a.name(), a.raw()))),
+                NodeKind::Element => {
+                    found.extend(node.attrs().map(|a| format!("{}={}", a.name(), a.raw())))
+                }
                 NodeKind::Text if node.raw().trim().is_empty() => {}
                 _ => found.push(node.raw().to_owned()),
             }
@@ -72,7 +79,11 @@ fn verbatim(text: &str) -> Vec<String> {
 /// Formatting once changes nothing but white space, formatting twice nothing more.
 fn keeps_everything(text: &str, indent: &Indent, options: &Format) {
     let once = formatted(text, indent, options);
-    assert_eq!(formatted(&once, indent, options), once, "twice is not once: {text:?}");
+    assert_eq!(
+        formatted(&once, indent, options),
+        once,
+        "twice is not once: {text:?}"
+    );
     assert_eq!(infoset(&once), infoset(text), "{text:?} became {once:?}");
     assert_eq!(verbatim(&once), verbatim(text), "{text:?} became {once:?}");
     if !text.contains('\n') || text.matches('\n').count() == text.matches("\r\n").count() {
@@ -84,10 +95,20 @@ fn keeps_everything(text: &str, indent: &Indent, options: &Format) {
 }
 
 fn all_options() -> Vec<(Indent, Format)> {
-    let auto = |width| Format { attributes: AttributeLayout::Auto, line_width: width, self_close: false };
+    let auto = |width| Format {
+        attributes: AttributeLayout::Auto,
+        line_width: width,
+        self_close: false,
+    };
     vec![
         (Indent::blanks(2), Format::default()),
-        (Indent::blanks(4), Format { self_close: true, ..Format::default() }),
+        (
+            Indent::blanks(4),
+            Format {
+                self_close: true,
+                ..Format::default()
+            },
+        ),
         (Indent::tabs(4), Format::default()),
         (Indent::tabs(8), auto(40)),
         (Indent::blanks(3), auto(120)),
@@ -99,7 +120,10 @@ fn descriptions(folder: &Path, found: &mut Vec<PathBuf>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             descriptions(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "xacro" || ending == "urdf") {
+        } else if path
+            .extension()
+            .is_some_and(|ending| ending == "xacro" || ending == "urdf")
+        {
             found.push(path);
         }
     }
@@ -129,11 +153,18 @@ fn examples_keep_everything() {
 
 fn expanded(file: &Path) -> String {
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), "/none".to_owned())]);
-    let env = Environment { vars, cwd: file.parent().unwrap().to_owned() };
+    let env = Environment {
+        vars,
+        cwd: file.parent().unwrap().to_owned(),
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut input = std::io::empty();
     let mut io = Io::plain(&mut out, &mut err, &mut input);
-    let code = cli::run(&["expand".to_owned(), file.display().to_string()], &env, &mut io);
+    let code = cli::run(
+        &["expand".to_owned(), file.display().to_string()],
+        &env,
+        &mut io,
+    );
     format!("{code}\n{}", String::from_utf8(out).unwrap())
 }
 
@@ -177,7 +208,13 @@ fn blank() -> impl Strategy<Value = &'static str> {
 fn attribute() -> impl Strategy<Value = String> {
     let gap = prop::sample::select(vec![" ", "  ", "\n", "\n    ", " \n\t\t"]);
     let equals = prop::sample::select(vec!["=", " = ", "=\n"]);
-    let value = prop::sample::select(vec!["\"1  2\"", "'a\n  b'", "\"${ x  <\"", "\"&lt; é 🤖\"", "''"]);
+    let value = prop::sample::select(vec![
+        "\"1  2\"",
+        "'a\n  b'",
+        "\"${ x  <\"",
+        "\"&lt; é 🤖\"",
+        "''",
+    ]);
     (gap, equals, value).prop_map(|(gap, equals, value)| {
         let value = value.replace('<', "&lt;");
         format!("{gap}NAME{equals}{value}")
@@ -185,7 +222,10 @@ fn attribute() -> impl Strategy<Value = String> {
 }
 
 fn start_tag(name: String, attributes: Vec<String>, end: &str) -> String {
-    let names = attributes.iter().enumerate().map(|(i, text)| text.replacen("NAME", &format!("a{i}"), 1));
+    let names = attributes
+        .iter()
+        .enumerate()
+        .map(|(i, text)| text.replacen("NAME", &format!("a{i}"), 1));
     format!("<{name}{}{end}", names.collect::<String>())
 }
 
@@ -193,7 +233,11 @@ fn element() -> impl Strategy<Value = String> {
     let name = prop::sample::select(vec!["link", "joint", "xacro:if", "é"]).prop_map(str::to_owned);
     let end = prop::sample::select(vec![">", " >", "\n>"]);
     let attributes = prop::collection::vec(attribute(), 0..4).boxed();
-    let leaf = (name.clone(), attributes.clone(), prop::sample::select(vec!["/>", " />", "\n  />"]))
+    let leaf = (
+        name.clone(),
+        attributes.clone(),
+        prop::sample::select(vec!["/>", " />", "\n  />"]),
+    )
         .prop_map(|(name, attributes, end)| start_tag(name, attributes, end));
     let other = prop::sample::select(vec![
         "<!-- one\n   two  -->",
@@ -210,14 +254,21 @@ fn element() -> impl Strategy<Value = String> {
     let simple = prop_oneof![3 => leaf, 2 => other];
     simple.prop_recursive(4, 30, 5, move |inner| {
         let children = prop::collection::vec((blank(), inner), 0..5);
-        (name.clone(), attributes.clone(), end.clone(), children, blank()).prop_map(
-            |(name, attributes, end, children, last)| {
-                let children: String =
-                    children.into_iter().map(|(gap, child)| format!("{gap}{child}")).collect();
+        (
+            name.clone(),
+            attributes.clone(),
+            end.clone(),
+            children,
+            blank(),
+        )
+            .prop_map(|(name, attributes, end, children, last)| {
+                let children: String = children
+                    .into_iter()
+                    .map(|(gap, child)| format!("{gap}{child}"))
+                    .collect();
                 let tag = start_tag(name.clone(), attributes, end);
                 format!("{tag}{children}{last}</{name} >")
-            },
-        )
+            })
     })
 }
 
@@ -249,18 +300,42 @@ proptest! {
 fn elements_stand_on_lines_of_their_own() {
     for (text, expected) in [
         ("<a><b/><c/></a>", "<a>\n  <b/>\n  <c/>\n</a>"),
-        ("<a>\n<b>text</b>\n\n\n\n</a>\n\n", "<a>\n  <b>text</b>\n\n</a>\n"),
-        ("<a>\n<b> <!-- c -->\n</b> <!-- d --></a>", "<a>\n  <b> <!-- c -->\n  </b> <!-- d -->\n</a>"),
-        ("<a>\n<!-- c\n d --><b/></a>", "<a>\n  <!-- c\n d --><b/>\n</a>"),
-        ("<a   x = '1'\ty=\"2\"  >\n</a >", "<a x='1' y=\"2\" >\n</a>"),
-        ("<a>\n<b x=\"1\"\n y=\"2\"/></a>", "<a>\n  <b x=\"1\"\n   y=\"2\"/>\n</a>"),
-        ("<a>\n<b x=\"1\"\ny=\"2\"/></a>", "<a>\n  <b x=\"1\"\n     y=\"2\"/>\n</a>"),
+        (
+            "<a>\n<b>text</b>\n\n\n\n</a>\n\n",
+            "<a>\n  <b>text</b>\n\n</a>\n",
+        ),
+        (
+            "<a>\n<b> <!-- c -->\n</b> <!-- d --></a>",
+            "<a>\n  <b> <!-- c -->\n  </b> <!-- d -->\n</a>",
+        ),
+        (
+            "<a>\n<!-- c\n d --><b/></a>",
+            "<a>\n  <!-- c\n d --><b/>\n</a>",
+        ),
+        (
+            "<a   x = '1'\ty=\"2\"  >\n</a >",
+            "<a x='1' y=\"2\" >\n</a>",
+        ),
+        (
+            "<a>\n<b x=\"1\"\n y=\"2\"/></a>",
+            "<a>\n  <b x=\"1\"\n   y=\"2\"/>\n</a>",
+        ),
+        (
+            "<a>\n<b x=\"1\"\ny=\"2\"/></a>",
+            "<a>\n  <b x=\"1\"\n     y=\"2\"/>\n</a>",
+        ),
         (
             "<a>\n<b x=\"1\"\n   y=\"2\"\n z=\"3\" /></a>",
             "<a>\n  <b x=\"1\"\n     y=\"2\"\n     z=\"3\" />\n</a>",
         ),
-        ("<a>\n<b\n   x=\"1\"\n   y=\"2\"\n/></a>", "<a>\n  <b\n     x=\"1\"\n     y=\"2\"\n  />\n</a>"),
-        ("<a>\n <p> x <b/>  <c/>\n</p></a>", "<a>\n  <p> x <b/>  <c/>\n</p>\n</a>"),
+        (
+            "<a>\n<b\n   x=\"1\"\n   y=\"2\"\n/></a>",
+            "<a>\n  <b\n     x=\"1\"\n     y=\"2\"\n  />\n</a>",
+        ),
+        (
+            "<a>\n <p> x <b/>  <c/>\n</p></a>",
+            "<a>\n  <p> x <b/>  <c/>\n</p>\n</a>",
+        ),
     ] {
         assert_eq!(plain(text), expected, "{text}");
     }
@@ -268,10 +343,14 @@ fn elements_stand_on_lines_of_their_own() {
 
 #[test]
 fn long_tags_are_wrapped_where_that_is_wished() {
-    let auto = Format { attributes: AttributeLayout::Auto, line_width: 30, self_close: true };
-    let text = "<a>\n  <limit lower=\"-1\"\n upper=\"1\" effort=\"3\" velocity=\"2\"></limit>\n</a>\n";
-    let expected =
-        "<a>\n  <limit lower=\"-1\" upper=\"1\"\n         effort=\"3\"\n         velocity=\"2\"/>\n</a>\n";
+    let auto = Format {
+        attributes: AttributeLayout::Auto,
+        line_width: 30,
+        self_close: true,
+    };
+    let text =
+        "<a>\n  <limit lower=\"-1\"\n upper=\"1\" effort=\"3\" velocity=\"2\"></limit>\n</a>\n";
+    let expected = "<a>\n  <limit lower=\"-1\" upper=\"1\"\n         effort=\"3\"\n         velocity=\"2\"/>\n</a>\n";
     assert_eq!(formatted(text, &Indent::blanks(2), &auto), expected);
 }
 
@@ -305,12 +384,18 @@ fn the_step_of_indentation_is_read_off_the_file() {
 
 #[test]
 fn long_lines_and_deep_documents_take_no_time() {
-    let many: String = (0..30_000).map(|i| format!("<link name=\"l{i}\" a=\"1\"/>")).collect();
+    let many: String = (0..30_000)
+        .map(|i| format!("<link name=\"l{i}\" a=\"1\"/>"))
+        .collect();
     let one_line = format!("<robot>{many}</robot>");
     let formatted = plain(&one_line);
     assert_eq!(formatted.lines().count(), 30_002);
     assert_eq!(plain(&formatted), formatted);
-    let deep = format!("<robot>{}{}</robot>", "<link>".repeat(5_000), "</link>".repeat(5_000));
+    let deep = format!(
+        "<robot>{}{}</robot>",
+        "<link>".repeat(5_000),
+        "</link>".repeat(5_000)
+    );
     let formatted = plain(&deep);
     assert_eq!(plain(&formatted), formatted);
 }

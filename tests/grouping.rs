@@ -23,12 +23,16 @@ impl Folder {
     fn of(files: &[(&str, String)]) -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("grouping").join(number.to_string());
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join("grouping")
+            .join(number.to_string());
         let _ = fs::remove_dir_all(&folder);
         // a repository of its own: nothing is read of folders above
         fs::create_dir_all(folder.join(".git")).unwrap();
         let folder = Self(folder);
-        files.iter().for_each(|(name, text)| folder.write(name, text));
+        files
+            .iter()
+            .for_each(|(name, text)| folder.write(name, text));
         folder
     }
 
@@ -41,7 +45,10 @@ impl Folder {
     /// Both outputs.
     fn run(&self, line: &str) -> String {
         let cwd = self.0.canonicalize().unwrap();
-        let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), cwd.join("none").display().to_string())]);
+        let vars = BTreeMap::from([(
+            "AMENT_PREFIX_PATH".to_owned(),
+            cwd.join("none").display().to_string(),
+        )]);
         let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
         let mut io = Io::plain(&mut out, &mut err, &mut stdin);
         let words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
@@ -63,11 +70,17 @@ fn robot(links: &[&str]) -> String {
              iyy=\"0\" iyz=\"0\" izz=\"0\"/></inertial></link>\n"
         )
     };
-    format!("<robot name=\"r\">\n{}</robot>\n", links.iter().map(link).collect::<String>())
+    format!(
+        "<robot name=\"r\">\n{}</robot>\n",
+        links.iter().map(link).collect::<String>()
+    )
 }
 
 fn rows(findings: &[Value]) -> Vec<u64> {
-    findings.iter().map(|finding| finding["location"]["row"].as_u64().unwrap()).collect()
+    findings
+        .iter()
+        .map(|finding| finding["location"]["row"].as_u64().unwrap())
+        .collect()
 }
 
 fn message(finding: &Value) -> &str {
@@ -83,20 +96,35 @@ fn two_are_two_and_three_are_one() {
     folder.write("r.urdf", &robot(&["a", "b", "c"]));
     let found = folder.json(CHECK);
     assert_eq!(rows(&found), [2]);
-    assert!(message(&found[0]).ends_with("; 2 more locations in this file"), "{found:?}");
+    assert!(
+        message(&found[0]).ends_with("; 2 more locations in this file"),
+        "{found:?}"
+    );
     assert_eq!(found[0]["places"], 3);
     let related = found[0]["related"].as_array().unwrap();
     assert_eq!(rows(related), [3, 4]);
     assert!(message(&related[1]).contains("link `c`"), "{found:?}");
-    assert_eq!(rows(&folder.json(&format!("{CHECK} --no-group"))), [2, 3, 4]);
-    assert_eq!(rows(&folder.json(&format!("{CHECK} --show all"))), [2, 3, 4]);
+    assert_eq!(
+        rows(&folder.json(&format!("{CHECK} --no-group"))),
+        [2, 3, 4]
+    );
+    assert_eq!(
+        rows(&folder.json(&format!("{CHECK} --show all"))),
+        [2, 3, 4]
+    );
 }
 
 #[test]
 fn all_places_are_related_and_a_drawing_shows_some() {
     let names: Vec<String> = (0..30).map(|n| format!("l{n}")).collect();
-    let folder = Folder::of(&[("r.urdf", robot(&names.iter().map(String::as_str).collect::<Vec<_>>()))]);
-    assert_eq!(folder.json(CHECK)[0]["related"].as_array().unwrap().len(), 29);
+    let folder = Folder::of(&[(
+        "r.urdf",
+        robot(&names.iter().map(String::as_str).collect::<Vec<_>>()),
+    )]);
+    assert_eq!(
+        folder.json(CHECK)[0]["related"].as_array().unwrap().len(),
+        29
+    );
     let drawn = folder.run("check --select zero-inertia");
     assert!(drawn.contains("26 more locations not shown"), "{drawn}");
     assert_eq!(drawn.matches("warning[zero-inertia]").count(), 1, "{drawn}");
@@ -104,21 +132,31 @@ fn all_places_are_related_and_a_drawing_shows_some() {
 
 #[test]
 fn copies_in_other_files_belong_to_it() {
-    let copies: Vec<(&str, String)> =
-        ["a.urdf", "b.urdf", "c.urdf"].map(|name| (name, robot(&["base"]))).into();
+    let copies: Vec<(&str, String)> = ["a.urdf", "b.urdf", "c.urdf"]
+        .map(|name| (name, robot(&["base"])))
+        .into();
     let folder = Folder::of(&copies);
     let found = folder.json(CHECK);
     assert_eq!((found.len(), &found[0]["places"]), (1, &Value::from(3)));
-    assert!(message(&found[0]).ends_with("; 2 more locations, in 3 files"), "{found:?}");
+    assert!(
+        message(&found[0]).ends_with("; 2 more locations, in 3 files"),
+        "{found:?}"
+    );
     folder.write("c.urdf", &robot(&["other"]));
     assert_eq!(folder.json(CHECK).len(), 3, "two copies and another link");
 }
 
 #[test]
 fn different_names_and_structure_are_never_one() {
-    let orphans = "<robot name=\"r\"><link name=\"a\"/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n</robot>";
+    let orphans =
+        "<robot name=\"r\"><link name=\"a\"/>\n<link name=\"b\"/>\n<link name=\"c\"/>\n</robot>";
     let folder = Folder::of(&[("r.urdf", orphans.to_owned())]);
-    assert_eq!(folder.json("check --select orphan-link --format json").len(), 3);
+    assert_eq!(
+        folder
+            .json("check --select orphan-link --format json")
+            .len(),
+        3
+    );
     let uses = |names: &[&str]| {
         let link = |name: &&str| format!("<link name=\"${{{name}}}\"/>\n");
         let links: String = names.iter().map(link).collect();
@@ -149,7 +187,10 @@ fn a_suppressed_place_leaves_the_group() {
     let hidden = text.replacen("<inertia ", &format!("{comment} "), 1);
     let folder = Folder::of(&[("r.urdf", hidden)]);
     let found = folder.json(CHECK);
-    assert_eq!((rows(&found), &found[0]["places"]), (vec![3], &Value::from(3)));
+    assert_eq!(
+        (rows(&found), &found[0]["places"]),
+        (vec![3], &Value::from(3))
+    );
 }
 
 #[test]
@@ -160,18 +201,32 @@ fn a_baseline_counts_places() {
     folder.write("r.urdf", &robot(&["a", "b", "c", "d"]));
     let with = "check --select zero-inertia --format concise --baseline known.json";
     let said = folder.run(with);
-    assert!(said.contains("r.urdf:5:") && !said.contains("more location"), "{said}");
-    assert!(folder.run("check --select zero-inertia --write-baseline known.json").contains("wrote 4"));
-    assert_eq!(folder.run(with), "note: 4 findings from the baseline not shown\n");
+    assert!(
+        said.contains("r.urdf:5:") && !said.contains("more location"),
+        "{said}"
+    );
+    assert!(
+        folder
+            .run("check --select zero-inertia --write-baseline known.json")
+            .contains("wrote 4")
+    );
+    assert_eq!(
+        folder.run(with),
+        "note: 4 findings from the baseline not shown\n"
+    );
 }
 
 #[test]
 fn a_change_groups_what_concerns_it() {
-    let copies: Vec<(&str, String)> =
-        ["a.urdf", "b.urdf", "c.urdf"].map(|name| (name, robot(&["base"]))).into();
+    let copies: Vec<(&str, String)> = ["a.urdf", "b.urdf", "c.urdf"]
+        .map(|name| (name, robot(&["base"])))
+        .into();
     let folder = Folder::of(&copies);
     let found = folder.json(&format!("{CHECK} --changed b.urdf"));
-    assert_eq!((found.len(), &found[0]["filename"], &found[0]["places"]), (1, &"b.urdf".into(), &1.into()));
+    assert_eq!(
+        (found.len(), &found[0]["filename"], &found[0]["places"]),
+        (1, &"b.urdf".into(), &1.into())
+    );
 }
 
 #[test]
@@ -182,7 +237,13 @@ fn fingerprints_do_not_depend_on_further_places() {
         let results = document["runs"][0]["results"].as_array().unwrap().clone();
         assert_eq!(results.len(), 1);
         let related = results[0]["relatedLocations"].as_array().unwrap().len();
-        (results[0]["partialFingerprints"]["xacroLint/v1"].as_str().unwrap().to_owned(), related)
+        (
+            results[0]["partialFingerprints"]["xacroLint/v1"]
+                .as_str()
+                .unwrap()
+                .to_owned(),
+            related,
+        )
     };
     let folder = Folder::of(&[("r.urdf", robot(&["a", "b", "c"]))]);
     let (before, related) = fingerprint(&folder);
@@ -196,7 +257,10 @@ fn a_pull_request_gets_one_annotation() {
     let folder = Folder::of(&[("r.urdf", robot(&["a", "b", "c"]))]);
     let said = folder.run("check --select zero-inertia --format github");
     assert_eq!(said.lines().count(), 1, "{said}");
-    assert!(said.starts_with("::warning file=r.urdf,line=2,") && said.contains("2 more locations"), "{said}");
+    assert!(
+        said.starts_with("::warning file=r.urdf,line=2,") && said.contains("2 more locations"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -232,7 +296,13 @@ fn statistics_count_places_and_tell_severities_apart() {
     let links: String = [5.0, 5.5, 6.0, 2.001].map(inertia).concat();
     let folder = Folder::of(&[("r.urdf", format!("<robot name=\"r\">\n{links}</robot>"))]);
     let said = folder.run("check --select inertia-triangle-inequality --statistics");
-    let lines: Vec<Vec<&str>> = said.lines().map(|line| line.split_whitespace().take(2).collect()).collect();
+    let lines: Vec<Vec<&str>> = said
+        .lines()
+        .map(|line| line.split_whitespace().take(2).collect())
+        .collect();
     assert_eq!(lines[0], ["3", "error"], "{said}");
-    assert!(lines.len() == 2 && lines[1][0] == "1" && lines[1][1] != "error", "{said}");
+    assert!(
+        lines.len() == 2 && lines[1][0] == "1" && lines[1][1] != "error",
+        "{said}"
+    );
 }

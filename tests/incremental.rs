@@ -1,5 +1,10 @@
 //! What a session says after edits is what a fresh one says of the same texts.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, clippy::disallowed_methods)] // a test may fail loudly
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // a test may fail loudly
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -19,18 +24,28 @@ struct Session {
 impl Session {
     fn over(folder: &Path, texts: &BTreeMap<PathBuf, String>) -> Self {
         let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), "/nowhere".to_owned())]);
-        let env = Environment { vars, cwd: folder.to_owned() };
+        let env = Environment {
+            vars,
+            cwd: folder.to_owned(),
+        };
         let mut world = World::new(env, vec![folder.to_owned()]);
         while world.scan(|| false).is_some() {}
         for (path, text) in texts {
             world.set_text(path, text.clone());
         }
-        Self { world, texts: texts.clone() }
+        Self {
+            world,
+            texts: texts.clone(),
+        }
     }
 
     fn edit(&mut self, path: &Path, start: usize, end: usize, new: &str) {
-        self.world.edit(path, TextRange::new(start as u32, end as u32), new);
-        self.texts.get_mut(path).unwrap().replace_range(start..end, new);
+        self.world
+            .edit(path, TextRange::new(start as u32, end as u32), new);
+        self.texts
+            .get_mut(path)
+            .unwrap()
+            .replace_range(start..end, new);
     }
 
     /// All findings of all open files.
@@ -40,7 +55,13 @@ impl Session {
         let mut shown: Vec<String> = report
             .findings
             .iter()
-            .map(|finding| format!("{} {}", report.path(finding.span.file).display(), line(finding)))
+            .map(|finding| {
+                format!(
+                    "{} {}",
+                    report.path(finding.span.file).display(),
+                    line(finding)
+                )
+            })
             .collect();
         shown.sort();
         shown
@@ -49,7 +70,10 @@ impl Session {
 
 fn line(finding: &Finding) -> String {
     let span = finding.span.range;
-    format!("{}..{} {} {}", span.start, span.end, finding.rule.name, finding.message)
+    format!(
+        "{}..{} {} {}",
+        span.start, span.end, finding.rule.name, finding.message
+    )
 }
 
 fn descriptions(folder: &Path, into: &mut BTreeMap<PathBuf, String>) {
@@ -57,7 +81,10 @@ fn descriptions(folder: &Path, into: &mut BTreeMap<PathBuf, String>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             descriptions(&path, into);
-        } else if path.extension().is_some_and(|ending| ending == "xacro" || ending == "urdf") {
+        } else if path
+            .extension()
+            .is_some_and(|ending| ending == "xacro" || ending == "urdf")
+        {
             into.insert(path.clone(), fs::read_to_string(&path).unwrap());
         }
     }
@@ -68,7 +95,10 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, below: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         ((self.0 >> 33) % below.max(1) as u64) as usize
     }
 }
@@ -87,12 +117,32 @@ fn somewhere(dice: &mut Dice, text: &str) -> (usize, usize) {
 
 #[test]
 fn an_edited_session_says_what_a_fresh_one_says() {
-    const NEW: [&str; 12] =
-        ["", "x", "0", " ", "${", "}", "<link name=\"extra\"/>", "<", "\"", "-->", "<!-- words -->", "\n"];
-    for (seed, robot) in
-        ["industrial_arm", "two_joint_gripper", "broken_cell", "measuring_cell"].iter().enumerate()
+    const NEW: [&str; 12] = [
+        "",
+        "x",
+        "0",
+        " ",
+        "${",
+        "}",
+        "<link name=\"extra\"/>",
+        "<",
+        "\"",
+        "-->",
+        "<!-- words -->",
+        "\n",
+    ];
+    for (seed, robot) in [
+        "industrial_arm",
+        "two_joint_gripper",
+        "broken_cell",
+        "measuring_cell",
+    ]
+    .iter()
+    .enumerate()
     {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples").join(robot);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("docs/examples")
+            .join(robot);
         let mut texts = BTreeMap::new();
         descriptions(&folder, &mut texts);
         let paths: Vec<PathBuf> = texts.keys().cloned().collect();

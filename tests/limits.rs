@@ -28,21 +28,42 @@ use xacro_lsp::{expr, server};
 
 /// Tests outside of this file, and those that reach several limits.
 const TESTS: &[(&str, &str)] = &[
-    ("CONNECTIONS", "src/preview/browser/tests.rs::a_thousand_idle_connections_keep_nobody_out"),
+    (
+        "CONNECTIONS",
+        "src/preview/browser/tests.rs::a_thousand_idle_connections_keep_nobody_out",
+    ),
     ("ENTITY_FACTOR", "tests/limits.rs::entity_growth"),
     ("EVALUATIONS", "tests/limits.rs::expand_nodes"),
     ("FIX_ROUNDS", "tests/fixes.rs::fixes_of_the_pages"),
     ("GLOB_FOLDERS", "tests/limits.rs::many_folders"),
     ("KEY_PARTS", "tests/limits.rs::key_depth"),
-    ("MESH_ELEMENTS", "src/model/mesh/tests.rs::data_that_is_read_again_and_again"),
-    ("MESH_VISITS", "src/model/mesh/tests.rs::what_is_wrong_with_gltf"),
+    (
+        "MESH_ELEMENTS",
+        "src/model/mesh/tests.rs::data_that_is_read_again_and_again",
+    ),
+    (
+        "MESH_VISITS",
+        "src/model/mesh/tests.rs::what_is_wrong_with_gltf",
+    ),
     ("NAMESAKE_FILES", "tests/limits.rs::many_folders"),
-    ("PAGES", "src/preview/browser/tests.rs::who_waits_longest_makes_room"),
-    ("REQUEST_HEAD", "src/preview/browser/tests.rs::what_is_too_large_is_refused"),
+    (
+        "PAGES",
+        "src/preview/browser/tests.rs::who_waits_longest_makes_room",
+    ),
+    (
+        "REQUEST_HEAD",
+        "src/preview/browser/tests.rs::what_is_too_large_is_refused",
+    ),
     ("SCAN_FILES", "tests/limits.rs::many_folders"),
     ("SCAN_FOLDERS", "tests/limits.rs::many_folders"),
-    ("SOCKET_MESSAGE", "src/preview/browser/tests.rs::what_is_too_large_is_refused"),
-    ("UNAUTHENTICATED", "src/preview/browser/tests.rs::sockets_that_say_nothing_keep_nobody_out"),
+    (
+        "SOCKET_MESSAGE",
+        "src/preview/browser/tests.rs::what_is_too_large_is_refused",
+    ),
+    (
+        "UNAUTHENTICATED",
+        "src/preview/browser/tests.rs::sockets_that_say_nothing_keep_nobody_out",
+    ),
     ("XML_ERRORS_SEEN", "tests/limits.rs::xml_errors"),
 ];
 
@@ -56,8 +77,13 @@ fn test_of(limit: &Limit) -> (String, String) {
         return (file.to_owned(), function.to_owned());
     }
     let own = ["MESSAGE_BYTES", "HEADER_BYTES"].contains(&limit.name);
-    let of_the_server = OF_THE_SERVER.contains(&limit.group) && !own || limit.name == "REWRITTEN_MESH_BYTES";
-    let file = if of_the_server { "tests/lsp/limits.rs" } else { "tests/limits.rs" };
+    let of_the_server =
+        OF_THE_SERVER.contains(&limit.group) && !own || limit.name == "REWRITTEN_MESH_BYTES";
+    let file = if of_the_server {
+        "tests/lsp/limits.rs"
+    } else {
+        "tests/limits.rs"
+    };
     (file.to_owned(), limit.name.to_lowercase())
 }
 
@@ -72,9 +98,14 @@ fn every_limit_has_a_test_and_is_used() {
     for limit in ALL {
         let (file, function) = test_of(limit);
         let text = fs::read_to_string(repository().join(&file)).unwrap();
-        assert!(text.contains(&format!("fn {function}(")), "{}: no `{function}` in {file}", limit.name);
+        assert!(
+            text.contains(&format!("fn {function}(")),
+            "{}: no `{function}` in {file}",
+            limit.name
+        );
         let uses = files.iter().filter(|text| {
-            text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == limit.name)
+            text.split(|c: char| !c.is_alphanumeric() && c != '_')
+                .any(|word| word == limit.name)
         });
         assert!(uses.count() > 0, "{} is not used", limit.name);
     }
@@ -86,7 +117,9 @@ fn sources(folder: &Path, found: &mut Vec<String>) {
         let path = entry.unwrap().path();
         if path.is_dir() {
             sources(&path, found);
-        } else if path.extension().is_some_and(|ending| ending == "rs") && !path.ends_with("base/limits.rs") {
+        } else if path.extension().is_some_and(|ending| ending == "rs")
+            && !path.ends_with("base/limits.rs")
+        {
             found.push(fs::read_to_string(path).unwrap());
         }
     }
@@ -100,8 +133,12 @@ fn shown(value: u64) -> String {
         }
     }
     let digits = value.to_string();
-    let groups: Vec<&str> =
-        digits.as_bytes().rchunks(3).rev().map(|group| std::str::from_utf8(group).unwrap()).collect();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(|group| std::str::from_utf8(group).unwrap())
+        .collect();
     groups.join(",")
 }
 
@@ -109,8 +146,10 @@ fn shown(value: u64) -> String {
 fn the_page_lists_them() {
     let path = repository().join("docs/limits.md");
     let page = fs::read_to_string(&path).unwrap();
-    let (begin, end) =
-        ("<!-- limits: made by `UPDATE=1 cargo test --test limits` -->\n", "<!-- end of limits -->\n");
+    let (begin, end) = (
+        "<!-- limits: made by `UPDATE=1 cargo test --test limits` -->\n",
+        "<!-- end of limits -->\n",
+    );
     let (head, rest) = page.split_once(begin).unwrap();
     let (_, tail) = rest.split_once(end).unwrap();
     let mut table = String::new();
@@ -124,7 +163,11 @@ fn the_page_lists_them() {
         }
         let key = limit.key.map(|key| format!("`{key}`")).unwrap_or_default();
         let (what, (_, test)) = (limit.what.trim().trim_end_matches('.'), test_of(limit));
-        table.push_str(&format!("| {what} | {} | {} | {key} | `{test}` |\n", shown(limit.value), limit.then));
+        table.push_str(&format!(
+            "| {what} | {} | {} | {key} | `{test}` |\n",
+            shown(limit.value),
+            limit.then
+        ));
     }
     let new = format!("{head}{begin}{table}\n{end}{tail}");
     if std::env::var_os("UPDATE").is_some() {
@@ -140,7 +183,9 @@ fn the_page_lists_them() {
 fn folder() -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("limits").join(number.to_string());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("limits")
+        .join(number.to_string());
     let _ = fs::remove_dir_all(&folder);
     // a repository of its own: nothing is read of folders above
     fs::create_dir_all(folder.join(".git")).unwrap();
@@ -156,13 +201,24 @@ fn write(folder: &Path, name: &str, text: impl AsRef<[u8]>) {
 /// A file of so many bytes that takes no room.
 fn sparse(folder: &Path, name: &str, head: &str, size: u64) {
     write(folder, name, head);
-    fs::File::options().write(true).open(folder.join(name)).unwrap().set_len(size).unwrap();
+    fs::File::options()
+        .write(true)
+        .open(folder.join(name))
+        .unwrap()
+        .set_len(size)
+        .unwrap();
 }
 
 /// What a command prints in a folder.
 fn run(folder: &Path, arguments: &[&str], input: &mut dyn Read) -> String {
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: folder.to_owned() };
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )]);
+    let env = Environment {
+        vars,
+        cwd: folder.to_owned(),
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let arguments: Vec<String> = arguments.iter().map(|&word| word.to_owned()).collect();
     let code = cli::run(&arguments, &env, &mut Io::plain(&mut out, &mut err, input));
@@ -188,7 +244,10 @@ fn check(body: &str, files: &[(&str, &str)]) -> String {
 #[track_caller]
 fn reached(body: &str, files: &[(&str, &str)], words: &[&str]) {
     let said = check(body, files);
-    assert!(said.contains("error[") && said.contains("r.urdf.xacro:"), "{said}");
+    assert!(
+        said.contains("error[") && said.contains("r.urdf.xacro:"),
+        "{said}"
+    );
     for word in words {
         assert!(said.contains(word), "no `{word}` in {said}");
     }
@@ -200,36 +259,73 @@ fn included_twice(arguments: usize) -> PathBuf {
     let declared = |number| format!("<xacro:arg name=\"kind_{number}\" default=\"fixed\"/>");
     let declared: String = (0..arguments).map(declared).collect();
     let include = "<xacro:include filename=\"p.xacro\"/>\n";
-    write(&folder, "r.urdf.xacro", robot(&format!("{declared}{include}{include}<link name=\"${{p}}\"/>")));
-    write(&folder, "p.xacro", robot("<xacro:property name=\"p\" value=\"a\"/>"));
+    write(
+        &folder,
+        "r.urdf.xacro",
+        robot(&format!(
+            "{declared}{include}{include}<link name=\"${{p}}\"/>"
+        )),
+    );
+    write(
+        &folder,
+        "p.xacro",
+        robot("<xacro:property name=\"p\" value=\"a\"/>"),
+    );
     folder
 }
 
 #[test]
 fn proof_expansions() {
-    let fixed = |arguments| run(&included_twice(arguments), &["fix", "."], &mut std::io::empty());
+    let fixed = |arguments| {
+        run(
+            &included_twice(arguments),
+            &["fix", "."],
+            &mut std::io::empty(),
+        )
+    };
     assert!(fixed(3).contains("fixed 1 finding"), "{}", fixed(3));
     let said = fixed(PROOF_EXPANSIONS / 5 + 1);
-    assert!(said.contains("1 fixable with --fix --unsafe-fixes"), "{said}");
+    assert!(
+        said.contains("1 fixable with --fix --unsafe-fixes"),
+        "{said}"
+    );
 }
 
 #[test]
 fn quick_proof_expansions() {
-    for (arguments, expected) in
-        [(QUICK_PROOF_EXPANSIONS / 5 - 1, true), (QUICK_PROOF_EXPANSIONS / 5 + 1, false)]
-    {
+    for (arguments, expected) in [
+        (QUICK_PROOF_EXPANSIONS / 5 - 1, true),
+        (QUICK_PROOF_EXPANSIONS / 5 + 1, false),
+    ] {
         let folder = included_twice(arguments);
-        let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
-        let session = Session::new(&env, Setup { about: folder.clone(), ..Setup::default() }).unwrap();
+        let env = Environment {
+            vars: BTreeMap::new(),
+            cwd: folder.clone(),
+        };
+        let session = Session::new(
+            &env,
+            Setup {
+                about: folder.clone(),
+                ..Setup::default()
+            },
+        )
+        .unwrap();
         let path = folder.join("r.urdf.xacro");
         let text = fs::read_to_string(&path).unwrap();
         let include = "<xacro:include filename=\"p.xacro\"/>\n";
         let at = text.rfind(include).unwrap() as u32;
         let edits = vec![(TextRange::new(at, at + include.len() as u32), String::new())];
         let cancel = CancelFlag::default();
-        let effort =
-            Effort { expansions: QUICK_PROOF_EXPANSIONS, roots: Roots::Known(vec![path.clone()]), cancel };
-        assert_eq!(session.stays_the_same(&path, edits, &effort), expected, "{arguments} arguments");
+        let effort = Effort {
+            expansions: QUICK_PROOF_EXPANSIONS,
+            roots: Roots::Known(vec![path.clone()]),
+            cancel,
+        };
+        assert_eq!(
+            session.stays_the_same(&path, edits, &effort),
+            expected,
+            "{arguments} arguments"
+        );
     }
 }
 
@@ -241,14 +337,30 @@ fn file_mb() {
     write(&folder, "xacro-lint.toml", "[limits]\nfile-mb = 1\n");
     let large = robot(&" ".repeat(1_100_000));
     write(&folder, "large.xacro", &large);
-    write(&folder, "r.urdf.xacro", robot("<xacro:include filename=\"large.xacro\"/>\n<link name=\"a\"/>"));
+    write(
+        &folder,
+        "r.urdf.xacro",
+        robot("<xacro:include filename=\"large.xacro\"/>\n<link name=\"a\"/>"),
+    );
     let said = run(&folder, &["check", "r.urdf.xacro"], &mut std::io::empty());
-    assert!(said.contains("`large.xacro` cannot be read: it has more than 1 MB, the limit"), "{said}");
-    assert!(said.contains("r.urdf.xacro:2:") && said.contains("raise `file-mb` under `[limits]`"), "{said}");
+    assert!(
+        said.contains("`large.xacro` cannot be read: it has more than 1 MB, the limit"),
+        "{said}"
+    );
+    assert!(
+        said.contains("r.urdf.xacro:2:") && said.contains("raise `file-mb` under `[limits]`"),
+        "{said}"
+    );
     let said = run(&folder, &["check", "large.xacro"], &mut std::io::empty());
-    assert!(said.contains("large.xacro") && said.contains("it has more than 1 MB, the limit"), "{said}");
+    assert!(
+        said.contains("large.xacro") && said.contains("it has more than 1 MB, the limit"),
+        "{said}"
+    );
     let said = run(&folder, &["expand", "r.urdf.xacro"], &mut std::io::empty());
-    assert!(said.contains("File too large") && said.contains("raise `file-mb`"), "{said}");
+    assert!(
+        said.contains("File too large") && said.contains("raise `file-mb`"),
+        "{said}"
+    );
     write(&folder, "xacro-lint.toml", "[limits]\nfile-mb = 2\n");
     let said = run(&folder, &["expand", "r.urdf.xacro"], &mut std::io::empty());
     assert!(said.contains("[exit 0]"), "{said}");
@@ -257,7 +369,10 @@ fn file_mb() {
 #[test]
 fn file_mb_most() {
     let said = check(LINK, &[("xacro-lint.toml", "[limits]\nfile-mb = 1001\n")]);
-    assert!(said.contains("xacro-lint.toml") && said.contains("must be from 1 to 1000"), "{said}");
+    assert!(
+        said.contains("xacro-lint.toml") && said.contains("must be from 1 to 1000"),
+        "{said}"
+    );
     // a configuration is read before it can say how much is read
     let folder = folder();
     write(&folder, "r.urdf.xacro", robot(LINK));
@@ -271,7 +386,10 @@ fn stdin_bytes() {
     for command in ["check", "format", "expand"] {
         let mut input = std::io::repeat(b' ').take(STDIN_BYTES + 1);
         let said = run(&folder(), &[command, "-"], &mut input);
-        assert!(said.contains("input is larger than 20 MB; pass the file name instead"), "{command}: {said}");
+        assert!(
+            said.contains("input is larger than 20 MB; pass the file name instead"),
+            "{command}: {said}"
+        );
         assert!(said.contains("[exit 2]"), "{command}: {said}");
     }
 }
@@ -285,13 +403,20 @@ fn mesh_bytes() {
     let folder = folder();
     sparse(&folder, "a.stl", "", MESH_BYTES + 1);
     let mesh = Meshes::default().get(&vfs(), &folder.join("a.stl"));
-    assert_eq!(mesh.defect.as_ref().unwrap().message, "it has more than 100 megabytes");
+    assert_eq!(
+        mesh.defect.as_ref().unwrap().message,
+        "it has more than 100 megabytes"
+    );
 }
 
 #[test]
 fn material_bytes() {
     let folder = folder();
-    write(&folder, "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write(
+        &folder,
+        "a.obj",
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    );
     let missing = |size| {
         sparse(&folder, "a.mtl", "newmtl m\nmap_Kd gone.png\n", size);
         let (meshes, vfs, path) = (Meshes::default(), vfs(), folder.join("a.obj"));
@@ -304,51 +429,83 @@ fn material_bytes() {
 #[test]
 fn xml_bytes() {
     // no input gets there: the largest file, the largest message and standard input are smaller
-    let largest = [FILE_MB_MOST * 1_000_000, MESSAGE_BYTES, STDIN_BYTES].into_iter().max();
+    let largest = [FILE_MB_MOST * 1_000_000, MESSAGE_BYTES, STDIN_BYTES]
+        .into_iter()
+        .max();
     assert!(largest < Some(XML_BYTES as u64), "{largest:?}");
 }
 
 /// A document whose root has entities: `a` of 1000 bytes, the others made of those before.
 fn entities(declarations: &str, body: &str) -> String {
     let a = "x".repeat(1000);
-    format!("<!DOCTYPE robot [<!ENTITY a \"{a}\">{declarations}]>\n<robot name=\"r\">\n{body}\n</robot>")
+    format!(
+        "<!DOCTYPE robot [<!ENTITY a \"{a}\">{declarations}]>\n<robot name=\"r\">\n{body}\n</robot>"
+    )
 }
 
 fn first_error(text: &str) -> String {
     let errors = Document::parse(text).errors();
-    errors.first().map(|error| error.message.clone()).unwrap_or_default()
+    errors
+        .first()
+        .map(|error| error.message.clone())
+        .unwrap_or_default()
 }
 
 #[test]
 fn entity_bytes() {
     let (one, nine) = ("&a;".repeat(1000), "&b;".repeat(9));
-    let text = entities(&format!("<!ENTITY b \"{one}\"><!ENTITY c \"{nine}\">"), "<link name=\"&c;\"/>");
-    assert!(first_error(&text).contains("entity `c` exceeds a limit: 8 MB"), "{}", first_error(&text));
+    let text = entities(
+        &format!("<!ENTITY b \"{one}\"><!ENTITY c \"{nine}\">"),
+        "<link name=\"&c;\"/>",
+    );
+    assert!(
+        first_error(&text).contains("entity `c` exceeds a limit: 8 MB"),
+        "{}",
+        first_error(&text)
+    );
     let folder = folder();
     write(&folder, "r.urdf", text);
     let said = run(&folder, &["check", "r.urdf"], &mut std::io::empty());
-    assert!(said.contains("r.urdf:3:") && said.contains("8 MB for one entity"), "{said}");
+    assert!(
+        said.contains("r.urdf:3:") && said.contains("8 MB for one entity"),
+        "{said}"
+    );
 }
 
 #[test]
 fn entities_bytes() {
     let one = "&a;".repeat(7000);
-    let declarations: String = (0..6).map(|n| format!("<!ENTITY b{n} \"{one}\">")).collect();
+    let declarations: String = (0..6)
+        .map(|n| format!("<!ENTITY b{n} \"{one}\">"))
+        .collect();
     let uses: String = (0..6).map(|n| format!("&b{n};")).collect();
     // a long file, so that it is not the share of the entities that is too large
-    let text = entities(&declarations, &format!("<!--{}-->{uses}", " ".repeat(600_000)));
-    assert!(first_error(&text).contains("32 MB for all"), "{}", first_error(&text));
+    let text = entities(
+        &declarations,
+        &format!("<!--{}-->{uses}", " ".repeat(600_000)),
+    );
+    assert!(
+        first_error(&text).contains("32 MB for all"),
+        "{}",
+        first_error(&text)
+    );
 }
 
 #[test]
 fn entity_depth() {
     // the deepest one is asked for first
     let declarations = |count: u32| -> String {
-        let nested = (1..count).rev().map(|n| format!("<!ENTITY d{n} \"&d{};\">", n - 1));
+        let nested = (1..count)
+            .rev()
+            .map(|n| format!("<!ENTITY d{n} \"&d{};\">", n - 1));
         nested.collect::<String>() + "<!ENTITY d0 \"x\">"
     };
     let text = entities(&declarations(5000), "&d4999;");
-    assert!(first_error(&text).contains("256 levels"), "{}", first_error(&text));
+    assert!(
+        first_error(&text).contains("256 levels"),
+        "{}",
+        first_error(&text)
+    );
     assert_eq!(first_error(&entities(&declarations(200), "&d199;")), "");
 }
 
@@ -367,11 +524,23 @@ fn entity_growth() {
 fn value_bytes() {
     let thousand = "&a;".repeat(1000);
     let uses = "&b;".repeat(20);
-    let text = entities(&format!("<!ENTITY b \"{thousand}\">"), &format!("<link name=\"{uses}\"/>"));
+    let text = entities(
+        &format!("<!ENTITY b \"{thousand}\">"),
+        &format!("<link name=\"{uses}\"/>"),
+    );
     let document = Document::parse(&text);
     let (_, item) = document.items().next().unwrap();
-    let value = item.element().unwrap().attr("name").unwrap().value(document.entities()).len();
-    assert!(value > VALUE_BYTES && value <= VALUE_BYTES + 1_000_000, "{value}");
+    let value = item
+        .element()
+        .unwrap()
+        .attr("name")
+        .unwrap()
+        .value(document.entities())
+        .len();
+    assert!(
+        value > VALUE_BYTES && value <= VALUE_BYTES + 1_000_000,
+        "{value}"
+    );
 }
 
 #[test]
@@ -383,37 +552,74 @@ fn item_errors() {
 #[test]
 fn xml_errors() {
     let item = format!("<a>{}</a>\n", "&;".repeat(300));
-    let text = format!("<robot>\n{}</robot>", item.repeat(XML_ERRORS_SEEN / ITEM_ERRORS + 10));
+    let text = format!(
+        "<robot>\n{}</robot>",
+        item.repeat(XML_ERRORS_SEEN / ITEM_ERRORS + 10)
+    );
     assert_eq!(Document::parse(&text).errors().len(), XML_ERRORS);
 }
 
 #[test]
 fn expression_depth() {
     let deep = format!("<link name=\"${{{}True}}\"/>", "not ".repeat(300));
-    reached(&deep, &[], &["r.urdf.xacro:2:", "expression is nested more than 240 levels deep"]);
+    reached(
+        &deep,
+        &[],
+        &[
+            "r.urdf.xacro:2:",
+            "expression is nested more than 240 levels deep",
+        ],
+    );
 }
 
 #[test]
 fn brackets() {
-    let deep = format!("<link name=\"${{{}1{}}}\"/>", "(".repeat(201), ")".repeat(201));
-    reached(&deep, &[], &["brackets are nested more than 200 levels deep"]);
+    let deep = format!(
+        "<link name=\"${{{}1{}}}\"/>",
+        "(".repeat(201),
+        ")".repeat(201)
+    );
+    reached(
+        &deep,
+        &[],
+        &["brackets are nested more than 200 levels deep"],
+    );
 }
 
 #[test]
 fn expression_errors() {
-    let texts =
-        ["f(a b), ", "[1 2], ", "'a' 'b' c, ", "__a + ", "a.__b + ", "(1 +), ", "f'{a b}' + ", "lambda, "];
+    let texts = [
+        "f(a b), ",
+        "[1 2], ",
+        "'a' 'b' c, ",
+        "__a + ",
+        "a.__b + ",
+        "(1 +), ",
+        "f'{a b}' + ",
+        "lambda, ",
+    ];
     let counts = texts.map(|text| expr::parse(&text.repeat(100)).errors.len());
     // those of f-strings are found in their own small expressions
     let plain: Vec<usize> = counts.into_iter().filter(|&count| count != 100).collect();
-    assert_eq!(plain.into_iter().max(), Some(EXPRESSION_ERRORS), "{counts:?}");
+    assert_eq!(
+        plain.into_iter().max(),
+        Some(EXPRESSION_ERRORS),
+        "{counts:?}"
+    );
 }
 
 #[test]
 fn eval_steps() {
     let endless = "<link name=\"${len([i for i in python.range(10**6)])}\"/>";
     let config = [("xacro-lint.toml", "[limits]\neval-steps = 1000\n")];
-    reached(endless, &config, &["more than the limit of 1000 steps", "raise `eval-steps` under `[limits]`"]);
+    reached(
+        endless,
+        &config,
+        &[
+            "more than the limit of 1000 steps",
+            "raise `eval-steps` under `[limits]`",
+        ],
+    );
     reached(endless, &[], &["more than the limit of 1000000 steps"]);
 }
 
@@ -428,43 +634,69 @@ fn eval_depth() {
 
 #[test]
 fn eval_value_bytes() {
-    reached("<link name=\"${'a' * 10**9}\"/>", &[], &["the limit is 64 MB"]);
+    reached(
+        "<link name=\"${'a' * 10**9}\"/>",
+        &[],
+        &["the limit is 64 MB"],
+    );
 }
 
 #[test]
 fn integer_bits() {
-    reached("<link name=\"${10**10**8}\"/>", &[], &["the limit is 1048576 bits"]);
+    reached(
+        "<link name=\"${10**10**8}\"/>",
+        &[],
+        &["the limit is 1048576 bits"],
+    );
 }
 
 #[test]
 fn integer_digits() {
-    reached("<link name=\"${int('9' * 5000)}\"/>", &[], &["Exceeds the limit (4300 digits)"]);
+    reached(
+        "<link name=\"${int('9' * 5000)}\"/>",
+        &[],
+        &["Exceeds the limit (4300 digits)"],
+    );
 }
 
 #[test]
 fn key_depth() {
-    let deep =
-        "<link name=\"${[(t := ())] and [t := (t,) for _ in python.range(10**4)] and python.set([t])}\"/>";
-    reached(deep, &[], &["maximum recursion depth exceeded while hashing a tuple"]);
-    let wide =
-        "<link name=\"${[(t := ())] and [t := (t, t) for _ in python.range(60)] and python.hash(t)}\"/>";
-    reached(wide, &[], &["maximum recursion depth exceeded while hashing a tuple"]);
+    let deep = "<link name=\"${[(t := ())] and [t := (t,) for _ in python.range(10**4)] and python.set([t])}\"/>";
+    reached(
+        deep,
+        &[],
+        &["maximum recursion depth exceeded while hashing a tuple"],
+    );
+    let wide = "<link name=\"${[(t := ())] and [t := (t, t) for _ in python.range(60)] and python.hash(t)}\"/>";
+    reached(
+        wide,
+        &[],
+        &["maximum recursion depth exceeded while hashing a tuple"],
+    );
 }
 
 #[test]
 fn shown_depth() {
-    let deep = "<link name=\"${[(t := [])] and [t := [t] for _ in python.range(10**4)] and str(t)}\"/>";
-    reached(deep, &[], &["maximum recursion depth exceeded while getting the repr"]);
+    let deep =
+        "<link name=\"${[(t := [])] and [t := [t] for _ in python.range(10**4)] and str(t)}\"/>";
+    reached(
+        deep,
+        &[],
+        &["maximum recursion depth exceeded while getting the repr"],
+    );
 }
 
 /// A robot that loads `f.yaml`.
-const LOADS: &str =
-    "<xacro:property name=\"p\" value=\"${xacro.load_yaml('f.yaml')}\"/>\n<link name=\"${len(p)}\"/>";
+const LOADS: &str = "<xacro:property name=\"p\" value=\"${xacro.load_yaml('f.yaml')}\"/>\n<link name=\"${len(p)}\"/>";
 
 #[test]
 fn yaml_depth() {
     let deep = format!("a: {}{}\n", "[".repeat(300), "]".repeat(300));
-    reached(LOADS, &[("f.yaml", &deep)], &["more than 200 levels of nesting"]);
+    reached(
+        LOADS,
+        &[("f.yaml", &deep)],
+        &["more than 200 levels of nesting"],
+    );
 }
 
 #[test]
@@ -480,7 +712,11 @@ fn yaml_nodes() {
 #[test]
 fn yaml_merges() {
     let text = format!("a: {}{{x: 1}}{}\n", "{<<: ".repeat(150), "}".repeat(150));
-    reached(LOADS, &[("f.yaml", &text)], &["more than 100 merges into each other"]);
+    reached(
+        LOADS,
+        &[("f.yaml", &text)],
+        &["more than 100 merges into each other"],
+    );
 }
 
 /// A macro that makes as many links as it is told, ten calls deep.
@@ -494,7 +730,10 @@ fn expand_nodes() {
     reached(
         MANY,
         &config,
-        &["the expanded robot has more than 100 nodes", "raise `expand-nodes` under `[limits]`"],
+        &[
+            "the expanded robot has more than 100 nodes",
+            "raise `expand-nodes` under `[limits]`",
+        ],
     );
     // each node is made by at most a few expressions: their values are bounded with the nodes
     assert!(EVALUATIONS as u64 >= EXPAND_NODES);
@@ -503,11 +742,14 @@ fn expand_nodes() {
 #[test]
 fn compared_names() {
     let names = COMPARED_NAMES / 1000;
-    let properties: String =
-        (0..names).map(|n| format!("<xacro:property name=\"param{n}\" value=\"1\"/>")).collect();
+    let properties: String = (0..names)
+        .map(|n| format!("<xacro:property name=\"param{n}\" value=\"1\"/>"))
+        .collect();
     // a name that is like another, behind so many that were compared before
     let said = |others: usize| {
-        let wrong: String = (0..others).map(|n| format!("<link name=\"${{abc{n}}}\"/>")).collect();
+        let wrong: String = (0..others)
+            .map(|n| format!("<link name=\"${{abc{n}}}\"/>"))
+            .collect();
         let called = "<xacro:macro name=\"wheel\"><link name=\"a\"/></xacro:macro><xacro:wheeel/>";
         let patient = [("xacro-lint.toml", "[limits]\nexpand-ms = 60000\n")];
         check(&format!("{properties}{wrong}{called}"), &patient)
@@ -515,13 +757,23 @@ fn compared_names() {
     let suggested = "did you mean `wheel`?";
     assert!(said(0).contains(suggested));
     let said = said(1000);
-    assert!(said.contains("macro `wheeel` is not defined") && !said.contains(suggested), "{said}");
+    assert!(
+        said.contains("macro `wheeel` is not defined") && !said.contains(suggested),
+        "{said}"
+    );
 }
 
 #[test]
 fn expand_ms() {
     let config = [("xacro-lint.toml", "[limits]\nexpand-ms = 1\n")];
-    reached(MANY, &config, &["the expansion takes more than 1 ms", "raise `expand-ms` under `[limits]`"]);
+    reached(
+        MANY,
+        &config,
+        &[
+            "the expansion takes more than 1 ms",
+            "raise `expand-ms` under `[limits]`",
+        ],
+    );
 }
 
 #[test]
@@ -538,10 +790,16 @@ fn macro_depth() {
     reached(
         endless,
         &[],
-        &["nested more than 1000 levels deep: `m`", "raise `macro-depth` under `[limits]`"],
+        &[
+            "nested more than 1000 levels deep: `m`",
+            "raise `macro-depth` under `[limits]`",
+        ],
     );
     // a workspace may raise it, but not beyond what the stack holds
-    let config = [("xacro-lint.toml", "[limits]\nmacro-depth = 10000\nexpand-ms = 60000\n")];
+    let config = [(
+        "xacro-lint.toml",
+        "[limits]\nmacro-depth = 10000\nexpand-ms = 60000\n",
+    )];
     reached(endless, &config, &["nested more than 10000 levels deep"]);
 }
 
@@ -551,18 +809,37 @@ fn include_depth() {
     reached(
         endless,
         &[],
-        &["includes are nested more than 500 levels deep", "raise `include-depth` under `[limits]`"],
+        &[
+            "includes are nested more than 500 levels deep",
+            "raise `include-depth` under `[limits]`",
+        ],
     );
-    let config = [("xacro-lint.toml", "[limits]\ninclude-depth = 10000\nexpand-ms = 60000\n")];
-    reached(endless, &config, &["includes are nested more than 10000 levels deep"]);
+    let config = [(
+        "xacro-lint.toml",
+        "[limits]\ninclude-depth = 10000\nexpand-ms = 60000\n",
+    )];
+    reached(
+        endless,
+        &config,
+        &["includes are nested more than 10000 levels deep"],
+    );
 }
 
 #[test]
 fn glob_files() {
-    let names: Vec<String> = (0..=GLOB_FILES).map(|n| format!("parts/p{n}.xacro")).collect();
+    let names: Vec<String> = (0..=GLOB_FILES)
+        .map(|n| format!("parts/p{n}.xacro"))
+        .collect();
     let files: Vec<(&str, &str)> = names.iter().map(|name| (&**name, "<robot/>")).collect();
     let body = format!("<xacro:include filename=\"parts/*.xacro\"/>\n{LINK}");
-    reached(&body, &files, &["r.urdf.xacro:2:", "matches more than 1000 files, the limit for one include"]);
+    reached(
+        &body,
+        &files,
+        &[
+            "r.urdf.xacro:2:",
+            "matches more than 1000 files, the limit for one include",
+        ],
+    );
     let (_, fewer) = files.split_first().unwrap();
     let said = check(&body, fewer);
     assert!(!said.contains("error["), "{said}");
@@ -577,9 +854,17 @@ fn glob_entries() {
     let body = format!("<xacro:include filename=\"{pattern}*.xacro\"/>\n{LINK}");
     reached(&body, &files, &["r.urdf.xacro:2:", "is 200000"]);
     // patterns that are long and look at nothing
-    for pattern in ["*/".repeat(1_000_000), format!("x{}", "[".repeat(1_000_000)), "*".repeat(1_000_000)] {
+    for pattern in [
+        "*/".repeat(1_000_000),
+        format!("x{}", "[".repeat(1_000_000)),
+        "*".repeat(1_000_000),
+    ] {
         let body = format!("<xacro:include filename=\"gone/{pattern}\"/>\n{LINK}");
-        assert!(check(&body, &files).contains("glob-include-no-match"), "{}", &pattern[..5]);
+        assert!(
+            check(&body, &files).contains("glob-include-no-match"),
+            "{}",
+            &pattern[..5]
+        );
     }
 }
 
@@ -587,33 +872,59 @@ fn glob_entries() {
 fn element_depth() {
     let count = ELEMENT_DEPTH as usize + 10;
     let deep = format!("{}{}", "<a>".repeat(count), "</a>".repeat(count));
-    reached(&deep, &[], &["elements are nested more than 5000 levels deep"]);
+    reached(
+        &deep,
+        &[],
+        &["elements are nested more than 5000 levels deep"],
+    );
 }
 
 #[test]
 fn block_depth() {
     let endless = "<xacro:property name=\"b\"><xacro:insert_block name=\"b\"/></xacro:property>\n\
                    <xacro:insert_block name=\"b\"/>";
-    reached(endless, &[], &["block `b` inserts itself (more than 500 levels)"]);
+    reached(
+        endless,
+        &[],
+        &["block `b` inserts itself (more than 500 levels)"],
+    );
 }
 
 #[test]
 fn lazy_depth() {
     let chain: String = (0..600)
-        .map(|n| format!("<xacro:property name=\"p{n}\" value=\"${{p{} + 1}}\"/>\n", n + 1))
+        .map(|n| {
+            format!(
+                "<xacro:property name=\"p{n}\" value=\"${{p{} + 1}}\"/>\n",
+                n + 1
+            )
+        })
         .collect();
-    let body = format!("{chain}<xacro:property name=\"p600\" value=\"1\"/>\n<link name=\"${{p0}}\"/>");
+    let body =
+        format!("{chain}<xacro:property name=\"p600\" value=\"1\"/>\n<link name=\"${{p0}}\"/>");
     reached(&body, &[], &["more than 500 levels deep"]);
 }
 
 #[test]
 fn config_chain() {
-    let mut files = vec![("xacro-lint.toml".to_owned(), "extend = 'c0.toml'\n".to_owned())];
-    files.extend((0..20).map(|n| (format!("c{n}.toml"), format!("extend = 'c{}.toml'\n", n + 1))));
-    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (&**name, &**text)).collect();
+    let mut files = vec![(
+        "xacro-lint.toml".to_owned(),
+        "extend = 'c0.toml'\n".to_owned(),
+    )];
+    files.extend((0..20).map(|n| {
+        (
+            format!("c{n}.toml"),
+            format!("extend = 'c{}.toml'\n", n + 1),
+        )
+    }));
+    let files: Vec<(&str, &str)> = files
+        .iter()
+        .map(|(name, text)| (&**name, &**text))
+        .collect();
     let said = check(LINK, &files);
     assert!(
-        said.contains("c14.toml:1:") && said.contains("more than 16 configuration files extend each other"),
+        said.contains("c14.toml:1:")
+            && said.contains("more than 16 configuration files extend each other"),
         "{said}"
     );
 }
@@ -623,10 +934,16 @@ fn matrix_runs() {
     let digits = "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]";
     let config = |axes: usize| {
         let args: Vec<String> = (0..axes).map(|n| format!("a{n} = {digits}")).collect();
-        format!("[[roots]]\nfile = 'robot.urdf'\nargs = {{ {} }}\n", args.join(", "))
+        format!(
+            "[[roots]]\nfile = 'robot.urdf'\nargs = {{ {} }}\n",
+            args.join(", ")
+        )
     };
     let said = check(LINK, &[("xacro-lint.toml", &config(9))]);
-    assert!(said.contains("1000000000 combinations of arguments; only 1000 are used"), "{said}");
+    assert!(
+        said.contains("1000000000 combinations of arguments; only 1000 are used"),
+        "{said}"
+    );
     let said = check(LINK, &[("xacro-lint.toml", &config(3))]);
     assert!(!said.contains("combinations"), "{said}");
 }
@@ -647,12 +964,27 @@ fn is_out_of_date(folders: usize, size: usize, config: &str) -> bool {
     write(&folder, "xacro-lint.toml", config);
     for n in 0..folders {
         // the last one alone gives what was generated
-        let default = if n + 1 == folders { size.to_string() } else { "0".to_owned() };
-        let source = if folders > 1 { source.replace("$(arg size)", &default) } else { source.to_owned() };
+        let default = if n + 1 == folders {
+            size.to_string()
+        } else {
+            "0".to_owned()
+        };
+        let source = if folders > 1 {
+            source.replace("$(arg size)", &default)
+        } else {
+            source.to_owned()
+        };
         write(&folder, &format!("{n}/arm.xacro"), source);
     }
     write(&folder, "made.urdf", generated(size));
-    let check = ["check", "--format", "concise", "--show", "info", "made.urdf"];
+    let check = [
+        "check",
+        "--format",
+        "concise",
+        "--show",
+        "info",
+        "made.urdf",
+    ];
     run(&folder, &check, &mut std::io::empty()).contains("generated-urdf-out-of-date")
 }
 
@@ -660,7 +992,10 @@ fn is_out_of_date(folders: usize, size: usize, config: &str) -> bool {
 fn drift_runs() {
     let config = |count: usize| {
         let sizes: Vec<String> = (1..=count).map(|size| size.to_string()).collect();
-        format!("[[roots]]\nfile = '0/arm.xacro'\nargs = {{ size = [{}] }}\n", sizes.join(", "))
+        format!(
+            "[[roots]]\nfile = '0/arm.xacro'\nargs = {{ size = [{}] }}\n",
+            sizes.join(", ")
+        )
     };
     assert!(!is_out_of_date(1, DRIFT_RUNS, &config(DRIFT_RUNS)));
     assert!(is_out_of_date(1, DRIFT_RUNS + 1, &config(DRIFT_RUNS + 1)));
@@ -671,12 +1006,30 @@ fn call_runs() {
     let folder = folder();
     let robot = "<robot name='r' xmlns:xacro='x'><xacro:arg name='n' default='x'/><link name='a'/>\
                  <xacro:if value=\"${'$(arg n)' == 'LAST'}\"><link name='a'/></xacro:if></robot>";
-    write(&folder, "r.xacro", robot.replace("LAST", &(CALL_RUNS - 1).to_string()));
+    write(
+        &folder,
+        "r.xacro",
+        robot.replace("LAST", &(CALL_RUNS - 1).to_string()),
+    );
     let calls = (0..=CALL_RUNS).map(|n| format!("xacro r.xacro n:={n}\n"));
     write(&folder, "a.sh", calls.collect::<String>());
-    let check = || run(&folder, &["check", "--format", "concise"], &mut std::io::empty());
-    assert!(check().contains(&format!("[in 1 of {CALL_RUNS} calls]")), "{}", check());
-    write(&folder, "r.xacro", robot.replace("LAST", &CALL_RUNS.to_string()));
+    let check = || {
+        run(
+            &folder,
+            &["check", "--format", "concise"],
+            &mut std::io::empty(),
+        )
+    };
+    assert!(
+        check().contains(&format!("[in 1 of {CALL_RUNS} calls]")),
+        "{}",
+        check()
+    );
+    write(
+        &folder,
+        "r.xacro",
+        robot.replace("LAST", &CALL_RUNS.to_string()),
+    );
     assert!(!check().contains("duplicate-link-name"), "{}", check());
 }
 
@@ -703,18 +1056,35 @@ fn found_below(levels: usize) -> bool {
     let deep: PathBuf = (0..levels).map(|_| "d").collect();
     // packages of the other tests lie in the same workspace
     let name = format!("far{levels}");
-    write(&folder, &format!("{}/package.xml", deep.display()), MANIFEST.replace("far", &name));
+    write(
+        &folder,
+        &format!("{}/package.xml", deep.display()),
+        MANIFEST.replace("far", &name),
+    );
     write(&folder, "r.urdf", "<robot name=\"r\"/>");
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
-    let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
-    Packages::new(Arc::new(Vfs::with_cwd(1 << 20, folder.clone())), &env, options)
-        .find(&name, &folder.join("r.urdf"))
-        .is_ok()
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
+    let options = PackageOptions {
+        explicit: vec![folder.clone()],
+        ..PackageOptions::default()
+    };
+    Packages::new(
+        Arc::new(Vfs::with_cwd(1 << 20, folder.clone())),
+        &env,
+        options,
+    )
+    .find(&name, &folder.join("r.urdf"))
+    .is_ok()
 }
 
 #[test]
 fn scan_depth() {
-    assert_eq!((found_below(SCAN_DEPTH - 4), found_below(SCAN_DEPTH + 4)), (true, false));
+    assert_eq!(
+        (found_below(SCAN_DEPTH - 4), found_below(SCAN_DEPTH + 4)),
+        (true, false)
+    );
 }
 
 /// Whether a file of the same name is suggested that lies so many folders down.
@@ -724,26 +1094,51 @@ fn suggested_below(levels: usize) -> bool {
     write(&folder, "package.xml", MANIFEST.replace("far", "near"));
     let name = format!("part{levels}.stl");
     write(&folder, &format!("{}/{name}", deep.display()), "");
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
-    let packages =
-        Packages::new(Arc::new(Vfs::with_cwd(1 << 20, folder.clone())), &env, PackageOptions::default());
-    packages.namesake(&folder.join("gone").join(name), Some(&folder), &folder.join("r.urdf")).is_some()
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
+    let packages = Packages::new(
+        Arc::new(Vfs::with_cwd(1 << 20, folder.clone())),
+        &env,
+        PackageOptions::default(),
+    );
+    packages
+        .namesake(
+            &folder.join("gone").join(name),
+            Some(&folder),
+            &folder.join("r.urdf"),
+        )
+        .is_some()
 }
 
 #[test]
 fn namesake_depth() {
-    assert_eq!((suggested_below(NAMESAKE_DEPTH - 4), suggested_below(NAMESAKE_DEPTH + 4)), (true, false));
+    assert_eq!(
+        (
+            suggested_below(NAMESAKE_DEPTH - 4),
+            suggested_below(NAMESAKE_DEPTH + 4)
+        ),
+        (true, false)
+    );
 }
 
 /// How many callers of a robot are found below `folder`.
 fn callers_of(folder: &Path, robot: &str) -> usize {
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.to_owned() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.to_owned(),
+    };
     let options = PackageOptions {
         workspace_folders: vec![folder.to_owned()],
         search_upward: false,
         ..PackageOptions::default()
     };
-    let packages = Packages::new(Arc::new(Vfs::with_cwd(1 << 24, folder.to_owned())), &env, options);
+    let packages = Packages::new(
+        Arc::new(Vfs::with_cwd(1 << 24, folder.to_owned())),
+        &env,
+        options,
+    );
     Callers::default().of(&folder.join(robot), &packages).len()
 }
 
@@ -752,7 +1147,11 @@ fn caller_depth() {
     let found = |levels: usize| {
         let folder = folder();
         let deep: PathBuf = (0..levels).map(|_| "d").collect();
-        write(&folder, &format!("{}/r.launch", deep.display()), "deep.urdf");
+        write(
+            &folder,
+            &format!("{}/r.launch", deep.display()),
+            "deep.urdf",
+        );
         callers_of(&folder, "deep.urdf")
     };
     assert_eq!((found(CALLER_DEPTH - 4), found(CALLER_DEPTH + 4)), (1, 0));
@@ -762,7 +1161,11 @@ fn caller_depth() {
 fn caller_bytes() {
     let found = |bytes: u64| {
         let folder = folder();
-        write(&folder, "r.launch", format!("large.urdf{}", " ".repeat(bytes as usize)));
+        write(
+            &folder,
+            "r.launch",
+            format!("large.urdf{}", " ".repeat(bytes as usize)),
+        );
         callers_of(&folder, "large.urdf")
     };
     assert_eq!((found(CALLER_BYTES / 2), found(CALLER_BYTES)), (1, 0));
@@ -804,7 +1207,10 @@ fn caller_files() {
 fn launched(name: &str, text: &str) -> Vec<String> {
     let file = launch::read(Path::new(name), text);
     let shown = |call: launch::Call| {
-        let args = call.args.iter().map(|arg| format!(" {}={}", arg.name, arg.value.shown()));
+        let args = call
+            .args
+            .iter()
+            .map(|arg| format!(" {}={}", arg.name, arg.value.shown()));
         format!("{}{}", call.file.shown(), args.collect::<String>())
     };
     file.iter().flat_map(launch::calls).map(shown).collect()
@@ -812,22 +1218,37 @@ fn launched(name: &str, text: &str) -> Vec<String> {
 
 #[test]
 fn launch_calls() {
-    let text = |count: usize| (0..count).map(|n| format!("xacro r.xacro n:={n}\n")).collect::<String>();
+    let text = |count: usize| {
+        (0..count)
+            .map(|n| format!("xacro r.xacro n:={n}\n"))
+            .collect::<String>()
+    };
     assert_eq!(launched("a.sh", &text(LAUNCH_CALLS)).len(), LAUNCH_CALLS);
-    assert_eq!(launched("a.sh", &text(LAUNCH_CALLS + 1)).len(), LAUNCH_CALLS);
+    assert_eq!(
+        launched("a.sh", &text(LAUNCH_CALLS + 1)).len(),
+        LAUNCH_CALLS
+    );
 }
 
 #[test]
 fn caller_calls() {
     let folder = folder();
-    let text: String = (0..LAUNCH_CALLS).map(|n| format!("xacro r.xacro n:={n}\n")).collect();
+    let text: String = (0..LAUNCH_CALLS)
+        .map(|n| format!("xacro r.xacro n:={n}\n"))
+        .collect();
     for n in 0..=CALLER_CALLS / LAUNCH_CALLS {
         write(&folder, &format!("{n}.sh"), &text);
     }
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
     let packages = Packages::new(vfs, &env, PackageOptions::default());
-    assert_eq!(Callers::default().calls_below(&folder, &packages).len(), CALLER_CALLS);
+    assert_eq!(
+        Callers::default().calls_below(&folder, &packages).len(),
+        CALLER_CALLS
+    );
 }
 
 #[test]
@@ -840,7 +1261,11 @@ fn launch_includes() {
     );
     let levels = LAUNCH_INCLUDES + 1;
     for n in 1..=levels {
-        let give = if n == 1 { "1".to_owned() } else { "$(arg a)".to_owned() };
+        let give = if n == 1 {
+            "1".to_owned()
+        } else {
+            "$(arg a)".to_owned()
+        };
         let value = if n == levels { "deep" } else { &give };
         let below = n - 1;
         write(
@@ -851,7 +1276,10 @@ fn launch_includes() {
             ),
         );
     }
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
     let packages = Packages::new(vfs, &env, PackageOptions::default());
     let calls = Callers::default().calls_below(&folder, &packages);
@@ -861,7 +1289,12 @@ fn launch_includes() {
 
 #[test]
 fn launch_steps() {
-    let text = |lines: usize| format!("{}Command('xacro r.xacro')", "x = [1, 2, 3]\n".repeat(lines));
+    let text = |lines: usize| {
+        format!(
+            "{}Command('xacro r.xacro')",
+            "x = [1, 2, 3]\n".repeat(lines)
+        )
+    };
     assert_eq!(launched("a.py", &text(10)), ["r.xacro"]);
     assert_eq!(launched("a.py", &text(LAUNCH_STEPS / 4)), [""; 0]);
 }
@@ -870,7 +1303,10 @@ fn launch_steps() {
 fn launch_depth() {
     let text = |depth: usize| {
         let group = "<group>".repeat(depth);
-        format!("<launch>{group}<param command='xacro r.xacro'/>{}</launch>", "</group>".repeat(depth))
+        format!(
+            "<launch>{group}<param command='xacro r.xacro'/>{}</launch>",
+            "</group>".repeat(depth)
+        )
     };
     assert_eq!(launched("a.launch", &text(LAUNCH_DEPTH)), ["r.xacro"]);
     assert_eq!(launched("a.launch", &text(LAUNCH_DEPTH + 1)), [""; 0]);
@@ -893,19 +1329,35 @@ fn launch_call_depth() {
 fn launch_pieces() {
     let text = |count: usize| {
         let pieces = "LaunchConfiguration('a'), ".repeat(count);
-        format!("DeclareLaunchArgument('a', default_value='b')\nCommand(['xacro r.xacro x:=', {pieces}])\n")
+        format!(
+            "DeclareLaunchArgument('a', default_value='b')\nCommand(['xacro r.xacro x:=', {pieces}])\n"
+        )
     };
-    assert_eq!(launched("a.py", &text(10)), [format!("r.xacro x={}", "b".repeat(10))]);
+    assert_eq!(
+        launched("a.py", &text(10)),
+        [format!("r.xacro x={}", "b".repeat(10))]
+    );
     assert_eq!(launched("a.py", &text(LAUNCH_PIECES)), [""; 0]);
 }
 
 #[test]
 fn launch_text() {
-    let text = |len: usize| format!("a = '{}'\nCommand(['xacro r.xacro x:=', a])\n", "b".repeat(len));
-    assert_eq!(launched("a.py", &text(10)), [format!("r.xacro x={}", "b".repeat(10))]);
+    let text = |len: usize| {
+        format!(
+            "a = '{}'\nCommand(['xacro r.xacro x:=', a])\n",
+            "b".repeat(len)
+        )
+    };
+    assert_eq!(
+        launched("a.py", &text(10)),
+        [format!("r.xacro x={}", "b".repeat(10))]
+    );
     assert_eq!(launched("a.py", &text(LAUNCH_TEXT)), [""; 0]);
     // what doubles with each line
-    let doubles = format!("a = 'xx'\n{}Command(['xacro r.xacro x:=', a])\n", "a = a + a\n".repeat(100));
+    let doubles = format!(
+        "a = 'xx'\n{}Command(['xacro r.xacro x:=', a])\n",
+        "a = a + a\n".repeat(100)
+    );
     assert_eq!(launched("a.py", &doubles), ["r.xacro x=?"]);
 }
 
@@ -914,11 +1366,23 @@ fn manifest_nodes() {
     let found = |count: usize| {
         let folder = folder();
         let filler = "<a/>".repeat(count);
-        write(&folder, "far/package.xml", MANIFEST.replace("</package>", &format!("{filler}</package>")));
-        let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
-        let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
+        write(
+            &folder,
+            "far/package.xml",
+            MANIFEST.replace("</package>", &format!("{filler}</package>")),
+        );
+        let env = Environment {
+            vars: BTreeMap::new(),
+            cwd: folder.clone(),
+        };
+        let options = PackageOptions {
+            explicit: vec![folder.clone()],
+            ..PackageOptions::default()
+        };
         let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
-        Packages::new(vfs, &env, options).find("far", &folder.join("r.urdf")).is_ok()
+        Packages::new(vfs, &env, options)
+            .find("far", &folder.join("r.urdf"))
+            .is_ok()
     };
     // its name counts all the same
     assert_eq!((found(1000), found(MANIFEST_NODES as usize)), (true, true));
@@ -929,17 +1393,30 @@ fn installed_behind(before: &str) -> bool {
     let folder = folder();
     let install = "install(DIRECTORY description/meshes DESTINATION share/near)";
     write(&folder, "package.xml", MANIFEST.replace("far", "near"));
-    write(&folder, "CMakeLists.txt", before.replace("INSTALL", install));
+    write(
+        &folder,
+        "CMakeLists.txt",
+        before.replace("INSTALL", install),
+    );
     write(&folder, "description/meshes/a.stl", "");
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
-    Packages::new(vfs, &env, PackageOptions::default()).built(&folder.join("meshes/a.stl")).is_some()
+    Packages::new(vfs, &env, PackageOptions::default())
+        .built(&folder.join("meshes/a.stl"))
+        .is_some()
 }
 
 #[test]
 fn build_bytes() {
-    let behind = |count: usize| installed_behind(&format!("{} INSTALL", "set(a bbbbbbb)\n".repeat(count)));
-    assert_eq!((behind(100), behind(BUILD_BYTES as usize / 10)), (true, false));
+    let behind =
+        |count: usize| installed_behind(&format!("{} INSTALL", "set(a bbbbbbb)\n".repeat(count)));
+    assert_eq!(
+        (behind(100), behind(BUILD_BYTES as usize / 10)),
+        (true, false)
+    );
 }
 
 #[test]
@@ -951,14 +1428,24 @@ fn build_depth() {
             "endforeach()\n".repeat(levels)
         ))
     };
-    assert_eq!((below(BUILD_DEPTH as usize), below(BUILD_DEPTH as usize + 1)), (true, false));
+    assert_eq!(
+        (below(BUILD_DEPTH as usize), below(BUILD_DEPTH as usize + 1)),
+        (true, false)
+    );
     let nested = format!("share/near', {}", "[".repeat(1_000_000));
     let folder = folder();
     write(&folder, "package.xml", MANIFEST.replace("far", "near"));
     write(&folder, "setup.py", format!("x = ('{nested}"));
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
-    assert!(Packages::new(vfs, &env, PackageOptions::default()).built(&folder.join("a.stl")).is_none());
+    assert!(
+        Packages::new(vfs, &env, PackageOptions::default())
+            .built(&folder.join("a.stl"))
+            .is_none()
+    );
 }
 
 /// Makes a hundred thousand folders and twenty thousand files: run it by `cargo test --test limits -- --ignored`.
@@ -978,40 +1465,77 @@ fn many_folders() {
             fs::write(path.join("x.urdf"), "<robot name=\"x\"/>").unwrap();
         }
     }
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.clone() };
-    let options = PackageOptions { explicit: vec![folder.clone()], ..PackageOptions::default() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.clone(),
+    };
+    let options = PackageOptions {
+        explicit: vec![folder.clone()],
+        ..PackageOptions::default()
+    };
     let vfs = Arc::new(Vfs::with_cwd(1 << 20, folder.clone()));
     let packages = Packages::new(vfs.clone(), &env, options);
     // packages of the other tests lie in the same workspace
     assert!(packages.find("nowhere", &folder.join("r.urdf")).is_err());
-    assert!(packages.namesake(&folder.join("gone.stl"), Some(&folder), &folder.join("r.urdf")).is_none());
+    assert!(
+        packages
+            .namesake(
+                &folder.join("gone.stl"),
+                Some(&folder),
+                &folder.join("r.urdf")
+            )
+            .is_none()
+    );
     let mut world = xacro_lsp::analysis::World::new(env, vec![folder.clone()]);
     while world.scan(|| false).is_some() {}
-    assert!(world.known_files().len() <= SCAN_FILES + 1, "{}", world.known_files().len());
+    assert!(
+        world.known_files().len() <= SCAN_FILES + 1,
+        "{}",
+        world.known_files().len()
+    );
     let _ = fs::remove_dir_all(folder);
 }
 
 fn mesh_defect(ending: &str, bytes: &[u8]) -> String {
-    Mesh::read(ending, bytes, &|_| None).defect.map(|defect| defect.message).unwrap_or_default()
+    Mesh::read(ending, bytes, &|_| None)
+        .defect
+        .map(|defect| defect.message)
+        .unwrap_or_default()
 }
 
 #[test]
 fn mesh_triangles() {
-    let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(MESH_TRIANGLES + 1));
-    assert_eq!(mesh_defect("obj", text.as_bytes()), "line 2500004: it has more than 2500000 triangles");
+    let text = format!(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\n{}",
+        "f 1 2 3\n".repeat(MESH_TRIANGLES + 1)
+    );
+    assert_eq!(
+        mesh_defect("obj", text.as_bytes()),
+        "line 2500004: it has more than 2500000 triangles"
+    );
 }
 
 #[test]
 fn mesh_nodes() {
     let text = format!("<COLLADA>{}</COLLADA>", "<a/>".repeat(MESH_NODES as usize));
-    assert_eq!(mesh_defect("dae", text.as_bytes()), "it has more than 4000000 nodes");
+    assert_eq!(
+        mesh_defect("dae", text.as_bytes()),
+        "it has more than 4000000 nodes"
+    );
 }
 
 #[test]
 fn mesh_files() {
-    let libraries: String = (0..MESH_FILES + 500).map(|n| format!("mtllib {n}.mtl\n")).collect();
+    let libraries: String = (0..MESH_FILES + 500)
+        .map(|n| format!("mtllib {n}.mtl\n"))
+        .collect();
     let text = format!("{libraries}v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    assert_eq!(Mesh::read("obj", text.as_bytes(), &|_| None).dependencies.len(), MESH_FILES);
+    assert_eq!(
+        Mesh::read("obj", text.as_bytes(), &|_| None)
+            .dependencies
+            .len(),
+        MESH_FILES
+    );
 }
 
 #[test]
@@ -1023,14 +1547,25 @@ fn message_letters() {
         ),
         &[],
     );
-    let longest = said.lines().filter(|line| line.starts_with("error[")).map(str::len).max().unwrap();
-    assert!((MESSAGE_LETTERS..MESSAGE_LETTERS + 100).contains(&longest), "{longest}");
+    let longest = said
+        .lines()
+        .filter(|line| line.starts_with("error["))
+        .map(str::len)
+        .max()
+        .unwrap();
+    assert!(
+        (MESSAGE_LETTERS..MESSAGE_LETTERS + 100).contains(&longest),
+        "{longest}"
+    );
 }
 
 #[test]
 fn drawn_line() {
     let said = check(&format!("{}<link/>", " ".repeat(DRAWN_LINE)), &[]);
-    assert!(said.contains(&format!("r.urdf.xacro:2:{}", DRAWN_LINE + 1)), "{said}");
+    assert!(
+        said.contains(&format!("r.urdf.xacro:2:{}", DRAWN_LINE + 1)),
+        "{said}"
+    );
     assert!(said.len() < DRAWN_LINE, "{}", said.len());
 }
 
@@ -1041,17 +1576,33 @@ fn findings_of_a_rule() {
     write(
         &folder,
         "r.urdf",
-        format!("<robot name=\"r\">{LINK}{}</robot>", "<a/>".repeat(FINDINGS_OF_A_RULE + 10)),
+        format!(
+            "<robot name=\"r\">{LINK}{}</robot>",
+            "<a/>".repeat(FINDINGS_OF_A_RULE + 10)
+        ),
     );
-    let said = run(&folder, &["check", "--statistics", "r.urdf"], &mut std::io::empty());
-    assert!(said.contains(&format!("{FINDINGS_OF_A_RULE}  hint")), "{said}");
+    let said = run(
+        &folder,
+        &["check", "--statistics", "r.urdf"],
+        &mut std::io::empty(),
+    );
+    assert!(
+        said.contains(&format!("{FINDINGS_OF_A_RULE}  hint")),
+        "{said}"
+    );
 }
 
 #[test]
 fn drawn_of_a_rule() {
-    let links: String = (0..150).map(|n| format!("<link name=\"${{gone{n}}}\"/>\n")).collect();
+    let links: String = (0..150)
+        .map(|n| format!("<link name=\"${{gone{n}}}\"/>\n"))
+        .collect();
     let said = check(&links, &[]);
-    assert_eq!(said.matches("[undefined-property]").count(), DRAWN_OF_A_RULE, "{said}");
+    assert_eq!(
+        said.matches("[undefined-property]").count(),
+        DRAWN_OF_A_RULE,
+        "{said}"
+    );
     assert!(said.contains("145 more not shown"), "{said}");
 }
 
@@ -1064,31 +1615,62 @@ fn drawn_in_all() {
         write(&folder, &format!("r{file}.urdf.xacro"), robot(&links));
     }
     let said = run(&folder, &["check", "."], &mut std::io::empty());
-    assert_eq!(said.matches("[undefined-property]").count(), DRAWN_IN_ALL, "{said}");
-    let all = run(&folder, &["check", "--show", "all", "."], &mut std::io::empty());
-    assert_eq!(all.matches("[undefined-property]").count(), 4 * DRAWN_OF_A_RULE, "{all}");
+    assert_eq!(
+        said.matches("[undefined-property]").count(),
+        DRAWN_IN_ALL,
+        "{said}"
+    );
+    let all = run(
+        &folder,
+        &["check", "--show", "all", "."],
+        &mut std::io::empty(),
+    );
+    assert_eq!(
+        all.matches("[undefined-property]").count(),
+        4 * DRAWN_OF_A_RULE,
+        "{all}"
+    );
 }
 
 #[test]
 fn drawn_problems() {
-    let links: String = (0..150).map(|n| format!("<link name=\"${{gone{n}}}\"/>\n")).collect();
+    let links: String = (0..150)
+        .map(|n| format!("<link name=\"${{gone{n}}}\"/>\n"))
+        .collect();
     let folder = folder();
     write(&folder, "r.urdf.xacro", robot(&links));
     let said = run(&folder, &["expand", "r.urdf.xacro"], &mut std::io::empty());
-    assert_eq!(said.matches("error: name 'gone").count(), DRAWN_PROBLEMS, "{said}");
+    assert_eq!(
+        said.matches("error: name 'gone").count(),
+        DRAWN_PROBLEMS,
+        "{said}"
+    );
 }
 
 const SMALL: &str = "Content-Length: 30\r\n\r\n{\"jsonrpc\":\"2.0\",\"method\":\"x\"}";
 
 #[test]
 fn message_bytes() {
-    let said = |length: u64| server::reframe(format!("Content-Length: {length}\r\n\r\n{SMALL}").as_bytes());
-    assert_eq!(said(MESSAGE_BYTES + 1), SMALL.as_bytes(), "a header that claims too much is none");
-    assert_eq!(said(MESSAGE_BYTES), b"", "the rest of the message is waited for");
+    let said = |length: u64| {
+        server::reframe(format!("Content-Length: {length}\r\n\r\n{SMALL}").as_bytes())
+    };
+    assert_eq!(
+        said(MESSAGE_BYTES + 1),
+        SMALL.as_bytes(),
+        "a header that claims too much is none"
+    );
+    assert_eq!(
+        said(MESSAGE_BYTES),
+        b"",
+        "the rest of the message is waited for"
+    );
 }
 
 #[test]
 fn header_bytes() {
     let line = "x".repeat(HEADER_BYTES as usize * 3);
-    assert_eq!(server::reframe(format!("{line}\r\n{SMALL}").as_bytes()), SMALL.as_bytes());
+    assert_eq!(
+        server::reframe(format!("{line}\r\n{SMALL}").as_bytes()),
+        SMALL.as_bytes()
+    );
 }

@@ -28,7 +28,10 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, below: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         ((self.0 >> 33) % below.max(1) as u64) as usize
     }
 }
@@ -62,7 +65,10 @@ fn changed(seeds: &[Vec<u8>], words: &[&str], dice: &mut Dice) -> Vec<u8> {
 }
 
 fn rounds() -> usize {
-    std::env::var("ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(ROUNDS)
+    std::env::var("ROUNDS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(ROUNDS)
 }
 
 fn try_out(name: &str) {
@@ -77,7 +83,11 @@ fn try_out(name: &str) {
     for _ in 0..rounds() {
         let input = changed(&seeds, &words, &mut dice);
         let outcome = std::panic::catch_unwind(|| (target.run)(&input));
-        assert!(outcome.is_ok(), "{name}: {:?}", String::from_utf8_lossy(&input));
+        assert!(
+            outcome.is_ok(),
+            "{name}: {:?}",
+            String::from_utf8_lossy(&input)
+        );
     }
 }
 
@@ -108,7 +118,9 @@ fn what_failed_once() {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap();
-        let (name, _) = name.split_once('-').unwrap_or_else(|| panic!("{name}: no target"));
+        let (name, _) = name
+            .split_once('-')
+            .unwrap_or_else(|| panic!("{name}: no target"));
         (target(name).run)(&fs::read(&path).unwrap());
         tried += 1;
     }
@@ -132,7 +144,11 @@ fn seeds_for_the_fuzzer() {
         let bytes = word.bytes().map(|byte| format!("\\x{byte:02x}"));
         format!("\"{}\"\n", bytes.collect::<String>())
     });
-    fs::write(Path::new(&folder).join("words.dict"), words.collect::<String>()).unwrap();
+    fs::write(
+        Path::new(&folder).join("words.dict"),
+        words.collect::<String>(),
+    )
+    .unwrap();
 }
 
 /// A table of `python_oracle.py`: what Python makes of random expressions is what we make of them.
@@ -150,9 +166,17 @@ fn python() {
         // limits of ours are no difference, nor is what is not supported and says so
         let ours = got.as_ref().is_none_or(|got| got == expected);
         if !ours {
-            differ.push(format!("{text}\n  python: {expected}\n  ours:   {}", got.unwrap_or_default()));
+            differ.push(format!(
+                "{text}\n  python: {expected}\n  ours:   {}",
+                got.unwrap_or_default()
+            ));
         }
     }
     let count = table.lines().count();
-    assert!(count > 0 && differ.is_empty(), "{} of {count} differ:\n{}", differ.len(), differ.join("\n"));
+    assert!(
+        count > 0 && differ.is_empty(),
+        "{} of {count} differ:\n{}",
+        differ.len(),
+        differ.join("\n")
+    );
 }

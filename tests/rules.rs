@@ -46,21 +46,29 @@ fn blocks(rule: &Rule) -> Vec<Block> {
         match line.strip_prefix("```") {
             Some("") => inside = false,
             Some(info) => {
-                let (info, latin_1) =
-                    info.split_once(",latin-1").map_or((info, false), |(info, _)| (info, true));
-                let (kind, verdict) =
-                    info.split_once(',').unwrap_or_else(|| panic!("{}: `{info}`", rule.name));
+                let (info, latin_1) = info
+                    .split_once(",latin-1")
+                    .map_or((info, false), |(info, _)| (info, true));
+                let (kind, verdict) = info
+                    .split_once(',')
+                    .unwrap_or_else(|| panic!("{}: `{info}`", rule.name));
                 let (verdict, severity) =
-                    verdict.split_once(',').map_or((verdict, None), |(verdict, name)| {
-                        (
-                            verdict,
-                            Some(
-                                Severity::from_name(name)
-                                    .unwrap_or_else(|| panic!("{}: `{info}`", rule.name)),
-                            ),
-                        )
-                    });
-                assert!(["bad", "good"].contains(&verdict), "{}: `{info}`", rule.name);
+                    verdict
+                        .split_once(',')
+                        .map_or((verdict, None), |(verdict, name)| {
+                            (
+                                verdict,
+                                Some(
+                                    Severity::from_name(name)
+                                        .unwrap_or_else(|| panic!("{}: `{info}`", rule.name)),
+                                ),
+                            )
+                        });
+                assert!(
+                    ["bad", "good"].contains(&verdict),
+                    "{}: `{info}`",
+                    rule.name
+                );
                 let block = Block {
                     kind: kind.to_owned(),
                     bad: verdict == "bad",
@@ -100,7 +108,13 @@ fn files(block: &Block) -> (Vec<(String, String)>, Vec<Place>) {
         }
     }
     let text = |lines: Vec<&str>| lines.iter().map(|line| format!("{line}\n")).collect();
-    (files.into_iter().map(|(name, lines)| (name, text(lines))).collect(), places)
+    (
+        files
+            .into_iter()
+            .map(|(name, lines)| (name, text(lines)))
+            .collect(),
+        places,
+    )
 }
 
 /// Write the files of a block into a folder of its own; the file to check, and the places of the markers.
@@ -112,12 +126,19 @@ fn write(rule: &Rule, number: usize, block: &Block, folder: &Path) -> (PathBuf, 
     let (files, places) = files(block);
     for (name, text) in &files {
         // `//- part.stl: box 0.1` is a binary mesh
-        let (name, mesh) =
-            name.split_once(": ").map_or((name.as_str(), None), |(name, mesh)| (name, Some(mesh)));
+        let (name, mesh) = name
+            .split_once(": ")
+            .map_or((name.as_str(), None), |(name, mesh)| (name, Some(mesh)));
         let path = folder.join(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         let latin_1 = || text.chars().map(|c| u8::try_from(c).unwrap()).collect();
-        let text = || if block.latin_1 { latin_1() } else { text.clone().into_bytes() };
+        let text = || {
+            if block.latin_1 {
+                latin_1()
+            } else {
+                text.clone().into_bytes()
+            }
+        };
         fs::write(path, mesh.map_or_else(text, meshes::binary_stl)).unwrap();
     }
     (folder.join(&files[0].0), places)
@@ -125,30 +146,66 @@ fn write(rule: &Rule, number: usize, block: &Block, folder: &Path) -> (PathBuf, 
 
 /// What is found in a file, with one rule in addition to the default ones.
 fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: folder.to_owned() };
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )]);
+    let env = Environment {
+        vars,
+        cwd: folder.to_owned(),
+    };
     let extend_select = Some(vec![rule.name.to_owned()]);
-    let overrides = Overrides { extend_select, ..Overrides::default() };
-    let session =
-        Session::new(&env, Setup { about: folder.to_owned(), overrides, ..Setup::default() }).unwrap();
+    let overrides = Overrides {
+        extend_select,
+        ..Overrides::default()
+    };
+    let session = Session::new(
+        &env,
+        Setup {
+            about: folder.to_owned(),
+            overrides,
+            ..Setup::default()
+        },
+    )
+    .unwrap();
     // launch files are checked with the folder that they are in
-    let path = if folder.join("launch").is_dir() && rule.code.starts_with("PKG") { folder } else { file };
-    let options = CheckOptions { paths: vec![path.to_owned()], ..CheckOptions::default() };
+    let path = if folder.join("launch").is_dir() && rule.code.starts_with("PKG") {
+        folder
+    } else {
+        file
+    };
+    let options = CheckOptions {
+        paths: vec![path.to_owned()],
+        ..CheckOptions::default()
+    };
     let report = session.check(&options);
     assert!(report.unreadable.is_empty());
     report
 }
 
 /// Check a block: findings by rule name with their places.
-fn check(rule: &Rule, number: usize, block: &Block) -> (Vec<(&'static str, Severity, Place)>, Vec<Place>) {
+fn check(
+    rule: &Rule,
+    number: usize,
+    block: &Block,
+) -> (Vec<(&'static str, Severity, Place)>, Vec<Place>) {
     let pages = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rules");
     let (file, places) = write(rule, number, block, &pages);
     let folder = pages.join(rule.name).join(number.to_string());
     let report = report(rule, &folder, &file);
     let findings = report.findings.iter().map(|finding| {
         let Position { start, end } = report.position(finding.span);
-        let path = report.path(finding.span.file).strip_prefix(&folder).unwrap().display().to_string();
-        (finding.rule.name, finding.severity, (path, start.0, start.1, end.1.max(start.1 + 1)))
+        let path = report
+            .path(finding.span.file)
+            .strip_prefix(&folder)
+            .unwrap()
+            .display()
+            .to_string();
+        (
+            finding.rule.name,
+            finding.severity,
+            (path, start.0, start.1, end.1.max(start.1 + 1)),
+        )
     });
     (findings.collect(), places)
 }
@@ -166,15 +223,25 @@ fn every_block_says_what_it_should() {
         for (number, block) in blocks.iter().enumerate() {
             let (findings, expected) = check(rule, number, block);
             let place = format!("docs/rules/{}.md:{}", rule.name, block.line);
-            assert_eq!(block.bad, !expected.is_empty(), "{place}: bad blocks have markers, good ones none");
-            let own: Vec<&Place> = findings.iter().filter(|f| f.0 == rule.name).map(|f| &f.2).collect();
+            assert_eq!(
+                block.bad,
+                !expected.is_empty(),
+                "{place}: bad blocks have markers, good ones none"
+            );
+            let own: Vec<&Place> = findings
+                .iter()
+                .filter(|f| f.0 == rule.name)
+                .map(|f| &f.2)
+                .collect();
             if own != expected.iter().collect::<Vec<_>>() {
                 wrong.push(format!("{place}: found {own:?}, expected {expected:?}"));
             }
             let expected = block.severity.unwrap_or(rule.severity);
             for (name, severity, at) in &findings {
                 if *name == rule.name && *severity != expected {
-                    wrong.push(format!("{place}: {severity} at {at:?}, expected {expected}"));
+                    wrong.push(format!(
+                        "{place}: {severity} at {at:?}, expected {expected}"
+                    ));
                 }
                 if *name != rule.name && *severity >= Severity::Warning {
                     wrong.push(format!("{place}: {name} at {at:?}"));
@@ -187,7 +254,10 @@ fn every_block_says_what_it_should() {
 
 /// Put the fixes of a rule into the files; how many there are.
 fn apply_fixes(rule: &Rule, report: &Report) -> usize {
-    let own = report.findings.iter().filter(|finding| finding.rule.name == rule.name);
+    let own = report
+        .findings
+        .iter()
+        .filter(|finding| finding.rule.name == rule.name);
     let fixes: Vec<_> = own.filter_map(|finding| finding.fix.as_ref()).collect();
     let mut edits: Vec<_> = fixes.iter().flat_map(|fix| &fix.edits).collect();
     edits.sort_by_key(|edit| (edit.span.file, edit.span.range.start, edit.span.range.end));
@@ -195,7 +265,10 @@ fn apply_fixes(rule: &Rule, report: &Report) -> usize {
     for edit in edits.into_iter().rev() {
         let path = report.path(edit.span.file);
         let mut text = fs::read_to_string(path).unwrap();
-        text.replace_range(edit.span.range.start as usize..edit.span.range.end as usize, &edit.content);
+        text.replace_range(
+            edit.span.range.start as usize..edit.span.range.end as usize,
+            &edit.content,
+        );
         fs::write(path, text).unwrap();
     }
     fixes.len()
@@ -211,7 +284,11 @@ fn fixes_fix_what_they_are_offered_for() {
     for rule in rules::all() {
         let blocks = blocks(rule);
         let mut shown = 0;
-        for (number, block) in blocks.iter().enumerate().filter(|(_, block)| block.bad && !block.latin_1) {
+        for (number, block) in blocks
+            .iter()
+            .enumerate()
+            .filter(|(_, block)| block.bad && !block.latin_1)
+        {
             let (file, _) = write(rule, number, block, &folder);
             let folder = folder.join(rule.name).join(number.to_string());
             let fixed = apply_fixes(rule, &report(rule, &folder, &file));
@@ -221,13 +298,19 @@ fn fixes_fix_what_they_are_offered_for() {
                 wrong.push(format!("{place}: a fix that the headline does not promise"));
             }
             let after = report(rule, &folder, &file);
-            let left = after.findings.iter().filter(|finding| finding.rule.name == rule.name);
+            let left = after
+                .findings
+                .iter()
+                .filter(|finding| finding.rule.name == rule.name);
             if fixed > 0 && left.filter(|finding| finding.fix.is_some()).count() > 0 {
                 wrong.push(format!("{place}: still found after the fix"));
             }
         }
         if shown == 0 && rule.fix.is_some() && !WITHOUT_EXAMPLE.contains(&rule.name) {
-            wrong.push(format!("docs/rules/{}.md: no example for the fix", rule.name));
+            wrong.push(format!(
+                "docs/rules/{}.md: no example for the fix",
+                rule.name
+            ));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -235,15 +318,34 @@ fn fixes_fix_what_they_are_offered_for() {
 
 #[test]
 fn pages_have_their_shape() {
-    const HEADINGS: [&str; 6] =
-        ["## Why", "## Reported", "## Not reported", "## How to fix it", "## When to allow it", "## Source"];
+    const HEADINGS: [&str; 6] = [
+        "## Why",
+        "## Reported",
+        "## Not reported",
+        "## How to fix it",
+        "## When to allow it",
+        "## Source",
+    ];
     for rule in rules::all() {
         let mut lines = rule.docs.lines();
         assert_eq!(lines.next(), Some(format!("# {}", rule.name).as_str()));
-        assert_eq!(lines.nth(1), Some(rule.headline().as_str()), "{}", rule.name);
-        let headings: Vec<&str> = rule.docs.lines().filter(|line| line.starts_with("## ")).collect();
+        assert_eq!(
+            lines.nth(1),
+            Some(rule.headline().as_str()),
+            "{}",
+            rule.name
+        );
+        let headings: Vec<&str> = rule
+            .docs
+            .lines()
+            .filter(|line| line.starts_with("## "))
+            .collect();
         assert_eq!(headings, HEADINGS, "{}", rule.name);
-        assert!(!rule.summary().is_empty() && rule.docs.ends_with('\n'), "{}", rule.name);
+        assert!(
+            !rule.summary().is_empty() && rule.docs.ends_with('\n'),
+            "{}",
+            rule.name
+        );
     }
 }
 
@@ -256,8 +358,13 @@ fn every_page_has_a_rule_and_codes_are_unique() {
     assert_eq!(sorted.len(), codes.len());
     for entry in fs::read_dir(pages()).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        let Some(name) = name.strip_suffix(".md").filter(|name| *name != "README") else { continue };
-        assert!(rules::all().any(|rule| rule.name == name), "docs/rules/{name}.md has no rule");
+        let Some(name) = name.strip_suffix(".md").filter(|name| *name != "README") else {
+            continue;
+        };
+        assert!(
+            rules::all().any(|rule| rule.name == name),
+            "docs/rules/{name}.md has no rule"
+        );
     }
 }
 
@@ -277,8 +384,16 @@ fn index() -> String {
         ));
         for rule in rules::all().filter(|rule| rule.category == category) {
             let fix = rule.fix.map_or("", |safety| safety.name());
-            let Rule { code, name, severity, default, .. } = rule;
-            text.push_str(&format!("| {code} | [{name}]({name}.md) | {severity} | {default} | {fix} |\n"));
+            let Rule {
+                code,
+                name,
+                severity,
+                default,
+                ..
+            } = rule;
+            text.push_str(&format!(
+                "| {code} | [{name}]({name}.md) | {severity} | {default} | {fix} |\n"
+            ));
         }
     }
     text
@@ -292,6 +407,9 @@ fn index_and_catalogue_are_up_to_date() {
             fs::write(&path, &text).unwrap();
         }
         let stored = fs::read_to_string(&path).unwrap_or_default();
-        assert_eq!(stored, text, "docs/rules/{name} is old: run `UPDATE=1 cargo test --test rules`");
+        assert_eq!(
+            stored, text,
+            "docs/rules/{name} is old: run `UPDATE=1 cargo test --test rules`"
+        );
     }
 }

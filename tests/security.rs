@@ -28,14 +28,23 @@ fn the_tests_behind_the_promises_exist() {
     assert!(sections.len() > 5);
     for section in sections {
         let title = section.lines().next().unwrap();
-        let named: Vec<&str> = section.split('`').filter(|word| word.contains(".rs::")).collect();
+        let named: Vec<&str> = section
+            .split('`')
+            .filter(|word| word.contains(".rs::"))
+            .collect();
         assert!(!named.is_empty(), "no test behind: {title}");
         for name in named {
             let (file, function) = name.split_once("::").unwrap();
-            let text =
-                fs::read_to_string(repository().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
-            let there = [format!("fn {function}("), format!("macro_rules! {function} ")];
-            assert!(there.iter().any(|what| text.contains(what)), "{title}: there is no `{name}`");
+            let text = fs::read_to_string(repository().join(file))
+                .unwrap_or_else(|error| panic!("{file}: {error}"));
+            let there = [
+                format!("fn {function}("),
+                format!("macro_rules! {function} "),
+            ];
+            assert!(
+                there.iter().any(|what| text.contains(what)),
+                "{title}: there is no `{name}`"
+            );
         }
     }
 }
@@ -43,7 +52,9 @@ fn the_tests_behind_the_promises_exist() {
 fn folder() -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("security").join(number.to_string());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("security")
+        .join(number.to_string());
     let _ = fs::remove_dir_all(&folder);
     // a repository of its own: nothing is read of folders above
     fs::create_dir_all(folder.join(".git")).unwrap();
@@ -51,11 +62,21 @@ fn folder() -> PathBuf {
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> String {
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: folder.to_owned() };
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )]);
+    let env = Environment {
+        vars,
+        cwd: folder.to_owned(),
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let arguments: Vec<String> = arguments.iter().map(|&word| word.to_owned()).collect();
-    let code = cli::run(&arguments, &env, &mut Io::plain(&mut out, &mut err, &mut std::io::empty()));
+    let code = cli::run(
+        &arguments,
+        &env,
+        &mut Io::plain(&mut out, &mut err, &mut std::io::empty()),
+    );
     out.extend(err);
     format!("{}\n[exit {code}]", String::from_utf8(out).unwrap())
 }
@@ -64,21 +85,34 @@ fn robot(body: &str) -> String {
     format!("<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{body}\n</robot>\n")
 }
 
-const FORMATS: [&str; 7] = ["text", "concise", "json", "sarif", "github", "gitlab", "junit"];
+const FORMATS: [&str; 7] = [
+    "text", "concise", "json", "sarif", "github", "gitlab", "junit",
+];
 
 #[test]
 fn external_entities_are_not_read() {
     let folder = folder();
     fs::write(folder.join("secret.txt"), "S3CRET").unwrap();
     let path = folder.join("secret.txt").display().to_string();
-    for system in ["secret.txt", &path, &format!("file://{path}"), "http://127.0.0.1:9/x"] {
-        for entity in
-            [format!("<!ENTITY e SYSTEM \"{system}\">"), format!("<!ENTITY % p SYSTEM \"{system}\"> %p;")]
-        {
-            let text =
-                format!("<!DOCTYPE robot [{entity}]>\n<robot name=\"r\"><link name=\"a\">&e;</link></robot>");
+    for system in [
+        "secret.txt",
+        &path,
+        &format!("file://{path}"),
+        "http://127.0.0.1:9/x",
+    ] {
+        for entity in [
+            format!("<!ENTITY e SYSTEM \"{system}\">"),
+            format!("<!ENTITY % p SYSTEM \"{system}\"> %p;"),
+        ] {
+            let text = format!(
+                "<!DOCTYPE robot [{entity}]>\n<robot name=\"r\"><link name=\"a\">&e;</link></robot>"
+            );
             fs::write(folder.join("r.urdf"), text).unwrap();
-            for command in [&["check", "."][..], &["expand", "r.urdf"], &["format", "--diff", "r.urdf"]] {
+            for command in [
+                &["check", "."][..],
+                &["expand", "r.urdf"],
+                &["format", "--diff", "r.urdf"],
+            ] {
                 let said = run(&folder, command);
                 assert!(!said.contains("S3CRET"), "{command:?}: {said}");
             }
@@ -105,8 +139,15 @@ fn keys_that_lie_outside_are_not_repeated() {
     let folder = folder();
     let robot_folder = folder.join("ws/arm/urdf");
     fs::create_dir_all(&robot_folder).unwrap();
-    fs::write(folder.join("ws/arm/package.xml"), "<package><name>arm</name></package>").unwrap();
-    for (name, secret) in SECRET_NAMES.iter().flat_map(|name| SECRETS.iter().map(move |text| (name, text))) {
+    fs::write(
+        folder.join("ws/arm/package.xml"),
+        "<package><name>arm</name></package>",
+    )
+    .unwrap();
+    for (name, secret) in SECRET_NAMES
+        .iter()
+        .flat_map(|name| SECRETS.iter().map(move |text| (name, text)))
+    {
         fs::write(folder.join(name), secret).unwrap();
         let outside = folder.join(name).display().to_string();
         let mut ways = vec![outside, format!("../../../{name}")];
@@ -123,9 +164,18 @@ fn keys_that_lie_outside_are_not_repeated() {
             for body in [load, include] {
                 fs::write(robot_folder.join("r.urdf.xacro"), robot(&body)).unwrap();
                 for format in FORMATS {
-                    let said = run(&robot_folder, &["check", "--output-format", format, "r.urdf.xacro"]);
-                    assert!(!said.contains("S3CRET"), "{secret:?} by {body}, {format}: {said}");
-                    assert!(said.contains("[exit 1]"), "{secret:?} by {body}, {format}: {said}");
+                    let said = run(
+                        &robot_folder,
+                        &["check", "--output-format", format, "r.urdf.xacro"],
+                    );
+                    assert!(
+                        !said.contains("S3CRET"),
+                        "{secret:?} by {body}, {format}: {said}"
+                    );
+                    assert!(
+                        said.contains("[exit 1]"),
+                        "{secret:?} by {body}, {format}: {said}"
+                    );
                 }
                 let said = run(&robot_folder, &["expand", "r.urdf.xacro"]);
                 assert!(
@@ -163,8 +213,16 @@ fn links_to_keys_show_nothing_of_them() {
             "<visual><geometry><mesh filename=\"package://arm/{name}\"/></geometry></visual><visual><geometry><mesh filename=\"{name}\"/></geometry></visual>"
         )
     };
-    let meshes: String = LINKS.iter().filter(|name| name.starts_with("m.")).map(|name| mesh(&name)).collect();
-    fs::write(arm.join("r.urdf.xacro"), robot(&format!("<link name=\"a\">{meshes}</link>"))).unwrap();
+    let meshes: String = LINKS
+        .iter()
+        .filter(|name| name.starts_with("m."))
+        .map(|name| mesh(&name))
+        .collect();
+    fs::write(
+        arm.join("r.urdf.xacro"),
+        robot(&format!("<link name=\"a\">{meshes}</link>")),
+    )
+    .unwrap();
     for name in LINKS {
         std::os::unix::fs::symlink(folder.join("key.txt"), arm.join(name)).unwrap();
     }
@@ -183,8 +241,14 @@ fn links_to_keys_show_nothing_of_them() {
     for secret in SECRETS.iter().chain(&more) {
         fs::write(folder.join("key.txt"), secret).unwrap();
         for format in ["text", "json"] {
-            let said = run(&arm, &["check", "--output-format", format, "--select", "ALL", "."]);
-            assert!(said.contains("m.stl") && said.contains("[exit 1]"), "{secret:?}, {format}: {said}");
+            let said = run(
+                &arm,
+                &["check", "--output-format", format, "--select", "ALL", "."],
+            );
+            assert!(
+                said.contains("m.stl") && said.contains("[exit 1]"),
+                "{secret:?}, {format}: {said}"
+            );
             assert!(!said.contains("S3CRET"), "{secret:?}, {format}: {said}");
         }
     }
@@ -196,12 +260,22 @@ fn a_bare_text_outside_is_refused_and_parameters_are_not() {
     let (urdf, parameters) = (folder.join("ws/arm/urdf"), folder.join("etc/robot.yaml"));
     fs::create_dir_all(&urdf).unwrap();
     fs::create_dir_all(folder.join("etc")).unwrap();
-    let body = format!("<link name=\"a${{xacro.load_yaml('{}')}}\"/>", parameters.display());
+    let body = format!(
+        "<link name=\"a${{xacro.load_yaml('{}')}}\"/>",
+        parameters.display()
+    );
     fs::write(urdf.join("r.urdf.xacro"), robot(&body)).unwrap();
-    for (text, shown) in [("wheels: 4\n", "a{'wheels': 4}"), ("[1, 2]", "a[1, 2]"), ("7", "a7")] {
+    for (text, shown) in [
+        ("wheels: 4\n", "a{'wheels': 4}"),
+        ("[1, 2]", "a[1, 2]"),
+        ("7", "a7"),
+    ] {
         fs::write(&parameters, text).unwrap();
         let said = run(&urdf, &["expand", "r.urdf.xacro"]);
-        assert!(said.contains(shown) && said.contains("[exit 0]"), "{text}: {said}");
+        assert!(
+            said.contains(shown) && said.contains("[exit 0]"),
+            "{text}: {said}"
+        );
     }
     fs::write(&parameters, "four").unwrap();
     let said = run(&urdf, &["check", "r.urdf.xacro"]);
@@ -217,7 +291,10 @@ fn a_bare_text_outside_is_refused_and_parameters_are_not() {
     let body = "<link name=\"${xacro.load_yaml('../word.yaml')}\"/>";
     fs::write(urdf.join("r.urdf.xacro"), robot(body)).unwrap();
     let said = run(&urdf, &["expand", "r.urdf.xacro"]);
-    assert!(said.contains("<link name=\"four\"/>") && said.contains("[exit 0]"), "{said}");
+    assert!(
+        said.contains("<link name=\"four\"/>") && said.contains("[exit 0]"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -240,10 +317,17 @@ fn python_has_no_way_out() {
         "compile('1', '', 'eval')",
     ] {
         let value = expression.replace('\'', "&apos;").replace('<', "&lt;");
-        fs::write(folder.join("r.urdf.xacro"), robot(&format!("<link name=\"${{{value}}}\"/>"))).unwrap();
+        fs::write(
+            folder.join("r.urdf.xacro"),
+            robot(&format!("<link name=\"${{{value}}}\"/>")),
+        )
+        .unwrap();
         let said = run(&folder, &["expand", "r.urdf.xacro"]);
         let named_only = said.contains("&lt;class") || said.contains("<class");
-        assert!(said.contains("[exit 2]") && !named_only, "{expression}: {said}");
+        assert!(
+            said.contains("[exit 2]") && !named_only,
+            "{expression}: {said}"
+        );
         assert!(!marker.exists(), "{expression}");
     }
 }
@@ -258,7 +342,10 @@ fn state(folder: &Path) -> BTreeMap<PathBuf, (SystemTime, Vec<u8>)> {
         } else {
             found.insert(
                 path.clone(),
-                (path.metadata().unwrap().modified().unwrap(), fs::read(&path).unwrap()),
+                (
+                    path.metadata().unwrap().modified().unwrap(),
+                    fs::read(&path).unwrap(),
+                ),
             );
         }
     }
@@ -272,7 +359,11 @@ fn checking_changes_nothing() {
     for format in FORMATS {
         run(&folder, &["check", "--output-format", format, "."]);
     }
-    for command in [&["fix", "--diff", "."][..], &["format", "--diff", "."], &["format", "--check", "."]] {
+    for command in [
+        &["fix", "--diff", "."][..],
+        &["format", "--diff", "."],
+        &["format", "--check", "."],
+    ] {
         run(&folder, command);
     }
     assert!(before == state(&folder));
@@ -303,7 +394,10 @@ fn no_commands_for_the_build_machine() {
         assert!(said.contains("owned"), "{format}: {said}");
         for line in said.lines() {
             let line = line.trim_start();
-            assert!(!line.starts_with("::error::owned") && !line.starts_with("##vso"), "{format}: {said}");
+            assert!(
+                !line.starts_with("::error::owned") && !line.starts_with("##vso"),
+                "{format}: {said}"
+            );
         }
     }
 }
@@ -328,7 +422,9 @@ fn control_characters_do_not_reach_the_terminal() {
         &["tree", "r.urdf.xacro"],
     ] {
         let said = run(&folder, command);
-        let raw = said.chars().find(|c| c.is_control() && !['\n', '\t'].contains(c));
+        let raw = said
+            .chars()
+            .find(|c| c.is_control() && !['\n', '\t'].contains(c));
         assert_eq!(raw, None, "{command:?}: {said:?}");
     }
 }
@@ -337,12 +433,19 @@ fn control_characters_do_not_reach_the_terminal() {
 fn settings_of_a_workspace_choose_no_program() {
     let text = fs::read_to_string(repository().join("editors/vscode/package.json")).unwrap();
     let package: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let restricted =
-        package["capabilities"]["untrustedWorkspaces"]["restrictedConfigurations"].as_array().unwrap();
+    let restricted = package["capabilities"]["untrustedWorkspaces"]["restrictedConfigurations"]
+        .as_array()
+        .unwrap();
     let mut seen = 0;
     let sections = &package["contributes"]["configuration"];
-    let sections = sections.as_array().cloned().unwrap_or_else(|| vec![sections.clone()]);
-    for (name, setting) in sections.iter().flat_map(|section| section["properties"].as_object().unwrap()) {
+    let sections = sections
+        .as_array()
+        .cloned()
+        .unwrap_or_else(|| vec![sections.clone()]);
+    for (name, setting) in sections
+        .iter()
+        .flat_map(|section| section["properties"].as_object().unwrap())
+    {
         if name.starts_with("xacro.server.") {
             assert_eq!(setting["scope"], "machine", "{name}");
             assert!(restricted.iter().any(|listed| listed == name), "{name}");

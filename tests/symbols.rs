@@ -1,7 +1,12 @@
 //! Which definition a name refers to, and what macros hold that nothing calls.
 //!
 //! A fixture is a set of files; `//- name` starts each. The answer lists, per definition, the places of its uses.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)] // a test may fail loudly
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)] // a test may fail loudly
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -24,10 +29,24 @@ fn expanded(fixture: &str) -> Expansion {
         vfs.set_buffer(&cwd.join(name), Some(format!("{HEAD}\n{text}</robot>")));
         first.get_or_insert(name);
     }
-    let env = Environment { vars: BTreeMap::new(), cwd: cwd.to_path_buf() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: cwd.to_path_buf(),
+    };
     let packages = Packages::new(vfs.clone(), &env, PackageOptions::default());
-    let request = Request { file: first.unwrap().to_owned(), probe: true, ..Request::default() };
-    expand(World { vfs: &vfs, packages: &packages, env: &env }, &request)
+    let request = Request {
+        file: first.unwrap().to_owned(),
+        probe: true,
+        ..Request::default()
+    };
+    expand(
+        World {
+            vfs: &vfs,
+            packages: &packages,
+            env: &env,
+        },
+        &request,
+    )
 }
 
 /// `file:line:column text`
@@ -36,7 +55,13 @@ fn shown(expansion: &Expansion, place: SourceRange) -> String {
     let file = &expansion.files[source.file.0 as usize];
     let range = place.range.shift(source.base);
     let at = file.source.document.line_col(range.start, Encoding::Utf32);
-    format!("{}:{}:{} {}", file.name, at.line + 1, at.col + 1, file.source.document.slice(range))
+    format!(
+        "{}:{}:{} {}",
+        file.name,
+        at.line + 1,
+        at.col + 1,
+        file.source.document.slice(range)
+    )
 }
 
 #[track_caller]
@@ -44,9 +69,17 @@ fn check_symbols(fixture: &str, expected: &str) {
     let expansion = expanded(fixture);
     let mut lines = String::new();
     for (id, definition) in expansion.symbols.iter() {
-        lines.push_str(&format!("{:?} {}\n", definition.kind, shown(&expansion, definition.place)));
+        lines.push_str(&format!(
+            "{:?} {}\n",
+            definition.kind,
+            shown(&expansion, definition.place)
+        ));
         for used in expansion.symbols.uses_of(id) {
-            lines.push_str(&format!("  {:?} {}\n", used.kind, shown(&expansion, used.place)));
+            lines.push_str(&format!(
+                "  {:?} {}\n",
+                used.kind,
+                shown(&expansion, used.place)
+            ));
         }
     }
     assert_eq!(lines, expected, "{lines}");
@@ -117,9 +150,26 @@ fn what_nothing_calls_is_looked_into_and_changes_nothing() {
 <xacro:macro name="outer" params="x *block"><xacro:inner x="a_${x}"/>${missing}<xacro:insert_block name="block"/></xacro:macro>
 "#,
     );
-    assert!(expansion.tree.elements(expansion.tree.root().unwrap()).next().is_none());
+    assert!(
+        expansion
+            .tree
+            .elements(expansion.tree.root().unwrap())
+            .next()
+            .is_none()
+    );
     // `inner` is called by `outer`
     assert_eq!(expansion.probes.len(), 1);
-    let probed: Vec<_> = expansion.problems.iter().map(|p| (p.kind, p.probed, p.message.as_str())).collect();
-    assert_eq!(probed, [(expand::ProblemKind::UndefinedProperty, true, "property `missing` is not defined")]);
+    let probed: Vec<_> = expansion
+        .problems
+        .iter()
+        .map(|p| (p.kind, p.probed, p.message.as_str()))
+        .collect();
+    assert_eq!(
+        probed,
+        [(
+            expand::ProblemKind::UndefinedProperty,
+            true,
+            "property `missing` is not defined"
+        )]
+    );
 }

@@ -38,9 +38,21 @@ fn root() -> &'static Path {
 
 /// Whether a text begins with a capital letter that is not part of an abbreviation or a name.
 fn is_capitalized(text: &str) -> bool {
-    const NAMES: &[&str] =
-        &["RViz", "Gazebo", "Drake", "Pinocchio", "Isaac", "SDFormat", "Python", "Linux", "ROS-Industrial"];
-    let word = text.split(|c: char| !c.is_alphanumeric() && c != '-').next().unwrap_or_default();
+    const NAMES: &[&str] = &[
+        "RViz",
+        "Gazebo",
+        "Drake",
+        "Pinocchio",
+        "Isaac",
+        "SDFormat",
+        "Python",
+        "Linux",
+        "ROS-Industrial",
+    ];
+    let word = text
+        .split(|c: char| !c.is_alphanumeric() && c != '-')
+        .next()
+        .unwrap_or_default();
     let is_name = NAMES.contains(&word) || word.chars().skip(1).any(char::is_uppercase);
     word.chars().next().is_some_and(char::is_uppercase) && !is_name
 }
@@ -67,7 +79,11 @@ fn wrong(finding: &Finding) -> Vec<String> {
         wrong.push("shows a placeholder or an empty name".to_owned());
     }
     match &finding.help {
-        Some(help) => wrong.extend(wrong_line(help).into_iter().map(|what| format!("help `{help}`: {what}"))),
+        Some(help) => wrong.extend(
+            wrong_line(help)
+                .into_iter()
+                .map(|what| format!("help `{help}`: {what}")),
+        ),
         None => wrong.push("has no help".to_owned()),
     }
     for related in &finding.related {
@@ -76,7 +92,9 @@ fn wrong(finding: &Finding) -> Vec<String> {
     }
     if let Some(fix) = &finding.fix {
         wrong.extend(
-            wrong_line(&fix.message).into_iter().map(|what| format!("fix `{}`: {what}", fix.message)),
+            wrong_line(&fix.message)
+                .into_iter()
+                .map(|what| format!("fix `{}`: {what}", fix.message)),
         );
     }
     wrong
@@ -87,7 +105,9 @@ fn examples(page: &str) -> Vec<Vec<(String, Vec<u8>)>> {
     let mut found = Vec::new();
     for block in page.split("\n```").skip(1).step_by(2) {
         let (info, body) = block.split_once('\n').unwrap_or_default();
-        let Some((kind, verdict)) = info.split_once(',') else { continue };
+        let Some((kind, verdict)) = info.split_once(',') else {
+            continue;
+        };
         let mut files = vec![(format!("robot.{kind}"), String::new())];
         for line in body.lines() {
             let is_marker = line.contains('^') && line.chars().all(|c| c == ' ' || c == '^');
@@ -114,7 +134,11 @@ fn examples(page: &str) -> Vec<Vec<(String, Vec<u8>)>> {
 /// The programs of `tests/conformance/cases`, each with its place and its files: they reach what the expander reports.
 fn cases() -> Vec<(String, Vec<(String, String)>)> {
     let mut paths = Vec::new();
-    files(&root().join("tests/conformance/cases"), ".cases", &mut paths);
+    files(
+        &root().join("tests/conformance/cases"),
+        ".cases",
+        &mut paths,
+    );
     let mut found = Vec::new();
     for path in paths {
         let text = fs::read_to_string(&path).unwrap();
@@ -124,7 +148,10 @@ fn cases() -> Vec<(String, Vec<(String, String)>)> {
                 let (head, body) = section.strip_prefix("file ")?.split_once('\n')?;
                 Some((head.split(' ').next()?.to_owned(), format!("{body}\n")))
             };
-            let files = format!("\n{sections}").split("\n-- ").filter_map(of_file).collect();
+            let files = format!("\n{sections}")
+                .split("\n-- ")
+                .filter_map(of_file)
+                .collect();
             found.push((format!("{}: {name}", path.display()), files));
         }
     }
@@ -133,13 +160,31 @@ fn cases() -> Vec<(String, Vec<(String, String)>)> {
 
 /// All findings in a file or folder, of every rule.
 fn findings(folder: &Path, paths: Vec<PathBuf>) -> Vec<Finding> {
-    let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())]);
-    let env = Environment { vars, cwd: folder.to_owned() };
+    let vars = BTreeMap::from([(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )]);
+    let env = Environment {
+        vars,
+        cwd: folder.to_owned(),
+    };
     let extend_select = Some(vec!["ALL".to_owned()]);
-    let overrides = Overrides { extend_select, ..Overrides::default() };
-    let setup = Setup { about: folder.to_owned(), overrides, ..Setup::default() };
+    let overrides = Overrides {
+        extend_select,
+        ..Overrides::default()
+    };
+    let setup = Setup {
+        about: folder.to_owned(),
+        overrides,
+        ..Setup::default()
+    };
     let session = Session::new(&env, setup).unwrap();
-    session.check(&CheckOptions { paths, ..CheckOptions::default() }).findings
+    session
+        .check(&CheckOptions {
+            paths,
+            ..CheckOptions::default()
+        })
+        .findings
 }
 
 #[test]
@@ -154,7 +199,10 @@ fn messages_follow_the_style_guide() {
             count += 1;
             judged.insert(finding.rule.name);
             for what in wrong(&finding) {
-                complaints.insert(format!("{place}: {}: `{}` {what}", finding.rule.name, finding.message));
+                complaints.insert(format!(
+                    "{place}: {}: `{}` {what}",
+                    finding.rule.name, finding.message
+                ));
             }
         }
     };
@@ -170,7 +218,11 @@ fn messages_follow_the_style_guide() {
             }
             // launch files are checked with the folder that they are in
             let is_launched = folder.join("launch").is_dir() && rule.code.starts_with("PKG");
-            let path = if is_launched { folder.clone() } else { folder.join(&files[0].0) };
+            let path = if is_launched {
+                folder.clone()
+            } else {
+                folder.join(&files[0].0)
+            };
             judge(rule.name, findings(&folder, vec![path]));
         }
     }
@@ -183,22 +235,39 @@ fn messages_follow_the_style_guide() {
         }
         judge(&place, findings(&folder, vec![folder.join("input.xacro")]));
     }
-    for examples in
-        ["docs/examples", "tests/cli/beginner", "tests/cli/five", "tests/cli/guard", "tests/cli/walk"]
-    {
-        judge(examples, findings(&root().join(examples), vec![root().join(examples)]));
+    for examples in [
+        "docs/examples",
+        "tests/cli/beginner",
+        "tests/cli/five",
+        "tests/cli/guard",
+        "tests/cli/walk",
+    ] {
+        judge(
+            examples,
+            findings(&root().join(examples), vec![root().join(examples)]),
+        );
     }
-    let silent: Vec<&str> =
-        rules::all().map(|rule| rule.name).filter(|name| !judged.contains(name)).collect();
+    let silent: Vec<&str> = rules::all()
+        .map(|rule| rule.name)
+        .filter(|name| !judged.contains(name))
+        .collect();
     assert!(silent.is_empty(), "no message of {silent:?}");
     assert!(count > 500, "only {count} messages");
     let complaints: Vec<String> = complaints.into_iter().collect();
-    assert!(complaints.is_empty(), "{} complaints:\n{}", complaints.len(), complaints.join("\n"));
+    assert!(
+        complaints.is_empty(),
+        "{} complaints:\n{}",
+        complaints.len(),
+        complaints.join("\n")
+    );
 }
 
 /// The string literals of a source file that read like sentences, with their lines; tests at its end are left out.
 fn literals(source: &str) -> Vec<(usize, String)> {
-    let source = source.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let source = source
+        .split("#[cfg(test)]\nmod tests {")
+        .next()
+        .unwrap_or_default();
     let mut found = Vec::new();
     for (number, line) in source.lines().enumerate() {
         let code = line.trim_start();
@@ -208,8 +277,9 @@ fn literals(source: &str) -> Vec<(usize, String)> {
         // parts between quotes that are not escaped
         let line = line.replace("\\\"", "\u{1}").replace("'\"'", "'\u{1}'");
         for text in line.split('"').skip(1).step_by(2) {
-            let words =
-                text.split(' ').filter(|word| word.chars().all(char::is_alphabetic) && !word.is_empty());
+            let words = text
+                .split(' ')
+                .filter(|word| word.chars().all(char::is_alphabetic) && !word.is_empty());
             if words.count() > 2 {
                 found.push((number + 1, text.replace('\u{1}', "\"")));
             }
@@ -219,7 +289,10 @@ fn literals(source: &str) -> Vec<(usize, String)> {
 }
 
 fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+    for entry in fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+    {
         let name = entry.file_name().unwrap().to_string_lossy().into_owned();
         if entry.is_dir() && !["node_modules", "testdata", "dist", "out"].contains(&name.as_str()) {
             files(&entry, ending, found);
@@ -230,7 +303,12 @@ fn files(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
 }
 
 fn complain(what: &str, complaints: &[String]) {
-    assert!(complaints.is_empty(), "{what}: {} complaints:\n{}", complaints.len(), complaints.join("\n"));
+    assert!(
+        complaints.is_empty(),
+        "{what}: {} complaints:\n{}",
+        complaints.len(),
+        complaints.join("\n")
+    );
 }
 
 #[test]
@@ -241,12 +319,21 @@ fn strings_in_the_source_follow_the_style_guide() {
     files(&root().join("src"), ".rs", &mut sources);
     let mut complaints = Vec::new();
     for path in sources {
-        let name = path.strip_prefix(root()).unwrap().display().to_string().replace('\\', "/");
+        let name = path
+            .strip_prefix(root())
+            .unwrap()
+            .display()
+            .to_string()
+            .replace('\\', "/");
         if THEIRS.iter().any(|theirs| name.starts_with(theirs)) {
             continue;
         }
         for (line, text) in literals(&fs::read_to_string(&path).unwrap()) {
-            complaints.extend(wrong_words(&text).into_iter().map(|what| format!("{name}:{line}: {what}")));
+            complaints.extend(
+                wrong_words(&text)
+                    .into_iter()
+                    .map(|what| format!("{name}:{line}: {what}")),
+            );
         }
     }
     complain("strings", &complaints);
@@ -270,34 +357,60 @@ fn text_of_page(page: &str) -> String {
 #[test]
 fn pages_follow_the_style_guide() {
     // these pages are for contributors, or quote what is retired
-    const LEFT_OUT: &[&str] =
-        &["docs/architecture.md", "docs/contributing/style.md", "docs/SUMMARY.md", "docs/precision.md"];
-    let mut pages: Vec<PathBuf> =
-        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"].map(|name| root().join(name)).into();
+    const LEFT_OUT: &[&str] = &[
+        "docs/architecture.md",
+        "docs/contributing/style.md",
+        "docs/SUMMARY.md",
+        "docs/precision.md",
+    ];
+    let mut pages: Vec<PathBuf> = [
+        "README.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "SECURITY.md",
+    ]
+    .map(|name| root().join(name))
+    .into();
     files(&root().join("editors"), ".md", &mut pages);
     files(&root().join("docs"), ".md", &mut pages);
     let mut complaints = Vec::new();
     for path in pages {
-        let name = path.strip_prefix(root()).unwrap().display().to_string().replace('\\', "/");
+        let name = path
+            .strip_prefix(root())
+            .unwrap()
+            .display()
+            .to_string()
+            .replace('\\', "/");
         if LEFT_OUT.contains(&name.as_str()) {
             continue;
         }
         let text = text_of_page(&fs::read_to_string(&path).unwrap());
-        complaints.extend(wrong_words(&text).into_iter().map(|what| format!("{name}: {what}")));
+        complaints.extend(
+            wrong_words(&text)
+                .into_iter()
+                .map(|what| format!("{name}: {what}")),
+        );
     }
     complain("pages", &complaints);
 }
 
 #[test]
 fn editors_follow_the_style_guide() {
-    let mut paths =
-        vec![root().join("editors/vscode/package.json"), root().join("editors/nvim/doc/xacro.txt")];
+    let mut paths = vec![
+        root().join("editors/vscode/package.json"),
+        root().join("editors/nvim/doc/xacro.txt"),
+    ];
     files(&root().join("editors/nvim/lua"), ".lua", &mut paths);
     files(&root().join("editors/vscode/src"), ".ts", &mut paths);
     files(&root().join("editors/viewer/src"), ".ts", &mut paths);
     let mut complaints = Vec::new();
     for path in paths {
-        let name = path.strip_prefix(root()).unwrap().display().to_string().replace('\\', "/");
+        let name = path
+            .strip_prefix(root())
+            .unwrap()
+            .display()
+            .to_string()
+            .replace('\\', "/");
         let source = fs::read_to_string(&path).unwrap();
         let texts = match path.extension().and_then(|ending| ending.to_str()) {
             Some("lua") => literals(&source.replace('\'', "\"")),
@@ -305,7 +418,11 @@ fn editors_follow_the_style_guide() {
             _ => vec![(1, source)],
         };
         for (line, text) in texts {
-            complaints.extend(wrong_words(&text).into_iter().map(|what| format!("{name}:{line}: {what}")));
+            complaints.extend(
+                wrong_words(&text)
+                    .into_iter()
+                    .map(|what| format!("{name}:{line}: {what}")),
+            );
         }
     }
     complain("editors", &complaints);

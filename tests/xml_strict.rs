@@ -73,7 +73,10 @@ struct Numbers(u64);
 
 impl Numbers {
     fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (self.0 >> 33) as usize % n
     }
 }
@@ -90,7 +93,11 @@ fn mutate(numbers: &mut Numbers) -> String {
         let start = numbers.below(text.len() + 1);
         let start = floor(&text, start);
         let end = floor(&text, (start + numbers.below(4)).min(text.len())).max(start);
-        let piece = if numbers.below(4) == 0 { "" } else { PIECES[numbers.below(PIECES.len())] };
+        let piece = if numbers.below(4) == 0 {
+            ""
+        } else {
+            PIECES[numbers.below(PIECES.len())]
+        };
         text.replace_range(start..end, piece);
     }
     text
@@ -103,7 +110,9 @@ fn reason(text: &str, ours: &SyntaxError) -> Option<&'static str> {
         SyntaxErrorKind::BadDoctype => "roxmltree reads no declarations but those of entities",
         SyntaxErrorKind::BadNamespace => "roxmltree lets a prefix mean no namespace",
         SyntaxErrorKind::BadName => "roxmltree allows colons in front of names and in instructions",
-        SyntaxErrorKind::BadEntity => "roxmltree lets an entity with elements stand in an attribute",
+        SyntaxErrorKind::BadEntity => {
+            "roxmltree lets an entity with elements stand in an attribute"
+        }
         _ if text.contains(['😀', '×']) => "roxmltree follows the fifth edition in names",
         _ if text.contains("<!ELEMENT") => "roxmltree reads no declarations but those of entities",
         _ => return None,
@@ -119,13 +128,19 @@ fn acceptance_equals_roxmltree_but_for_known_reasons() {
     for _ in 0..20_000 {
         let text = mutate(&mut numbers);
         let errors = Document::parse(&text).errors();
-        let options = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+        let options = roxmltree::ParsingOptions {
+            allow_dtd: true,
+            ..Default::default()
+        };
         let theirs = roxmltree::Document::parse_with_options(&text, options).err();
         let difference = match (errors.first(), theirs) {
             (None, None) | (Some(_), Some(_)) => None,
-            (None, Some(theirs)) => Some(Err(format!("{text:?}: only roxmltree rejects it: {theirs}"))),
+            (None, Some(theirs)) => Some(Err(format!(
+                "{text:?}: only roxmltree rejects it: {theirs}"
+            ))),
             (Some(ours), None) => Some(
-                reason(&text, ours).ok_or_else(|| format!("{text:?}: only we reject it: {}", ours.message)),
+                reason(&text, ours)
+                    .ok_or_else(|| format!("{text:?}: only we reject it: {}", ours.message)),
             ),
         };
         accepted += usize::from(errors.is_empty());
@@ -138,7 +153,10 @@ fn acceptance_equals_roxmltree_but_for_known_reasons() {
     for (reason, count) in &reasons {
         println!("{count:6} {reason}");
     }
-    assert!(accepted > 1000, "only {accepted} documents were well-formed");
+    assert!(
+        accepted > 1000,
+        "only {accepted} documents were well-formed"
+    );
     assert!(
         unknown.is_empty(),
         "{} without a reason\n{}",

@@ -12,7 +12,10 @@ fn main() {
     let viewer = folder.join("dist/viewer.js");
     println!("cargo::rerun-if-changed=build.rs");
     // a file that is not there would make cargo run this each time
-    if let Some(watched) = [viewer.as_path(), folder].into_iter().find(|path| path.exists()) {
+    if let Some(watched) = [viewer.as_path(), folder]
+        .into_iter()
+        .find(|path| path.exists())
+    {
         println!("cargo::rerun-if-changed={}", watched.display());
     }
     let out = Path::new(&env::var("OUT_DIR").unwrap_or_default()).join("viewer.rs");

@@ -30,7 +30,10 @@ impl Admission<'_> {
         let mut good = Vec::new();
         let of = |wanted: Claim| -> Vec<usize> {
             let is_it = |number: &usize| {
-                self.report.findings.get(*number).is_some_and(|found| claim(found) == wanted)
+                self.report
+                    .findings
+                    .get(*number)
+                    .is_some_and(|found| claim(found) == wanted)
             };
             numbers.iter().copied().filter(is_it).collect()
         };
@@ -43,12 +46,20 @@ impl Admission<'_> {
             self.add(&mut good, &of(Claim::Fitted), self.claim(Claim::Fitted));
         }
         let tried = if has_time { numbers } else { &repairs };
-        let refused = tried.iter().filter(|number| !good.contains(number)).copied().collect();
+        let refused = tried
+            .iter()
+            .filter(|number| !good.contains(number))
+            .copied()
+            .collect();
         Admitted { good, refused }
     }
 
     fn claim(&self, safe: Claim) -> Claim {
-        if self.most == Safety::Unsafe { Claim::Accepted } else { safe }
+        if self.most == Safety::Unsafe {
+            Claim::Accepted
+        } else {
+            safe
+        }
     }
 
     fn add(&self, good: &mut Vec<usize>, numbers: &[usize], claim: Claim) {
@@ -80,13 +91,23 @@ pub(super) struct FileChange {
 
 /// What the fixes of these findings do together.
 pub(super) fn changes(report: &Report, numbers: &[usize], vfs: &Vfs) -> Vec<FileChange> {
-    let findings = numbers.iter().filter_map(|&number| Some((number, report.findings.get(number)?)));
+    let findings = numbers
+        .iter()
+        .filter_map(|&number| Some((number, report.findings.get(number)?)));
     let Plan { edits, .. } = choose(findings);
     let change = |(file, edits): (FileId, Vec<(TextRange, String)>)| {
         // the text that the findings are about: the file may be another one by now
         let old = report.source(file)?.document.text();
         let new = apply(&old, &edits);
-        Some(FileChange { file, of: Changed { path: vfs.path(file), old, new, edits } })
+        Some(FileChange {
+            file,
+            of: Changed {
+                path: vfs.path(file),
+                old,
+                new,
+                edits,
+            },
+        })
     };
     edits.into_iter().filter_map(change).collect()
 }
@@ -113,8 +134,14 @@ pub(super) fn groups(report: &Report, numbers: &[usize]) -> Vec<Vec<usize>> {
 
 /// The files that the fix of a finding changes.
 pub(super) fn files_of(report: &Report, number: usize) -> Vec<FileId> {
-    let fix = report.findings.get(number).and_then(|finding| finding.fix.as_ref());
-    fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span.file).collect()
+    let fix = report
+        .findings
+        .get(number)
+        .and_then(|finding| finding.fix.as_ref());
+    fix.iter()
+        .flat_map(|fix| &fix.edits)
+        .map(|edit| edit.span.file)
+        .collect()
 }
 
 /// How many mistakes of syntax a text has.

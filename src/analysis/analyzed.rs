@@ -40,18 +40,36 @@ impl Analyzed {
         let robot = Robot::of(&expansion);
         let kinematics = robot.as_ref().map(Kinematics::of);
         let (outcome, written, further) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Self { root, expansion, robot, kinematics, outcome, written, further, epoch }
+        Self {
+            root,
+            expansion,
+            robot,
+            kinematics,
+            outcome,
+            written,
+            further,
+            epoch,
+        }
     }
 
     /// A root expanded once, for a check.
     pub(super) fn of(session: &Session, root: &RootChoice, options: &CheckOptions) -> Self {
-        Self::new(root.clone(), job::expansion(session, &options.cancel, &job_of(root), None), 0)
+        Self::new(
+            root.clone(),
+            job::expansion(session, &options.cancel, &job_of(root), None),
+            0,
+        )
     }
 
     /// The expanded document as text, with its map.
     pub fn written(&self) -> &Written {
-        let name = self.expansion.files.first().map_or("", |file| file.name.as_str());
-        self.written.get_or_init(|| write_mapped(&self.expansion.tree, name))
+        let name = self
+            .expansion
+            .files
+            .first()
+            .map_or("", |file| file.name.as_str());
+        self.written
+            .get_or_init(|| write_mapped(&self.expansion.tree, name))
     }
 
     /// The arguments with their values, in the order in which they are declared: what matters is declared first.
@@ -59,9 +77,18 @@ impl Analyzed {
         let definitions = self.expansion.symbols.definitions.iter();
         let names = definitions.filter(|given| given.kind == SymbolKind::Argument);
         let order: Vec<&str> = names.map(|given| given.name.as_str()).collect();
-        let arguments = self.expansion.arguments.iter().map(|(name, value)| (name.as_str(), value.as_str()));
+        let arguments = self
+            .expansion
+            .arguments
+            .iter()
+            .map(|(name, value)| (name.as_str(), value.as_str()));
         let mut arguments: Vec<(&str, &str)> = arguments.collect();
-        arguments.sort_by_key(|(name, _)| order.iter().position(|known| known == name).unwrap_or(usize::MAX));
+        arguments.sort_by_key(|(name, _)| {
+            order
+                .iter()
+                .position(|known| known == name)
+                .unwrap_or(usize::MAX)
+        });
         arguments
     }
 
@@ -69,7 +96,10 @@ impl Analyzed {
     pub(super) fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
         if self.outcome.get().is_none() {
             let (job, robot) = (job_of(&self.root), self.robot.as_ref());
-            let options = CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() };
+            let options = CheckOptions {
+                cancel: cancel.clone(),
+                ..CheckOptions::default()
+            };
             let outcome = job::judge(session, &options, job, &self.expansion, robot);
             if cancel.is_cancelled() {
                 return None;
@@ -86,19 +116,27 @@ impl Analyzed {
             Read::File(path, _) if path == except => true,
             Read::File(path, hash) => vfs.document_hash(path) == Some(*hash),
             Read::Missing(path) => !vfs.is_file(path),
-            Read::Glob(pattern, found) => vfs.glob(pattern, cwd, &mut left).is_ok_and(|now| now == *found),
+            Read::Glob(pattern, found) => vfs
+                .glob(pattern, cwd, &mut left)
+                .is_ok_and(|now| now == *found),
             Read::Package(..) | Read::Env(..) | Read::Arg(..) => true,
         })
     }
 
     /// Whether a file took part.
     pub fn includes(&self, path: &Path) -> bool {
-        self.expansion.files.iter().any(|file| *file.source.path == *path)
+        self.expansion
+            .files
+            .iter()
+            .any(|file| *file.source.path == *path)
     }
 }
 
 /// The expansion of a root.
 pub(super) fn job_of(root: &RootChoice) -> Job {
     let RootChoice { file, args, preset } = root.clone();
-    Job { preset, ..Job::new(file, Reason::Named, args) }
+    Job {
+        preset,
+        ..Job::new(file, Reason::Named, args)
+    }
 }

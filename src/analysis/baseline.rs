@@ -62,19 +62,40 @@ impl Baseline {
                 stored.version
             ));
         }
-        let entry =
-            |entry: Entry| (Key { file: entry.file, rule: entry.rule, line: entry.line }, entry.count);
-        Ok(Self { known: stored.findings.into_iter().map(entry).collect() })
+        let entry = |entry: Entry| {
+            (
+                Key {
+                    file: entry.file,
+                    rule: entry.rule,
+                    line: entry.line,
+                },
+                entry.count,
+            )
+        };
+        Ok(Self {
+            known: stored.findings.into_iter().map(entry).collect(),
+        })
     }
 
     /// As a file, in an order that makes small differences.
     pub fn to_json(&self) -> String {
         let entry = |(key, &count): (&Key, &usize)| {
             let Key { file, rule, line } = key.clone();
-            Entry { rule, file, line, count }
+            Entry {
+                rule,
+                file,
+                line,
+                count,
+            }
         };
-        let stored = Stored { version: VERSION, findings: self.known.iter().map(entry).collect() };
-        format!("{}\n", serde_json::to_string_pretty(&stored).unwrap_or_default())
+        let stored = Stored {
+            version: VERSION,
+            findings: self.known.iter().map(entry).collect(),
+        };
+        format!(
+            "{}\n",
+            serde_json::to_string_pretty(&stored).unwrap_or_default()
+        )
     }
 
     /// How many findings it holds.
@@ -98,16 +119,23 @@ impl Baseline {
         let mut left = self.known.clone();
         let before = report.findings.len();
         let mut findings = std::mem::take(&mut report.findings);
-        findings.retain(|finding| match left.get_mut(&Key::of(report, finding, folder)) {
-            Some(count) if *count > 0 => {
-                *count -= 1;
-                false
-            }
-            _ => true,
-        });
+        findings.retain(
+            |finding| match left.get_mut(&Key::of(report, finding, folder)) {
+                Some(count) if *count > 0 => {
+                    *count -= 1;
+                    false
+                }
+                _ => true,
+            },
+        );
         report.findings = findings;
-        let gone = left.into_iter().filter(|(key, _)| checked(&folder.join(&key.file)));
-        (before - report.findings.len(), gone.map(|(_, count)| count).sum())
+        let gone = left
+            .into_iter()
+            .filter(|(key, _)| checked(&folder.join(&key.file)));
+        (
+            before - report.findings.len(),
+            gone.map(|(_, count)| count).sum(),
+        )
     }
 }
 
@@ -116,14 +144,20 @@ impl Key {
         let path = report.path(finding.span.file);
         let file = vfs::slashed(path.strip_prefix(folder).unwrap_or(path));
         let line = format!("{:016x}", fingerprint(&[report.line(finding.span).trim()]));
-        Self { file, rule: finding.rule.name.to_owned(), line }
+        Self {
+            file,
+            rule: finding.rule.name.to_owned(),
+            line,
+        }
     }
 }
 
 /// A hash that is the same in every version, on every machine (64 bit FNV-1a); parts are kept apart.
 pub fn fingerprint(parts: &[&str]) -> u64 {
     let bytes = parts.iter().flat_map(|part| part.bytes().chain([0xFF]));
-    bytes.fold(0xCBF2_9CE4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3))
+    bytes.fold(0xCBF2_9CE4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3)
+    })
 }
 
 #[cfg(test)]
@@ -142,7 +176,14 @@ mod tests {
     fn what_is_no_baseline() {
         let error = |text: &str| Baseline::from_json(text).unwrap_err();
         assert!(error("[]").starts_with("not a baseline: "));
-        assert!(error("{\"version\": 2, \"findings\": []}").starts_with("unsupported baseline version 2"));
-        assert!(Baseline::from_json("{\"version\": 1, \"findings\": []}").unwrap().is_empty());
+        assert!(
+            error("{\"version\": 2, \"findings\": []}")
+                .starts_with("unsupported baseline version 2")
+        );
+        assert!(
+            Baseline::from_json("{\"version\": 1, \"findings\": []}")
+                .unwrap()
+                .is_empty()
+        );
     }
 }

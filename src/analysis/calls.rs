@@ -27,9 +27,12 @@ pub(super) fn as_called(
     let mut tried: Vec<Request> = Vec::new();
     for args in session.given_args(file).take(MOST_CALLERS) {
         for with_all in [false, true] {
-            let Some(request) = called(request, &args, &fails, with_all) else { continue };
-            let is_known =
-                |old: &Request| (&old.args, &old.unknown_args) == (&request.args, &request.unknown_args);
+            let Some(request) = called(request, &args, &fails, with_all) else {
+                continue;
+            };
+            let is_known = |old: &Request| {
+                (&old.args, &old.unknown_args) == (&request.args, &request.unknown_args)
+            };
             if tried.iter().any(is_known) {
                 continue;
             }
@@ -63,7 +66,13 @@ struct Failures {
 
 impl Failures {
     fn of(expansion: &Expansion) -> Self {
-        let mut found = Self { arguments: FastSet::default(), files: 0, keys: 0, others: 0, errors: 0 };
+        let mut found = Self {
+            arguments: FastSet::default(),
+            files: 0,
+            keys: 0,
+            others: 0,
+            errors: 0,
+        };
         let is_error = |problem: &&Problem| !problem.probed && problem.severity == Severity::Error;
         for problem in expansion.problems.iter().filter(is_error) {
             found.errors += 1;
@@ -85,19 +94,30 @@ impl Failures {
 
 /// Whether a value is wrong that others may give.
 fn is_value(kind: ProblemKind) -> bool {
-    matches!(kind, ProblemKind::ExpressionError | ProblemKind::InvalidCondition)
+    matches!(
+        kind,
+        ProblemKind::ExpressionError | ProblemKind::InvalidCondition
+    )
 }
 
 /// The request with the arguments of a caller. Those whose values the caller computes are unknown where nothing else is
 /// known of them; `with_all`, also where the file has a default that names a file that is not there.
-fn called(request: &Request, args: &[GivenArg], fails: &Failures, with_all: bool) -> Option<Request> {
+fn called(
+    request: &Request,
+    args: &[GivenArg],
+    fails: &Failures,
+    with_all: bool,
+) -> Option<Request> {
     let own: FastSet<&str> = request.args.iter().map(|(name, _)| name.as_str()).collect();
     let mut next = request.clone();
     let mut seen = FastSet::default();
     for arg in args.iter().filter(|arg| !own.contains(arg.name.as_str())) {
-        let is_wanted = fails.arguments.contains(&arg.name) || with_all && fails.files + fails.keys > 0;
+        let is_wanted =
+            fails.arguments.contains(&arg.name) || with_all && fails.files + fails.keys > 0;
         match &arg.value {
-            Some(value) if seen.insert(&arg.name) => next.args.push((arg.name.clone(), value.clone())),
+            Some(value) if seen.insert(&arg.name) => {
+                next.args.push((arg.name.clone(), value.clone()))
+            }
             None if is_wanted && seen.insert(&arg.name) => next.unknown_args.push(arg.name.clone()),
             _ => {}
         }
@@ -114,7 +134,14 @@ mod tests {
     fn check_called(robot: &str, files: &[(&str, &str)], expected: &[&str]) {
         let tree = Tree::new();
         let around = format!("<robot name='r' xmlns:xacro='x'><link name='base'/>{robot}</robot>");
-        tree.write("r.urdf.xacro", if robot.starts_with("<robot") { robot } else { &around });
+        tree.write(
+            "r.urdf.xacro",
+            if robot.starts_with("<robot") {
+                robot
+            } else {
+                &around
+            },
+        );
         for (name, text) in files {
             tree.write(name, text);
         }
@@ -124,14 +151,18 @@ mod tests {
             ..Setup::default()
         };
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
-        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let options = CheckOptions {
+            paths: vec![tree.root().to_owned()],
+            ..CheckOptions::default()
+        };
         let report = session.check(&options);
         let found = report
             .findings
             .iter()
             .filter(|f| f.rule.code.starts_with("XAC0") && !f.rule.name.starts_with("unused"));
-        let found: Vec<String> =
-            found.map(|finding| format!("{} {}", finding.severity, finding.rule.name)).collect();
+        let found: Vec<String> = found
+            .map(|finding| format!("{} {}", finding.severity, finding.rule.name))
+            .collect();
         assert_eq!(found, expected, "{robot} {files:?}");
     }
 
@@ -142,8 +173,16 @@ mod tests {
         // in a package, others may use the robot
         let manifest = ("package.xml", "<package><name>p</name></package>");
         check_called(robot, &[manifest], &["info undefined-arg"]);
-        check_called(robot, &[manifest, ("README.md", "see r.urdf.xacro")], &["error undefined-arg"]);
-        check_called(robot, &[manifest, ("README.md", "└── r.urdf.xacro")], &["info undefined-arg"]);
+        check_called(
+            robot,
+            &[manifest, ("README.md", "see r.urdf.xacro")],
+            &["error undefined-arg"],
+        );
+        check_called(
+            robot,
+            &[manifest, ("README.md", "└── r.urdf.xacro")],
+            &["info undefined-arg"],
+        );
         for launch in [
             "xacro r.urdf.xacro side:=left",
             "'r.urdf.xacro', ' side:=', compute()",
@@ -163,7 +202,11 @@ mod tests {
             )
         };
         let through = |name, expected: &[&str]| {
-            check_called(robot, &[outer, ("launch/inner.launch.py", &inner(name))], expected);
+            check_called(
+                robot,
+                &[outer, ("launch/inner.launch.py", &inner(name))],
+                expected,
+            );
         };
         through("side", &[]);
         through("sight", &["error undefined-arg"]);
@@ -184,7 +227,8 @@ mod tests {
 
     #[test]
     fn arguments_of_files_that_are_no_robots_are_notes() {
-        let library = "<robot xmlns:xacro='x'><link name='$(arg side)'/><joint name='$(arg side)'/></robot>";
+        let library =
+            "<robot xmlns:xacro='x'><link name='$(arg side)'/><joint name='$(arg side)'/></robot>";
         check_called(library, &[], &["info undefined-arg"]);
     }
 
@@ -197,7 +241,8 @@ mod tests {
 
     #[test]
     fn defaults_that_name_no_file() {
-        let robot = "<xacro:arg name='kind' default='none'/><xacro:include filename='$(arg kind).xacro'/>";
+        let robot =
+            "<xacro:arg name='kind' default='none'/><xacro:include filename='$(arg kind).xacro'/>";
         let part = ("big.xacro", "<robot/>");
         let given = (
             "r.launch",
@@ -205,14 +250,24 @@ mod tests {
         );
         check_called(robot, &[part, given], &[]);
         // given, with a value that is unknown
-        check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=$(arg kind)")], &[]);
+        check_called(
+            robot,
+            &[("r.launch", "xacro r.urdf.xacro kind:=$(arg kind)")],
+            &[],
+        );
         // given to a file that is computed as well
-        let script = "doc = xacro.parse(open(path))\nxacro.process_doc(doc, mappings={'kind': kind})";
+        let script =
+            "doc = xacro.parse(open(path))\nxacro.process_doc(doc, mappings={'kind': kind})";
         check_called(robot, &[part, ("r.launch.py", script)], &[]);
         // given, and wrong
-        check_called(robot, &[("r.launch", "xacro r.urdf.xacro kind:=small")], &["error include-not-found"]);
+        check_called(
+            robot,
+            &[("r.launch", "xacro r.urdf.xacro kind:=small")],
+            &["error include-not-found"],
+        );
         // the file is missing whatever is given
-        let literal = "<xacro:arg name='kind' default='none'/><xacro:include filename='gone.xacro'/>";
+        let literal =
+            "<xacro:arg name='kind' default='none'/><xacro:include filename='gone.xacro'/>";
         check_called(literal, &[given], &["error include-not-found"]);
     }
 
@@ -223,9 +278,15 @@ mod tests {
                      <xacro:property name='own' value=\"${all['size']}\" lazy_eval='false'/>";
         let yaml = ("a.yaml", "length: 1");
         check_called(robot, &[yaml], &["error undefined-property"]);
-        let computed = ("r.launch.py", "Command(['xacro r.urdf.xacro', ' config:=', made_file])");
+        let computed = (
+            "r.launch.py",
+            "Command(['xacro r.urdf.xacro', ' config:=', made_file])",
+        );
         check_called(robot, &[yaml, computed], &[]);
-        let given = ("r.launch.py", "Command(['xacro r.urdf.xacro', ' config:=a.yaml'])");
+        let given = (
+            "r.launch.py",
+            "Command(['xacro r.urdf.xacro', ' config:=a.yaml'])",
+        );
         check_called(robot, &[yaml, given], &["error undefined-property"]);
     }
 
@@ -251,17 +312,33 @@ mod tests {
         let number = "<xacro:arg name='width' default=''/><xacro:property name='w' value='$(arg width)'/><link name='${w / 2}'/>";
         check_called(number, &[], &["info expression-error"]);
         check_called(number, &[("r.launch", "xacro r.urdf.xacro width:=2")], &[]);
-        check_called(&number.replace("default=''", "default='wide'"), &[], &["error expression-error"]);
+        check_called(
+            &number.replace("default=''", "default='wide'"),
+            &[],
+            &["error expression-error"],
+        );
         let package = "<xacro:arg name='config' default=''/><xacro:property name='c' value='$(arg config)'/><link name='$(find ${c})'/>";
         check_called(package, &[], &["info expression-error"]);
-        check_called(&package.replace("${c}", ""), &[], &["error expression-error"]);
+        check_called(
+            &package.replace("${c}", ""),
+            &[],
+            &["error expression-error"],
+        );
     }
 
     #[test]
     fn variables_of_the_environment() {
         let robot = "<xacro:if value='${$(env ROS_VERSION) == 2}'><link name='b'/></xacro:if>";
-        check_called(robot, &[("package.xml", "<package><name>p</name></package>")], &[]);
+        check_called(
+            robot,
+            &[("package.xml", "<package><name>p</name></package>")],
+            &[],
+        );
         check_called(robot, &[], &[]);
-        check_called("<link name='$(env ROBOT_SERIAL)'/>", &[], &["info expression-error"]);
+        check_called(
+            "<link name='$(env ROBOT_SERIAL)'/>",
+            &[],
+            &["info expression-error"],
+        );
     }
 }

@@ -38,8 +38,13 @@ impl Candidates {
         changed: Vec<PathBuf>,
     ) -> Vec<Job> {
         let mut jobs = (*self.below(session, &folders)).clone();
-        let options = CheckOptions { changed, ..CheckOptions::default() };
-        let Some(change) = Change::of(session, &options) else { return jobs };
+        let options = CheckOptions {
+            changed,
+            ..CheckOptions::default()
+        };
+        let Some(change) = Change::of(session, &options) else {
+            return jobs;
+        };
         jobs.extend(change.further(&jobs, &options.args));
         change.reached(jobs, self)
     }
@@ -50,7 +55,10 @@ impl Candidates {
         if let Some(known) = jobs.get(folders) {
             return known.clone();
         }
-        let options = CheckOptions { paths: folders.to_vec(), ..CheckOptions::default() };
+        let options = CheckOptions {
+            paths: folders.to_vec(),
+            ..CheckOptions::default()
+        };
         let found = Arc::new(session.all_jobs(&options, &mut Report::default()));
         jobs.insert(folders.to_vec(), found.clone());
         found

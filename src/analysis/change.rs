@@ -28,27 +28,48 @@ pub(super) struct Change<'a> {
 impl<'a> Change<'a> {
     /// The change that a check is about; none: it is about everything.
     pub(super) fn of(session: &'a Session, options: &CheckOptions) -> Option<Self> {
-        let paths: Vec<PathBuf> = options.changed.iter().map(|path| session.vfs.absolute(path)).collect();
-        let identities = paths.iter().filter_map(|path| session.vfs.identity(path)).collect();
-        (!paths.is_empty()).then_some(Self { session, paths, identities })
+        let paths: Vec<PathBuf> = options
+            .changed
+            .iter()
+            .map(|path| session.vfs.absolute(path))
+            .collect();
+        let identities = paths
+            .iter()
+            .filter_map(|path| session.vfs.identity(path))
+            .collect();
+        (!paths.is_empty()).then_some(Self {
+            session,
+            paths,
+            identities,
+        })
     }
 
     /// Whether a file changed, or lies in a folder that was named.
     pub(super) fn holds(&self, path: &Path) -> bool {
         self.paths.iter().any(|changed| path.starts_with(changed))
-            || self.session.vfs.identity(path).is_some_and(|own| self.identities.contains(&own))
+            || self
+                .session
+                .vfs
+                .identity(path)
+                .is_some_and(|own| self.identities.contains(&own))
     }
 
     /// The changed descriptions that are not among `jobs`: those elsewhere, or in folders that are passed over.
     /// What the configuration excludes stays out.
     pub(super) fn further(&self, jobs: &[Job], args: &[(String, String)]) -> Vec<Job> {
-        let known: FastSet<u128> =
-            jobs.iter().filter_map(|job| self.session.vfs.identity(&job.file)).collect();
+        let known: FastSet<u128> = jobs
+            .iter()
+            .filter_map(|job| self.session.vfs.identity(&job.file))
+            .collect();
         let is_new = |path: &&PathBuf| {
             let own = self.session.vfs.identity(path);
-            own.is_some_and(|own| !known.contains(&own)) && !self.session.settings(path).excludes(path)
+            own.is_some_and(|own| !known.contains(&own))
+                && !self.session.settings(path).excludes(path)
         };
-        let files = self.paths.iter().filter(|path| is_description(path) && self.session.vfs.is_file(path));
+        let files = self
+            .paths
+            .iter()
+            .filter(|path| is_description(path) && self.session.vfs.is_file(path));
         let job = |file: &PathBuf| Job::new(file.clone(), Reason::Walked, args.to_vec());
         files.filter(is_new).map(job).collect()
     }
@@ -61,8 +82,10 @@ impl<'a> Change<'a> {
         }
         let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
-        let mut open: Vec<(&Path, Arc<Reach>)> =
-            files.into_par_iter().filter_map(|file| Some((file, known.reach(self.session, file)?))).collect();
+        let mut open: Vec<(&Path, Arc<Reach>)> = files
+            .into_par_iter()
+            .filter_map(|file| Some((file, known.reach(self.session, file)?)))
+            .collect();
         let mut reached: FastSet<PathBuf> = FastSet::default();
         let mut newest = self.paths.clone();
         while !newest.is_empty() {
@@ -71,11 +94,14 @@ impl<'a> Change<'a> {
             };
             let (next, rest) = open.into_iter().partition(is_next);
             open = rest;
-            newest =
-                Vec::<(&Path, Arc<Reach>)>::into_iter(next).map(|(file, _)| file.to_path_buf()).collect();
+            newest = Vec::<(&Path, Arc<Reach>)>::into_iter(next)
+                .map(|(file, _)| file.to_path_buf())
+                .collect();
             reached.extend(newest.iter().cloned());
         }
-        jobs.into_iter().filter(|job| reached.contains(&job.file)).collect()
+        jobs.into_iter()
+            .filter(|job| reached.contains(&job.file))
+            .collect()
     }
 
     /// Whether an expansion read a changed file, looked for one that is gone, or belongs to a package whose
@@ -84,10 +110,14 @@ impl<'a> Change<'a> {
         let package = self.session.packages.containing(&outcome.job.file);
         let of_package = |package: Package| {
             let names = std::iter::once("package.xml").chain(BUILD_FILES);
-            names.map(|name| package.folder.join(name)).collect::<Vec<_>>()
+            names
+                .map(|name| package.folder.join(name))
+                .collect::<Vec<_>>()
         };
         let of_package = package.map_or_else(Vec::new, of_package);
-        let read = std::iter::once(&outcome.job.file).chain(&outcome.reads).chain(&of_package);
+        let read = std::iter::once(&outcome.job.file)
+            .chain(&outcome.reads)
+            .chain(&of_package);
         read.into_iter().any(|path| self.holds(path))
     }
 
@@ -101,11 +131,15 @@ impl<'a> Change<'a> {
     pub(super) fn concerns(&self, finding: &Finding) -> bool {
         let related = finding.related.iter().map(|related| related.span);
         let ways = finding.ways.iter().map(|way| way.call);
-        let files: FastSet<FileId> =
-            std::iter::once(finding.span).chain(related).chain(ways).map(|span| span.file).collect();
+        let files: FastSet<FileId> = std::iter::once(finding.span)
+            .chain(related)
+            .chain(ways)
+            .map(|span| span.file)
+            .collect();
         let of_its_file =
             matches!(finding.rule.check, Check::File(_)) || finding.rule.category == Category::Xml;
-        finding.severity == Severity::Error && !of_its_file || files.into_iter().any(|file| self.has(file))
+        finding.severity == Severity::Error && !of_its_file
+            || files.into_iter().any(|file| self.has(file))
     }
 }
 
@@ -118,13 +152,22 @@ mod tests {
         let session = Session::new(&tree.environment(&[]), Setup::default()).unwrap();
         let changed = changed.iter().map(|name| tree.path(name)).collect();
         let paths = vec![tree.root().to_owned()];
-        let options = CheckOptions { paths, changed, ..CheckOptions::default() };
+        let options = CheckOptions {
+            paths,
+            changed,
+            ..CheckOptions::default()
+        };
         let report = session.check(&options);
         (report, options.progress.get().1)
     }
 
     fn names(tree: &Tree, report: &Report) -> Vec<String> {
-        let below = |path: &std::path::Path| path.strip_prefix(tree.root()).unwrap().display().to_string();
+        let below = |path: &std::path::Path| {
+            path.strip_prefix(tree.root())
+                .unwrap()
+                .display()
+                .to_string()
+        };
         report
             .findings
             .iter()
@@ -141,14 +184,24 @@ mod tests {
                  <xacro:include filename=\"{include}\"/><link name='base_link'/>{rest}</robot>"
             )
         };
-        tree.write("a.urdf.xacro", &robot("a", "parts/arm.xacro", "<xacro:arm/><link name='lost'/>"));
+        tree.write(
+            "a.urdf.xacro",
+            &robot("a", "parts/arm.xacro", "<xacro:arm/><link name='lost'/>"),
+        );
         tree.write(
             "b.urdf.xacro",
-            &robot("b", "${'parts/' + 'arm.xacro'}", "<xacro:property name='n' value='1'/>"),
+            &robot(
+                "b",
+                "${'parts/' + 'arm.xacro'}",
+                "<xacro:property name='n' value='1'/>",
+            ),
         );
         tree.write("c.urdf.xacro", &robot("c", "parts/other.xacro", "${gone}"));
         let library = "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'>";
-        tree.write("parts/arm.xacro", &format!("{library}<xacro:macro name='arn'/></robot>"));
+        tree.write(
+            "parts/arm.xacro",
+            &format!("{library}<xacro:macro name='arn'/></robot>"),
+        );
         tree.write("parts/other.xacro", &format!("{library}</robot>"));
         tree
     }
@@ -160,10 +213,19 @@ mod tests {
         // the robot whose include says nothing by its text is looked at, the one that includes something else is not
         assert_eq!((expanded, report.robots), (3, 2));
         let found = names(&tree, &report);
-        assert!(found.contains(&"a.urdf.xacro undefined-macro".to_owned()), "{found:?}");
-        assert!(!found.iter().any(|name| name.starts_with("c.")), "{found:?}");
+        assert!(
+            found.contains(&"a.urdf.xacro undefined-macro".to_owned()),
+            "{found:?}"
+        );
+        assert!(
+            !found.iter().any(|name| name.starts_with("c.")),
+            "{found:?}"
+        );
         // a warning beside the change is no news
-        assert!(!found.contains(&"b.urdf.xacro unused-property".to_owned()), "{found:?}");
+        assert!(
+            !found.contains(&"b.urdf.xacro unused-property".to_owned()),
+            "{found:?}"
+        );
     }
 
     #[test]
@@ -171,8 +233,14 @@ mod tests {
         let tree = tree();
         let (report, _) = check(&tree, &["b.urdf.xacro"]);
         let found = names(&tree, &report);
-        assert!(found.contains(&"b.urdf.xacro unused-property".to_owned()), "{found:?}");
-        assert!(!found.iter().any(|name| name.starts_with("a.")), "{found:?}");
+        assert!(
+            found.contains(&"b.urdf.xacro unused-property".to_owned()),
+            "{found:?}"
+        );
+        assert!(
+            !found.iter().any(|name| name.starts_with("a.")),
+            "{found:?}"
+        );
     }
 
     #[test]
@@ -181,7 +249,10 @@ mod tests {
         std::fs::remove_file(tree.path("parts/other.xacro")).unwrap();
         let (report, _) = check(&tree, &["parts/other.xacro"]);
         let found = names(&tree, &report);
-        assert!(found.contains(&"c.urdf.xacro include-not-found".to_owned()), "{found:?}");
+        assert!(
+            found.contains(&"c.urdf.xacro include-not-found".to_owned()),
+            "{found:?}"
+        );
         assert!(report.unreadable.is_empty());
     }
 
@@ -192,7 +263,10 @@ mod tests {
                      <xacro:property name='p' value=\"${load_yaml('p.yaml')}\"/>\
                      <link name='base_link'/><link name='${p[0]}'/></robot>";
         tree.write("r.urdf.xacro", robot);
-        tree.write("s.urdf", "<robot name='s'><link name='a'/><link name='b'/></robot>");
+        tree.write(
+            "s.urdf",
+            "<robot name='s'><link name='a'/><link name='b'/></robot>",
+        );
         tree.write("p.yaml", "[tool]");
         let (report, _) = check(&tree, &["p.yaml"]);
         assert_eq!(names(&tree, &report), ["r.urdf.xacro orphan-link"; 2]);

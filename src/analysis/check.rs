@@ -8,9 +8,7 @@ use rayon::prelude::*;
 
 use super::analyzed::Analyzed;
 use super::beside::{Compared, Robots, Sort, sort};
-use super::candidates::Candidates;
 use super::change::Change;
-use super::configs::Settings;
 use super::context::RootChoice;
 use super::job::{self, Outcome};
 use super::launched::prefer_calls;
@@ -20,7 +18,6 @@ use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::roots::{Job, Reason};
 use super::session::Session;
 use super::suppress::Hiding;
-use super::walk;
 use base::limits::MESSAGE_LETTERS;
 use base::{CancelFlag, FastMap, FastSet, FileId};
 use expand::large_stacks;
@@ -60,7 +57,10 @@ struct Kept {
 
 impl Kept {
     fn of(wanted: Vec<RootChoice>) -> Self {
-        Self { wanted: wanted.into_iter().collect(), robots: Mutex::default() }
+        Self {
+            wanted: wanted.into_iter().collect(),
+            robots: Mutex::default(),
+        }
     }
 
     fn add(&self, analyzed: Analyzed) {
@@ -79,7 +79,12 @@ fn read_by(outcomes: &[Outcome]) -> BTreeSet<PathBuf> {
 }
 
 fn key(job: &Job) -> JobKey {
-    (job.file.clone(), job.reason, job.args.clone(), job.preset.clone())
+    (
+        job.file.clone(),
+        job.reason,
+        job.args.clone(),
+        job.preset.clone(),
+    )
 }
 
 impl Done {
@@ -93,7 +98,8 @@ impl Done {
     /// Keep what was done, where somebody wants it.
     fn note(&mut self, outcomes: &[Outcome], is_wanted: bool) {
         let known = outcomes.iter().filter(|_| is_wanted);
-        self.outcomes.extend(known.map(|outcome| (key(&outcome.job), outcome.clone())));
+        self.outcomes
+            .extend(known.map(|outcome| (key(&outcome.job), outcome.clone())));
     }
 
     /// Forget everything.
@@ -119,9 +125,14 @@ impl Session {
         let (first, later) = self.in_turns(jobs);
         let mut files = self.beside_files(options);
         if let Some(change) = Change::of(self, options) {
-            let reached: FastSet<&PathBuf> = first.iter().chain(&later).map(|job| &job.file).collect();
-            let is_for_reached =
-                |file: &PathBuf| self.pairing(file).roots.iter().any(|root| reached.contains(&root.file));
+            let reached: FastSet<&PathBuf> =
+                first.iter().chain(&later).map(|job| &job.file).collect();
+            let is_for_reached = |file: &PathBuf| {
+                self.pairing(file)
+                    .roots
+                    .iter()
+                    .any(|root| reached.contains(&root.file))
+            };
             files.retain(|file| change.holds(file) || is_for_reached(file));
         }
         let compared = Kept::of(self.beside_roots(&files));
@@ -147,9 +158,18 @@ impl Session {
         if let Some(change) = Change::of(self, options) {
             kept.retain(|outcome| change.is_read_by(outcome));
         }
-        let Report { mut unreadable, mut skipped, .. } = report;
+        let Report {
+            mut unreadable,
+            mut skipped,
+            ..
+        } = report;
         unreadable.extend(
-            self.unreadable_configs().into_iter().map(|error| Unreadable { path: error.path.clone(), error }),
+            self.unreadable_configs()
+                .into_iter()
+                .map(|error| Unreadable {
+                    path: error.path.clone(),
+                    error,
+                }),
         );
         reads.extend(files.iter().cloned());
         let robots = self.analyzed_all(options, compared);
@@ -157,13 +177,30 @@ impl Session {
         let unpaired = options.paths.iter().map(|path| self.vfs.absolute(path));
         let unpaired = unpaired.filter(|path| files.contains(path) && !beside.files.contains(path));
         let unpaired = unpaired.filter(|path| sort(path) == Some(Sort::Yaml));
-        skipped.extend(unpaired.map(|path| Skipped { path, reason: SkipReason::NoRobot }));
-        Report { unreadable, skipped, reads, ..self.conclude(options, kept, beside) }
+        skipped.extend(unpaired.map(|path| Skipped {
+            path,
+            reason: SkipReason::NoRobot,
+        }));
+        Report {
+            unreadable,
+            skipped,
+            reads,
+            ..self.conclude(options, kept, beside)
+        }
     }
 
     /// The same robots as launch files call them. Whoever gives arguments asks for these.
-    fn called(&self, options: &CheckOptions, kept: &[Outcome], done: Option<&Done>) -> Vec<Outcome> {
-        let jobs = if options.args.is_empty() { self.launched_jobs(kept) } else { Vec::new() };
+    fn called(
+        &self,
+        options: &CheckOptions,
+        kept: &[Outcome],
+        done: Option<&Done>,
+    ) -> Vec<Outcome> {
+        let jobs = if options.args.is_empty() {
+            self.launched_jobs(kept)
+        } else {
+            Vec::new()
+        };
         options.progress.add(jobs.len());
         self.run_all(options, jobs, done, None)
     }
@@ -171,10 +208,19 @@ impl Session {
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
     /// the report may stand in a public log.
     pub(super) fn conceal(&self, report: &Report, findings: &mut [Finding]) {
-        let around = self.packages.around(report.roots.iter().chain(&report.compared).map(PathBuf::as_path));
+        let around = self.packages.around(
+            report
+                .roots
+                .iter()
+                .chain(&report.compared)
+                .map(PathBuf::as_path),
+        );
         let mut known: FastMap<FileId, bool> = FastMap::default();
-        let mut belongs =
-            |file: FileId| *known.entry(file).or_insert_with(|| around.hold(&self.vfs.path(file)));
+        let mut belongs = |file: FileId| {
+            *known
+                .entry(file)
+                .or_insert_with(|| around.hold(&self.vfs.path(file)))
+        };
         for finding in findings {
             if !belongs(finding.span.file) {
                 finding.message = UNQUOTED.to_owned();
@@ -188,9 +234,12 @@ impl Session {
 
     /// Write the line ends of fixes as the files have them.
     fn adapt_line_ends(&self, findings: &mut [Finding]) {
-        let edits =
-            findings.iter_mut().filter_map(|finding| finding.fix.as_mut()).flat_map(|fix| &mut fix.edits);
-        for edit in edits.filter(|edit| edit.content.contains('\n') && !edit.content.contains('\r')) {
+        let edits = findings
+            .iter_mut()
+            .filter_map(|finding| finding.fix.as_mut())
+            .flat_map(|fix| &mut fix.edits);
+        for edit in edits.filter(|edit| edit.content.contains('\n') && !edit.content.contains('\r'))
+        {
             let source = self.vfs.document(&self.vfs.path(edit.span.file));
             if source.is_ok_and(|source| source.document.line_end() == "\r\n") {
                 edit.content = edit.content.replace('\n', "\r\n");
@@ -207,7 +256,8 @@ impl Session {
         kept: Option<&Kept>,
     ) -> Vec<Outcome> {
         let run = |job: Job| {
-            let is_kept = job.called.is_none() && kept.is_some_and(|kept| kept.wanted.contains(&job.root()));
+            let is_kept =
+                job.called.is_none() && kept.is_some_and(|kept| kept.wanted.contains(&job.root()));
             let known = done.and_then(|done| done.outcomes.get(&key(&job)).cloned());
             let outcome = match known {
                 Some(known) => Outcome { job, ..known },
@@ -234,9 +284,15 @@ impl Session {
 
     /// All roots that are wanted, expanded.
     fn analyzed_all(&self, options: &CheckOptions, kept: Kept) -> Robots {
-        let mut robots = kept.robots.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let roots: Vec<RootChoice> =
-            kept.wanted.into_iter().filter(|root| !robots.contains_key(root)).collect();
+        let mut robots = kept
+            .robots
+            .into_inner()
+            .unwrap_or_else(PoisonError::into_inner);
+        let roots: Vec<RootChoice> = kept
+            .wanted
+            .into_iter()
+            .filter(|root| !robots.contains_key(root))
+            .collect();
         let make = |root: RootChoice| {
             let analyzed = Arc::new(Analyzed::of(self, &root, options));
             (root, analyzed)
@@ -259,34 +315,61 @@ impl Session {
         let has_robots = !kept.is_empty();
         let mut report = Report::default();
         for outcome in &kept {
-            report.files.extend(outcome.files.iter().map(|file| (file.id, file.clone())));
+            report
+                .files
+                .extend(outcome.files.iter().map(|file| (file.id, file.clone())));
             if outcome.job.called.is_some() {
                 continue;
             }
             report.roots.push(outcome.job.file.clone());
             report.robots += usize::from(outcome.is_robot);
             if !outcome.unfound.is_empty() {
-                let names = report.incomplete.entry(outcome.job.file.clone()).or_default();
+                let names = report
+                    .incomplete
+                    .entry(outcome.job.file.clone())
+                    .or_default();
                 names.extend(outcome.unfound.iter().cloned());
             }
-            report.partial.extend(outcome.cut.clone().map(|cut| (outcome.job.file.clone(), cut)));
+            report.partial.extend(
+                outcome
+                    .cut
+                    .clone()
+                    .map(|cut| (outcome.job.file.clone(), cut)),
+            );
             if !outcome.consumers.is_empty() {
-                let counted = report.consumers.entry(outcome.job.file.clone()).or_default();
-                counted.extend(outcome.consumers.iter().map(|(name, worst)| (*name, *worst)));
+                let counted = report
+                    .consumers
+                    .entry(outcome.job.file.clone())
+                    .or_default();
+                counted.extend(
+                    outcome
+                        .consumers
+                        .iter()
+                        .map(|(name, worst)| (*name, *worst)),
+                );
             }
-            report.nameless.extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
+            report
+                .nameless
+                .extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
         }
         let homes = self.homes(options);
         let mut hiding = Hiding::new(self, options, &kept);
         for outcome in &mut kept {
             let includes = std::mem::take(&mut outcome.includes);
-            outcome.findings.retain(|finding| !hiding.hides(finding, &includes));
+            outcome
+                .findings
+                .retain(|finding| !hiding.hides(finding, &includes));
         }
         let config_findings = self.config_findings(options, &report, &kept);
         let drift_findings = self.drift_findings(options, &kept);
-        beside.findings.retain(|finding| !hiding.hides(finding, &[]));
+        beside
+            .findings
+            .retain(|finding| !hiding.hides(finding, &[]));
         self.settle_settings(options, &mut beside.findings);
-        let documents = beside.files.iter().filter_map(|file| self.vfs.document(file).ok());
+        let documents = beside
+            .files
+            .iter()
+            .filter_map(|file| self.vfs.document(file).ok());
         report.files.extend(documents.map(|file| (file.id, file)));
         report.compared = beside.files;
         let missing_arguments = self.missing_arguments(&mut kept);
@@ -308,150 +391,62 @@ impl Session {
         self.adapt_line_ends(&mut findings);
         for finding in &mut findings {
             let mut seen = FastSet::default();
-            finding.related.retain(|related| seen.insert((related.span, related.message.clone())));
+            finding
+                .related
+                .retain(|related| seen.insert((related.span, related.message.clone())));
         }
         self.conceal(&report, &mut findings);
         if let Some(change) = Change::of(self, options) {
             findings.retain(|finding| change.concerns(finding));
         }
-        findings.sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
+        findings
+            .sort_by_cached_key(|f| (self.vfs.path(f.span.file), f.span.range.start, f.rule.code));
         for finding in &findings {
-            let spans =
-                std::iter::once(finding.span).chain(finding.related.iter().map(|related| related.span));
-            let edits = finding.fix.iter().flat_map(|fix| &fix.edits).map(|edit| edit.span);
-            report.paths.extend(spans.chain(edits).map(|span| (span.file, self.vfs.path(span.file))));
+            let spans = std::iter::once(finding.span)
+                .chain(finding.related.iter().map(|related| related.span));
+            let edits = finding
+                .fix
+                .iter()
+                .flat_map(|fix| &fix.edits)
+                .map(|edit| edit.span);
+            report.paths.extend(
+                spans
+                    .chain(edits)
+                    .map(|span| (span.file, self.vfs.path(span.file))),
+            );
         }
         // findings and fixes may be about files that no expansion reads, such as package.xml
-        let unread = report.paths.iter().filter(|(id, _)| !report.files.contains_key(id));
-        let beside: Vec<_> = unread.filter_map(|(_, path)| self.vfs.document(path).ok()).collect();
-        report.beside.extend(beside.into_iter().map(|file| (file.id, file)));
+        let unread = report
+            .paths
+            .iter()
+            .filter(|(id, _)| !report.files.contains_key(id));
+        let beside: Vec<_> = unread
+            .filter_map(|(_, path)| self.vfs.document(path).ok())
+            .collect();
+        report
+            .beside
+            .extend(beside.into_iter().map(|file| (file.id, file)));
         report.findings = findings;
         report
-    }
-
-    /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
-    pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let jobs = self.jobs(options, &mut Report::default());
-        let files: BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
-        files.into_iter().collect()
-    }
-
-    fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
-        let mut jobs = self.all_jobs(options, report);
-        if let Some(change) = Change::of(self, options) {
-            jobs.extend(change.further(&jobs, &options.args));
-            jobs = change.reached(jobs, &Candidates::default());
-        }
-        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
-            if let Err(error) = self.vfs.document(&job.file) {
-                report.unreadable.push(Unreadable { path: job.file.clone(), error });
-            }
-        }
-        jobs.retain(|job| !report.unreadable.iter().any(|unreadable| unreadable.path == job.file));
-        jobs
-    }
-
-    /// The jobs for what is named, whatever changed.
-    pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
-        let absolute = |path: &PathBuf| self.vfs.absolute(path);
-        let plain = |file, reason| Job::new(file, reason, options.args.clone());
-        let entries = options.entries.iter().map(|path| plain(absolute(path), Reason::Root));
-        let mut jobs: Vec<Job> = entries.collect();
-        let (named, walked) = self.named_and_walked(options, report);
-        jobs.extend(self.configured(options, &named, &walked));
-        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
-        let is_alone = options.paths.len() == 1 && options.changed.is_empty();
-        let reason = if is_alone { Reason::Alone } else { Reason::Named };
-        let named = named.into_iter().map(|path| plain(path, reason));
-        let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
-        jobs.extend(named.chain(walked).filter(|job| known.insert(job.file.clone())));
-        jobs
-    }
-
-    /// The files that are named, and the descriptions below the folders that are.
-    pub(super) fn named_and_walked(
-        &self,
-        options: &CheckOptions,
-        report: &mut Report,
-    ) -> (Vec<PathBuf>, Vec<PathBuf>) {
-        let (mut named, mut walked) = (Vec::new(), Vec::new());
-        for path in options.paths.iter().map(|path| self.vfs.absolute(path)) {
-            match self.vfs.is_dir(&path) {
-                true => {
-                    let (files, skipped) = walk::descriptions(&path, self);
-                    walked.extend(files);
-                    skipped.into_iter().for_each(|skipped| report.skip(skipped, &path));
-                }
-                false if self.settings(&path).excludes(&path) => {
-                    report.skipped.push(Skipped { path, reason: SkipReason::Excluded });
-                }
-                // settings of a robot are no description
-                false if sort(&path) == Some(Sort::Yaml) => {}
-                false => named.push(path),
-            }
-        }
-        (named, walked)
-    }
-
-    /// The jobs of `[[roots]]` that are among the files to be checked, or below a folder to be checked.
-    fn configured(&self, options: &CheckOptions, named: &[PathBuf], walked: &[PathBuf]) -> Vec<Job> {
-        let mut jobs = Vec::new();
-        for (settings, number, files) in self.configured_files(options, named, walked) {
-            let Some(root) = settings.config.roots.get(number) else { continue };
-            jobs.extend(files.iter().flat_map(|file| self.jobs_of(root, file, &options.args)));
-        }
-        jobs
-    }
-
-    /// The entries of `[[roots]]` by number, each with its files that are to be checked.
-    pub(super) fn configured_files(
-        &self,
-        options: &CheckOptions,
-        named: &[PathBuf],
-        walked: &[PathBuf],
-    ) -> Vec<(Arc<Settings>, usize, Vec<PathBuf>)> {
-        let folders: Vec<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
-        let mut seen: FastSet<Vec<PathBuf>> = FastSet::default();
-        let mut found = Vec::new();
-        let own =
-            folders.iter().filter(|path| self.vfs.is_dir(path)).map(|folder| self.folder_settings(folder));
-        let settings = own.chain(named.iter().chain(walked).map(|file| self.settings(file)));
-        for settings in settings {
-            if !seen.insert(settings.config.files.clone()) {
-                continue;
-            }
-            for (number, root) in settings.config.roots.iter().enumerate() {
-                let mut files = root.files(&self.vfs);
-                files.retain(|file| folders.iter().any(|folder| file.starts_with(folder)));
-                found.push((settings.clone(), number, files));
-            }
-        }
-        found
-    }
-
-    /// The folders whose files are the user's own: in files elsewhere, only errors are news.
-    pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let paths = options.paths.iter().chain(&options.entries).chain(&options.changed);
-        let paths = paths.map(|path| self.vfs.absolute(path));
-        let homes = paths.flat_map(|path| {
-            let is_dir = self.vfs.is_dir(&path);
-            let folder = if is_dir { Some(path.clone()) } else { path.parent().map(Path::to_owned) };
-            let package = self.packages.containing(&path.join("_")).map(|package| package.folder);
-            let workspace = folder.as_ref().and_then(|folder| self.packages.workspace(folder));
-            [folder, package, workspace]
-        });
-        homes.flatten().collect()
     }
 
     /// Whether a finding is wanted; sets its severity as configured.
     fn admit(&self, finding: &mut Finding, homes: &[PathBuf]) -> bool {
         let path = self.vfs.path(finding.span.file);
-        let Some(severity) = self.settings(&path).severity(finding, &path) else { return false };
+        let Some(severity) = self.settings(&path).severity(finding, &path) else {
+            return false;
+        };
         finding.severity = severity;
         // what `$(find)` made absolute is shown as the user would write it
         let cwd = format!("{}/", vfs::slashed(&self.env.cwd));
-        let related = finding.related.iter_mut().map(|related| &mut related.message);
-        for text in std::iter::once(&mut finding.message).chain(&mut finding.help).chain(related) {
+        let related = finding
+            .related
+            .iter_mut()
+            .map(|related| &mut related.message);
+        for text in std::iter::once(&mut finding.message)
+            .chain(&mut finding.help)
+            .chain(related)
+        {
             if text.contains(&cwd) {
                 *text = text.replace(&cwd, "");
             }
@@ -466,7 +461,11 @@ impl Session {
 /// line, so that it is never taken for a line of its own by whoever reads a log.
 fn shorten(message: &mut String) {
     if message.contains(['\n', '\r']) {
-        *message = message.split(['\n', '\r']).map(str::trim).collect::<Vec<_>>().join(" ");
+        *message = message
+            .split(['\n', '\r'])
+            .map(str::trim)
+            .collect::<Vec<_>>()
+            .join(" ");
     }
     if message.len() > MESSAGE_LETTERS {
         message.truncate(message.floor_char_boundary(MESSAGE_LETTERS));

@@ -8,7 +8,9 @@ use super::launch_values::compared_words;
 use super::world::World;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;
-use workspace::config::{self, CONFIG_NAMES, ConfigPlace, PlaceKind, Wanted, files_named, place_at, wanted};
+use workspace::config::{
+    self, CONFIG_NAMES, ConfigPlace, PlaceKind, Wanted, files_named, place_at, wanted,
+};
 
 /// Files of a folder that are offered.
 const MOST_FILES: usize = 500;
@@ -51,7 +53,8 @@ pub enum ConfigChoiceKind {
 
 /// Whether a file is a configuration, by its name.
 pub fn is_config(path: &Path) -> bool {
-    path.file_name().is_some_and(|name| CONFIG_NAMES.iter().any(|own| name == *own))
+    path.file_name()
+        .is_some_and(|name| CONFIG_NAMES.iter().any(|own| name == *own))
 }
 
 /// Names with a few words about each.
@@ -69,29 +72,47 @@ impl World {
         let place = place_at(&text.text, offset)?;
         let (kind, names) = match wanted(&place)? {
             Wanted::Keys(keys) => {
-                let names = keys.into_iter().map(|(name, doc)| (name.to_owned(), doc.to_owned()));
+                let names = keys
+                    .into_iter()
+                    .map(|(name, doc)| (name.to_owned(), doc.to_owned()));
                 (ConfigChoiceKind::Key, names.collect())
             }
-            Wanted::Words(words) => {
-                (ConfigChoiceKind::Value, plain(words.iter().map(|word| (*word).to_owned())))
-            }
-            Wanted::Bool => (ConfigChoiceKind::Value, plain(["true", "false"].map(str::to_owned))),
+            Wanted::Words(words) => (
+                ConfigChoiceKind::Value,
+                plain(words.iter().map(|word| (*word).to_owned())),
+            ),
+            Wanted::Bool => (
+                ConfigChoiceKind::Value,
+                plain(["true", "false"].map(str::to_owned)),
+            ),
             Wanted::Free => self.names_at(path, &place, cancel)?,
         };
         let after = text.text.get(place.range.end as usize..).unwrap_or("");
         let item = |(name, detail): (String, String)| {
             let is_folder = kind == ConfigChoiceKind::File && name.ends_with('/');
-            let kind = if is_folder { ConfigChoiceKind::Folder } else { kind };
-            ConfigChoice { text: written(&place, kind, &name, after), kind, name, detail }
+            let kind = if is_folder {
+                ConfigChoiceKind::Folder
+            } else {
+                kind
+            };
+            ConfigChoice {
+                text: written(&place, kind, &name, after),
+                kind,
+                name,
+                detail,
+            }
         };
-        Some(ConfigChoices { range: place.range, items: names.into_iter().map(item).collect() })
+        Some(ConfigChoices {
+            range: place.range,
+            items: names.into_iter().map(item).collect(),
+        })
     }
 
     /// What the table of keys says of the key at an offset of a configuration file, with its place.
     pub fn config_key_at(&self, path: &Path, offset: u32) -> Option<(TextRange, &'static str)> {
         let text = self.session().vfs.text(path).ok()?;
-        let place =
-            place_at(&text.text, offset).filter(|place| !matches!(place.kind, PlaceKind::Value { .. }))?;
+        let place = place_at(&text.text, offset)
+            .filter(|place| !matches!(place.kind, PlaceKind::Value { .. }))?;
         let mut keys = place.path;
         keys.push(place.range.slice(&text.text).to_owned());
         Some((place.range, config::doc(&keys)?))
@@ -108,35 +129,55 @@ impl World {
         let is_key = !matches!(place.kind, PlaceKind::Value { .. });
         let folder = path.parent().unwrap_or(Path::new(""));
         Some(match (keys.as_slice(), is_key) {
-            (["roots", "args" | "exclude"] | ["roots", "presets", _] | ["roots", "expect", "when"], true) => {
-                (ConfigChoiceKind::Argument, self.arguments_of(&robots(self, folder, place)))
-            }
+            (
+                ["roots", "args" | "exclude"]
+                | ["roots", "presets", _]
+                | ["roots", "expect", "when"],
+                true,
+            ) => (
+                ConfigChoiceKind::Argument,
+                self.arguments_of(&robots(self, folder, place)),
+            ),
             (
                 ["roots", "args" | "exclude", name]
                 | ["roots", "presets", _, name]
                 | ["roots", "expect", "when", name],
                 false,
-            ) => (ConfigChoiceKind::Value, self.values_of(&robots(self, folder, place), name)),
+            ) => (
+                ConfigChoiceKind::Value,
+                self.values_of(&robots(self, folder, place), name),
+            ),
             (["roots", "expect", "root" | "links" | "no-links" | "chains"], false)
-            | (["roots", "expect", "joint", _, "parent" | "child"], false) => {
-                (ConfigChoiceKind::Link, self.parts(&robots(self, folder, place), true, cancel)?)
-            }
-            (["roots", "expect", "joint" | "command-interfaces" | "state-interfaces"], true)
+            | (["roots", "expect", "joint", _, "parent" | "child"], false) => (
+                ConfigChoiceKind::Link,
+                self.parts(&robots(self, folder, place), true, cancel)?,
+            ),
+            (
+                [
+                    "roots",
+                    "expect",
+                    "joint" | "command-interfaces" | "state-interfaces",
+                ],
+                true,
+            )
             | (["roots", "expect", "joints" | "no-joints"], false)
-            | (["roots", "expect", "joint", _, "mimic"], false) => {
-                (ConfigChoiceKind::Joint, self.parts(&robots(self, folder, place), false, cancel)?)
-            }
+            | (["roots", "expect", "joint", _, "mimic"], false) => (
+                ConfigChoiceKind::Joint,
+                self.parts(&robots(self, folder, place), false, cancel)?,
+            ),
             (["severity"], true)
             | (["select" | "extend-select" | "ignore"] | ["per-file-ignores", _], false) => {
                 let rules = rules::all().map(|rule| (rule.name.to_owned(), rule.code.to_owned()));
                 (ConfigChoiceKind::Rule, rules.collect())
             }
-            (["thresholds"], true) => {
-                (ConfigChoiceKind::Key, plain(THRESHOLDS.iter().map(|threshold| threshold.name.to_owned())))
-            }
-            (["roots", "file"] | ["extend"] | ["roots", "expect", "expands-to"], false) => {
-                (ConfigChoiceKind::File, self.files_at(path, folder, place, keys.last().copied()))
-            }
+            (["thresholds"], true) => (
+                ConfigChoiceKind::Key,
+                plain(THRESHOLDS.iter().map(|threshold| threshold.name.to_owned())),
+            ),
+            (["roots", "file"] | ["extend"] | ["roots", "expect", "expands-to"], false) => (
+                ConfigChoiceKind::File,
+                self.files_at(path, folder, place, keys.last().copied()),
+            ),
             _ => return None,
         })
     }
@@ -144,7 +185,10 @@ impl World {
     /// The arguments of robots.
     fn arguments_of(&self, robots: &[PathBuf]) -> Names {
         let mut found = Names::new();
-        for (name, default) in robots.iter().flat_map(|robot| self.session().known(robot).defaults()) {
+        for (name, default) in robots
+            .iter()
+            .flat_map(|robot| self.session().known(robot).defaults())
+        {
             if !name.contains('$') && !found.iter().any(|(known, _)| *known == name) {
                 let detail = default.map(|default| format!("default: `{default}`"));
                 found.push((name, detail.unwrap_or_default()));
@@ -169,20 +213,46 @@ impl World {
             let known = session.known(robot);
             let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
             for default in declared.filter_map(|(_, default)| default) {
-                let is_bool = ["true", "false"].iter().any(|word| default.eq_ignore_ascii_case(word));
+                let is_bool = ["true", "false"]
+                    .iter()
+                    .any(|word| default.eq_ignore_ascii_case(word));
                 add(default, "default");
                 if is_bool {
-                    ["true", "false"].iter().for_each(|word| add((*word).to_owned(), ""));
+                    ["true", "false"]
+                        .iter()
+                        .for_each(|word| add((*word).to_owned(), ""));
                 }
             }
-            for call in session.robot_calls(robot).iter().filter(|call| call.target.as_ref() == Some(robot)) {
-                let given = call.call.args.iter().filter(|argument| argument.name == name);
-                let file = call.call.caller.file_name().unwrap_or_default().to_string_lossy();
-                given.filter_map(|argument| argument.value.literal()).for_each(|value| add(value, &file));
+            for call in session
+                .robot_calls(robot)
+                .iter()
+                .filter(|call| call.target.as_ref() == Some(robot))
+            {
+                let given = call
+                    .call
+                    .args
+                    .iter()
+                    .filter(|argument| argument.name == name);
+                let file = call
+                    .call
+                    .caller
+                    .file_name()
+                    .unwrap_or_default()
+                    .to_string_lossy();
+                given
+                    .filter_map(|argument| argument.value.literal())
+                    .for_each(|value| add(value, &file));
             }
-            let choices = session.launch_choices(robot).into_iter().filter(|(own, _)| own == name);
-            choices.flat_map(|(_, values)| values).for_each(|value| add(value, "choice of a launch file"));
-            compared_words(&known, name).into_iter().for_each(|value| add(value, "in a condition"));
+            let choices = session
+                .launch_choices(robot)
+                .into_iter()
+                .filter(|(own, _)| own == name);
+            choices
+                .flat_map(|(_, values)| values)
+                .for_each(|value| add(value, "choice of a launch file"));
+            compared_words(&known, name)
+                .into_iter()
+                .for_each(|value| add(value, "in a condition"));
         }
         found
     }
@@ -192,7 +262,9 @@ impl World {
         let mut names: BTreeSet<String> = BTreeSet::new();
         for robot in robots {
             let analyzed = self.analyzed(&RootChoice::plain(robot), cancel)?;
-            let Some(robot) = &analyzed.robot else { continue };
+            let Some(robot) = &analyzed.robot else {
+                continue;
+            };
             match links {
                 true => names.extend(robot.links.iter().map(|link| link.shown().to_owned())),
                 false => names.extend(robot.joints.iter().map(|joint| joint.shown().to_owned())),
@@ -202,21 +274,39 @@ impl World {
     }
 
     /// Files and folders that a path at a place may go on with.
-    fn files_at(&self, config: &Path, folder: &Path, place: &ConfigPlace, key: Option<&str>) -> Names {
+    fn files_at(
+        &self,
+        config: &Path,
+        folder: &Path,
+        place: &ConfigPlace,
+        key: Option<&str>,
+    ) -> Names {
         let vfs = &self.session().vfs;
         let text = vfs.text(config);
-        let typed = text.as_ref().map_or("", |file| place.range.slice(&file.text));
-        let lead = typed.rfind('/').map_or("", |at| typed.get(..=at).unwrap_or(""));
+        let typed = text
+            .as_ref()
+            .map_or("", |file| place.range.slice(&file.text));
+        let lead = typed
+            .rfind('/')
+            .map_or("", |at| typed.get(..=at).unwrap_or(""));
         let fits = |name: &str| match key {
             Some("file") => super::walk::is_description(Path::new(name)),
-            Some("extend") => name.ends_with(".toml") && !(lead.is_empty() && config.ends_with(name)),
+            Some("extend") => {
+                name.ends_with(".toml") && !(lead.is_empty() && config.ends_with(name))
+            }
             _ => name.ends_with(".urdf"),
         };
         let entries = vfs.list_dir(&folder.join(lead));
         let shown = entries
             .iter()
             .filter(|entry| !entry.name.starts_with('.') && (entry.is_dir || fits(&entry.name)));
-        let names = shown.map(|entry| format!("{lead}{}{}", entry.name, if entry.is_dir { "/" } else { "" }));
+        let names = shown.map(|entry| {
+            format!(
+                "{lead}{}{}",
+                entry.name,
+                if entry.is_dir { "/" } else { "" }
+            )
+        });
         plain(names.take(MOST_FILES))
     }
 }
@@ -224,7 +314,9 @@ impl World {
 /// The robots of the entry of `roots` around a place.
 fn robots(world: &World, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
     let file = place.file.as_deref();
-    let mut robots = file.map(|file| files_named(file, folder, &world.session().vfs)).unwrap_or_default();
+    let mut robots = file
+        .map(|file| files_named(file, folder, &world.session().vfs))
+        .unwrap_or_default();
     robots.truncate(MOST_ROBOTS);
     robots
 }
@@ -233,7 +325,10 @@ fn robots(world: &World, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
 const MOST_ROBOTS: usize = 20;
 
 fn plain(names: impl IntoIterator<Item = String>) -> Names {
-    names.into_iter().map(|name| (name, String::new())).collect()
+    names
+        .into_iter()
+        .map(|name| (name, String::new()))
+        .collect()
 }
 
 /// The text of a choice: with quotes where it needs them and none are open, and with `=` behind a key.
@@ -244,7 +339,9 @@ fn written(place: &ConfigPlace, kind: ConfigChoiceKind, name: &str, after: &str)
         false => matches!(name, "true" | "false"),
     };
     let close = match place.quote {
-        Some(quote) if !after.starts_with(quote) && kind != ConfigChoiceKind::Folder => quote.to_string(),
+        Some(quote) if !after.starts_with(quote) && kind != ConfigChoiceKind::Folder => {
+            quote.to_string()
+        }
         _ => String::new(),
     };
     let text = match place.quote {
@@ -253,12 +350,27 @@ fn written(place: &ConfigPlace, kind: ConfigChoiceKind, name: &str, after: &str)
         None if is_plain => name.to_owned(),
         None => format!("\"{}\"", escaped(name)),
     };
-    let after = after.strip_prefix(['"', '\'']).unwrap_or(after).trim_start_matches([' ', '\t']);
+    let after = after
+        .strip_prefix(['"', '\''])
+        .unwrap_or(after)
+        .trim_start_matches([' ', '\t']);
     let with_sign = place.kind == PlaceKind::Key && !after.starts_with(['=', '.']);
-    if with_sign && (place.quote.is_none() || !close.is_empty()) { text + " = " } else { text }
+    if with_sign && (place.quote.is_none() || !close.is_empty()) {
+        text + " = "
+    } else {
+        text
+    }
 }
 
 /// A text as it stands between double quotes.
 fn escaped(text: &str) -> String {
-    text.chars().flat_map(|c| if matches!(c, '"' | '\\') { vec!['\\', c] } else { vec![c] }).collect()
+    text.chars()
+        .flat_map(|c| {
+            if matches!(c, '"' | '\\') {
+                vec!['\\', c]
+            } else {
+                vec![c]
+            }
+        })
+        .collect()
 }

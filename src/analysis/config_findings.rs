@@ -27,7 +27,10 @@ impl Session {
         outcomes: &[Outcome],
     ) -> Vec<Finding> {
         let files = report.files.values().map(|file| self.settings(&file.path));
-        let folders = options.paths.iter().map(|path| self.folder_settings(&self.vfs.absolute(path)));
+        let folders = options
+            .paths
+            .iter()
+            .map(|path| self.folder_settings(&self.vfs.absolute(path)));
         let mut holding: FastSet<PathBuf> = FastSet::default();
         let mut warnings = self.config_warnings();
         for settings in files.chain(folders) {
@@ -41,21 +44,37 @@ impl Session {
         let mut seen: FastSet<(PathBuf, u32, String)> = FastSet::default();
         let in_files = warnings.iter().filter(|warning| {
             let Place { path, range, .. } = &warning.place;
-            holding.contains(path) && seen.insert((path.clone(), range.start, warning.message.clone()))
+            holding.contains(path)
+                && seen.insert((path.clone(), range.start, warning.message.clone()))
         });
-        in_files.map(|w| invalid_config(self.vfs.file_id(&w.place.path), w)).collect()
+        in_files
+            .map(|w| invalid_config(self.vfs.file_id(&w.place.path), w))
+            .collect()
     }
 
     /// Roots and folders that are not there.
     fn missing(&self, settings: &Arc<Settings>) -> Vec<ConfigWarning> {
         let config = &settings.config;
-        let roots = config.roots.iter().filter(|root| root.files(&self.vfs).is_empty());
+        let roots = config
+            .roots
+            .iter()
+            .filter(|root| root.files(&self.vfs).is_empty());
         let roots = roots.map(|root| (&root.place, format!("no file matches `{}`", root.file)));
         let folders = config.mentions.iter().filter(|mention| {
-            let folder = mention.place.path.parent().map(|own| own.join(&mention.text));
-            mention.kind == MentionKind::Folder && !folder.is_some_and(|folder| self.vfs.is_dir(&folder))
+            let folder = mention
+                .place
+                .path
+                .parent()
+                .map(|own| own.join(&mention.text));
+            mention.kind == MentionKind::Folder
+                && !folder.is_some_and(|folder| self.vfs.is_dir(&folder))
         });
-        let folders = folders.map(|mention| (&mention.place, format!("`{}` is not a folder", mention.text)));
+        let folders = folders.map(|mention| {
+            (
+                &mention.place,
+                format!("`{}` is not a folder", mention.text),
+            )
+        });
         let warning = |(place, message): (&Place, String)| ConfigWarning {
             place: place.clone(),
             message,
@@ -65,16 +84,31 @@ impl Session {
     }
 
     /// Arguments of roots that none of their files declares or reads.
-    fn unknown_arguments(&self, settings: &Arc<Settings>, outcomes: &[Outcome]) -> Vec<ConfigWarning> {
-        let roots = settings.config.roots.iter().filter(|root| !root.given.is_empty());
-        roots.flat_map(|root| self.unknown_arguments_of(root, outcomes)).collect()
+    fn unknown_arguments(
+        &self,
+        settings: &Arc<Settings>,
+        outcomes: &[Outcome],
+    ) -> Vec<ConfigWarning> {
+        let roots = settings
+            .config
+            .roots
+            .iter()
+            .filter(|root| !root.given.is_empty());
+        roots
+            .flat_map(|root| self.unknown_arguments_of(root, outcomes))
+            .collect()
     }
 
     fn unknown_arguments_of(&self, root: &Root, outcomes: &[Outcome]) -> Vec<ConfigWarning> {
         let files = root.files(&self.vfs);
-        let runs: Vec<&Outcome> = outcomes.iter().filter(|run| files.contains(&run.job.file)).collect();
+        let runs: Vec<&Outcome> = outcomes
+            .iter()
+            .filter(|run| files.contains(&run.job.file))
+            .collect();
         // what is not expanded, or not wholly, may declare them
-        if files.iter().any(|file| !runs.iter().any(|run| run.job.file == *file))
+        if files
+            .iter()
+            .any(|file| !runs.iter().any(|run| run.job.file == *file))
             || runs.iter().any(|run| !run.complete)
         {
             return Vec::new();
@@ -86,7 +120,10 @@ impl Session {
         if known.iter().any(|name| name.contains('$')) {
             return Vec::new();
         }
-        let unknown = root.given.iter().filter(|(name, _)| !known.contains(name.as_str()));
+        let unknown = root
+            .given
+            .iter()
+            .filter(|(name, _)| !known.contains(name.as_str()));
         let warning = |(name, place): &(String, Place)| ConfigWarning {
             place: place.clone(),
             message: format!("unknown argument `{name}` of `{}`", root.file),
@@ -101,9 +138,14 @@ pub(super) fn arguments(file: &SourceFile) -> Vec<EcoString> {
     let mut names = Vec::new();
     for (_, item) in file.document.parts() {
         let facts = facts_of(item);
-        let declared = facts.named.iter().filter(|fact| fact.kind == FactKind::Argument);
+        let declared = facts
+            .named
+            .iter()
+            .filter(|fact| fact.kind == FactKind::Argument);
         names.extend(declared.map(|fact| fact.name.clone()));
-        let read = facts.mentions().filter(|mention| mention.kind == Mentioned::Argument);
+        let read = facts
+            .mentions()
+            .filter(|mention| mention.kind == Mentioned::Argument);
         names.extend(read.map(|mention| mention.name.clone()));
     }
     names

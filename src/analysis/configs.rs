@@ -4,9 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use base::FastMap;
-use rules::{Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector};
+use rules::{
+    Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
+};
 use vfs::{LoadError, Vfs};
-use workspace::config::{Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config};
+use workspace::config::{
+    Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
+};
 use workspace::nearest;
 
 /// What the command line says over every configuration file.
@@ -32,9 +36,15 @@ pub struct Overrides {
 impl Overrides {
     /// The number of the editor's settings that hold for a folder.
     fn editor_of(&self, folder: &Path) -> Option<usize> {
-        let around = self.editor.iter().enumerate().filter(|(_, (_, own))| folder.starts_with(own));
+        let around = self
+            .editor
+            .iter()
+            .enumerate()
+            .filter(|(_, (_, own))| folder.starts_with(own));
         let nearest = around.max_by_key(|(_, (_, own))| own.components().count());
-        nearest.map(|(number, _)| number).or((!self.editor.is_empty()).then_some(0))
+        nearest
+            .map(|(number, _)| number)
+            .or((!self.editor.is_empty()).then_some(0))
     }
 }
 
@@ -70,7 +80,10 @@ impl Settings {
     fn new(mut config: Config, overrides: &Overrides) -> Self {
         // some rules ask for the profiles themselves
         if let Some(names) = &overrides.profiles {
-            config.profiles = names.iter().filter_map(|name| Profile::named(name)).collect();
+            config.profiles = names
+                .iter()
+                .filter_map(|name| Profile::named(name))
+                .collect();
         }
         if let Some(names) = &overrides.consumers {
             config.consumers.clone_from(names);
@@ -78,14 +91,26 @@ impl Settings {
         let own = |given: &Option<Vec<String>>, configured: &[String]| {
             given.clone().unwrap_or_else(|| configured.to_vec())
         };
-        let profiles: Vec<String> =
-            config.profiles.iter().map(|&profile| profile.name().to_owned()).collect();
-        let severity = config.severity.iter().map(|(rule, &level)| (rule.clone(), severity(level)));
+        let profiles: Vec<String> = config
+            .profiles
+            .iter()
+            .map(|&profile| profile.name().to_owned())
+            .collect();
+        let severity = config
+            .severity
+            .iter()
+            .map(|(rule, &level)| (rule.clone(), severity(level)));
         let selection = Selection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: own(&overrides.extend_select, &config.extend_select),
             ignore: own(&overrides.ignore, &config.ignore),
-            commanded: overrides.select.iter().chain(&overrides.extend_select).flatten().cloned().collect(),
+            commanded: overrides
+                .select
+                .iter()
+                .chain(&overrides.extend_select)
+                .flatten()
+                .cloned()
+                .collect(),
             ignore_is_commanded: overrides.ignore.is_some(),
             profiles,
             severity: severity.collect(),
@@ -95,7 +120,11 @@ impl Settings {
 
     /// The severity of a finding in `path`; none when it is not wanted there.
     pub(super) fn severity(&self, finding: &Finding, path: &Path) -> Option<Severity> {
-        if self.passes(finding.rule, path) { self.selection.severity(finding) } else { None }
+        if self.passes(finding.rule, path) {
+            self.selection.severity(finding)
+        } else {
+            None
+        }
     }
 
     /// Whether a rule runs for any file.
@@ -115,14 +144,25 @@ impl Settings {
 
     /// Whether neither the file nor the rule for it is left out.
     fn passes(&self, rule: &Rule, path: &Path) -> bool {
-        let mut ignores = self.config.per_file_ignores.iter().filter(|(pattern, _)| pattern.matches(path));
-        let ignored = ignores.any(|(_, rules)| rules.iter().any(|name| name == "ALL" || rule.is_named(name)));
+        let mut ignores = self
+            .config
+            .per_file_ignores
+            .iter()
+            .filter(|(pattern, _)| pattern.matches(path));
+        let ignored = ignores.any(|(_, rules)| {
+            rules
+                .iter()
+                .any(|name| name == "ALL" || rule.is_named(name))
+        });
         !self.excludes(path) && !ignored
     }
 
     /// Whether the configuration excludes a file.
     pub fn excludes(&self, path: &Path) -> bool {
-        self.config.exclude.iter().any(|pattern| pattern.matches(path))
+        self.config
+            .exclude
+            .iter()
+            .any(|pattern| pattern.matches(path))
     }
 }
 
@@ -132,7 +172,10 @@ impl Configs {
     /// # Errors
     /// When `--config` names a file that cannot be read.
     pub(super) fn new(vfs: &Vfs, overrides: Overrides) -> Result<Self, LoadError> {
-        let configs = Self { overrides, state: Mutex::default() };
+        let configs = Self {
+            overrides,
+            state: Mutex::default(),
+        };
         if let Some(path) = &configs.overrides.config {
             let loaded = Config::load(vfs, path)?;
             configs.lock().add((None, None), loaded, &configs.overrides);
@@ -142,7 +185,10 @@ impl Configs {
 
     /// Configurations under overrides that name no file.
     pub(super) fn without_file(overrides: Overrides) -> Self {
-        Self { overrides, state: Mutex::default() }
+        Self {
+            overrides,
+            state: Mutex::default(),
+        }
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, State> {
@@ -164,7 +210,8 @@ impl Configs {
             Some(settings) => settings.clone(),
             None => {
                 let path = origin.0.as_ref();
-                let loaded = path.map_or_else(|| Ok(Loaded::default()), |path| Config::load(vfs, path));
+                let loaded =
+                    path.map_or_else(|| Ok(Loaded::default()), |path| Config::load(vfs, path));
                 let loaded = loaded.unwrap_or_else(|error| {
                     state.unreadable.push(error);
                     Loaded::default()
@@ -178,7 +225,12 @@ impl Configs {
 
     /// The configuration files read so far.
     pub(super) fn files(&self) -> Vec<PathBuf> {
-        self.lock().files.values().flat_map(|settings| &settings.config.files).cloned().collect()
+        self.lock()
+            .files
+            .values()
+            .flat_map(|settings| &settings.config.files)
+            .cloned()
+            .collect()
     }
 
     /// The configurations that could not be read so far.
@@ -194,7 +246,10 @@ impl Configs {
 
 impl State {
     fn add(&mut self, origin: Origin, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
-        let Loaded { mut config, mut warnings } = loaded;
+        let Loaded {
+            mut config,
+            mut warnings,
+        } = loaded;
         if let Some((settings, folder)) = origin.1.and_then(|number| overrides.editor.get(number)) {
             // what is wrong in them is said once, when they come in
             config.apply_settings(settings, folder);
@@ -218,7 +273,10 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
         let name = mention.text.as_str();
         let (kind, near) = match mention.kind {
             MentionKind::Threshold if THRESHOLDS.iter().all(|threshold| threshold.name != name) => {
-                ("threshold of a rule", nearest(name, THRESHOLDS.iter().map(|t| t.name)))
+                (
+                    "threshold of a rule",
+                    nearest(name, THRESHOLDS.iter().map(|t| t.name)),
+                )
             }
             MentionKind::Rule if name != "ALL" && find(name).next().is_none() => {
                 ("rule", nearest_selector(name))
@@ -226,7 +284,11 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
             _ => return None,
         };
         let message = format!("unknown {kind} `{name}`");
-        Some(ConfigWarning { place: mention.place.clone(), message, nearest: near.map(str::to_owned) })
+        Some(ConfigWarning {
+            place: mention.place.clone(),
+            message,
+            nearest: near.map(str::to_owned),
+        })
     };
     config.mentions.iter().filter_map(warning).collect()
 }

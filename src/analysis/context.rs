@@ -23,7 +23,11 @@ pub struct RootChoice {
 impl RootChoice {
     /// A file with the defaults of its arguments.
     pub fn plain(file: &Path) -> Self {
-        Self { file: file.to_path_buf(), args: Vec::new(), preset: None }
+        Self {
+            file: file.to_path_buf(),
+            args: Vec::new(),
+            preset: None,
+        }
     }
 }
 
@@ -74,14 +78,19 @@ impl World {
     pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootChoice> {
         let settings = self.session().settings(file);
         let roots = settings.config.roots.iter().filter(|root| {
-            root.files(&self.session().vfs).iter().any(|listed| self.session().vfs.absolute(listed) == file)
+            root.files(&self.session().vfs)
+                .iter()
+                .any(|listed| self.session().vfs.absolute(listed) == file)
         });
         let variant = |variant: workspace::config::Variant| RootChoice {
             file: file.to_path_buf(),
             args: variant.args,
             preset: variant.preset,
         };
-        roots.flat_map(|root| self.session().variants(root, file)).map(variant).collect()
+        roots
+            .flat_map(|root| self.session().variants(root, file))
+            .map(variant)
+            .collect()
     }
 
     pub(super) fn is_configured(&self, root: &RootChoice) -> bool {
@@ -94,21 +103,38 @@ impl World {
         let mut candidates = self.candidates(path);
         let edited = |choice: &RootChoice| std::cmp::Reverse(self.last_edit(&choice.file));
         let package = |choice: &RootChoice| !self.same_package(&choice.file, path);
-        candidates
-            .sort_by_cached_key(|(choice, near)| (edited(choice), *near, package(choice), choice.clone()));
+        candidates.sort_by_cached_key(|(choice, near)| {
+            (edited(choice), *near, package(choice), choice.clone())
+        });
         let picked = self.picked(path).map(|root| (root, Reason::Picked));
-        let commented = || self.commented_root(path).map(|root| (root, Reason::Comment));
-        let listed =
-            || candidates.iter().find(|(root, _)| self.is_configured(root)).map(|(root, _)| root.clone());
-        let itself = || candidates.iter().find(|(root, near)| *near == 0 && root.file == path);
+        let commented = || {
+            self.commented_root(path)
+                .map(|root| (root, Reason::Comment))
+        };
+        let listed = || {
+            candidates
+                .iter()
+                .find(|(root, _)| self.is_configured(root))
+                .map(|(root, _)| root.clone())
+        };
+        let itself = || {
+            candidates
+                .iter()
+                .find(|(root, near)| *near == 0 && root.file == path)
+        };
         let includes = || candidates.first();
         let chosen = picked
             .or_else(commented)
             .or_else(|| listed().map(|root| (root, Reason::Configured)))
             .or_else(|| itself().map(|(root, _)| (root.clone(), Reason::Itself)))
             .or_else(|| includes().map(|(root, _)| (root.clone(), Reason::Includes)));
-        let (root, reason) = chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
-        Context { root, reason, candidates }
+        let (root, reason) =
+            chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
+        Context {
+            root,
+            reason,
+            candidates,
+        }
     }
 
     /// The roots that reach a file: configured ones with all their presets, then all others.
@@ -139,7 +165,11 @@ impl World {
         let (name, args) = root_comment(&source)?;
         let file = self.session().vfs.absolute(&path.parent()?.join(name));
         let file = vfs::without_parents(&file);
-        self.session().vfs.is_file(&file).then_some(RootChoice { file, args, preset: None })
+        self.session().vfs.is_file(&file).then_some(RootChoice {
+            file,
+            args,
+            preset: None,
+        })
     }
 }
 
@@ -152,7 +182,13 @@ impl World {
         let start = text.find(ROOT_COMMENT)?;
         let comment = text.get(start..)?.split("-->").next()?;
         let at = (start + comment.find(&format!(" {name}:="))? + 1) as u32;
-        Some((root, Span { file: source.id, range: TextRange::new(at, at + name.len() as u32) }))
+        Some((
+            root,
+            Span {
+                file: source.id,
+                range: TextRange::new(at, at + name.len() as u32),
+            },
+        ))
     }
 }
 
@@ -162,7 +198,8 @@ const ROOT_COMMENT: &str = "<!-- xacro-root:";
 /// The file and the arguments that a comment at the top of a file names.
 fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> {
     const LINES: u32 = 10;
-    let lines = (0..LINES.min(source.document.line_count())).map(|line| source.document.line_text(line));
+    let lines =
+        (0..LINES.min(source.document.line_count())).map(|line| source.document.line_text(line));
     let comment = lines.filter_map(|line| {
         let (_, rest) = line.split_once(ROOT_COMMENT)?;
         Some(rest.split_once("-->")?.0.trim().to_owned())
@@ -170,6 +207,8 @@ fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> 
     let comment = comment.into_iter().next()?;
     let mut words = comment.split_whitespace();
     let name = words.next()?.to_owned();
-    let args = words.filter_map(|word| word.split_once(":=")).map(|(n, v)| (n.to_owned(), v.to_owned()));
+    let args = words
+        .filter_map(|word| word.split_once(":="))
+        .map(|(n, v)| (n.to_owned(), v.to_owned()));
     Some((name, args.collect()))
 }

@@ -45,20 +45,36 @@ pub(super) struct Run {
 
 impl Run {
     pub(super) fn of(outcome: &Outcome) -> Self {
-        let Job { file, args, called, .. } = outcome.job.clone();
+        let Job {
+            file, args, called, ..
+        } = outcome.job.clone();
         let reads = outcome.files.iter().map(|file| file.id).collect();
         let start = outcome.files.first().map(|source| start(source));
         let is_whole_robot = outcome.is_robot && outcome.complete;
         let (values, is_context) = (outcome.arguments.clone(), outcome.is_context);
         let is_as_called = outcome.is_as_called;
-        Self { file, args, values, called, is_as_called, is_context, is_whole_robot, reads, start }
+        Self {
+            file,
+            args,
+            values,
+            called,
+            is_as_called,
+            is_context,
+            is_whole_robot,
+            reads,
+            start,
+        }
     }
 }
 
 fn start(source: &SourceFile) -> Span {
     let root = source.document.root();
-    let range = root.map(|root| TextRange::new(root.start_tag_range().start, root.name_range().end));
-    Span { file: source.id, range: range.unwrap_or_default() }
+    let range =
+        root.map(|root| TextRange::new(root.start_tag_range().start, root.name_range().end));
+    Span {
+        file: source.id,
+        range: range.unwrap_or_default(),
+    }
 }
 
 /// The runs of a check, by number.
@@ -74,7 +90,10 @@ impl Contexts {
         files.sort_unstable();
         files.dedup();
         let mut seen = FastSet::default();
-        let again = files.into_iter().map(|file| name(file)).filter(|name| !seen.insert(name.clone()));
+        let again = files
+            .into_iter()
+            .map(|file| name(file))
+            .filter(|name| !seen.insert(name.clone()));
         let ambiguous = again.collect();
         Self { runs, ambiguous }
     }
@@ -88,16 +107,35 @@ impl Contexts {
         }
         let is_read = self.runs.iter().any(|run| run.reads.contains(&file));
         let same_root = |run: &Run| by.iter().filter_map(own).any(|own| own.file == run.file);
-        let could = |run: &Run| if is_read { run.reads.contains(&file) } else { same_root(run) };
+        let could = |run: &Run| {
+            if is_read {
+                run.reads.contains(&file)
+            } else {
+                same_root(run)
+            }
+        };
         let numbered = self.runs.iter().enumerate();
-        numbered.filter(|(_, run)| run.is_context && could(run)).map(|(number, _)| number).collect()
+        numbered
+            .filter(|(_, run)| run.is_context && could(run))
+            .map(|(number, _)| number)
+            .collect()
     }
 
     /// How many whole robots read a file besides those of the runs `but`.
     pub(super) fn other_robots(&self, file: FileId, but: &[usize]) -> usize {
-        let own: FastSet<&PathBuf> = but.iter().filter_map(|&n| Some(&self.runs.get(n)?.file)).collect();
-        let reads = |run: &&Run| run.is_whole_robot && run.reads.contains(&file) && !own.contains(&run.file);
-        self.runs.iter().filter(reads).map(|run| &run.file).collect::<FastSet<_>>().len()
+        let own: FastSet<&PathBuf> = but
+            .iter()
+            .filter_map(|&n| Some(&self.runs.get(n)?.file))
+            .collect();
+        let reads = |run: &&Run| {
+            run.is_whole_robot && run.reads.contains(&file) && !own.contains(&run.file)
+        };
+        self.runs
+            .iter()
+            .filter(reads)
+            .map(|run| &run.file)
+            .collect::<FastSet<_>>()
+            .len()
     }
 
     /// What the message of a finding ends with that these runs have: ` [root robot.urdf.xacro side:=right]`
@@ -117,26 +155,46 @@ impl Contexts {
         }
         let place = |&number: &usize| {
             let message = format!("with root {}", self.label(number)?);
-            Some(Related { span: self.runs.get(number)?.start?, message, is_call: false })
+            Some(Related {
+                span: self.runs.get(number)?.start?,
+                message,
+                is_call: false,
+            })
         };
         runs.iter().filter_map(place).take(MOST_PLACES).collect()
     }
 
     /// The numbers of the runs of the same robots that launch files call; none of robots that no launch file calls.
     pub(super) fn of_called(&self, file: FileId, by: &[usize]) -> Vec<usize> {
-        let called = self.runs.iter().filter(|run| run.called.is_some()).map(|run| &run.file);
+        let called = self
+            .runs
+            .iter()
+            .filter(|run| run.called.is_some())
+            .map(|run| &run.file);
         let called: FastSet<&PathBuf> = called.collect();
-        let files: FastSet<&PathBuf> = by.iter().filter_map(|&n| Some(&self.runs.get(n)?.file)).collect();
-        let is_one =
-            |run: &Run| files.contains(&run.file) && called.contains(&run.file) && run.reads.contains(&file);
-        self.runs.iter().enumerate().filter(|(_, run)| is_one(run)).map(|(number, _)| number).collect()
+        let files: FastSet<&PathBuf> = by
+            .iter()
+            .filter_map(|&n| Some(&self.runs.get(n)?.file))
+            .collect();
+        let is_one = |run: &Run| {
+            files.contains(&run.file) && called.contains(&run.file) && run.reads.contains(&file)
+        };
+        self.runs
+            .iter()
+            .enumerate()
+            .filter(|(_, run)| is_one(run))
+            .map(|(number, _)| number)
+            .collect()
     }
 
     /// What the message of a finding ends with that these runs have, when all of them are made for calls in launch files:
     /// ` [in 2 of 5 calls]`
     pub(super) fn calls(&self, runs: &[usize]) -> Option<String> {
-        let called =
-            |&number: &usize| self.runs.get(number).and_then(|run| Some((run, run.called.as_ref()?)));
+        let called = |&number: &usize| {
+            self.runs
+                .get(number)
+                .and_then(|run| Some((run, run.called.as_ref()?)))
+        };
         let runs: Vec<(&Run, &Called)> = runs.iter().map(called).collect::<Option<_>>()?;
         let own: usize = runs.iter().map(|(_, called)| called.calls.len()).sum();
         let mut seen = FastSet::default();
@@ -163,7 +221,11 @@ impl Contexts {
                 args => format!("in this call: {args}"),
             };
             let calls = run.called.iter().flat_map(|called| &called.calls);
-            calls.map(move |&span| Related { span, message: message.clone(), is_call: false })
+            calls.map(move |&span| Related {
+                span,
+                message: message.clone(),
+                is_call: false,
+            })
         });
         places.take(MOST_PLACES).collect()
     }
@@ -175,13 +237,26 @@ impl Contexts {
             .iter()
             .find(|other| other.called.is_none() && !other.is_as_called && other.file == run.file);
         let has = |(name, value): &&(String, String)| {
-            !plain.is_some_and(|plain| plain.values.iter().any(|(own, old)| own == name && old == value))
+            !plain.is_some_and(|plain| {
+                plain
+                    .values
+                    .iter()
+                    .any(|(own, old)| own == name && old == value)
+            })
         };
-        let mut args: Vec<String> =
-            run.args.iter().filter(has).map(|(name, value)| format!("{name}:={value}")).collect();
+        let mut args: Vec<String> = run
+            .args
+            .iter()
+            .filter(has)
+            .map(|(name, value)| format!("{name}:={value}"))
+            .collect();
         let more = args.len().saturating_sub(MOST_ARGUMENTS);
         args.truncate(MOST_ARGUMENTS);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let more = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
         args.join(" ") + &more
     }
 
@@ -189,13 +264,20 @@ impl Contexts {
         let run = self.runs.get(number)?;
         let short = name(&run.file);
         let long = || vfs::slashed(&run.file);
-        let name = if self.ambiguous.contains(&short) { long() } else { short };
+        let name = if self.ambiguous.contains(&short) {
+            long()
+        } else {
+            short
+        };
         Some(label(name, &run.args))
     }
 }
 
 fn name(file: &Path) -> String {
-    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    file.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// A root with its arguments, as one writes them on a command line; later arguments win.
@@ -219,13 +301,20 @@ impl World {
     /// Every configured root with each of its presets, by the configurations that hold for files and for the folders.
     pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootChoice> {
         let session = self.session();
-        let of_folders = self.folders().iter().map(|folder| session.folder_settings(folder));
+        let of_folders = self
+            .folders()
+            .iter()
+            .map(|folder| session.folder_settings(folder));
         let mut found: IndexSet<RootChoice> = IndexSet::new();
         for settings in of_folders.chain(paths.iter().map(|path| session.settings(path))) {
             for root in &settings.config.roots {
                 for file in root.files(&session.vfs) {
                     let file = session.vfs.absolute(&file);
-                    let choice = |Variant { preset, args }| RootChoice { file: file.clone(), args, preset };
+                    let choice = |Variant { preset, args }| RootChoice {
+                        file: file.clone(),
+                        args,
+                        preset,
+                    };
                     found.extend(session.variants(root, &file).into_iter().map(choice));
                 }
             }
@@ -240,8 +329,8 @@ mod tests {
 
     #[test]
     fn the_last_value_of_an_argument_counts() {
-        let args =
-            [("a", "1"), ("b", "2"), ("a", "3")].map(|(name, value)| (name.to_owned(), value.to_owned()));
+        let args = [("a", "1"), ("b", "2"), ("a", "3")]
+            .map(|(name, value)| (name.to_owned(), value.to_owned()));
         assert_eq!(label("r.xacro".to_owned(), &args), "r.xacro b:=2 a:=3");
     }
 }

@@ -24,21 +24,29 @@ impl Session {
     /// The jobs that no robot among the outcomes covers.
     pub(super) fn uncovered(&self, jobs: Vec<Job>, outcomes: &[Outcome]) -> Vec<Job> {
         let covered = self.covered_by_robots(outcomes.iter());
-        let is_open = |job: &Job| self.vfs.identity(&job.file).is_none_or(|own| !covered.contains(&own));
+        let is_open = |job: &Job| {
+            self.vfs
+                .identity(&job.file)
+                .is_none_or(|own| !covered.contains(&own))
+        };
         jobs.into_iter().filter(is_open).collect()
     }
 
     fn covered_by_robots<'a>(&self, outcomes: impl Iterator<Item = &'a Outcome>) -> FastSet<u128> {
         let robots = outcomes.filter(|outcome| outcome.is_robot);
         let reads: FastSet<&PathBuf> = robots.flat_map(|outcome| &outcome.reads).collect();
-        reads.into_iter().filter_map(|path| self.vfs.identity(path)).collect()
+        reads
+            .into_iter()
+            .filter_map(|path| self.vfs.identity(path))
+            .collect()
     }
 
     /// Drop what another expansion covers.
     pub(super) fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
         let mut covered = self.covered_by_robots(outcomes.iter());
-        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) =
-            outcomes.into_iter().partition(|outcome| outcome.job.reason != Reason::Walked);
+        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) = outcomes
+            .into_iter()
+            .partition(|outcome| outcome.job.reason != Reason::Walked);
         // robots first: what they include needs no look of its own
         others.sort_by_key(|outcome| !outcome.is_robot);
         for outcome in others {
@@ -47,7 +55,12 @@ impl Session {
                 continue;
             }
             if !outcome.is_robot {
-                covered.extend(outcome.reads.iter().filter_map(|path| self.vfs.identity(path)));
+                covered.extend(
+                    outcome
+                        .reads
+                        .iter()
+                        .filter_map(|path| self.vfs.identity(path)),
+                );
             }
             kept.push(outcome);
         }
@@ -62,9 +75,15 @@ impl Session {
         }
         let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
-        let sources = files.par_iter().filter_map(|file| self.vfs.document(file).ok());
+        let sources = files
+            .par_iter()
+            .filter_map(|file| self.vfs.document(file).ok());
         let included = Included::of_files(sources.collect(), &self.packages);
-        files.into_par_iter().filter(|file| included.has(file)).map(Path::to_path_buf).collect()
+        files
+            .into_par_iter()
+            .filter(|file| included.has(file))
+            .map(Path::to_path_buf)
+            .collect()
     }
 }
 
@@ -77,9 +96,15 @@ mod tests {
     use vfs::testing::Tree;
 
     fn check(tree: &Tree) -> (Report, (usize, usize)) {
-        let setup = Setup { about: tree.root().to_owned(), ..Setup::default() };
+        let setup = Setup {
+            about: tree.root().to_owned(),
+            ..Setup::default()
+        };
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
-        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let options = CheckOptions {
+            paths: vec![tree.root().to_owned()],
+            ..CheckOptions::default()
+        };
         let report = session.check(&options);
         (report, options.progress.get())
     }
@@ -100,7 +125,10 @@ mod tests {
         let expected = ["r.urdf.xacro", "parts/right.xacro"].map(|file| tree.path(file));
         assert_eq!(
             roots,
-            BTreeSet::from(expected).into_iter().chain([tree.path("parts/alone.xacro")]).collect()
+            BTreeSet::from(expected)
+                .into_iter()
+                .chain([tree.path("parts/alone.xacro")])
+                .collect()
         );
         assert_eq!((report.robots, progress), (1, (4, 4)));
     }
@@ -108,9 +136,13 @@ mod tests {
     #[test]
     fn meshes_are_read_whether_they_are_there_or_not() {
         let tree = Tree::new();
-        let body = |name: &str| format!("<visual><geometry><mesh filename='{name}'/></geometry></visual>");
+        let body =
+            |name: &str| format!("<visual><geometry><mesh filename='{name}'/></geometry></visual>");
         let bodies = body("there.stl") + &body("gone.stl");
-        tree.write("r.urdf", &format!("<robot name='r'><link name='base_link'>{bodies}</link></robot>"));
+        tree.write(
+            "r.urdf",
+            &format!("<robot name='r'><link name='base_link'>{bodies}</link></robot>"),
+        );
         tree.write("there.stl", "solid");
         let (report, _) = check(&tree);
         for file in ["r.urdf", "there.stl", "gone.stl"] {

@@ -25,7 +25,10 @@ impl Cut {
         let skipped = wanted.iter().filter(|rule| needs_whole(rule));
         let mut rules: Vec<_> = skipped.map(|rule| rule.name).collect();
         rules.sort_unstable();
-        Self { at: losses(expansion), rules }
+        Self {
+            at: losses(expansion),
+            rules,
+        }
     }
 
     /// The number of the finding that is about what left out a part: the first one, in the order of the expansion.
@@ -34,8 +37,16 @@ impl Cut {
         let is_at = |finding: &Finding, at: &Span| {
             finding.span.file == at.file && finding.span.range.touches(at.range.start)
         };
-        let at = |place| findings.iter().position(|finding| shown(finding) && is_at(finding, place));
-        let first_error = || findings.iter().position(|finding| finding.severity == Severity::Error);
+        let at = |place| {
+            findings
+                .iter()
+                .position(|finding| shown(finding) && is_at(finding, place))
+        };
+        let first_error = || {
+            findings
+                .iter()
+                .position(|finding| finding.severity == Severity::Error)
+        };
         self.at.iter().find_map(at).or_else(first_error)
     }
 
@@ -43,7 +54,11 @@ impl Cut {
         let robot = robot.file_name()?.to_string_lossy().into_owned();
         let (named, more) = self.rules.split_at(NAMED.min(self.rules.len()));
         let named: Vec<String> = named.iter().map(|name| format!("`{name}`")).collect();
-        let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
+        let more = if more.is_empty() {
+            String::new()
+        } else {
+            format!(" and {} more", more.len())
+        };
         let which = format!("{}{more}", named.join(", "));
         (!named.is_empty()).then(|| {
             format!("until this is fixed, `{robot}` is not checked in full: rules about missing or unused parts did not run ({which})")
@@ -55,8 +70,12 @@ impl Report {
     /// Say at the errors that left out parts of robots which rules did not run because of them, once a robot.
     pub fn mark_cuts(&mut self) {
         for (robot, cut) in &self.partial {
-            let finding = cut.cause(&self.findings).and_then(|number| self.findings.get_mut(number));
-            let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else { continue };
+            let finding = cut
+                .cause(&self.findings)
+                .and_then(|number| self.findings.get_mut(number));
+            let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else {
+                continue;
+            };
             finding.help = Some(match finding.help.take() {
                 // one robot is enough where several suffer
                 Some(help) if help.contains("is not checked in full") => help,

@@ -15,7 +15,9 @@ use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
 use model::{Comparison, Difference, compare};
-use rules::{Edit, Finding, Fix, Related, Safety, Severity, generated_urdf_out_of_date, named, span_of};
+use rules::{
+    Edit, Finding, Fix, Related, Safety, Severity, generated_urdf_out_of_date, named, span_of,
+};
 use vfs::SourceFile;
 
 /// What xacro writes in front of the name of the source.
@@ -51,13 +53,19 @@ struct Tried {
 
 impl Session {
     /// Generated files that no known way to generate them gives any more.
-    pub(super) fn drift_findings(&self, options: &CheckOptions, outcomes: &[Outcome]) -> Vec<Finding> {
+    pub(super) fn drift_findings(
+        &self,
+        options: &CheckOptions,
+        outcomes: &[Outcome],
+    ) -> Vec<Finding> {
         let rule = named::GENERATED_URDF_OUT_OF_DATE;
         let mut seen: FastSet<&Path> = FastSet::default();
         let generated: Vec<&Arc<SourceFile>> = (outcomes.iter())
             .filter(|outcome| seen.insert(&outcome.job.file))
             .filter_map(|outcome| outcome.files.first())
-            .filter(|file| self.settings(&file.path).runs(rule, &file.path) && banner(file).is_some())
+            .filter(|file| {
+                self.settings(&file.path).runs(rule, &file.path) && banner(file).is_some()
+            })
             .collect();
         let find = |file: &&Arc<SourceFile>| self.drift(file, &options.cancel);
         match large_stacks().filter(|_| generated.len() > 1) {
@@ -72,9 +80,18 @@ impl Session {
         let mut ways: Vec<(Way, Arc<Run>)> = Vec::new();
         for source in self.sources_named(&name, &file.path) {
             for way in self.ways(&source) {
-                let (job, setting) = (way.job(), Setting { args: way.args.clone(), ..Setting::default() });
+                let (job, setting) = (
+                    way.job(),
+                    Setting {
+                        args: way.args.clone(),
+                        ..Setting::default()
+                    },
+                );
                 let run = self.drift_runs.get(self, &self.vfs, cancel, &job, &setting);
-                let way = Way { is_meant: self.is_meant(&way, &run, &file.path), ..way };
+                let way = Way {
+                    is_meant: self.is_meant(&way, &run, &file.path),
+                    ..way
+                };
                 ways.push((way, run));
             }
         }
@@ -82,10 +99,17 @@ impl Session {
             ways.retain(|(way, _)| way.is_meant);
         }
         let mut tried = Vec::new();
-        for (way, run) in ways.into_iter().filter(|(_, run)| !run.refused && !is_for_old_xacro(&run.text)) {
+        for (way, run) in ways
+            .into_iter()
+            .filter(|(_, run)| !run.refused && !is_for_old_xacro(&run.text))
+        {
             match compare(&run.text, &text) {
                 Comparison::Same => return None,
-                Comparison::Different(difference) => tried.push(Tried { way, run, difference }),
+                Comparison::Different(difference) => tried.push(Tried {
+                    way,
+                    run,
+                    difference,
+                }),
                 Comparison::Unknown => {}
             }
         }
@@ -93,7 +117,10 @@ impl Session {
         let likeness = |tried: &Tried| (tried.way.is_configured, tried.difference.other.start);
         let mut best: Option<Tried> = None;
         for tried in tried {
-            if best.as_ref().is_none_or(|best| likeness(best) < likeness(&tried)) {
+            if best
+                .as_ref()
+                .is_none_or(|best| likeness(best) < likeness(&tried))
+            {
                 best = Some(tried);
             }
         }
@@ -103,22 +130,33 @@ impl Session {
     /// The files that a banner may mean, the most likely ones.
     fn sources_named(&self, written: &str, from: &Path) -> Vec<PathBuf> {
         let written = Path::new(written);
-        let Some(name) = written.file_name().and_then(|name| name.to_str()) else { return Vec::new() };
+        let Some(name) = written.file_name().and_then(|name| name.to_str()) else {
+            return Vec::new();
+        };
         let tail = |path: &PathBuf| {
             let pairs = path.iter().rev().zip(written.iter().rev());
             pairs.take_while(|(a, b)| a == b).count()
         };
-        let shared = |path: &PathBuf| path.iter().zip(from.iter()).take_while(|(a, b)| a == b).count();
+        let shared = |path: &PathBuf| {
+            path.iter()
+                .zip(from.iter())
+                .take_while(|(a, b)| a == b)
+                .count()
+        };
         let mut found = self.packages.files_named(name, from);
         let package = |path: &Path| self.packages.containing(path).map(|package| package.folder);
         let own = package(from);
         // `robot.xacro` of another package is another robot, unless the banner names that package's folder
         let is_near = |path: &PathBuf| match package(path) {
             other if own == other => true,
-            Some(other) => other.file_name().is_some_and(|folder| written.iter().any(|part| part == folder)),
+            Some(other) => other
+                .file_name()
+                .is_some_and(|folder| written.iter().any(|part| part == folder)),
             None => tail(path) > 1,
         };
-        found.retain(|path| path != from && path.file_name().is_some_and(|own| own == name) && is_near(path));
+        found.retain(|path| {
+            path != from && path.file_name().is_some_and(|own| own == name) && is_near(path)
+        });
         let best = found.iter().map(|path| (tail(path), shared(path))).max();
         found.retain(|path| Some((tail(path), shared(path))) == best);
         found.truncate(DRIFT_SOURCES);
@@ -132,16 +170,27 @@ impl Session {
         let mut add = |args: Vec<(String, String)>, is_configured: bool| {
             let is_new = ways.iter().all(|way| way.args != args);
             if is_new && ways.len() < DRIFT_RUNS {
-                ways.push(Way { source: source.to_owned(), args, is_configured, is_meant: false });
+                ways.push(Way {
+                    source: source.to_owned(),
+                    args,
+                    is_configured,
+                    is_meant: false,
+                });
             }
         };
         for root in &settings.config.roots {
             if root.files(&self.vfs).iter().any(|file| file == source) {
-                self.variants(root, source).into_iter().for_each(|variant| add(variant.args, true));
+                self.variants(root, source)
+                    .into_iter()
+                    .for_each(|variant| add(variant.args, true));
             }
         }
         add(Vec::new(), false);
-        for call in self.robot_calls(source).iter().filter(|call| call.target.as_deref() == Some(source)) {
+        for call in self
+            .robot_calls(source)
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(source))
+        {
             let known = call.call.args.iter().filter_map(|argument| {
                 let value = argument.value.value(&self.packages, &call.call.caller)?;
                 Some((argument.name.clone(), value))
@@ -155,9 +204,14 @@ impl Session {
     fn is_meant(&self, way: &Way, run: &Run, file: &Path) -> bool {
         let settings = self.settings(&way.source);
         let roots = settings.config.roots.iter();
-        let mut expected = roots.filter(|_| way.is_configured).flat_map(|root| &root.expect);
+        let mut expected = roots
+            .filter(|_| way.is_configured)
+            .flat_map(|root| &root.expect);
         expected.any(|expected| {
-            let name = expected.expands_to.as_ref().and_then(|name| filled(name, &run.arguments).ok());
+            let name = expected
+                .expands_to
+                .as_ref()
+                .and_then(|name| filled(name, &run.arguments).ok());
             let folder = expected.place.path.parent();
             let path = folder.zip(name).map(|(folder, name)| folder.join(name));
             path.is_some_and(|path| vfs::without_parents(&path) == file)
@@ -179,19 +233,47 @@ impl Session {
             true => format!("run `{command}`"),
             false => format!("if it is in use, generate it again, for example with `{command}`"),
         };
-        let mut finding = generated_urdf_out_of_date(Span { file: file.id, range }, &source_name, help);
-        finding.severity = if is_known { Severity::Warning } else { Severity::Info };
+        let mut finding = generated_urdf_out_of_date(
+            Span {
+                file: file.id,
+                range,
+            },
+            &source_name,
+            help,
+        );
+        finding.severity = if is_known {
+            Severity::Warning
+        } else {
+            Severity::Info
+        };
         let (text, place) = self.regenerated(way, name, &best.difference)?;
         let what = worded(&best.difference.what, &own_name);
-        finding.related.extend(place.map(|span| Related { span, message: what, is_call: false }));
+        finding.related.extend(place.map(|span| Related {
+            span,
+            message: what,
+            is_call: false,
+        }));
         let other = &best.difference.other;
-        let span = Span { file: file.id, range: TextRange::new(other.start as u32, other.end as u32) };
-        finding.related.push(Related { span, message: "first difference".to_owned(), is_call: false });
-        let whole = Span { file: file.id, range: TextRange::new(0, file.document.text().len() as u32) };
+        let span = Span {
+            file: file.id,
+            range: TextRange::new(other.start as u32, other.end as u32),
+        };
+        finding.related.push(Related {
+            span,
+            message: "first difference".to_owned(),
+            is_call: false,
+        });
+        let whole = Span {
+            file: file.id,
+            range: TextRange::new(0, file.document.text().len() as u32),
+        };
         finding.fix = Some(Fix {
             safety: Safety::Unsafe,
             message: format!("generate `{own_name}` from `{source_name}`"),
-            edits: vec![Edit { span: whole, content: text }],
+            edits: vec![Edit {
+                span: whole,
+                content: text,
+            }],
         });
         drop(best.run);
         Some(finding)
@@ -199,7 +281,12 @@ impl Session {
 
     /// What the file is to hold, and the source of the first difference. None where an argument makes the difference and the
     /// configuration does not say with which arguments the file was generated.
-    fn regenerated(&self, way: &Way, name: &str, difference: &Difference) -> Option<(String, Option<Span>)> {
+    fn regenerated(
+        &self,
+        way: &Way,
+        name: &str,
+        difference: &Difference,
+    ) -> Option<(String, Option<Span>)> {
         let request = Request {
             probe: false,
             args: way.args.clone(),
@@ -232,7 +319,8 @@ impl Session {
 /// gave another robot.
 fn is_for_old_xacro(text: &str) -> bool {
     const TAGS: [&str; 3] = ["  <property ", "  <macro ", "  <include "];
-    text.lines().any(|line| TAGS.iter().any(|tag| line.starts_with(tag)))
+    text.lines()
+        .any(|line| TAGS.iter().any(|tag| line.starts_with(tag)))
 }
 
 impl Way {
@@ -266,9 +354,15 @@ mod tests {
         for (name, text) in files {
             tree.write(name, text);
         }
-        let setup = Setup { folders: vec![tree.root().to_owned()], ..Setup::default() };
+        let setup = Setup {
+            folders: vec![tree.root().to_owned()],
+            ..Setup::default()
+        };
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
-        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let options = CheckOptions {
+            paths: vec![tree.root().to_owned()],
+            ..CheckOptions::default()
+        };
         let mut findings = session.check(&options).findings;
         findings.retain(|finding| finding.rule.name == "generated-urdf-out-of-date");
         (tree, findings)
@@ -278,8 +372,9 @@ mod tests {
     fn check_drift(files: &[(&str, &str)], expected: Option<(&str, &str)>) {
         let files = [&[("urdf/r.urdf.xacro", SOURCE)], files].concat();
         let (_tree, findings) = found(&files);
-        let first =
-            findings.first().map(|finding| (finding.severity.name(), finding.related[0].message.as_str()));
+        let first = findings
+            .first()
+            .map(|finding| (finding.severity.name(), finding.related[0].message.as_str()));
         assert_eq!(first, expected, "{files:?}");
     }
 
@@ -289,12 +384,16 @@ mod tests {
             check_drift(&[("r.urdf", &generated("urdf/r.urdf.xacro", size))], None);
         }
         let of = |size: &str| generated("/home/me/ws/r/urdf/r.urdf.xacro", size);
-        let roots = "[[roots]]\nfile = 'urdf/r.urdf.xacro'\nargs = { size = [2, 3] }\npresets.p.size = 4";
+        let roots =
+            "[[roots]]\nfile = 'urdf/r.urdf.xacro'\nargs = { size = [2, 3] }\npresets.p.size = 4";
         for size in ["1", "2", "3", "4"] {
             check_drift(&[("r.urdf", &of(size)), ("xacro-lint.toml", roots)], None);
         }
         let launch = "Command(['xacro ', FindPackageShare('r'), '/urdf/r.urdf.xacro', ' size:=7'])";
-        check_drift(&[("r.urdf", &of("7")), ("launch/r.launch.py", launch)], None);
+        check_drift(
+            &[("r.urdf", &of("7")), ("launch/r.launch.py", launch)],
+            None,
+        );
     }
 
     #[test]
@@ -303,7 +402,10 @@ mod tests {
         let made = generated("r.urdf.xacro", "5");
         check_drift(&[("r.urdf", &made)], Some(("info", what)));
         let roots = "[[roots]]\nfile = 'urdf/r.urdf.xacro'\nargs = { size = 1 }";
-        check_drift(&[("r.urdf", &made), ("xacro-lint.toml", roots)], Some(("warning", what)));
+        check_drift(
+            &[("r.urdf", &made), ("xacro-lint.toml", roots)],
+            Some(("warning", what)),
+        );
         // with the arguments that are meant for it
         let roots = "[[roots]]\nfile = 'urdf/r.urdf.xacro'\nargs = { size = [5, 6] }\n\
                      [[roots.expect]]\nwhen = { size = 6 }\nexpands-to = 'size_$(arg size).urdf'";
@@ -318,23 +420,42 @@ mod tests {
     fn what_cannot_be_compared() {
         let made = generated("r.urdf.xacro", "5");
         check_drift(&[("r.urdf", &made.replace("<robot", "<robo"))], None);
-        check_drift(&[("r.urdf", &made.replace("r.urdf.xacro", "other.xacro"))], None);
+        check_drift(
+            &[("r.urdf", &made.replace("r.urdf.xacro", "other.xacro"))],
+            None,
+        );
         check_drift(&[("r.urdf", &made.replace("autogenerated", "made"))], None);
         let broken = SOURCE.replace("$(arg size)", "${gone}");
-        assert!(found(&[("r.urdf.xacro", &broken), ("r.urdf", &made)]).1.is_empty());
+        assert!(
+            found(&[("r.urdf.xacro", &broken), ("r.urdf", &made)])
+                .1
+                .is_empty()
+        );
     }
 
     #[test]
     fn files_of_other_arguments() {
         let source = SOURCE.replace("${size}", "$(arg size)");
         let made = generated("r.urdf.xacro", "5");
-        assert!(found(&[("r.urdf.xacro", &source), ("r.urdf", &made)]).1.is_empty());
+        assert!(
+            found(&[("r.urdf.xacro", &source), ("r.urdf", &made)])
+                .1
+                .is_empty()
+        );
         let roots = "[[roots]]\nfile = 'r.urdf.xacro'";
-        let files = [("r.urdf.xacro", source.as_str()), ("r.urdf", &made), ("xacro-lint.toml", roots)];
+        let files = [
+            ("r.urdf.xacro", source.as_str()),
+            ("r.urdf", &made),
+            ("xacro-lint.toml", roots),
+        ];
         assert_eq!(found(&files).1.len(), 1);
         // a source for a version of xacro that took tags without their prefix
         let old = SOURCE.replace("<link", "<property name='a' value='1'/><link");
-        assert!(found(&[("r.urdf.xacro", &old), ("r.urdf", &made)]).1.is_empty());
+        assert!(
+            found(&[("r.urdf.xacro", &old), ("r.urdf", &made)])
+                .1
+                .is_empty()
+        );
     }
 
     #[test]
@@ -347,11 +468,16 @@ mod tests {
             Some(("info", "`value` of `mass` is `1.0`, but `5.0` in `r.urdf`")),
         );
         check_drift(&files("a/urdf/r.urdf.xacro"), None);
-        let other = [("arm/package.xml", "<package><name>arm</name></package>"), ("arm/b.xacro", SOURCE)];
+        let other = [
+            ("arm/package.xml", "<package><name>arm</name></package>"),
+            ("arm/b.xacro", SOURCE),
+        ];
         for (banner, expected) in [("b.xacro", 0), ("arm/b.xacro", 1)] {
             let made = generated(banner, "5");
             assert_eq!(
-                found(&[&[("r.urdf", made.as_str())], &other[..]].concat()).1.len(),
+                found(&[&[("r.urdf", made.as_str())], &other[..]].concat())
+                    .1
+                    .len(),
                 expected,
                 "{banner}"
             );
@@ -365,7 +491,10 @@ mod tests {
         let fix = findings[0].fix.as_ref().unwrap();
         assert_eq!(fix.edits[0].span.range.len() as usize, made.len());
         let text = &fix.edits[0].content;
-        assert!(text.contains("from urdf/r.urdf.xacro ") && text.contains("<mass value=\"1\"/>"), "{text}");
+        assert!(
+            text.contains("from urdf/r.urdf.xacro ") && text.contains("<mass value=\"1\"/>"),
+            "{text}"
+        );
         assert_eq!(
             findings[0].help.as_deref(),
             Some(

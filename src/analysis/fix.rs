@@ -74,11 +74,19 @@ impl Fixed {
     pub fn revealed(&self) -> usize {
         let Some(left) = &self.left else { return 0 };
         let errors = |report: &Report| -> Vec<(&'static str, String)> {
-            let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
-            errors.map(|finding| (finding.rule.code, finding.message.clone())).collect()
+            let errors = report
+                .findings
+                .iter()
+                .filter(|finding| finding.severity == Severity::Error);
+            errors
+                .map(|finding| (finding.rule.code, finding.message.clone()))
+                .collect()
         };
         let known: FastSet<_> = errors(&self.found).into_iter().collect();
-        errors(left).iter().filter(|error| !known.contains(error)).count()
+        errors(left)
+            .iter()
+            .filter(|error| !known.contains(error))
+            .count()
     }
 }
 
@@ -116,22 +124,46 @@ impl Session {
         }
         let last = left.as_ref().unwrap_or(&found);
         let (unproved, hidden) = (work.unproved(last), work.hidden(last));
-        let changed = work.files.into_values().filter(|file| file.before != file.after);
+        let changed = work
+            .files
+            .into_values()
+            .filter(|file| file.before != file.after);
         let mut changed: Vec<FixedFile> = changed.collect();
         changed.sort_by(|a, b| a.path.cmp(&b.path));
         let taken_back = work.taken_back;
-        Fixed { found, left, count: work.count, files: changed, unproved, hidden, taken_back }
+        Fixed {
+            found,
+            left,
+            count: work.count,
+            files: changed,
+            unproved,
+            hidden,
+            taken_back,
+        }
     }
 
     /// Of the findings of a report with these numbers, the fixes that are proved to be safe, to be made together.
     pub fn safe_fixes(&self, report: &Report, numbers: &[usize], effort: &Effort) -> Plan {
         let findings = |numbers: &[usize]| -> Vec<_> {
-            numbers.iter().filter_map(|&number| Some((number, report.findings.get(number)?))).collect()
+            numbers
+                .iter()
+                .filter_map(|&number| Some((number, report.findings.get(number)?)))
+                .collect()
         };
-        let safe = findings(numbers).into_iter().filter(|(_, finding)| is_said_safe(finding));
-        let admission = Admission { session: self, report, most: Safety::Safe, effort };
+        let safe = findings(numbers)
+            .into_iter()
+            .filter(|(_, finding)| is_said_safe(finding));
+        let admission = Admission {
+            session: self,
+            report,
+            most: Safety::Safe,
+            effort,
+        };
         let groups = groups(report, &choose(safe).settles);
-        let mut proved: Vec<usize> = groups.iter().flat_map(|group| admission.of(group).good).collect();
+        let mut proved: Vec<usize> = groups
+            .iter()
+            .flat_map(|group| admission.of(group).good)
+            .collect();
         proved.sort_unstable();
         choose(findings(&proved))
     }
@@ -155,17 +187,34 @@ impl Session {
     /// Whether a file belongs to what was installed for ROS.
     pub fn is_installed(&self, path: &Path) -> bool {
         let path = self.vfs.canonical(path);
-        let installed =
-            ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH"].into_iter().flat_map(|name| self.env.paths(name));
-        let mut installed =
-            installed.chain([PathBuf::from("/opt/ros")]).map(|prefix| self.vfs.canonical(&prefix));
+        let installed = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH"]
+            .into_iter()
+            .flat_map(|name| self.env.paths(name));
+        let mut installed = installed
+            .chain([PathBuf::from("/opt/ros")])
+            .map(|prefix| self.vfs.canonical(&prefix));
         installed.any(|prefix| path.starts_with(prefix))
     }
 
     /// How many findings of a report can be fixed: by fixes that should be safe, and by those that are not.
-    pub fn fixable(&self, options: &CheckOptions, report: &Report, shown: Severity) -> (usize, usize) {
-        let work = Work::new(self, options, FixOptions { most: Safety::Unsafe, shown });
-        let fixes = report.findings.iter().filter(|finding| work.admits(finding));
+    pub fn fixable(
+        &self,
+        options: &CheckOptions,
+        report: &Report,
+        shown: Severity,
+    ) -> (usize, usize) {
+        let work = Work::new(
+            self,
+            options,
+            FixOptions {
+                most: Safety::Unsafe,
+                shown,
+            },
+        );
+        let fixes = report
+            .findings
+            .iter()
+            .filter(|finding| work.admits(finding));
         let (safe, others): (Vec<_>, Vec<_>) = fixes.partition(|finding| is_said_safe(finding));
         (safe.len(), others.len())
     }
@@ -173,7 +222,10 @@ impl Session {
 
 /// Whether the rule takes the fix of a finding for safe: that remains to be proved.
 pub fn is_said_safe(finding: &Finding) -> bool {
-    finding.fix.as_ref().is_some_and(|fix| fix.safety == Safety::Safe)
+    finding
+        .fix
+        .as_ref()
+        .is_some_and(|fix| fix.safety == Safety::Safe)
 }
 
 /// What a fix that is said to be safe promises.
@@ -184,7 +236,11 @@ pub(super) fn claim(finding: &Finding) -> Claim {
     }
     let is_refused = finding.rule.severity == Severity::Error
         && matches!(finding.rule.category, Joint | Structure | Xacro | Xml);
-    if is_refused { Claim::Repaired } else { Claim::Same }
+    if is_refused {
+        Claim::Repaired
+    } else {
+        Claim::Same
+    }
 }
 
 /// The state of a run.
@@ -217,7 +273,11 @@ struct Work<'a> {
 
 impl<'a> Work<'a> {
     fn new(session: &'a Session, options: &'a CheckOptions, how: FixOptions) -> Self {
-        let homes = session.homes(options).iter().map(|home| session.vfs.canonical(home)).collect();
+        let homes = session
+            .homes(options)
+            .iter()
+            .map(|home| session.vfs.canonical(home))
+            .collect();
         let change = Change::of(session, options);
         let (files, changed, repaired, refused, circular, count) = Default::default();
         let (first, own) = Default::default();
@@ -250,8 +310,17 @@ impl<'a> Work<'a> {
         };
         let wanted = choose(report.findings.iter().enumerate().filter(admitted)).settles;
         let cancel = self.options.cancel.clone();
-        let effort = Effort { expansions: PROOF_EXPANSIONS, roots: Roots::Searched(Arc::default()), cancel };
-        let admission = Admission { session: self.session, report, most: self.how.most, effort: &effort };
+        let effort = Effort {
+            expansions: PROOF_EXPANSIONS,
+            roots: Roots::Searched(Arc::default()),
+            cancel,
+        };
+        let admission = Admission {
+            session: self.session,
+            report,
+            most: self.how.most,
+            effort: &effort,
+        };
         let mut made = Vec::new();
         self.changed.clear();
         for group in groups(report, &wanted) {
@@ -294,7 +363,12 @@ impl<'a> Work<'a> {
             if !harms(report, &after, &tried) {
                 good = tried;
             } else if let [only] = numbers.as_slice() {
-                self.circular.extend(report.findings.get(*only).map(|finding| key(report, finding)));
+                self.circular.extend(
+                    report
+                        .findings
+                        .get(*only)
+                        .map(|finding| key(report, finding)),
+                );
                 self.taken_back += 1;
             } else {
                 let (one, other) = numbers.split_at(numbers.len() / 2);
@@ -319,7 +393,12 @@ impl<'a> Work<'a> {
             self.session.vfs.set_buffer(&fixed.path, Some(old.clone()));
             // both texts count as changed: what rests on the one says nothing of the other
             let (path, old, new) = (fixed.path, fixed.after, old.clone());
-            self.changed.push(Changed { path, old, new, edits: Vec::new() });
+            self.changed.push(Changed {
+                path,
+                old,
+                new,
+                edits: Vec::new(),
+            });
         }
         self.show(report, numbers);
         let changed = std::mem::take(&mut self.changed);
@@ -335,15 +414,21 @@ impl<'a> Work<'a> {
                 after: String::new(),
             });
             fixed.after.clone_from(&changed.of.new);
-            self.session.vfs.set_buffer(&changed.of.path, Some(changed.of.new.clone()));
-            self.refused.retain(|_, files| !files.contains(&changed.file));
+            self.session
+                .vfs
+                .set_buffer(&changed.of.path, Some(changed.of.new.clone()));
+            self.refused
+                .retain(|_, files| !files.contains(&changed.file));
             self.changed.push(changed.of);
         }
     }
 
     /// Note which fixes were made. When they lead back to texts that were there before, they are not made again.
     fn note(&mut self, report: &Report, made: &[usize]) {
-        let findings = || made.iter().filter_map(|&number| report.findings.get(number));
+        let findings = || {
+            made.iter()
+                .filter_map(|&number| report.findings.get(number))
+        };
         self.repaired |= findings().any(|finding| claim(finding) == Claim::Repaired);
         let keys = findings().map(|finding| key(report, finding));
         if let Some((_, _, since)) = self.seen.last_mut() {
@@ -353,7 +438,11 @@ impl<'a> Work<'a> {
         let now = state(&self.files);
         match self.seen.iter().position(|(known, ..)| *known == now) {
             Some(back) => {
-                let circle = self.seen.iter_mut().skip(back).flat_map(|(_, _, since)| std::mem::take(since));
+                let circle = self
+                    .seen
+                    .iter_mut()
+                    .skip(back)
+                    .flat_map(|(_, _, since)| std::mem::take(since));
                 self.circular.extend(circle);
                 self.seen.truncate(back + 1);
                 self.count = self.seen.last().map_or(0, |(_, count, _)| *count);
@@ -367,14 +456,23 @@ impl<'a> Work<'a> {
         if self.how.most == Safety::Unsafe {
             return 0;
         }
-        let said = report.findings.iter().filter(|finding| is_said_safe(finding) && self.admits(finding));
-        said.filter(|finding| self.is_refused(report, finding)).count()
+        let said = report
+            .findings
+            .iter()
+            .filter(|finding| is_said_safe(finding) && self.admits(finding));
+        said.filter(|finding| self.is_refused(report, finding))
+            .count()
     }
 
     /// How many findings could be fixed if they were shown.
     fn hidden(&self, report: &Report) -> usize {
-        let is_meant = |finding: &&Finding| is_said_safe(finding) || self.how.most == Safety::Unsafe;
-        let hidden = report.findings.iter().filter(is_meant).filter(|finding| !self.is_shown(finding));
+        let is_meant =
+            |finding: &&Finding| is_said_safe(finding) || self.how.most == Safety::Unsafe;
+        let hidden = report
+            .findings
+            .iter()
+            .filter(is_meant)
+            .filter(|finding| !self.is_shown(finding));
         hidden.filter(|finding| self.may_fix(finding)).count()
     }
 
@@ -404,8 +502,13 @@ impl<'a> Work<'a> {
         }
         let path = self.session.vfs.path(file);
         let is_meant = self.change.as_ref().is_none_or(|change| change.has(file));
-        let is_text = self.session.vfs.text(&path).is_ok_and(|text| text.encoding_error.is_none());
-        let is_own = is_meant && is_text && self.is_first(&path, file) && self.lies_in_workspace(&path);
+        let is_text = self
+            .session
+            .vfs
+            .text(&path)
+            .is_ok_and(|text| text.encoding_error.is_none());
+        let is_own =
+            is_meant && is_text && self.is_first(&path, file) && self.lies_in_workspace(&path);
         self.own.borrow_mut().insert(file, is_own);
         is_own
     }
@@ -416,15 +519,21 @@ impl<'a> Work<'a> {
         if self.session.is_installed(&path) {
             return false;
         }
-        let workspace = path.parent().and_then(|folder| self.session.packages.workspace(folder));
-        let below = workspace.as_ref().and_then(|workspace| path.strip_prefix(workspace).ok());
+        let workspace = path
+            .parent()
+            .and_then(|folder| self.session.packages.workspace(folder));
+        let below = workspace
+            .as_ref()
+            .and_then(|workspace| path.strip_prefix(workspace).ok());
         let built = below.is_some_and(|below| below.iter().any(is_built));
         !built && self.homes.iter().any(|home| path.starts_with(home))
     }
 
     /// Whether `file` is the number that stands for the file at `path` in this run.
     fn is_first(&self, path: &Path, file: FileId) -> bool {
-        let Some(identity) = self.session.vfs.identity(path) else { return true };
+        let Some(identity) = self.session.vfs.identity(path) else {
+            return true;
+        };
         *self.first.borrow_mut().entry(identity).or_insert(file) == file
     }
 }
@@ -434,7 +543,9 @@ fn key(report: &Report, finding: &Finding) -> u64 {
     let mut hasher = DefaultHasher::new();
     (finding.rule.code, &finding.message, finding.span.file.0).hash(&mut hasher);
     for edit in finding.fix.iter().flat_map(|fix: &Fix| &fix.edits) {
-        let old = report.source(edit.span.file).map(|source| source.document.slice(edit.span.range));
+        let old = report
+            .source(edit.span.file)
+            .map(|source| source.document.slice(edit.span.range));
         (edit.span.file.0, old, &edit.content).hash(&mut hasher);
     }
     hasher.finish()
@@ -443,7 +554,10 @@ fn key(report: &Report, finding: &Finding) -> u64 {
 /// What tells the texts of a run from others.
 fn state(files: &BTreeMap<FileId, FixedFile>) -> u64 {
     let mut hasher = DefaultHasher::new();
-    for (file, fixed) in files.iter().filter(|(_, fixed)| fixed.before != fixed.after) {
+    for (file, fixed) in files
+        .iter()
+        .filter(|(_, fixed)| fixed.before != fixed.after)
+    {
         (file.0, &fixed.after).hash(&mut hasher);
     }
     hasher.finish()

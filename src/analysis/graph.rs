@@ -38,7 +38,11 @@ impl Graph {
         let Ok(source) = vfs.document(path) else {
             return self.remove(path);
         };
-        if self.nodes.get(path).is_none_or(|node| node.hash != source.hash) {
+        if self
+            .nodes
+            .get(path)
+            .is_none_or(|node| node.hash != source.hash)
+        {
             self.remove(path);
             self.insert(path.to_path_buf(), node(&source, packages));
         }
@@ -46,16 +50,20 @@ impl Graph {
 
     fn insert(&mut self, path: PathBuf, node: Node) {
         for pattern in &node.includes {
-            match pattern.start() {
-                (target, true) => drop(self.literal.entry(target).or_default().insert(path.clone())),
-                _ => drop(self.computed.insert(path.clone())),
+            let (target, is_whole) = pattern.start();
+            if is_whole {
+                self.literal.entry(target).or_default().insert(path.clone());
+            } else {
+                self.computed.insert(path.clone());
             }
         }
         self.nodes.insert(path, node);
     }
 
     fn remove(&mut self, path: &Path) {
-        let Some(node) = self.nodes.remove(path) else { return };
+        let Some(node) = self.nodes.remove(path) else {
+            return;
+        };
         self.computed.remove(path);
         for pattern in &node.includes {
             let (target, _) = pattern.start();
@@ -86,21 +94,38 @@ impl Graph {
     /// The files with an include that may mean this one by a name that is computed.
     pub fn computed_includers(&self, path: &Path) -> Vec<PathBuf> {
         let may_mean = |from: &&PathBuf| {
-            let includes = self.nodes.get(*from).into_iter().flat_map(|node| &node.includes);
-            includes.filter(|pattern| !pattern.start().1).any(|pattern| pattern.matches(path))
+            let includes = self
+                .nodes
+                .get(*from)
+                .into_iter()
+                .flat_map(|node| &node.includes);
+            includes
+                .filter(|pattern| !pattern.start().1)
+                .any(|pattern| pattern.matches(path))
         };
-        self.computed.iter().filter(|from| **from != *path).filter(may_mean).cloned().collect()
+        self.computed
+            .iter()
+            .filter(|from| **from != *path)
+            .filter(may_mean)
+            .cloned()
+            .collect()
     }
 
     /// The files that may include `path`.
     fn includers(&self, path: &Path) -> BTreeSet<&PathBuf> {
-        let written = path.ancestors().filter_map(|path| self.literal.get(path)).flatten();
+        let written = path
+            .ancestors()
+            .filter_map(|path| self.literal.get(path))
+            .flatten();
         let includes = |from: &&PathBuf| {
             self.nodes
                 .get(*from)
                 .is_some_and(|node| node.includes.iter().any(|pattern| pattern.matches(path)))
         };
-        written.chain(self.computed.iter().filter(includes)).filter(|from| **from != path).collect()
+        written
+            .chain(self.computed.iter().filter(includes))
+            .filter(|from| **from != path)
+            .collect()
     }
 
     /// The robots that reach `path` through includes, with the number of includes between; the nearest first,
@@ -131,10 +156,19 @@ pub(super) fn gives_robot(document: &Document) -> bool {
     });
     let gives = |kind: FactKind| matches!(kind, FactKind::Link | FactKind::Call);
     named
-        && facts(document).any(|(_, facts)| facts.named.iter().any(|fact| gives(fact.kind) && !fact.in_macro))
+        && facts(document).any(|(_, facts)| {
+            facts
+                .named
+                .iter()
+                .any(|fact| gives(fact.kind) && !fact.in_macro)
+        })
 }
 
 fn node(source: &Arc<SourceFile>, packages: &Packages) -> Node {
     let is_root = gives_robot(&source.document);
-    Node { hash: source.hash, is_root, includes: includes::patterns(source, packages) }
+    Node {
+        hash: source.hash,
+        is_root,
+        includes: includes::patterns(source, packages),
+    }
 }

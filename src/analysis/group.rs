@@ -30,7 +30,9 @@ impl Report {
         let groups = groups(&self.findings, Some(&copied), |span| self.text(span));
         let mut findings: Vec<Option<Finding>> = self.findings.into_iter().map(Some).collect();
         for group in groups {
-            let mut members = group.iter().filter_map(|&i| findings.get_mut(i).and_then(Option::take));
+            let mut members = group
+                .iter()
+                .filter_map(|&i| findings.get_mut(i).and_then(Option::take));
             let joined = members.next().map(|first| join(first, members.collect()));
             if let Some(place) = group.first().and_then(|&at| findings.get_mut(at)) {
                 *place = joined;
@@ -42,7 +44,11 @@ impl Report {
 
     /// The files with findings whose text another one has as well, each with the first of that text.
     fn copied(&self) -> FastMap<FileId, FileId> {
-        let files: BTreeSet<FileId> = self.findings.iter().map(|finding| finding.span.file).collect();
+        let files: BTreeSet<FileId> = self
+            .findings
+            .iter()
+            .map(|finding| finding.span.file)
+            .collect();
         let mut by_text: FastMap<u64, Vec<FileId>> = FastMap::default();
         for file in files {
             if let Some(source) = self.source(file) {
@@ -53,7 +59,9 @@ impl Report {
         several
             .flat_map(|files| {
                 let first = files.first().copied();
-                files.into_iter().filter_map(move |file| Some((file, first?)))
+                files
+                    .into_iter()
+                    .filter_map(move |file| Some((file, first?)))
             })
             .collect()
     }
@@ -74,15 +82,35 @@ impl Report {
 /// keeps its severity and names the others, and the others become hints that lead to the first.
 fn mark_groups(findings: &mut [Finding], text: impl Fn(Span) -> Option<String>) {
     for group in groups(findings, None, text) {
-        let Some((&first, others)) = group.split_first() else { continue };
-        let Some(at) = findings.get(first).filter(|first| first.severity > Severity::Hint) else { continue };
-        let (span, message) = (at.span, format!("the first of {} locations with this problem", group.len()));
-        let places: Vec<Related> =
-            others.iter().filter_map(|&i| findings.get(i)).map(further_place).collect();
+        let Some((&first, others)) = group.split_first() else {
+            continue;
+        };
+        let Some(at) = findings
+            .get(first)
+            .filter(|first| first.severity > Severity::Hint)
+        else {
+            continue;
+        };
+        let (span, message) = (
+            at.span,
+            format!("the first of {} locations with this problem", group.len()),
+        );
+        let places: Vec<Related> = others
+            .iter()
+            .filter_map(|&i| findings.get(i))
+            .map(further_place)
+            .collect();
         for other in others {
             if let Some(other) = findings.get_mut(*other) {
                 other.severity = Severity::Hint;
-                other.related.insert(0, Related { span, message: message.clone(), is_call: false });
+                other.related.insert(
+                    0,
+                    Related {
+                        span,
+                        message: message.clone(),
+                        is_call: false,
+                    },
+                );
             }
         }
         if let Some(first) = findings.get_mut(first) {
@@ -116,16 +144,24 @@ fn copies(findings: &[Finding], groups: IndexMap<Key, Vec<usize>>) -> Vec<Vec<us
     let mut joined: IndexMap<(&str, Severity, &str), Joined> = IndexMap::new();
     for (key, members) in groups {
         let is_group = members.len() >= key.group.least();
-        let units = if is_group { vec![members] } else { members.into_iter().map(|one| vec![one]).collect() };
+        let units = if is_group {
+            vec![members]
+        } else {
+            members.into_iter().map(|one| vec![one]).collect()
+        };
         for unit in units {
-            let Some(first) = unit.first().and_then(|&first| findings.get(first)) else { continue };
+            let Some(first) = unit.first().and_then(|&first| findings.get(first)) else {
+                continue;
+            };
             let place = (first.rule.code, first.severity, first.message.as_str());
             let joined = joined.entry(place).or_default();
             joined.is_group |= is_group;
             joined.members.extend(unit);
         }
     }
-    let groups = joined.into_values().filter(|joined| joined.is_group || joined.members.len() >= COPIES);
+    let groups = joined
+        .into_values()
+        .filter(|joined| joined.is_group || joined.members.len() >= COPIES);
     let sorted = |mut joined: Joined| {
         joined.members.sort_unstable();
         joined.members
@@ -149,8 +185,13 @@ fn key(
     copied: Option<&FastMap<FileId, FileId>>,
     text: impl Fn(Span) -> Option<String>,
 ) -> Option<Key> {
-    let mut group = finding.group.clone().unwrap_or_else(|| finding.rule.group());
-    let original = copied.and_then(|copied| copied.get(&finding.span.file)).filter(|_| group == Group::Place);
+    let mut group = finding
+        .group
+        .clone()
+        .unwrap_or_else(|| finding.rule.group());
+    let original = copied
+        .and_then(|copied| copied.get(&finding.span.file))
+        .filter(|_| group == Group::Place);
     if let Some(original) = original {
         let range = finding.span.range;
         group = Group::Thing(format!("{}:{}-{}", original.0, range.start, range.end).into());
@@ -162,26 +203,50 @@ fn key(
     };
     let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && copied.is_some();
     let file = (!anywhere).then_some(finding.span.file);
-    Some(Key { rule: finding.rule.code, severity: finding.severity, file, group, text })
+    Some(Key {
+        rule: finding.rule.code,
+        severity: finding.severity,
+        file,
+        group,
+        text,
+    })
 }
 
 /// The first finding of a group with the others beside it.
 fn join(first: Finding, others: Vec<Finding>) -> Finding {
     let places: Vec<Related> = others.iter().map(further_place).collect();
     let message = format!("{}{}", first.message, more(first.span, &places));
-    let mut fixes: Vec<Fix> =
-        first.fix.into_iter().chain(others.into_iter().filter_map(|other| other.fix)).collect();
-    let fix = (!fixes.is_empty()).then(|| fixes.remove(0)).map(|fix| joined_fix(fix, fixes));
-    Finding { message, fix, places, ..first }
+    let mut fixes: Vec<Fix> = first
+        .fix
+        .into_iter()
+        .chain(others.into_iter().filter_map(|other| other.fix))
+        .collect();
+    let fix = (!fixes.is_empty())
+        .then(|| fixes.remove(0))
+        .map(|fix| joined_fix(fix, fixes));
+    Finding {
+        message,
+        fix,
+        places,
+        ..first
+    }
 }
 
 fn further_place(finding: &Finding) -> Related {
-    Related { span: finding.span, message: finding.message.clone(), is_call: false }
+    Related {
+        span: finding.span,
+        message: finding.message.clone(),
+        is_call: false,
+    }
 }
 
 /// `; 3 more locations in this file`
 fn more(first: Span, places: &[Related]) -> String {
-    let files: FastSet<FileId> = places.iter().map(|place| place.span.file).chain([first.file]).collect();
+    let files: FastSet<FileId> = places
+        .iter()
+        .map(|place| place.span.file)
+        .chain([first.file])
+        .collect();
     let count = places.len();
     let plural = if count == 1 { "" } else { "s" };
     match files.len() {
@@ -195,12 +260,17 @@ fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
     let mut taken: BTreeMap<(FileId, u32, u32), Edit> = BTreeMap::new();
     let key = |edit: &Edit| (edit.span.file, edit.span.range.start, edit.span.range.end);
     let own = std::mem::take(&mut fix.edits);
-    let alike = others.into_iter().filter(|other| other.safety == fix.safety).map(|other| other.edits);
+    let alike = others
+        .into_iter()
+        .filter(|other| other.safety == fix.safety)
+        .map(|other| other.edits);
     for edits in std::iter::once(own).chain(alike) {
         let clashes = |edit: &Edit| {
             let (file, start, end) = key(edit);
             let before = taken.range(..=(file, end, u32::MAX)).next_back();
-            before.is_some_and(|(&(other, _, until), old)| other == file && until >= start && old != edit)
+            before.is_some_and(|(&(other, _, until), old)| {
+                other == file && until >= start && old != edit
+            })
         };
         if !edits.iter().any(clashes) {
             taken.extend(edits.into_iter().map(|edit| (key(&edit), edit)));
@@ -217,30 +287,62 @@ mod tests {
     use rules::{Edit, Finding, Fix, Safety, Severity, by_code};
 
     fn span(file: u32, start: u32, end: u32) -> Span {
-        Span { file: FileId(file), range: TextRange::new(start, end) }
+        Span {
+            file: FileId(file),
+            range: TextRange::new(start, end),
+        }
     }
 
     /// A finding of `zero-inertia`.
     fn finding(file: u32, start: u32) -> Finding {
-        Finding::new(by_code("INR003").unwrap(), span(file, start, start + 1), format!("link {start}"))
+        Finding::new(
+            by_code("INR003").unwrap(),
+            span(file, start, start + 1),
+            format!("link {start}"),
+        )
     }
 
     #[test]
     fn an_editor_marks_every_place_and_every_file_has_a_first_one() {
-        let places = [(0, 1), (0, 5), (1, 2), (0, 9), (1, 4), (1, 6), (2, 1), (2, 3)];
-        let mut findings: Vec<Finding> = places.iter().map(|&(file, start)| finding(file, start)).collect();
+        let places = [
+            (0, 1),
+            (0, 5),
+            (1, 2),
+            (0, 9),
+            (1, 4),
+            (1, 6),
+            (2, 1),
+            (2, 3),
+        ];
+        let mut findings: Vec<Finding> = places
+            .iter()
+            .map(|&(file, start)| finding(file, start))
+            .collect();
         let own = findings[0].severity;
         mark_groups(&mut findings, |_| None);
-        let marked: Vec<bool> = findings.iter().map(|finding| finding.severity == Severity::Hint).collect();
+        let marked: Vec<bool> = findings
+            .iter()
+            .map(|finding| finding.severity == Severity::Hint)
+            .collect();
         assert_eq!(marked, [false, true, false, true, true, true, false, false]);
         assert_eq!(findings[0].severity, own);
         assert_eq!(findings[0].message, "link 1; 2 more locations in this file");
         assert_eq!(
-            findings[0].related.iter().map(|place| place.span).collect::<Vec<_>>(),
+            findings[0]
+                .related
+                .iter()
+                .map(|place| place.span)
+                .collect::<Vec<_>>(),
             [span(0, 5, 6), span(0, 9, 10)]
         );
-        assert_eq!((findings[3].message.as_str(), findings[3].related[0].span), ("link 9", span(0, 1, 2)));
-        assert_eq!(findings[6].message, "link 1", "two places in a file are two findings");
+        assert_eq!(
+            (findings[3].message.as_str(), findings[3].related[0].span),
+            ("link 9", span(0, 1, 2))
+        );
+        assert_eq!(
+            findings[6].message, "link 1",
+            "two places in a file are two findings"
+        );
     }
 
     #[test]
@@ -250,26 +352,48 @@ mod tests {
         tree.write("one/r.urdf", twice);
         tree.write("two/r.urdf", twice);
         tree.write("other/r.urdf", &twice.replace("'/>", "' />"));
-        let setup = crate::Setup { folders: vec![tree.root().to_owned()], ..crate::Setup::default() };
+        let setup = crate::Setup {
+            folders: vec![tree.root().to_owned()],
+            ..crate::Setup::default()
+        };
         let session = crate::Session::new(&tree.environment(&[]), setup).unwrap();
         let paths = vec![tree.root().to_owned()];
-        let report =
-            session.check(&crate::CheckOptions { paths, ..crate::CheckOptions::default() }).grouped();
-        let found = report.findings.iter().filter(|finding| finding.rule.name == "duplicate-link-name");
+        let report = session
+            .check(&crate::CheckOptions {
+                paths,
+                ..crate::CheckOptions::default()
+            })
+            .grouped();
+        let found = report
+            .findings
+            .iter()
+            .filter(|finding| finding.rule.name == "duplicate-link-name");
         let found: Vec<&str> = found.map(|finding| finding.message.as_str()).collect();
         assert_eq!(
             found,
-            ["duplicate link name `a`; 1 more location, in 2 files", "duplicate link name `a`"]
+            [
+                "duplicate link name `a`; 1 more location, in 2 files",
+                "duplicate link name `a`"
+            ]
         );
     }
 
     #[test]
     fn a_joined_fix_has_no_edits_that_clash() {
         let with = |safety: Safety, edits: &[(u32, u32)]| {
-            let edit =
-                |&(start, end): &(u32, u32)| Edit { span: span(0, start, end), content: "x".to_owned() };
-            let fix = Fix { safety, message: String::new(), edits: edits.iter().map(edit).collect() };
-            Finding { fix: Some(fix), ..finding(0, 0) }
+            let edit = |&(start, end): &(u32, u32)| Edit {
+                span: span(0, start, end),
+                content: "x".to_owned(),
+            };
+            let fix = Fix {
+                safety,
+                message: String::new(),
+                edits: edits.iter().map(edit).collect(),
+            };
+            Finding {
+                fix: Some(fix),
+                ..finding(0, 0)
+            }
         };
         let others = vec![
             with(Safety::Safe, &[(10, 12), (20, 21)]),
@@ -280,7 +404,13 @@ mod tests {
             with(Safety::Unsafe, &[(40, 41)]),
         ];
         let joined = join(with(Safety::Safe, &[(1, 3)]), others);
-        let edits: Vec<Span> = joined.fix.unwrap().edits.iter().map(|edit| edit.span).collect();
+        let edits: Vec<Span> = joined
+            .fix
+            .unwrap()
+            .edits
+            .iter()
+            .map(|edit| edit.span)
+            .collect();
         assert_eq!(edits, [span(0, 1, 3), span(0, 10, 12), span(0, 20, 21)]);
         assert_eq!(joined.places.len(), 4);
     }

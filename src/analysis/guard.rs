@@ -7,15 +7,23 @@ use rules::{Category, Finding, Severity, Trait};
 /// Whether fixes of findings in the report before led to errors in what was expanded before.
 pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
     let errors = |report: &Report| -> Vec<(&'static str, String)> {
-        let errors = report.findings.iter().filter(|finding| finding.severity == Severity::Error);
-        errors.map(|finding| (finding.rule.code, finding.message.clone())).collect()
+        let errors = report
+            .findings
+            .iter()
+            .filter(|finding| finding.severity == Severity::Error);
+        errors
+            .map(|finding| (finding.rule.code, finding.message.clone()))
+            .collect()
     };
     let (old, new) = (errors(before), errors(after));
     let known: FastSet<&(&str, String)> = old.iter().collect();
     if new.iter().all(|error| known.contains(error)) {
         return false;
     }
-    let fixed = || made.iter().filter_map(|&number| before.findings.get(number));
+    let fixed = || {
+        made.iter()
+            .filter_map(|&number| before.findings.get(number))
+    };
     if fixed().any(|finding| finding.rule.has(Trait::Reveals)) {
         return false;
     }
@@ -26,5 +34,6 @@ pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
 
 /// Whether what was wrong gave no value.
 fn is_value(finding: &Finding) -> bool {
-    finding.severity == Severity::Error && matches!(finding.rule.category, Category::Xacro | Category::Xml)
+    finding.severity == Severity::Error
+        && matches!(finding.rule.category, Category::Xacro | Category::Xml)
 }

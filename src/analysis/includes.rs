@@ -14,11 +14,20 @@ use xml::Node;
 
 /// The arguments that are the whole name of a file that a file includes: `extra` of `$(arg extra)`.
 fn given_whole(source: &SourceFile) -> Vec<String> {
-    let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
+    let nodes = source
+        .document
+        .parts()
+        .flat_map(|(_, item)| item.all_nodes());
     let includes = nodes.filter(|node| node.name() == "xacro:include");
     let whole = |node: Node<'_>| {
-        let name =
-            node.attr("filename")?.raw().trim().strip_prefix("$(arg ")?.strip_suffix(')')?.trim().to_owned();
+        let name = node
+            .attr("filename")?
+            .raw()
+            .trim()
+            .strip_prefix("$(arg ")?
+            .strip_suffix(')')?
+            .trim()
+            .to_owned();
         (!name.contains(['$', '(', ' '])).then_some(name)
     };
     includes.filter_map(whole).collect()
@@ -44,14 +53,19 @@ impl Reach {
 
     /// The files that are there, for each include.
     pub(super) fn files(&self, vfs: &vfs::Vfs) -> impl Iterator<Item = Vec<std::path::PathBuf>> {
-        self.patterns.iter().map(|pattern| included_files(pattern, vfs))
+        self.patterns
+            .iter()
+            .map(|pattern| included_files(pattern, vfs))
     }
 }
 
 /// What a file may include, unclear includes too.
 pub(super) fn reach(source: &SourceFile, packages: &Packages) -> Reach {
     let all: Vec<Option<Pattern>> = read(source, packages).collect();
-    Reach { anything: all.iter().any(Option::is_none), patterns: all.into_iter().flatten().collect() }
+    Reach {
+        anything: all.iter().any(Option::is_none),
+        patterns: all.into_iter().flatten().collect(),
+    }
 }
 
 /// The includes of a file; none: the text does not say which file that is.
@@ -59,8 +73,17 @@ fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option
     let document = &source.document;
     // one whose prefix was forgotten is meant to include the file as well
     let is_include = |node: &Node<'_>| ["xacro:include", "include"].contains(&node.name());
-    let nodes = document.parts().flat_map(|(_, item)| item.all_nodes()).filter(is_include);
-    let names = nodes.filter_map(|node| Some(node.attr("filename")?.value(document.entities()).into_owned()));
+    let nodes = document
+        .parts()
+        .flat_map(|(_, item)| item.all_nodes())
+        .filter(is_include);
+    let names = nodes.filter_map(|node| {
+        Some(
+            node.attr("filename")?
+                .value(document.entities())
+                .into_owned(),
+        )
+    });
     names.map(|name| include_pattern(&name, &source.path, packages))
 }
 
@@ -87,16 +110,33 @@ impl Included {
     pub(super) fn by(source: &SourceFile, packages: &Packages) -> Vec<Include> {
         let include = |pattern: Pattern| {
             let (start, is_whole) = pattern.start();
-            Include { from: source.path.clone(), start, pattern: (!is_whole).then_some(pattern) }
+            Include {
+                from: source.path.clone(),
+                start,
+                pattern: (!is_whole).then_some(pattern),
+            }
         };
-        patterns(source, packages).into_iter().map(include).collect()
+        patterns(source, packages)
+            .into_iter()
+            .map(include)
+            .collect()
     }
 
     /// What these files include.
     pub(super) fn of_files(files: Vec<Arc<SourceFile>>, packages: &Packages) -> Self {
-        let includes = files.par_iter().map(|source| Self::by(source, packages)).collect();
-        let given = files.iter().flat_map(|source| given_whole(source)).collect();
-        Self { files, given, ..Self::of(includes) }
+        let includes = files
+            .par_iter()
+            .map(|source| Self::by(source, packages))
+            .collect();
+        let given = files
+            .iter()
+            .flat_map(|source| given_whole(source))
+            .collect();
+        Self {
+            files,
+            given,
+            ..Self::of(includes)
+        }
     }
 
     /// Whether a file defines a property of that name outside of macros.
@@ -117,7 +157,10 @@ impl Included {
     fn of(includes: Vec<Vec<Include>>) -> Self {
         let mut all = Self::default();
         for include in includes.into_iter().flatten() {
-            all.by_start.entry(include.start.clone()).or_default().push(include);
+            all.by_start
+                .entry(include.start.clone())
+                .or_default()
+                .push(include);
         }
         all
     }
@@ -129,12 +172,17 @@ impl Included {
 
     /// The other files that may include `file`.
     pub(super) fn includers(&self, file: &Path) -> impl Iterator<Item = &Path> {
-        let near = file.ancestors().filter_map(|start| self.by_start.get(start)).flatten();
+        let near = file
+            .ancestors()
+            .filter_map(|start| self.by_start.get(start))
+            .flatten();
         let matching = near.filter(move |include| match &include.pattern {
             Some(pattern) => pattern.matches(file),
             None => include.start == *file,
         });
-        matching.map(|include| &*include.from).filter(move |from| *from != file)
+        matching
+            .map(|include| &*include.from)
+            .filter(move |from| *from != file)
     }
 }
 
@@ -155,7 +203,11 @@ mod tests {
         tree.write("p/robots/s.xacro", &include("../urdf/arm_$(arg arm).xacro"));
         tree.write("p/robots/t.xacro", &include("../$(arg kind)/parts/u.xacro"));
         tree.write("p/robots/self.xacro", &include("self.xacro"));
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
         let of = |name: &str| {
             let source = tree.vfs().document(&tree.path(name)).unwrap();
             Included::by(&source, &packages)

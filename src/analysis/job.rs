@@ -16,12 +16,14 @@ use super::roles::Checked;
 use super::roots::{Job, Reason};
 use super::session::Session;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use expand::{Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand_again};
+use expand::{
+    Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand_again,
+};
 use model::Robot;
 use rules::consumers::{self, Tally};
 use rules::{
-    Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, check_expansion, check_files,
-    holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages, named,
+    Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, check_expansion,
+    check_files, holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages, named,
 };
 use vfs::{LoadError, LoadErrorKind, SourceFile};
 
@@ -64,17 +66,29 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
     let (expansion, is_as_called) = expanded(session, &job, &request, None);
     let robot = Robot::of(&expansion);
     let outcome = judge(session, options, job, &expansion, robot.as_ref());
-    Outcome { is_as_called, ..outcome }
+    Outcome {
+        is_as_called,
+        ..outcome
+    }
 }
 
 /// The same, for somebody who keeps the expansion.
 pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
-    let kept = Request { keep: true, ..request(session, &options.cancel, &job) };
+    let kept = Request {
+        keep: true,
+        ..request(session, &options.cancel, &job)
+    };
     let (expansion, is_as_called) = expanded(session, &job, &kept, None);
     let analyzed = Analyzed::new(job.root(), expansion, 0);
     let robot = analyzed.robot.as_ref();
     let outcome = judge(session, options, job, &analyzed.expansion, robot);
-    (Outcome { is_as_called, ..outcome }, analyzed)
+    (
+        Outcome {
+            is_as_called,
+            ..outcome
+        },
+        analyzed,
+    )
 }
 
 /// Expand a file, for somebody who keeps the result; `before` is what was kept of the last time.
@@ -84,12 +98,36 @@ pub(super) fn expansion(
     job: &Job,
     before: Option<&Expansion>,
 ) -> Expansion {
-    expanded(session, job, &Request { keep: true, ..request(session, cancel, job) }, before).0
+    expanded(
+        session,
+        job,
+        &Request {
+            keep: true,
+            ..request(session, cancel, job)
+        },
+        before,
+    )
+    .0
 }
 
 /// Expand a file with the outcome of conditions given.
-pub(super) fn forced(session: &Session, cancel: &CancelFlag, job: &Job, forced: Vec<Forced>) -> Expansion {
-    expanded(session, job, &Request { keep: true, forced, ..request(session, cancel, job) }, None).0
+pub(super) fn forced(
+    session: &Session,
+    cancel: &CancelFlag,
+    job: &Job,
+    forced: Vec<Forced>,
+) -> Expansion {
+    expanded(
+        session,
+        job,
+        &Request {
+            keep: true,
+            forced,
+            ..request(session, cancel, job)
+        },
+        None,
+    )
+    .0
 }
 
 /// The expansion, and whether its arguments are those of a caller, since it fails with the defaults.
@@ -108,7 +146,11 @@ fn expanded(
 }
 
 pub(super) fn world(session: &Session) -> World<'_> {
-    World { vfs: &session.vfs, packages: &session.packages, env: &session.env }
+    World {
+        vfs: &session.vfs,
+        packages: &session.packages,
+        env: &session.env,
+    }
 }
 
 pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
@@ -141,27 +183,55 @@ pub(super) fn judge(
     rules.retain(|rule| kind != RootKind::Semantic || holds_for_semantic(rule));
     let found = OnceCell::new();
     let tally = counts_consumers(&settings, options, &job).then_some(&found);
-    let chosen = Chosen { rules: &rules, cancel: &options.cancel, tally };
+    let chosen = Chosen {
+        rules: &rules,
+        cancel: &options.cancel,
+        tally,
+    };
     let mut findings = check_expansion(expansion, robot, (kind, explicit), around, chosen);
     findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
-    findings.extend(session.nameless(&Checked { job: &job, kind, expansion, robot }));
-    session.settle_by_role(&Checked { job: &job, kind, expansion, robot }, &mut findings);
+    findings.extend(session.nameless(&Checked {
+        job: &job,
+        kind,
+        expansion,
+        robot,
+    }));
+    session.settle_by_role(
+        &Checked {
+            job: &job,
+            kind,
+            expansion,
+            robot,
+        },
+        &mut findings,
+    );
     session.settle_set_aside(&job, robot, &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
     Outcome {
         is_robot: kind == RootKind::Robot,
         is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
-        unfound: if is_meant { missing_packages(expansion, around) } else { BTreeSet::new() },
+        unfound: if is_meant {
+            missing_packages(expansion, around)
+        } else {
+            BTreeSet::new()
+        },
         cut: (is_meant && !is_whole(expansion)).then(|| Cut::of(expansion, &rules)),
         is_context: job.reason == Reason::Root,
         is_as_called: false,
         complete: expansion.whole
-            && expansion.files.iter().all(|file| file.source.document.errors().is_empty()),
+            && expansion
+                .files
+                .iter()
+                .all(|file| file.source.document.errors().is_empty()),
         reads: reads(expansion),
-        files: expansion.files.iter().map(|file| file.source.clone()).collect(),
+        files: expansion
+            .files
+            .iter()
+            .map(|file| file.source.clone())
+            .collect(),
         findings,
         arguments: expansion.arguments.clone(),
         includes: include_tags(expansion, around),
@@ -187,19 +257,29 @@ fn wanted_of(mut found: Tally, settings: &Settings, job: &Job) -> Tally {
 
 /// Whether a file is a robot, or says so by its name and lacks only what it includes.
 fn is_meant_as_robot(expansion: &Expansion, kind: RootKind) -> bool {
-    let root = expansion.files.first().and_then(|file| file.source.document.root());
-    let is_named = || root.is_some_and(|root| root.attr("name").is_some_and(|name| !name.raw().is_empty()));
+    let root = expansion
+        .files
+        .first()
+        .and_then(|file| file.source.document.root());
+    let is_named =
+        || root.is_some_and(|root| root.attr("name").is_some_and(|name| !name.raw().is_empty()));
     kind == RootKind::Robot || kind == RootKind::Library && is_named() && !expansion.whole
 }
 
 /// Where the macros are defined that were called.
 fn called(expansion: &Expansion) -> FastSet<Span> {
-    let calls = expansion.frames.iter().filter(|frame| frame.kind == FrameKind::Macro);
+    let calls = expansion
+        .frames
+        .iter()
+        .filter(|frame| frame.kind == FrameKind::Macro);
     let origins: FastSet<Origin> = calls.filter_map(|frame| frame.definition).collect();
     let span = |origin: Origin| {
         let place = expansion.place(origin)?;
         let file = expansion.files.get(place.file.0 as usize)?;
-        Some(Span { file: file.source.id, range: place.range })
+        Some(Span {
+            file: file.source.id,
+            range: place.range,
+        })
     };
     origins.into_iter().filter_map(span).collect()
 }
@@ -210,7 +290,10 @@ fn wanted(session: &Session, expansion: &Expansion, root: Arc<Settings>) -> Vec<
     let mut folders: FastSet<&Path> = FastSet::default();
     let sources = expansion.files.iter().map(|file| &*file.source.path);
     for file in sources.filter(|file| file.parent().is_some_and(|folder| folders.insert(folder))) {
-        let package = session.packages.containing(file).map(|package| package.folder);
+        let package = session
+            .packages
+            .containing(file)
+            .map(|package| package.folder);
         let around = package.map(|folder| session.folder_settings(&folder));
         for settings in std::iter::once(session.settings(file)).chain(around) {
             if !found.iter().any(|known| Arc::ptr_eq(known, &settings)) {
@@ -220,23 +303,38 @@ fn wanted(session: &Session, expansion: &Expansion, root: Arc<Settings>) -> Vec<
     }
     let selected = |rule: &Rule| found.iter().any(|settings| settings.selects(rule));
     let left_out = |rule: &Rule| rule.default == Activation::On && !selected(rule);
-    let suppressed = if all().any(left_out) { suppressed(expansion) } else { Vec::new() };
-    let wanted = |rule: &&Rule| selected(rule) || left_out(rule) && suppressed.iter().any(|s| s.names(rule));
+    let suppressed = if all().any(left_out) {
+        suppressed(expansion)
+    } else {
+        Vec::new()
+    };
+    let wanted =
+        |rule: &&Rule| selected(rule) || left_out(rule) && suppressed.iter().any(|s| s.names(rule));
     all().filter(wanted).collect()
 }
 
 /// What comments in the files switch off: whether it would hide something is only known when it runs, whatever a
 /// command line leaves out this time.
 fn suppressed(expansion: &Expansion) -> Vec<Selector> {
-    let comments = expansion.files.iter().flat_map(|file| Suppressions::of(&file.source.document).list);
+    let comments = expansion
+        .files
+        .iter()
+        .flat_map(|file| Suppressions::of(&file.source.document).list);
     comments.flat_map(|suppression| suppression.rules).collect()
 }
 
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
 pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
-    let uses_xacro =
-        |file: &FileUse| file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
-    let plain = job.file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"))
+    let uses_xacro = |file: &FileUse| {
+        file.source
+            .document
+            .root()
+            .is_some_and(|root| root.attr("xmlns:xacro").is_some())
+    };
+    let plain = job
+        .file
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"))
         && !expansion.files.first().is_some_and(uses_xacro);
     if is_semantic(expansion) {
         return RootKind::Semantic;
@@ -246,13 +344,18 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
         plain && !is_of_a_simulator(expansion, robot) && !is_blank(expansion, robot)
             || is_bare(expansion) && !has_content(expansion, robot)
     };
-    if job.reason == Reason::Root || by_itself() || bare() { RootKind::Robot } else { RootKind::Library }
+    if job.reason == Reason::Root || by_itself() || bare() {
+        RootKind::Robot
+    } else {
+        RootKind::Library
+    }
 }
 
 /// Whether a file is well-formed and holds neither a name nor an element: it takes the place of one that others write.
 fn is_blank(expansion: &Expansion, robot: Option<&Robot>) -> bool {
-    let is_empty =
-        |robot: &Robot| robot.name.is_none() && expansion.tree.elements(robot.element).next().is_none();
+    let is_empty = |robot: &Robot| {
+        robot.name.is_none() && expansion.tree.elements(robot.element).next().is_none()
+    };
     let well_formed = |file: &FileUse| file.source.document.errors().is_empty();
     robot.is_some_and(is_empty) && expansion.files.first().is_some_and(well_formed)
 }
@@ -260,13 +363,17 @@ fn is_blank(expansion: &Expansion, robot: Option<&Robot>) -> bool {
 /// Whether a file has content, and none of it is a link or a joint: materials, settings.
 fn has_content(expansion: &Expansion, robot: Option<&Robot>) -> bool {
     let has_elements = |robot: &Robot| expansion.tree.elements(robot.element).next().is_some();
-    robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty() && has_elements(robot))
+    robot.is_some_and(|robot| {
+        robot.links.is_empty() && robot.joints.is_empty() && has_elements(robot)
+    })
 }
 
 /// Whether such content is that of a simulator or driver: elements that describe no body.
 fn is_of_a_simulator(expansion: &Expansion, robot: Option<&Robot>) -> bool {
     let tree = &expansion.tree;
-    let elements = robot.into_iter().flat_map(|robot| tree.elements(robot.element));
+    let elements = robot
+        .into_iter()
+        .flat_map(|robot| tree.elements(robot.element));
     let mut others =
         elements.filter(|&id| !["material", "transmission"].contains(&tree.get(id).text.as_str()));
     has_content(expansion, robot) && others.next().is_some()
@@ -274,9 +381,13 @@ fn is_of_a_simulator(expansion: &Expansion, robot: Option<&Robot>) -> bool {
 
 /// A robot with a name and without a single tag of xacro is no library: its links are missing.
 fn is_bare(expansion: &Expansion) -> bool {
-    let Some(file) = expansion.files.first() else { return false };
+    let Some(file) = expansion.files.first() else {
+        return false;
+    };
     let document = &file.source.document;
-    let named = document.root().is_some_and(|root| root.name() == "robot" && root.attr("name").is_some());
+    let named = document
+        .root()
+        .is_some_and(|root| root.name() == "robot" && root.attr("name").is_some());
     let mut nodes = document.parts().flat_map(|(_, item)| item.all_nodes());
     named && document.errors().is_empty() && !nodes.any(|node| node.name().starts_with("xacro:"))
 }
@@ -292,7 +403,10 @@ fn reads(expansion: &Expansion) -> Vec<PathBuf> {
 /// A file that cannot be read is not well-formed either.
 fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
     let message = format!("cannot read the file: {}", error.reason());
-    let span = Span { file, range: TextRange::default() };
+    let span = Span {
+        file,
+        range: TextRange::default(),
+    };
     let help = match error.kind {
         LoadErrorKind::TooLarge { .. } => {
             "raise `file-mb` under `[limits]` in xacro-lint.toml if the file is really that large"
@@ -300,5 +414,8 @@ fn unreadable(file: FileId, error: &LoadError) -> Option<Finding> {
         LoadErrorKind::PermissionDenied => "make the file readable for this user",
         _ => "check that the path is a file on this disk",
     };
-    Some(Finding { help: Some(help.to_owned()), ..Finding::new(named::XML_SYNTAX_ERROR, span, message) })
+    Some(Finding {
+        help: Some(help.to_owned()),
+        ..Finding::new(named::XML_SYNTAX_ERROR, span, message)
+    })
 }

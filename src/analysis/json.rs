@@ -74,7 +74,11 @@ impl Report {
 
 fn findings(report: &Report, cwd: &Path) -> String {
     let place = |span: Span| place(report, span, cwd);
-    let list: Vec<JsonFinding<'_>> = report.findings.iter().map(|finding| object(finding, &place)).collect();
+    let list: Vec<JsonFinding<'_>> = report
+        .findings
+        .iter()
+        .map(|finding| object(finding, &place))
+        .collect();
     let text = serde_json::to_string_pretty(&list).unwrap_or_else(|_| "[]".to_owned());
     format!("{text}\n")
 }
@@ -91,7 +95,10 @@ fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFi
             .related
             .iter()
             .chain(&finding.places)
-            .map(|related| JsonRelated { place: place(related.span), message: &related.message })
+            .map(|related| JsonRelated {
+                place: place(related.span),
+                message: &related.message,
+            })
             .collect(),
         places: finding.places.len() + 1,
         fix: finding.fix.as_ref().map(|fix| json_fix(fix, place)),
@@ -100,8 +107,15 @@ fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFi
 }
 
 fn json_fix<'a>(fix: &'a Fix, place: &dyn Fn(Span) -> JsonPlace) -> JsonFix<'a> {
-    let edits = fix.edits.iter().map(|edit| JsonEdit { place: place(edit.span), content: &edit.content });
-    JsonFix { applicability: fix.safety.name(), message: &fix.message, edits: edits.collect() }
+    let edits = fix.edits.iter().map(|edit| JsonEdit {
+        place: place(edit.span),
+        content: &edit.content,
+    });
+    JsonFix {
+        applicability: fix.safety.name(),
+        message: &fix.message,
+        edits: edits.collect(),
+    }
 }
 
 fn place(report: &Report, span: Span, cwd: &Path) -> JsonPlace {

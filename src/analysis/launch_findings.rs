@@ -38,8 +38,12 @@ impl Known {
             let entities = file.document.entities();
             for (_, item) in file.document.parts() {
                 for node in item.all_nodes().filter(|node| node.name() == "xacro:arg") {
-                    let Some(name) = node.attr("name") else { continue };
-                    let default = node.attr("default").map(|default| default.value(entities).into_owned());
+                    let Some(name) = node.attr("name") else {
+                        continue;
+                    };
+                    let default = node
+                        .attr("default")
+                        .map(|default| default.value(entities).into_owned());
                     found.push((name.raw().to_owned(), default));
                 }
             }
@@ -59,12 +63,19 @@ impl Session {
         }
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         for folder in folders.filter(|path| self.vfs.is_dir(path)) {
-            self.findings_of_calls(&self.robot_calls(&folder), &options.cancel, &mut known, &mut found);
+            self.findings_of_calls(
+                &self.robot_calls(&folder),
+                &options.cancel,
+                &mut known,
+                &mut found,
+            );
             found.extend(self.outside_choices(&folder, |_| true));
         }
         // folders may be inside of others
         let mut seen = FastSet::default();
-        found.retain(|finding| seen.insert((finding.rule.code, finding.span, finding.message.clone())));
+        found.retain(|finding| {
+            seen.insert((finding.rule.code, finding.span, finding.message.clone()))
+        });
         found
     }
 
@@ -85,7 +96,9 @@ impl Session {
         calls.sort_by(|a, b| order(&a.call).cmp(&order(&b.call)));
         calls.dedup_by(|a, b| order(&a.call) == order(&b.call) && a.call.is_same(&b.call));
         self.findings_of_calls(&calls, cancel, &mut known, &mut found);
-        let tops = launch_files.iter().filter_map(|path| self.packages.sources_around(path));
+        let tops = launch_files
+            .iter()
+            .filter_map(|path| self.packages.sources_around(path));
         for top in tops.collect::<BTreeSet<PathBuf>>() {
             found.extend(self.outside_choices(&top, |path| launch_files.contains(&path)));
         }
@@ -100,16 +113,22 @@ impl Session {
         known: &mut BTreeMap<PathBuf, Arc<Known>>,
         found: &mut Vec<Finding>,
     ) {
-        let is_checked = |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
+        let is_checked =
+            |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
         for group in calls.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
             if cancel.is_cancelled() {
                 return;
             }
-            let Some(call) = group.first().filter(|call| is_checked(call)) else { continue };
+            let Some(call) = group.first().filter(|call| is_checked(call)) else {
+                continue;
+            };
             let before = found.len();
             self.findings_of(group, known, found);
             if self.is_kept(&call.call.caller) {
-                found.iter_mut().skip(before).for_each(|one| one.severity = one.severity.min(Severity::Info));
+                found
+                    .iter_mut()
+                    .skip(before)
+                    .for_each(|one| one.severity = one.severity.min(Severity::Info));
             }
         }
         for (robot, known) in &*known {
@@ -124,10 +143,23 @@ impl Session {
     /// The values that launch files give to an argument of a robot, each with the names of the files.
     pub fn launch_values(&self, robot: &Path, name: &str) -> Vec<(String, String)> {
         let mut values: Vec<(String, Vec<String>)> = Vec::new();
-        for call in self.robot_calls(robot).iter().filter(|call| call.target.as_deref() == Some(robot)) {
+        for call in self
+            .robot_calls(robot)
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(robot))
+        {
             let caller = call.call.through.first().unwrap_or(&call.call.caller);
-            let caller = caller.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            for argument in call.call.args.iter().filter(|argument| argument.name == name) {
+            let caller = caller
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            for argument in call
+                .call
+                .args
+                .iter()
+                .filter(|argument| argument.name == name)
+            {
                 let value = argument.value.shown();
                 match values.iter_mut().find(|(known, _)| *known == value) {
                     Some((_, files)) if files.contains(&caller) => {}
@@ -136,7 +168,10 @@ impl Session {
                 }
             }
         }
-        values.into_iter().map(|(value, files)| (value, in_short(&files))).collect()
+        values
+            .into_iter()
+            .map(|(value, files)| (value, in_short(&files)))
+            .collect()
     }
 
     /// Of arguments that robots are given, those that none of them knows, each with a similar name. Where something of a
@@ -153,9 +188,15 @@ impl Session {
         if !known.iter().all(|known| known.complete) {
             return Vec::new();
         }
-        let names: FastSet<&str> =
-            known.iter().flat_map(|known| &known.names).map(EcoString::as_str).collect();
-        let unknown = args.iter().map(|(name, _)| name).filter(|name| !names.contains(name.as_str()));
+        let names: FastSet<&str> = known
+            .iter()
+            .flat_map(|known| &known.names)
+            .map(EcoString::as_str)
+            .collect();
+        let unknown = args
+            .iter()
+            .map(|(name, _)| name)
+            .filter(|name| !names.contains(name.as_str()));
         let mut seen = FastSet::default();
         let unknown = unknown.filter(|name| seen.insert(*name));
         let near = |name: &String| nearest(name, names.iter().copied()).map(str::to_owned);
@@ -169,24 +210,34 @@ impl Session {
         known: &mut BTreeMap<PathBuf, Arc<Known>>,
         found: &mut Vec<Finding>,
     ) {
-        let targets: Vec<&PathBuf> = group.iter().filter_map(|call| call.target.as_ref()).collect();
+        let targets: Vec<&PathBuf> = group
+            .iter()
+            .filter_map(|call| call.target.as_ref())
+            .collect();
         let is_there = |path: &&&PathBuf| self.vfs.is_file(path);
         if let Some(missing) = group.iter().find(|call| self.is_missing(call))
             && !targets.iter().any(|path| self.vfs.is_file(path))
         {
             let place = missing.call.file.place().unwrap_or(missing.call.range);
-            let span = Span { file: self.vfs.file_id(&missing.call.caller), range: place };
+            let span = Span {
+                file: self.vfs.file_id(&missing.call.caller),
+                range: place,
+            };
             found.push(launched_file_not_found(span, &missing.call.file.shown()));
         }
         let robots: Vec<(&PathBuf, Arc<Known>)> = targets
             .iter()
             .filter(is_there)
             .map(|path| {
-                let known = known.entry((*path).clone()).or_insert_with(|| Arc::new(self.known(path)));
+                let known = known
+                    .entry((*path).clone())
+                    .or_insert_with(|| Arc::new(self.known(path)));
                 (*path, known.clone())
             })
             .collect();
-        let Some((robot, _)) = robots.first() else { return };
+        let Some((robot, _)) = robots.first() else {
+            return;
+        };
         let mut seen: FastSet<&str> = FastSet::default();
         for argument in group.iter().flat_map(|call| &call.call.args) {
             let name = argument.name.as_str();
@@ -194,8 +245,12 @@ impl Session {
             if robots.iter().any(|(_, known)| has(known)) || !seen.insert(name) {
                 continue;
             }
-            let is_certain = robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
-            let mut names = robots.iter().flat_map(|(_, known)| &known.names).map(EcoString::as_str);
+            let is_certain =
+                robots.len() == group.len() && robots.iter().all(|(_, known)| known.complete);
+            let mut names = robots
+                .iter()
+                .flat_map(|(_, known)| &known.names)
+                .map(EcoString::as_str);
             let Some(call) = group.first() else { continue };
             let span = self.place_of(&call.call, argument);
             let is_certain = is_certain && !self.is_used_otherwise(&call.call, name);
@@ -204,19 +259,28 @@ impl Session {
             let is_idle = near.is_none()
                 && argument.is_fixed(call.call.range)
                 && !names.any(|known| is_like(known, name));
-            found.push(unknown_launch_argument(span, name, robot, near, is_certain && !is_idle));
+            found.push(unknown_launch_argument(
+                span,
+                name,
+                robot,
+                near,
+                is_certain && !is_idle,
+            ));
         }
     }
 
     /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
     fn is_used_otherwise(&self, call: &Call, name: &str) -> bool {
         const LONGEST: usize = 120;
-        let Ok(file) = self.vfs.text(&call.caller) else { return false };
+        let Ok(file) = self.vfs.text(&call.caller) else {
+            return false;
+        };
         let has = |before: &str, after: char| {
             file.text.match_indices(before).any(|(at, _)| {
                 let rest = file.text.get(at + before.len()..).unwrap_or_default();
                 let end = rest.find(after).unwrap_or(0).min(LONGEST);
-                rest.get(..end).is_some_and(|condition| has_name(condition, name))
+                rest.get(..end)
+                    .is_some_and(|condition| has_name(condition, name))
             })
         };
         has("Condition(", '\n') || has(" if=\"", '"') || has(" unless=\"", '"')
@@ -224,9 +288,14 @@ impl Session {
 
     /// Whether a call names a file in the tree that is not there.
     fn is_missing(&self, call: &RobotCall) -> bool {
-        let Some(path) = call.target.as_ref().filter(|path| !self.vfs.exists(path)) else { return false };
+        let Some(path) = call.target.as_ref().filter(|path| !self.vfs.exists(path)) else {
+            return false;
+        };
         // `$(arg robot).urdf` where the argument is empty by default, and somebody else gives it
-        if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.')) {
+        if path
+            .file_name()
+            .is_some_and(|name| name.to_string_lossy().starts_with('.'))
+        {
             return false;
         }
         // of a path by itself, where it starts is not known
@@ -236,7 +305,10 @@ impl Session {
 
     /// The arguments that a description and everything that it may include declare or read, in any branch.
     pub(super) fn known(&self, robot: &Path) -> Known {
-        let mut known = Known { complete: true, ..Known::default() };
+        let mut known = Known {
+            complete: true,
+            ..Known::default()
+        };
         let mut seen: FastSet<PathBuf> = FastSet::default();
         let mut open = vec![robot.to_owned()];
         while let Some(path) = open.pop() {
@@ -268,7 +340,10 @@ impl Session {
 
     /// Where a call writes the name of an argument; else where the call stands.
     pub(super) fn place_of(&self, call: &Call, argument: &Argument) -> Span {
-        let whole = || Span { file: self.vfs.file_id(&call.caller), range: call.range };
+        let whole = || Span {
+            file: self.vfs.file_id(&call.caller),
+            range: call.range,
+        };
         self.spelled(call, argument).unwrap_or_else(whole)
     }
 
@@ -278,22 +353,36 @@ impl Session {
         let text = self.vfs.text(&call.caller);
         let text = text.as_ref().map_or("", |file| &*file.text);
         let name = &argument.name;
-        let forms = [format!("{name}:="), format!("'{name}'"), format!("\"{name}\""), format!("{name}=")];
+        let forms = [
+            format!("{name}:="),
+            format!("'{name}'"),
+            format!("\"{name}\""),
+            format!("{name}="),
+        ];
         let within = |range: TextRange| {
             let code = range.slice(text);
-            let (at, form) = forms.iter().find_map(|form| Some((whole(code, form)?, form)))?;
+            let (at, form) = forms
+                .iter()
+                .find_map(|form| Some((whole(code, form)?, form)))?;
             let lead = u32::from(form.starts_with(['"', '\'']));
             let start = range.start + at as u32 + lead;
             Some(TextRange::new(start, start + name.len() as u32))
         };
-        let range = argument.range.and_then(within).or_else(|| within(call.range))?;
+        let range = argument
+            .range
+            .and_then(within)
+            .or_else(|| within(call.range))?;
         Some(Span { file, range })
     }
 }
 
 /// Whether two names share most of their words.
 fn is_like(a: &str, b: &str) -> bool {
-    let words = |name: &str| name.split('_').map(str::to_lowercase).collect::<FastSet<String>>();
+    let words = |name: &str| {
+        name.split('_')
+            .map(str::to_lowercase)
+            .collect::<FastSet<String>>()
+    };
     let (a, b) = (words(a), words(b));
     a.intersection(&b).count() * 2 > a.len().min(b.len())
 }
@@ -301,15 +390,28 @@ fn is_like(a: &str, b: &str) -> bool {
 /// The first names of a list, and how many there are besides.
 fn in_short(names: &[String]) -> String {
     const MOST: usize = 3;
-    let first = names.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
-    if names.len() > MOST { format!("{first} and {} more", names.len() - MOST) } else { first }
+    let first = names
+        .iter()
+        .take(MOST)
+        .cloned()
+        .collect::<Vec<_>>()
+        .join(", ");
+    if names.len() > MOST {
+        format!("{first} and {} more", names.len() - MOST)
+    } else {
+        first
+    }
 }
 
 /// Where a text holds another that is not the end of a longer name.
 fn whole(text: &str, form: &str) -> Option<usize> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let mut places = text.match_indices(form).map(|(at, _)| at);
-    places.find(|at| !text.get(..*at).is_some_and(|before| before.ends_with(is_part)))
+    places.find(|at| {
+        !text
+            .get(..*at)
+            .is_some_and(|before| before.ends_with(is_part))
+    })
 }
 
 fn place(call: &Call) -> (&Path, u32, u32) {
@@ -331,29 +433,50 @@ mod tests {
     /// Check the calls of a launch file: severity and message of what the rules of launch files say.
     fn check_launch(launch: &str, files: &[(&str, &str)], expected: &[&str]) {
         let tree = Tree::new();
-        tree.write("arm/package.xml", "<package format='3'><name>arm</name></package>");
+        tree.write(
+            "arm/package.xml",
+            "<package format='3'><name>arm</name></package>",
+        );
         tree.write("arm/urdf/arm.urdf.xacro", ROBOT);
         tree.write(
             "arm/urdf/part.xacro",
             "<robot xmlns:xacro='x'><xacro:arg name='inner' default=''/></robot>",
         );
-        tree.write("bringup/package.xml", "<package format='3'><name>bringup</name></package>");
+        tree.write(
+            "bringup/package.xml",
+            "<package format='3'><name>bringup</name></package>",
+        );
         tree.write("bringup/launch/arm.launch.py", launch);
         for (name, text) in files {
             tree.write(name, text);
         }
         let (about, folders) = (tree.root().to_owned(), vec![tree.root().to_owned()]);
-        let setup = Setup { about, folders, ..Setup::default() };
+        let setup = Setup {
+            about,
+            folders,
+            ..Setup::default()
+        };
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
-        let options = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
+        let options = CheckOptions {
+            paths: vec![tree.root().to_owned()],
+            ..CheckOptions::default()
+        };
         let report = session.check(&options);
-        let found = report.findings.iter().filter(|f| ["PKG009", "PKG010"].contains(&f.rule.code));
+        let found = report
+            .findings
+            .iter()
+            .filter(|f| ["PKG009", "PKG010"].contains(&f.rule.code));
         let found: Vec<String> = found
             .map(|f| {
                 let text = session.vfs.text(&session.vfs.path(f.span.file)).unwrap();
                 let help = f.help.clone().unwrap_or_default();
                 let near = help.strip_prefix("did you mean ").unwrap_or("");
-                format!("{} {} @{} {near}", f.severity, f.message, f.span.range.slice(&text.text))
+                format!(
+                    "{} {} @{} {near}",
+                    f.severity,
+                    f.message,
+                    f.span.range.slice(&text.text)
+                )
             })
             .collect();
         let found: Vec<&str> = found.iter().map(|text| text.trim_end()).collect();
@@ -379,7 +502,11 @@ mod tests {
         );
         let process = "xacro.process_file(get_package_share_directory('arm') + '/urdf/arm.urdf.xacro', mappings={'colour': 'x'})";
         // nobody who starts it can give another value
-        check_launch(process, &[], &["info unknown argument `colour` of `arm.urdf.xacro` @colour"]);
+        check_launch(
+            process,
+            &[],
+            &["info unknown argument `colour` of `arm.urdf.xacro` @colour"],
+        );
         let like = process.replace("colour", "sim_use_case");
         check_launch(
             &like,
@@ -390,9 +517,10 @@ mod tests {
 
     #[test]
     fn what_was_not_read_may_know_them() {
-        for part in
-            ["<xacro:include filename='$(find gone)/a.xacro'/>", "<xacro:include filename='gone.xacro'/>"]
-        {
+        for part in [
+            "<xacro:include filename='$(find gone)/a.xacro'/>",
+            "<xacro:include filename='gone.xacro'/>",
+        ] {
             let part = format!("<robot xmlns:xacro='x'>{part}</robot>");
             check_launch(
                 &command(", ' colour:=x'"),
@@ -409,9 +537,16 @@ mod tests {
         let hand = "<robot name='h' xmlns:xacro='x'><xacro:arg name='hand' default=''/><link name='$(arg hand)a'/></robot>";
         let include = "IncludeLaunchDescription(PythonLaunchDescriptionSource([FindPackageShare('bringup'), \
                        '/launch/arm.launch.py']), launch_arguments={'kind': 'hand'}.items())\n";
-        let files = [("arm/urdf/hand.urdf.xacro", hand), ("bringup/launch/hand.launch.py", include)];
+        let files = [
+            ("arm/urdf/hand.urdf.xacro", hand),
+            ("bringup/launch/hand.launch.py", include),
+        ];
         check_launch(launch, &files, &[]);
-        check_launch(launch, &files[..1], &["warning unknown argument `hand` of `arm.urdf.xacro` @hand"]);
+        check_launch(
+            launch,
+            &files[..1],
+            &["warning unknown argument `hand` of `arm.urdf.xacro` @hand"],
+        );
     }
 
     #[test]
@@ -420,7 +555,9 @@ mod tests {
         check_launch(
             &gone,
             &[],
-            &["warning file `$(find arm)/urdf/gone.urdf.xacro` does not exist @'/urdf/gone.urdf.xacro'"],
+            &[
+                "warning file `$(find arm)/urdf/gone.urdf.xacro` does not exist @'/urdf/gone.urdf.xacro'",
+            ],
         );
         check_launch(&gone.replace("'arm'", "'elsewhere'"), &[], &[]);
         check_launch(&gone, &[("arm/urdf/gone.urdf.xacro.in", "<robot/>")], &[]);

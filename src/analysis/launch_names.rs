@@ -20,8 +20,21 @@ pub struct LaunchName {
 
 /// Whether a file is a launch file or script, by its name: no description, and other servers know it better.
 pub fn is_launch(path: &Path) -> bool {
-    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("").to_ascii_lowercase();
-    let endings = [".py", ".launch", ".launch.xml", ".launch.yaml", ".launch.yml", ".sh", ".bash", ".test"];
+    let name = path
+        .file_name()
+        .and_then(|name| name.to_str())
+        .unwrap_or("")
+        .to_ascii_lowercase();
+    let endings = [
+        ".py",
+        ".launch",
+        ".launch.xml",
+        ".launch.yaml",
+        ".launch.yml",
+        ".sh",
+        ".bash",
+        ".test",
+    ];
     endings.iter().any(|ending| name.ends_with(ending))
 }
 
@@ -31,7 +44,10 @@ impl Session {
         let mut found: Vec<Span> = Vec::new();
         for robot in robots {
             let calls = self.robot_calls(robot);
-            for call in calls.iter().filter(|call| call.target.as_ref() == Some(robot)) {
+            for call in calls
+                .iter()
+                .filter(|call| call.target.as_ref() == Some(robot))
+            {
                 let argument = call.call.args.iter().find(|argument| argument.name == name);
                 let span = argument.and_then(|argument| self.spelled(&call.call, argument));
                 // files that are included from many others call the robot as often
@@ -46,7 +62,10 @@ impl Session {
     /// The robot beside these that a launch file gives the argument at a place, too, and that knows it.
     pub fn gives_to_another(&self, place: Span, robots: &[PathBuf], name: &str) -> Option<PathBuf> {
         let path = self.vfs.path(place.file);
-        let others = self.robot_calls(&path).into_iter().filter(|call| call.call.caller == *path);
+        let others = self
+            .robot_calls(&path)
+            .into_iter()
+            .filter(|call| call.call.caller == *path);
         let stands = |call: &Call| {
             let argument = call.args.iter().find(|argument| argument.name == name)?;
             self.spelled(call, argument)
@@ -61,11 +80,18 @@ impl Session {
         let text = self.vfs.text(path).ok();
         let file = text.and_then(|file| launch::read(path, &file.text));
         let given = |call: &Call| {
-            let args =
-                call.args.iter().map(|argument| format!(" {}:={}", argument.name, argument.value.shown()));
+            let args = call
+                .args
+                .iter()
+                .map(|argument| format!(" {}:={}", argument.name, argument.value.shown()));
             call.file.shown() + &args.collect::<String>()
         };
-        file.as_ref().map(launch::calls).unwrap_or_default().iter().map(given).collect()
+        file.as_ref()
+            .map(launch::calls)
+            .unwrap_or_default()
+            .iter()
+            .map(given)
+            .collect()
     }
 
     /// The argument whose name stands at an offset of a launch file.
@@ -73,11 +99,18 @@ impl Session {
         let mut found: Option<LaunchName> = None;
         for call in self.calls_at(path, offset) {
             for argument in &call.call.args {
-                let span = self.spelled(&call.call, argument).filter(|span| span.range.touches(offset));
-                let (Some(span), Some(robot)) = (span, &call.target) else { continue };
+                let span = self
+                    .spelled(&call.call, argument)
+                    .filter(|span| span.range.touches(offset));
+                let (Some(span), Some(robot)) = (span, &call.target) else {
+                    continue;
+                };
                 let name = &argument.name;
-                let found =
-                    found.get_or_insert_with(|| LaunchName { name: name.clone(), robots: Vec::new(), span });
+                let found = found.get_or_insert_with(|| LaunchName {
+                    name: name.clone(),
+                    robots: Vec::new(),
+                    span,
+                });
                 if found.span == span && !found.robots.contains(robot) {
                     found.robots.push(robot.clone());
                 }
@@ -85,7 +118,9 @@ impl Session {
         }
         let found = found.filter(|found| self.is_spelled(path, found.span.range, &found.name));
         found.map(|mut found| {
-            found.robots.retain(|robot| self.known(robot).names.contains(found.name.as_str()));
+            found
+                .robots
+                .retain(|robot| self.known(robot).names.contains(found.name.as_str()));
             found
         })
     }
@@ -108,7 +143,9 @@ impl Session {
                 launch::calls(&launch::read(path, &edited)?),
             ))
         };
-        let Some((before, after)) = calls() else { return false };
+        let Some((before, after)) = calls() else {
+            return false;
+        };
         let mut changes = 0;
         let mut is_same = |a: &Call, b: &Call| {
             a.file.shown() == b.file.shown()
@@ -119,7 +156,9 @@ impl Session {
                     (is_renamed || a.name == b.name) && a.value.shown() == b.value.shown()
                 })
         };
-        before.len() == after.len() && before.iter().zip(&after).all(|(a, b)| is_same(a, b)) && changes > 0
+        before.len() == after.len()
+            && before.iter().zip(&after).all(|(a, b)| is_same(a, b))
+            && changes > 0
     }
 }
 
@@ -150,7 +189,9 @@ impl Session {
         };
         let after = text.text.get(offset as usize..)?;
         let rest = after.len() - after.trim_start_matches(is_word).len();
-        let has_sign = after.get(rest..).is_some_and(|after| after.starts_with(":="));
+        let has_sign = after
+            .get(rest..)
+            .is_some_and(|after| after.starts_with(":="));
         let mut arguments: Vec<(String, Option<String>)> = Vec::new();
         for robot in calls.iter().filter_map(|call| call.target.as_ref()) {
             for (name, default) in self.known(robot).defaults() {
@@ -160,7 +201,11 @@ impl Session {
             }
         }
         let range = TextRange::new(offset - word as u32, offset + rest as u32);
-        Some(LaunchChoices { range, arguments, with_sign: with_sign && !has_sign })
+        Some(LaunchChoices {
+            range,
+            arguments,
+            with_sign: with_sign && !has_sign,
+        })
     }
 }
 
@@ -171,7 +216,10 @@ fn is_word(c: char) -> bool {
 /// Whether a text of a call in Python ends where the name of an argument may begin, and if so, whether `:=` belongs behind it:
 /// behind a blank in a command, or as a key of mappings.
 fn starts_argument(before: &str) -> Option<bool> {
-    let quote = before.chars().next_back().filter(|c| matches!(c, '\'' | '"'));
+    let quote = before
+        .chars()
+        .next_back()
+        .filter(|c| matches!(c, '\'' | '"'));
     let mut open = None;
     for c in before.chars() {
         match open {
@@ -186,13 +234,18 @@ fn starts_argument(before: &str) -> Option<bool> {
     };
     let outside = before.strip_suffix(quote)?.trim_end();
     let is_key = outside.ends_with(['{', ','])
-        && outside.rsplit_once('{').is_some_and(|(_, rest)| !rest.contains('}'));
+        && outside
+            .rsplit_once('{')
+            .is_some_and(|(_, rest)| !rest.contains('}'));
     if is_key && outside.contains("mappings") {
         return Some(false);
     }
     // a blank of its own stands in front: `' ', 'name:=', value`
     let is_blank = |text: &str| text.ends_with(" '") || text.ends_with(" \"");
-    outside.strip_suffix(',').is_some_and(is_blank).then_some(true)
+    outside
+        .strip_suffix(',')
+        .is_some_and(is_blank)
+        .then_some(true)
 }
 
 #[cfg(test)]
@@ -202,7 +255,14 @@ mod tests {
 
     #[test]
     fn names_of_launch_files() {
-        for name in ["a.launch", "a.launch.py", "a.launch.xml", "a.launch.yaml", "start.sh", "nodes.py"] {
+        for name in [
+            "a.launch",
+            "a.launch.py",
+            "a.launch.xml",
+            "a.launch.yaml",
+            "start.sh",
+            "nodes.py",
+        ] {
             assert!(is_launch(Path::new(name)), "{name}");
         }
         for name in ["a.xacro", "a.xml", "a.yaml", "launch", "package.xml"] {
@@ -220,7 +280,10 @@ mod tests {
             ("Command(['xacro ', path, ", None),
             ("Command(['xacro ', LaunchConfiguration('", None),
             ("xacro.process_file(path, mappings={'", Some(false)),
-            ("xacro.process_file(path, mappings={'side': 'left', '", Some(false)),
+            (
+                "xacro.process_file(path, mappings={'side': 'left', '",
+                Some(false),
+            ),
             ("xacro.process_file(path, mappings={'side': '", None),
             ("xacro.process_file('", None),
         ] {

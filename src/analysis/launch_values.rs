@@ -13,8 +13,9 @@ use workspace::config::Root;
 use workspace::{RobotCall, nearest};
 
 /// Words that say that there is none of something: no condition need compare with them.
-const NEUTRAL: [&str; 12] =
-    ["", "0", "1", "default", "disabled", "false", "no", "none", "null", "off", "true", "yes"];
+const NEUTRAL: [&str; 12] = [
+    "", "0", "1", "default", "disabled", "false", "no", "none", "null", "off", "true", "yes",
+];
 
 /// What the conditions of a robot compare an argument with.
 #[derive(Default)]
@@ -26,7 +27,11 @@ struct Compared {
 
 impl Session {
     /// Values that some launch files below a folder give and that choices rule out.
-    pub(super) fn outside_choices(&self, folder: &Path, is_meant: impl Fn(&PathBuf) -> bool) -> Vec<Finding> {
+    pub(super) fn outside_choices(
+        &self,
+        folder: &Path,
+        is_meant: impl Fn(&PathBuf) -> bool,
+    ) -> Vec<Finding> {
         let excluded = self.excluded_values(folder);
         let checked = excluded.iter().filter(|found| is_meant(&found.giver));
         let checked = checked.filter(|found| !self.settings(&found.giver).excludes(&found.giver));
@@ -34,7 +39,10 @@ impl Session {
             let text = self.vfs.text(&found.giver);
             let text = text.as_ref().map_or("", |file| &*file.text);
             let range = quoted(text, found.range, &found.name, &found.value).unwrap_or(found.range);
-            let span = Span { file: self.vfs.file_id(&found.giver), range };
+            let span = Span {
+                file: self.vfs.file_id(&found.giver),
+                range,
+            };
             let near = nearest(&found.value, found.choices.iter().map(String::as_str));
             value_outside_choices(span, &found.name, &found.value, &found.choices, near)
         });
@@ -42,7 +50,12 @@ impl Session {
     }
 
     /// What the calls of a robot give to arguments that it only compares with other values, and the arguments that no call gives.
-    pub(super) fn value_findings(&self, robot: &Path, known: &Known, calls: &[&RobotCall]) -> Vec<Finding> {
+    pub(super) fn value_findings(
+        &self,
+        robot: &Path,
+        known: &Known,
+        calls: &[&RobotCall],
+    ) -> Vec<Finding> {
         if !known.complete {
             return Vec::new();
         }
@@ -56,15 +69,25 @@ impl Session {
         let mut found = Vec::new();
         for call in calls {
             for argument in &call.call.args {
-                let Some(compared) = compared.get(argument.name.as_str()) else { continue };
-                let Some(value) = argument.value.literal() else { continue };
+                let Some(compared) = compared.get(argument.name.as_str()) else {
+                    continue;
+                };
+                let Some(value) = argument.value.literal() else {
+                    continue;
+                };
                 if is_expected(&value, compared) {
                     continue;
                 }
                 let span = self.place_of(&call.call, argument);
                 let near = nearest(&value, compared.words.iter().map(String::as_str));
                 let what = (argument.name.as_str(), value.as_str());
-                found.push(value_never_compared(span, what, robot, &compared.words, near));
+                found.push(value_never_compared(
+                    span,
+                    what,
+                    robot,
+                    &compared.words,
+                    near,
+                ));
             }
         }
         let mut seen = FastSet::default();
@@ -79,11 +102,19 @@ impl Session {
         if all.iter().any(|call| call.call.open) {
             return Vec::new();
         }
-        let given = all.iter().flat_map(|call| &call.call.args).map(|argument| argument.name.as_str());
+        let given = all
+            .iter()
+            .flat_map(|call| &call.call.args)
+            .map(|argument| argument.name.as_str());
         let mut given: FastSet<&str> = given.collect();
         let settings = self.settings(robot);
         let is_of = |root: &&Root| root.files(&self.vfs).iter().any(|file| file == robot);
-        let configured = settings.config.roots.iter().filter(is_of).flat_map(|root| &root.given);
+        let configured = settings
+            .config
+            .roots
+            .iter()
+            .filter(is_of)
+            .flat_map(|root| &root.given);
         given.extend(configured.map(|(name, _)| name.as_str()));
         let mut places: FastSet<(PathBuf, TextRange)> = FastSet::default();
         for call in &all {
@@ -93,9 +124,15 @@ impl Session {
         for file in known.files.iter().filter(|file| *file.path == *robot) {
             for (start, item) in file.document.parts() {
                 let facts = facts_of(item);
-                let declared = facts.named.iter().filter(|fact| fact.kind == FactKind::Argument);
+                let declared = facts
+                    .named
+                    .iter()
+                    .filter(|fact| fact.kind == FactKind::Argument);
                 for fact in declared.filter(|fact| !given.contains(fact.name.as_str())) {
-                    let span = Span { file: file.id, range: fact.range.shift(start) };
+                    let span = Span {
+                        file: file.id,
+                        range: fact.range.shift(start),
+                    };
                     found.push(argument_never_set(span, &fact.name, places.len()));
                 }
             }
@@ -108,7 +145,8 @@ impl Session {
 fn is_expected(value: &str, compared: &Compared) -> bool {
     let other_case = |word: &String| word.eq_ignore_ascii_case(value);
     compared.words.iter().any(|word| word == value)
-        || NEUTRAL.contains(&value.to_ascii_lowercase().as_str()) && !compared.words.iter().any(other_case)
+        || NEUTRAL.contains(&value.to_ascii_lowercase().as_str())
+            && !compared.words.iter().any(other_case)
 }
 
 /// The arguments that a robot does nothing with but compare them with words, and these words. The default of an
@@ -118,7 +156,10 @@ fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
     let mut mentions: FastMap<EcoString, usize> = FastMap::default();
     for (_, item) in known.files.iter().flat_map(|file| file.document.parts()) {
         let facts = facts_of(item);
-        for mention in facts.mentions().filter(|mention| mention.kind == MentionKind::Argument) {
+        for mention in facts
+            .mentions()
+            .filter(|mention| mention.kind == MentionKind::Argument)
+        {
             *mentions.entry(mention.name.clone()).or_default() += 1;
         }
     }
@@ -136,7 +177,10 @@ fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
 
 /// The words that a robot compares an argument with, whatever else it does with it.
 pub(super) fn compared_words(known: &Known, name: &str) -> Vec<String> {
-    all_comparisons(known).remove(name).map(|compared| compared.words).unwrap_or_default()
+    all_comparisons(known)
+        .remove(name)
+        .map(|compared| compared.words)
+        .unwrap_or_default()
 }
 
 /// The comparisons of all arguments.
@@ -157,7 +201,10 @@ fn compare(text: &str, found: &mut FastMap<EcoString, Compared>) {
     for (at, start) in text.match_indices("$(arg ") {
         let words = || {
             let before = text.get(..at)?;
-            let quote = before.chars().next_back().filter(|c| matches!(c, '\'' | '"'))?;
+            let quote = before
+                .chars()
+                .next_back()
+                .filter(|c| matches!(c, '\'' | '"'))?;
             let (name, after) = text.get(at + start.len()..)?.split_once(')')?;
             let before = before.strip_suffix(quote)?.trim_end();
             let after = after.strip_prefix(quote)?.trim_start();
@@ -179,11 +226,18 @@ fn words_behind(before: &str, after: &str) -> Option<Vec<String>> {
     if !begins(before) {
         return None;
     }
-    if let Some(rest) = after.strip_prefix("==").or_else(|| after.strip_prefix("!=")) {
+    if let Some(rest) = after
+        .strip_prefix("==")
+        .or_else(|| after.strip_prefix("!="))
+    {
         let (word, rest) = literal(rest.trim_start())?;
         return ends(rest).then(|| vec![word]);
     }
-    let rest = after.strip_prefix("not").map_or(after, str::trim_start).strip_prefix("in")?.trim_start();
+    let rest = after
+        .strip_prefix("not")
+        .map_or(after, str::trim_start)
+        .strip_prefix("in")?
+        .trim_start();
     let close = match rest.chars().next()? {
         '[' => ']',
         '(' => ')',
@@ -199,8 +253,14 @@ fn words_behind(before: &str, after: &str) -> Option<Vec<String>> {
 }
 
 fn words_before(before: &str, after: &str) -> Option<Vec<String>> {
-    let rest = before.strip_suffix("==").or_else(|| before.strip_suffix("!="))?.trim_end();
-    let quote = rest.chars().next_back().filter(|c| matches!(c, '\'' | '"'))?;
+    let rest = before
+        .strip_suffix("==")
+        .or_else(|| before.strip_suffix("!="))?
+        .trim_end();
+    let quote = rest
+        .chars()
+        .next_back()
+        .filter(|c| matches!(c, '\'' | '"'))?;
     let (before, word) = rest.strip_suffix(quote)?.rsplit_once(quote)?;
     (begins(before.trim_end()) && ends(after)).then(|| vec![word.to_owned()])
 }
@@ -221,7 +281,9 @@ fn begins(before: &str) -> bool {
 /// Whether a comparison may end in front of a text.
 fn ends(after: &str) -> bool {
     let words = ["}", ")", "and ", "or ", "else "];
-    words.iter().any(|word| after.trim_start().starts_with(word))
+    words
+        .iter()
+        .any(|word| after.trim_start().starts_with(word))
 }
 
 /// Where a text in a range is written in quotes: the last one behind the name of the argument.

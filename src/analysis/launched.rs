@@ -41,21 +41,38 @@ impl Session {
     pub(super) fn launched(&self, robot: &Path, own: &[(EcoString, EcoString)]) -> Vec<Launched> {
         let mut found: Vec<Launched> = Vec::new();
         let mut known = None;
-        for call in self.robot_calls(robot).iter().filter(|call| call.target.as_deref() == Some(robot)) {
-            let Some(mut args) = self.known_args(call) else { continue };
+        for call in self
+            .robot_calls(robot)
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(robot))
+        {
+            let Some(mut args) = self.known_args(call) else {
+                continue;
+            };
             // what the robot does not read makes no difference
             args.retain(|(name, _)| {
                 let is_own = own.iter().any(|(own, _)| own == name);
-                let may_read = |known: &Known| !known.complete || known.names.contains(name.as_str());
+                let may_read =
+                    |known: &Known| !known.complete || known.names.contains(name.as_str());
                 is_own || may_read(known.get_or_insert_with(|| self.known(robot)))
             });
-            let site = Span { file: self.vfs.file_id(&call.call.caller), range: call.call.range };
-            match found.iter_mut().find(|launched| same(&launched.args, &args)) {
+            let site = Span {
+                file: self.vfs.file_id(&call.call.caller),
+                range: call.call.range,
+            };
+            match found
+                .iter_mut()
+                .find(|launched| same(&launched.args, &args))
+            {
                 Some(launched) if launched.calls.contains(&site) => {}
                 Some(launched) => launched.calls.push(site),
                 None => {
                     let file = call.call.through.first().unwrap_or(&call.call.caller);
-                    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    let name = file
+                        .file_name()
+                        .unwrap_or_default()
+                        .to_string_lossy()
+                        .into_owned();
                     let further = format!("{name} (");
                     let is_of_file =
                         |known: &&Launched| known.name == name || known.name.starts_with(&further);
@@ -63,7 +80,11 @@ impl Session {
                         0 => name,
                         before => format!("{further}{})", before + 1),
                     };
-                    found.push(Launched { name, args, calls: vec![site] });
+                    found.push(Launched {
+                        name,
+                        args,
+                        calls: vec![site],
+                    });
                 }
             }
         }
@@ -77,7 +98,11 @@ impl Session {
             args: launched.args,
             preset: Some(launched.name),
         };
-        self.launched(robot, &[]).into_iter().take(CALL_RUNS).map(choice).collect()
+        self.launched(robot, &[])
+            .into_iter()
+            .take(CALL_RUNS)
+            .map(choice)
+            .collect()
     }
 
     /// The arguments of a call, where all of them are known.
@@ -86,37 +111,60 @@ impl Session {
             let value = argument.value.value(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         };
-        if call.call.open { None } else { call.call.args.iter().map(value).collect() }
+        if call.call.open {
+            None
+        } else {
+            call.call.args.iter().map(value).collect()
+        }
     }
 
     /// The expansions to be made for calls, beside those with defaults: at most [`CALL_RUNS`] for each robot.
     pub(super) fn launched_jobs(&self, outcomes: &[Outcome]) -> Vec<Job> {
         let with_arguments = outcomes.iter().filter(|outcome| {
-            let reads_some = !outcome.arguments.is_empty() || outcome.findings.iter().any(is_not_given);
+            let reads_some =
+                !outcome.arguments.is_empty() || outcome.findings.iter().any(is_not_given);
             reads_some && !self.is_configured(&outcome.job.file)
         });
-        with_arguments.flat_map(|outcome| self.launched_jobs_of(outcome)).collect()
+        with_arguments
+            .flat_map(|outcome| self.launched_jobs_of(outcome))
+            .collect()
     }
 
     /// Whether the configuration says with which arguments a file is expanded.
     fn is_configured(&self, file: &Path) -> bool {
         let settings = self.settings(file);
-        settings.config.roots.iter().any(|root| root.files(&self.vfs).iter().any(|own| own == file))
+        settings
+            .config
+            .roots
+            .iter()
+            .any(|root| root.files(&self.vfs).iter().any(|own| own == file))
     }
 
     fn launched_jobs_of(&self, outcome: &Outcome) -> Vec<Job> {
         let has = |(name, value): &(String, String)| {
-            outcome.arguments.iter().any(|(own, default)| own == name && default == value)
+            outcome
+                .arguments
+                .iter()
+                .any(|(own, default)| own == name && default == value)
         };
         let is_other = |launched: &Launched| outcome.is_as_called || !launched.args.iter().all(has);
-        let (mut others, defaults): (Vec<_>, Vec<_>) =
-            self.launched(&outcome.job.file, &outcome.arguments).into_iter().partition(is_other);
+        let (mut others, defaults): (Vec<_>, Vec<_>) = self
+            .launched(&outcome.job.file, &outcome.arguments)
+            .into_iter()
+            .partition(is_other);
         others.truncate(CALL_RUNS);
-        let of = others.iter().chain(&defaults).map(|launched| launched.calls.len()).sum();
+        let of = others
+            .iter()
+            .chain(&defaults)
+            .map(|launched| launched.calls.len())
+            .sum();
         let job = |launched: Launched| Job {
             args: launched.args,
             preset: Some(launched.name),
-            called: Some(Called { calls: launched.calls, of }),
+            called: Some(Called {
+                calls: launched.calls,
+                of,
+            }),
             ..outcome.job.clone()
         };
         others.into_iter().map(job).collect()
@@ -126,17 +174,28 @@ impl Session {
     /// that no call gives an argument has the error itself.
     pub(super) fn missing_arguments(&self, outcomes: &mut [Outcome]) -> Vec<Finding> {
         let lacking = |outcome: &Outcome| -> Vec<(PathBuf, Span)> {
-            let findings = outcome.findings.iter().filter(|finding| is_not_given(finding));
-            findings.map(|finding| (outcome.job.file.clone(), finding.span)).collect()
+            let findings = outcome
+                .findings
+                .iter()
+                .filter(|finding| is_not_given(finding));
+            findings
+                .map(|finding| (outcome.job.file.clone(), finding.span))
+                .collect()
         };
-        let as_written = outcomes.iter().filter(|outcome| outcome.job.called.is_none());
+        let as_written = outcomes
+            .iter()
+            .filter(|outcome| outcome.job.called.is_none());
         let always: FastSet<(PathBuf, Span)> = as_written.flat_map(lacking).collect();
         let mut found: FastMap<(Span, String), Finding> = FastMap::default();
         for outcome in outcomes {
-            let Some(called) = &outcome.job.called else { continue };
+            let Some(called) = &outcome.job.called else {
+                continue;
+            };
             let file = &outcome.job.file;
             outcome.findings.retain(|finding| {
-                let Some(name) = not_given(finding) else { return true };
+                let Some(name) = not_given(finding) else {
+                    return true;
+                };
                 if always.contains(&(file.clone(), finding.span)) {
                     return true;
                 }
@@ -153,9 +212,13 @@ impl Session {
 
 /// Of robots that fail with their defaults, what the calls say counts.
 pub(super) fn prefer_calls(outcomes: &mut [Outcome]) {
-    let works =
-        |outcome: &&Outcome| outcome.job.called.is_some() && !outcome.findings.iter().any(is_not_given);
-    let working = outcomes.iter().filter(works).map(|outcome| outcome.job.file.clone());
+    let works = |outcome: &&Outcome| {
+        outcome.job.called.is_some() && !outcome.findings.iter().any(is_not_given)
+    };
+    let working = outcomes
+        .iter()
+        .filter(works)
+        .map(|outcome| outcome.job.file.clone());
     let working: FastSet<PathBuf> = working.collect();
     for outcome in outcomes.iter_mut().filter(|outcome| outcome.is_as_called) {
         if working.contains(&outcome.job.file) {
@@ -207,21 +270,51 @@ mod tests {
         tree.write("r.xacro", robot);
         tree.write("a.sh", script);
         let (about, folders) = (tree.root().to_owned(), vec![tree.root().to_owned()]);
-        let session =
-            Session::new(&tree.environment(&[]), Setup { about, folders, ..Setup::default() }).unwrap();
-        let args = args.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())).collect();
-        let options = CheckOptions { paths: vec![tree.root().to_owned()], args, ..CheckOptions::default() };
+        let session = Session::new(
+            &tree.environment(&[]),
+            Setup {
+                about,
+                folders,
+                ..Setup::default()
+            },
+        )
+        .unwrap();
+        let args = args
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()))
+            .collect();
+        let options = CheckOptions {
+            paths: vec![tree.root().to_owned()],
+            args,
+            ..CheckOptions::default()
+        };
         let report = session.check(&options);
-        let found = report.findings.iter().filter(|finding| finding.severity > rules::Severity::Info);
+        let found = report
+            .findings
+            .iter()
+            .filter(|finding| finding.severity > rules::Severity::Info);
         let found: Vec<String> = found
             .map(|finding| {
                 let in_script = |span: base::Span| report.path(span.file).ends_with("a.sh");
-                let places = finding.related.iter().filter(|related| in_script(related.span));
+                let places = finding
+                    .related
+                    .iter()
+                    .filter(|related| in_script(related.span));
                 let places = places.map(|related| related.message.as_str());
-                let own = if in_script(finding.span) { " at the call" } else { "" };
-                let places: Vec<&str> =
-                    std::iter::once(own).chain(places).filter(|s| !s.is_empty()).collect();
-                format!("{}{}", finding.message, places.join("; ").replace("in this call", " in this call"))
+                let own = if in_script(finding.span) {
+                    " at the call"
+                } else {
+                    ""
+                };
+                let places: Vec<&str> = std::iter::once(own)
+                    .chain(places)
+                    .filter(|s| !s.is_empty())
+                    .collect();
+                format!(
+                    "{}{}",
+                    finding.message,
+                    places.join("; ").replace("in this call", " in this call")
+                )
             })
             .collect();
         assert_eq!(found, expected, "{script}");
@@ -236,31 +329,47 @@ mod tests {
             ROBOT,
             "xacro r.xacro side:=left\nxacro r.xacro side:=right\n",
             &[],
-            &[&format!("{unknown} [in 1 of 2 calls] in this call: side:=right")],
+            &[&format!(
+                "{unknown} [in 1 of 2 calls] in this call: side:=right"
+            )],
         );
         check_script(
             ROBOT,
             "xacro r.xacro side:=right sim:=true\n",
             &[],
-            &[&format!("{unknown} [in the only call] in this call: side:=right")],
+            &[&format!(
+                "{unknown} [in the only call] in this call: side:=right"
+            )],
         );
         // what the robot does not know makes no other call
         check_script(
             ROBOT,
             "xacro r.xacro side:=right\nxacro r.xacro side:=right n:=2\n",
             &[],
-            &[&format!("{unknown} [in all 2 calls] in this call: side:=right;  in this call: side:=right")],
+            &[&format!(
+                "{unknown} [in all 2 calls] in this call: side:=right;  in this call: side:=right"
+            )],
         );
         // a value that is not known
         check_script(ROBOT, "xacro r.xacro side:=right sim:=$1\n", &[], &[]);
         // with the defaults as well
         let always = ROBOT.replace("'left'", "'right'");
-        check_script(&always, "xacro r.xacro side:=right\nxacro r.xacro sim:=True\n", &[], &[unknown]);
+        check_script(
+            &always,
+            "xacro r.xacro side:=right\nxacro r.xacro sim:=True\n",
+            &[],
+            &[unknown],
+        );
     }
 
     #[test]
     fn arguments_of_the_command_line_are_all_that_count() {
-        check_script(ROBOT, "xacro r.xacro side:=right\n", &[("sim", "true")], &[]);
+        check_script(
+            ROBOT,
+            "xacro r.xacro side:=right\n",
+            &[("sim", "true")],
+            &[],
+        );
     }
 
     #[test]
@@ -271,7 +380,17 @@ mod tests {
         check_script(ROBOT, "xacro r.xacro sim:=false $MORE\n", &[], &[]);
         // the robot fails with its defaults
         let real = ROBOT.replace("'true'", "'false'");
-        check_script(&real, "xacro r.xacro ip:=1\nxacro r.xacro side:=left\n", &[], &[missing]);
-        check_script(&real, "xacro r.xacro side:=left\n", &[], &["argument `ip` is not defined"]);
+        check_script(
+            &real,
+            "xacro r.xacro ip:=1\nxacro r.xacro side:=left\n",
+            &[],
+            &[missing],
+        );
+        check_script(
+            &real,
+            "xacro r.xacro side:=left\n",
+            &[],
+            &["argument `ip` is not defined"],
+        );
     }
 }

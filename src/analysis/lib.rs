@@ -25,6 +25,7 @@ mod group;
 mod guard;
 mod includes;
 mod job;
+mod jobs;
 mod json;
 mod launch_findings;
 mod launch_names;
@@ -50,9 +51,13 @@ mod walk;
 mod world;
 
 #[cfg(test)]
+mod generated_tests;
+#[cfg(test)]
 mod package_tests;
 #[cfg(test)]
 mod set_aside_tests;
+#[cfg(test)]
+mod unused_parts_tests;
 #[cfg(test)]
 mod unused_tests;
 #[cfg(test)]

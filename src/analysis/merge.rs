@@ -22,8 +22,14 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
     for (number, outcome) in outcomes.into_iter().enumerate() {
         runs.push(Run::of(&outcome));
         for finding in outcome.findings {
-            let places = by_place.entry((finding.rule.code, finding.span)).or_default();
-            let same = |&&i: &&usize| merged.get(i).is_some_and(|old| old.admits(&finding, number));
+            let places = by_place
+                .entry((finding.rule.code, finding.span))
+                .or_default();
+            let same = |&&i: &&usize| {
+                merged
+                    .get(i)
+                    .is_some_and(|old| old.admits(&finding, number))
+            };
             match places.iter().find(same).and_then(|&i| merged.get_mut(i)) {
                 Some(old) => old.add(finding, number),
                 None => {
@@ -34,13 +40,20 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
         }
     }
     let contexts = Contexts::of(runs);
-    merged.into_iter().filter_map(|merged| merged.finish(&contexts)).collect()
+    merged
+        .into_iter()
+        .filter_map(|merged| merged.finish(&contexts))
+        .collect()
 }
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {
         let by_way = vec![vec![number]; finding.ways.len()];
-        Self { finding, outcomes: vec![number], by_way }
+        Self {
+            finding,
+            outcomes: vec![number],
+            by_way,
+        }
     }
 
     /// Whether a finding at the same place is the same: two expansions may word one defect differently, one
@@ -55,8 +68,17 @@ impl Merged {
         self.finding.severity = self.finding.severity.max(finding.severity);
         self.finding.partial |= finding.partial;
         for way in finding.ways {
-            match self.finding.ways.iter().position(|known| known.call == way.call) {
-                Some(known) => self.by_way.get_mut(known).into_iter().for_each(|own| own.push(number)),
+            match self
+                .finding
+                .ways
+                .iter()
+                .position(|known| known.call == way.call)
+            {
+                Some(known) => self
+                    .by_way
+                    .get_mut(known)
+                    .into_iter()
+                    .for_each(|own| own.push(number)),
                 None => {
                     self.finding.ways.push(way);
                     self.by_way.push(vec![number]);
@@ -64,7 +86,8 @@ impl Merged {
             }
         }
         for related in finding.related {
-            if !self.finding.related.contains(&related) && self.finding.related.len() < MOST_RELATED {
+            if !self.finding.related.contains(&related) && self.finding.related.len() < MOST_RELATED
+            {
                 self.finding.related.push(related);
             }
         }
@@ -90,13 +113,18 @@ impl Merged {
         }
         let has = |number: &usize| self.outcomes.contains(number);
         if self.finding.rule.has(Trait::Unnecessary)
-            && !contexts.of_called(self.finding.span.file, &self.outcomes).iter().all(has)
+            && !contexts
+                .of_called(self.finding.span.file, &self.outcomes)
+                .iter()
+                .all(has)
         {
             return None;
         }
         if let Some(suffix) = contexts.calls(&self.outcomes) {
             self.finding.message.push_str(&suffix);
-            self.finding.related.extend(contexts.call_places(&self.outcomes));
+            self.finding
+                .related
+                .extend(contexts.call_places(&self.outcomes));
             return Some(self.finding);
         }
         let possible = contexts.that_read(self.finding.span.file, &self.outcomes);
@@ -110,7 +138,9 @@ impl Merged {
         for (way, own) in self.finding.ways.iter_mut().zip(&self.by_way) {
             way.message.push_str(&contexts.suffix(own));
         }
-        self.finding.message.push_str(&contexts.suffix(&self.outcomes));
+        self.finding
+            .message
+            .push_str(&contexts.suffix(&self.outcomes));
         self.finding.related.extend(contexts.places(&self.outcomes));
         Some(self.finding)
     }

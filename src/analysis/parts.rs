@@ -14,12 +14,18 @@ impl Session {
         if !options.changed.is_empty() || !options.entries.is_empty() || options.paths.is_empty() {
             return None;
         }
-        let files: Vec<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
+        let files: Vec<PathBuf> = options
+            .paths
+            .iter()
+            .map(|path| self.vfs.absolute(path))
+            .collect();
         let is_part = |file: &PathBuf| is_description(file) && self.has_name(file) == Some(false);
         if !files.iter().all(is_part) {
             return None;
         }
-        let packages = files.iter().filter_map(|file| Some(self.packages.containing(file)?.folder));
+        let packages = files
+            .iter()
+            .filter_map(|file| Some(self.packages.containing(file)?.folder));
         let mut folders: Vec<PathBuf> = packages.collect();
         folders.sort();
         folders.dedup();
@@ -27,14 +33,21 @@ impl Session {
         let mut robots: Vec<PathBuf> = reading.into_iter().map(|job| job.file).collect();
         robots.dedup();
         robots.retain(|file| !files.contains(file) && self.has_name(file) == Some(true));
-        let changed = CheckOptions { paths: folders, changed: files, ..options.clone() };
+        let changed = CheckOptions {
+            paths: folders,
+            changed: files,
+            ..options.clone()
+        };
         (!robots.is_empty()).then_some((changed, robots))
     }
 
     /// Whether the root element of a description has a name; none when it is not a `<robot>`.
     fn has_name(&self, file: &Path) -> Option<bool> {
         let source = self.vfs.document(file).ok()?;
-        let root = source.document.root().filter(|root| root.name() == "robot")?;
+        let root = source
+            .document
+            .root()
+            .filter(|root| root.name() == "robot")?;
         Some(root.attr("name").is_some_and(|name| !name.raw().is_empty()))
     }
 }

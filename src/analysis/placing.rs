@@ -20,11 +20,18 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
     let mut calls: IndexMap<Span, Leads> = IndexMap::new();
     for finding in std::mem::take(&mut report.findings) {
         let moves = |way: &&Way| way.argument.is_some() || finding.partial;
-        let moved: Vec<Finding> =
-            finding.ways.iter().filter(moves).map(|way| at_call(&finding, way)).collect();
+        let moved: Vec<Finding> = finding
+            .ways
+            .iter()
+            .filter(moves)
+            .map(|way| at_call(&finding, way))
+            .collect();
         if moved.is_empty() || moved.len() < finding.ways.len() {
             // the calls are told apart from here on: nobody asks for them again
-            let finding = Finding { ways: Vec::new(), ..finding };
+            let finding = Finding {
+                ways: Vec::new(),
+                ..finding
+            };
             for call in noted(&finding, &moved, vfs, open) {
                 calls.entry(call).or_default().noted.push(finding.clone());
             }
@@ -36,11 +43,24 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
         }
         placed.extend(moved);
     }
-    placed.extend(calls.into_iter().filter_map(|(call, leads)| leads.note(call, vfs)));
+    placed.extend(
+        calls
+            .into_iter()
+            .filter_map(|(call, leads)| leads.note(call, vfs)),
+    );
     for span in placed.iter().map(|finding| finding.span) {
-        report.paths.entry(span.file).or_insert_with(|| vfs.path(span.file));
+        report
+            .paths
+            .entry(span.file)
+            .or_insert_with(|| vfs.path(span.file));
     }
-    placed.sort_by_cached_key(|found| (vfs.path(found.span.file), found.span.range.start, found.rule.code));
+    placed.sort_by_cached_key(|found| {
+        (
+            vfs.path(found.span.file),
+            found.span.range.start,
+            found.rule.code,
+        )
+    });
     report.findings = placed;
 }
 
@@ -68,16 +88,33 @@ impl Leads {
 
     /// The one finding that is shown at the call: the error, or a hint.
     fn note(self, call: Span, vfs: &Vfs) -> Option<Finding> {
-        let Some(error) = self.error else { return hint(self.noted, call) };
+        let Some(error) = self.error else {
+            return hint(self.noted, call);
+        };
         let message = match (self.more, vfs.path(error.span.file).file_name()) {
             (more @ 1.., Some(file)) => {
-                format!("{} (and {more} more in `{}`)", error.message, file.to_string_lossy())
+                format!(
+                    "{} (and {more} more in `{}`)",
+                    error.message,
+                    file.to_string_lossy()
+                )
             }
             _ => error.message.clone(),
         };
-        let cause = Related { span: error.span, message: "caused here".to_owned(), is_call: false };
-        let others = error.related.iter().filter(|related| related.span != call).cloned();
-        let related = std::iter::once(cause).chain(others).chain(self.noted.iter().map(place_of)).collect();
+        let cause = Related {
+            span: error.span,
+            message: "caused here".to_owned(),
+            is_call: false,
+        };
+        let others = error
+            .related
+            .iter()
+            .filter(|related| related.span != call)
+            .cloned();
+        let related = std::iter::once(cause)
+            .chain(others)
+            .chain(self.noted.iter().map(place_of))
+            .collect();
         Some(Finding {
             span: call,
             message,
@@ -102,12 +139,29 @@ fn hint(findings: Vec<Finding>, call: Span) -> Option<Finding> {
         _ => format!("this call causes {count} problems: {}", first.message),
     };
     let severity = Severity::Hint;
-    let no_help = Finding { help: None, similar: None, fix: None, suggestion: None, ..first };
-    Some(Finding { severity, message, span: call, related, group: None, ..no_help })
+    let no_help = Finding {
+        help: None,
+        similar: None,
+        fix: None,
+        suggestion: None,
+        ..first
+    };
+    Some(Finding {
+        severity,
+        message,
+        span: call,
+        related,
+        group: None,
+        ..no_help
+    })
 }
 
 fn place_of(finding: &Finding) -> Related {
-    Related { span: finding.span, message: finding.message.clone(), is_call: false }
+    Related {
+        span: finding.span,
+        message: finding.message.clone(),
+        is_call: false,
+    }
 }
 
 /// Where an error in a file that is not open is shown instead: at the first call or include in an open one.
@@ -115,23 +169,36 @@ fn closed(finding: &Finding, open: impl Fn(Span) -> bool) -> Option<Span> {
     if finding.severity != Severity::Error || open(finding.span) {
         return None;
     }
-    finding.related.iter().find(|related| related.is_call && open(related.span)).map(|call| call.span)
+    finding
+        .related
+        .iter()
+        .find(|related| related.is_call && open(related.span))
+        .map(|call| call.span)
 }
 
 /// A finding at the call that caused it.
 fn at_call(finding: &Finding, way: &Way) -> Finding {
-    let body =
-        Related { span: finding.span, message: format!("here in macro `{}`", way.name), is_call: false };
+    let body = Related {
+        span: finding.span,
+        message: format!("here in macro `{}`", way.name),
+        is_call: false,
+    };
     let span = way.argument.unwrap_or(way.call);
-    let others = finding.related.iter().filter(|related| related.span != span && related.span != way.call);
-    let own =
-        |related: &&Related| !related.is_call || finding.ways.iter().all(|way| way.call != related.span);
+    let others = finding
+        .related
+        .iter()
+        .filter(|related| related.span != span && related.span != way.call);
+    let own = |related: &&Related| {
+        !related.is_call || finding.ways.iter().all(|way| way.call != related.span)
+    };
     let alone = finding.ways.len() == 1;
     Finding {
         span,
         message: way.message.clone(),
         help: way.help.clone(),
-        related: std::iter::once(body).chain(others.filter(own).cloned()).collect(),
+        related: std::iter::once(body)
+            .chain(others.filter(own).cloned())
+            .collect(),
         similar: finding.similar.clone().filter(|_| way.help == finding.help),
         fix: finding.fix.clone().filter(|_| alone),
         suggestion: None,
@@ -141,12 +208,20 @@ fn at_call(finding: &Finding, way: &Way) -> Finding {
 }
 
 /// The calls in open files that lead to a finding, but for one that takes it over.
-fn noted(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) -> bool + Copy) -> Vec<Span> {
+fn noted(
+    finding: &Finding,
+    moved: &[Finding],
+    vfs: &Vfs,
+    open: impl Fn(Span) -> bool + Copy,
+) -> Vec<Span> {
     if finding.severity < Severity::Warning {
         return Vec::new();
     }
     let takes_over = closed(finding, open);
-    let calls = finding.related.iter().filter(|related| related.is_call && open(related.span));
+    let calls = finding
+        .related
+        .iter()
+        .filter(|related| related.is_call && open(related.span));
     let spans = calls.map(|call| call.span).filter(|&call| {
         let told = moved.iter().any(|other| other.span == call) || call == finding.span;
         Some(call) != takes_over && !told && is_call_tag(call, vfs)
@@ -157,7 +232,9 @@ fn noted(finding: &Finding, moved: &[Finding], vfs: &Vfs, open: impl Fn(Span) ->
 /// Whether the tag at a span calls a macro.
 fn is_call_tag(span: Span, vfs: &Vfs) -> bool {
     const OTHERS: [&str; 3] = ["<xacro:include", "<xacro:insert_block", "<xacro:property"];
-    let Ok(source) = vfs.document(&vfs.path(span.file)) else { return false };
+    let Ok(source) = vfs.document(&vfs.path(span.file)) else {
+        return false;
+    };
     let text = source.document.slice(span.range);
     text.starts_with("<xacro:") && !OTHERS.contains(&text.as_ref())
 }

@@ -24,7 +24,10 @@ pub fn choose<'f>(findings: impl IntoIterator<Item = (usize, &'f Finding)>) -> P
         };
         let is_old = |edit: &&Edit| plan.has(edit);
         let new: Vec<&Edit> = fix.edits.iter().filter(|edit| !is_old(edit)).collect();
-        let among = new.iter().enumerate().any(|(i, edit)| new.iter().skip(i + 1).any(|o| touch(edit, o)));
+        let among = new
+            .iter()
+            .enumerate()
+            .any(|(i, edit)| new.iter().skip(i + 1).any(|o| touch(edit, o)));
         if among || new.iter().any(|edit| plan.is_in_the_way(edit)) {
             continue;
         }
@@ -41,12 +44,20 @@ pub fn choose<'f>(findings: impl IntoIterator<Item = (usize, &'f Finding)>) -> P
 impl Plan {
     fn has(&self, edit: &Edit) -> bool {
         let edits = self.edits.get(&edit.span.file);
-        edits.is_some_and(|edits| edits.iter().any(|(r, c)| *r == edit.span.range && *c == edit.content))
+        edits.is_some_and(|edits| {
+            edits
+                .iter()
+                .any(|(r, c)| *r == edit.span.range && *c == edit.content)
+        })
     }
 
     fn is_in_the_way(&self, edit: &Edit) -> bool {
-        let Some(edits) = self.edits.get(&edit.span.file) else { return false };
-        edits.iter().any(|(range, _)| touches(*range, edit.span.range))
+        let Some(edits) = self.edits.get(&edit.span.file) else {
+            return false;
+        };
+        edits
+            .iter()
+            .any(|(range, _)| touches(*range, edit.span.range))
     }
 }
 
@@ -80,7 +91,10 @@ mod tests {
 
     /// A finding whose fix makes these edits: file, start, end, new text.
     fn finding(edits: &[(u32, u32, u32, &str)]) -> Finding {
-        let span = |file, start, end| Span { file: FileId(file), range: TextRange::new(start, end) };
+        let span = |file, start, end| Span {
+            file: FileId(file),
+            range: TextRange::new(start, end),
+        };
         let edits = edits
             .iter()
             .map(|&(file, start, end, content)| Edit {
@@ -88,32 +102,79 @@ mod tests {
                 content: content.into(),
             })
             .collect();
-        let fix = Fix { safety: Safety::Safe, message: String::new(), edits };
-        Finding { fix: Some(fix), ..Finding::new(by_code("XML001").unwrap(), span(0, 0, 0), "") }
+        let fix = Fix {
+            safety: Safety::Safe,
+            message: String::new(),
+            edits,
+        };
+        Finding {
+            fix: Some(fix),
+            ..Finding::new(by_code("XML001").unwrap(), span(0, 0, 0), "")
+        }
     }
 
     #[test]
     fn whole_fixes_that_do_not_touch() {
         for (fixes, settles, expected) in [
-            (vec![vec![(0, 1, 2, "X")], vec![(0, 4, 4, "Y")]], vec![0, 1], "0X23Y456789"),
-            (vec![vec![(0, 4, 4, "Y")], vec![(0, 1, 2, "X")]], vec![0, 1], "0X23Y456789"),
+            (
+                vec![vec![(0, 1, 2, "X")], vec![(0, 4, 4, "Y")]],
+                vec![0, 1],
+                "0X23Y456789",
+            ),
+            (
+                vec![vec![(0, 4, 4, "Y")], vec![(0, 1, 2, "X")]],
+                vec![0, 1],
+                "0X23Y456789",
+            ),
             // the same edit twice, and one beside it
-            (vec![vec![(0, 1, 2, "X")], vec![(0, 1, 2, "X"), (0, 5, 6, "")]], vec![0, 1], "0X2346789"),
+            (
+                vec![vec![(0, 1, 2, "X")], vec![(0, 1, 2, "X"), (0, 5, 6, "")]],
+                vec![0, 1],
+                "0X2346789",
+            ),
             // overlapping, touching, inserted at one place
-            (vec![vec![(0, 1, 4, "X")], vec![(0, 3, 5, "Y")]], vec![0], "0X456789"),
-            (vec![vec![(0, 1, 4, "X")], vec![(0, 4, 4, "Y")]], vec![0], "0X456789"),
-            (vec![vec![(0, 4, 4, "X")], vec![(0, 4, 4, "Y")]], vec![0], "0123X456789"),
+            (
+                vec![vec![(0, 1, 4, "X")], vec![(0, 3, 5, "Y")]],
+                vec![0],
+                "0X456789",
+            ),
+            (
+                vec![vec![(0, 1, 4, "X")], vec![(0, 4, 4, "Y")]],
+                vec![0],
+                "0X456789",
+            ),
+            (
+                vec![vec![(0, 4, 4, "X")], vec![(0, 4, 4, "Y")]],
+                vec![0],
+                "0123X456789",
+            ),
             // half of a fix is no fix
-            (vec![vec![(0, 1, 4, "X")], vec![(0, 2, 3, "Y"), (0, 8, 9, "Z")]], vec![0], "0X456789"),
+            (
+                vec![vec![(0, 1, 4, "X")], vec![(0, 2, 3, "Y"), (0, 8, 9, "Z")]],
+                vec![0],
+                "0X456789",
+            ),
             // a fix that gets into its own way
-            (vec![vec![(0, 1, 4, "X"), (0, 2, 3, "Y")], vec![(0, 0, 1, "")]], vec![1], "123456789"),
+            (
+                vec![vec![(0, 1, 4, "X"), (0, 2, 3, "Y")], vec![(0, 0, 1, "")]],
+                vec![1],
+                "123456789",
+            ),
             // another file
-            (vec![vec![(0, 1, 4, "X")], vec![(1, 2, 3, "Y")]], vec![0, 1], "0X456789"),
+            (
+                vec![vec![(0, 1, 4, "X")], vec![(1, 2, 3, "Y")]],
+                vec![0, 1],
+                "0X456789",
+            ),
         ] {
             let findings: Vec<Finding> = fixes.iter().map(|edits| finding(edits)).collect();
             let plan = choose(findings.iter().enumerate());
             assert_eq!(plan.settles, settles, "{fixes:?}");
-            assert_eq!(apply("0123456789", &plan.edits[&FileId(0)]), expected, "{fixes:?}");
+            assert_eq!(
+                apply("0123456789", &plan.edits[&FileId(0)]),
+                expected,
+                "{fixes:?}"
+            );
         }
         assert!(choose([(0, &finding(&[]))]).settles.is_empty());
     }

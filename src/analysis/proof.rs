@@ -75,16 +75,35 @@ pub enum Roots {
 impl Session {
     /// Whether a claim about changes holds, as far as it can be proved.
     pub(super) fn proves(&self, changed: &[Changed], claim: Claim, effort: &Effort) -> bool {
-        let open: Vec<&Changed> = changed.iter().filter(|changed| !changed.is_same_by_text()).collect();
+        let open: Vec<&Changed> = changed
+            .iter()
+            .filter(|changed| !changed.is_same_by_text())
+            .collect();
         open.is_empty() || Trial::new(self, open, effort).is_some_and(|trial| trial.holds(claim))
     }
 
     /// Whether every robot stays what it is when texts of a file are replaced; they are in order and do not overlap.
-    pub fn stays_the_same(&self, path: &Path, edits: Vec<(TextRange, String)>, effort: &Effort) -> bool {
-        let Ok(source) = self.vfs.document(path) else { return false };
+    pub fn stays_the_same(
+        &self,
+        path: &Path,
+        edits: Vec<(TextRange, String)>,
+        effort: &Effort,
+    ) -> bool {
+        let Ok(source) = self.vfs.document(path) else {
+            return false;
+        };
         let old = source.document.text();
         let new = apply(&old, &edits);
-        self.proves(&[Changed { path: source.path.clone(), old, new, edits }], Claim::Same, effort)
+        self.proves(
+            &[Changed {
+                path: source.path.clone(),
+                old,
+                new,
+                edits,
+            }],
+            Claim::Same,
+            effort,
+        )
     }
 }
 
@@ -96,8 +115,13 @@ impl Changed {
 
     /// Where a place of the old text stands in the new one; edits that begin there come behind it.
     pub fn moved(&self, at: u32) -> u32 {
-        let before = self.edits.iter().filter(|(range, _)| range.end <= at && range.start < at);
-        let shift: i64 = before.map(|(range, new)| new.len() as i64 - i64::from(range.len())).sum();
+        let before = self
+            .edits
+            .iter()
+            .filter(|(range, _)| range.end <= at && range.start < at);
+        let shift: i64 = before
+            .map(|(range, new)| new.len() as i64 - i64::from(range.len()))
+            .sum();
         (i64::from(at) + shift) as u32
     }
 }
@@ -114,18 +138,31 @@ pub(super) struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    pub fn new(session: &'a Session, changed: Vec<&'a Changed>, effort: &'a Effort) -> Option<Self> {
+    pub fn new(
+        session: &'a Session,
+        changed: Vec<&'a Changed>,
+        effort: &'a Effort,
+    ) -> Option<Self> {
         let sources = changed
             .iter()
             .map(|changed| session.vfs.document(&changed.path).ok())
             .collect::<Option<Vec<_>>>()?;
-        let texts = changed.iter().map(|changed| (changed.path.to_path_buf(), changed.new.clone()));
+        let texts = changed
+            .iter()
+            .map(|changed| (changed.path.to_path_buf(), changed.new.clone()));
         let after = session.vfs.overlay(texts);
         let runs = match &effort.roots {
             Roots::Known(_) => Arc::default(),
             Roots::Searched(known) => known.runs.clone(),
         };
-        Some(Self { session, changed, sources, after, effort, runs })
+        Some(Self {
+            session,
+            changed,
+            sources,
+            after,
+            effort,
+            runs,
+        })
     }
 
     fn holds(&self, claim: Claim) -> bool {
@@ -133,9 +170,18 @@ impl<'a> Trial<'a> {
         let mut unread: Vec<&Path> = self.changed.iter().map(|changed| &*changed.path).collect();
         let mut left = self.effort.expansions;
         for job in self.jobs() {
-            let first = Setting { args: job.args.clone(), forced: Vec::new() };
-            let Some(before) = self.compare(&job, &first, claim) else { return false };
-            if !self.changed.iter().any(|changed| before.reads(&changed.path)) {
+            let first = Setting {
+                args: job.args.clone(),
+                forced: Vec::new(),
+            };
+            let Some(before) = self.compare(&job, &first, claim) else {
+                return false;
+            };
+            if !self
+                .changed
+                .iter()
+                .any(|changed| before.reads(&changed.path))
+            {
                 continue;
             }
             unread.retain(|path| !before.reads(path));
@@ -159,11 +205,26 @@ impl<'a> Trial<'a> {
             Roots::Searched(known) => known,
         };
         let session = self.session;
-        let files: Vec<PathBuf> = self.changed.iter().map(|changed| changed.path.to_path_buf()).collect();
+        let files: Vec<PathBuf> = self
+            .changed
+            .iter()
+            .map(|changed| changed.path.to_path_buf())
+            .collect();
         let around = |file: &PathBuf| {
             let folder = file.parent()?;
-            let package = || session.packages.containing(file).map(|package| package.folder);
-            Some(session.packages.workspace(folder).or_else(package).unwrap_or_else(|| folder.to_owned()))
+            let package = || {
+                session
+                    .packages
+                    .containing(file)
+                    .map(|package| package.folder)
+            };
+            Some(
+                session
+                    .packages
+                    .workspace(folder)
+                    .or_else(package)
+                    .unwrap_or_else(|| folder.to_owned()),
+            )
         };
         let mut folders: Vec<PathBuf> = files.iter().filter_map(around).collect();
         folders.sort();
@@ -177,10 +238,20 @@ impl<'a> Trial<'a> {
             return None;
         }
         let before = self.run(job, &self.session.vfs, setting);
-        let forced = setting.forced.iter().map(|forced| Forced { at: self.moved(forced), ..forced.clone() });
-        let setting = Setting { args: setting.args.clone(), forced: forced.collect() };
+        let forced = setting.forced.iter().map(|forced| Forced {
+            at: self.moved(forced),
+            ..forced.clone()
+        });
+        let setting = Setting {
+            args: setting.args.clone(),
+            forced: forced.collect(),
+        };
         let after = self.run(job, &self.after, &setting);
-        let same = if claim == Claim::Fitted { same_but_for_mesh_formats } else { same_robot };
+        let same = if claim == Claim::Fitted {
+            same_but_for_mesh_formats
+        } else {
+            same_robot
+        };
         let is_same = before.text == after.text || same(&before.text, &after.text) == Some(true);
         let holds = match claim {
             Claim::Same | Claim::Fitted if !is_same => before.refused && !after.refused,
@@ -190,12 +261,16 @@ impl<'a> Trial<'a> {
     }
 
     pub fn moved(&self, forced: &Forced) -> u32 {
-        let changed = self.changed.iter().find(|changed| *changed.path == *forced.file);
+        let changed = self
+            .changed
+            .iter()
+            .find(|changed| *changed.path == *forced.file);
         changed.map_or(forced.at, |changed| changed.moved(forced.at))
     }
 
     pub fn run(&self, job: &Job, vfs: &Vfs, setting: &Setting) -> Arc<Run> {
-        self.runs.get(self.session, vfs, &self.effort.cancel, job, setting)
+        self.runs
+            .get(self.session, vfs, &self.effort.cancel, job, setting)
     }
 
     /// Further ways to expand a robot that may show what an edit does.
@@ -206,20 +281,27 @@ impl<'a> Trial<'a> {
             forced: Vec::new(),
         };
         for caller in self.session.callers(&job.file).iter().take(MOST_CALLERS) {
-            let known = caller.args.iter().filter_map(|arg| Some((arg.name.clone(), arg.value.clone()?)));
+            let known = caller
+                .args
+                .iter()
+                .filter_map(|arg| Some((arg.name.clone(), arg.value.clone()?)));
             let known: Vec<_> = known.collect();
             if !known.is_empty() {
                 found.push(with(known));
             }
         }
-        let in_expressions =
-            self.edits().any(|(document, range, new)| is_in_expression(document, range, new));
+        let in_expressions = self
+            .edits()
+            .any(|(document, range, new)| is_in_expression(document, range, new));
         for (name, value) in &before.arguments {
             let others: &[&str] = if in_expressions { &OTHER_VALUES } else { &[] };
             let values = turned_over(value).into_iter().chain(others.iter().copied());
             found.extend(values.map(|value| with(vec![(name.to_string(), value.to_owned())])));
         }
-        found.extend(self.branches().into_iter().map(|forced| Setting { args: job.args.clone(), forced }));
+        found.extend(self.branches().into_iter().map(|forced| Setting {
+            args: job.args.clone(),
+            forced,
+        }));
         found
     }
 
@@ -227,7 +309,10 @@ impl<'a> Trial<'a> {
     fn edits(&self) -> impl Iterator<Item = (&Document, TextRange, &str)> {
         let files = self.changed.iter().zip(&self.sources);
         files.flat_map(|(changed, source)| {
-            changed.edits.iter().map(|(range, new)| (&source.document, *range, new.as_str()))
+            changed
+                .edits
+                .iter()
+                .map(|(range, new)| (&source.document, *range, new.as_str()))
         })
     }
 
@@ -237,8 +322,11 @@ impl<'a> Trial<'a> {
         for (changed, source) in self.changed.iter().zip(&self.sources) {
             for (range, _) in &changed.edits {
                 let conditions = enclosing(&source.document, *range, &CONDITIONS);
-                let forced =
-                    |at: TextRange| Forced { file: changed.path.to_path_buf(), at: at.start, taken: true };
+                let forced = |at: TextRange| Forced {
+                    file: changed.path.to_path_buf(),
+                    at: at.start,
+                    taken: true,
+                };
                 let forced: Vec<Forced> = conditions.into_iter().map(forced).collect();
                 if !forced.is_empty() && !found.contains(&forced) {
                     found.push(forced);
@@ -254,7 +342,11 @@ impl<'a> Trial<'a> {
         for (changed, source) in self.changed.iter().zip(&self.sources) {
             for (range, _) in &changed.edits {
                 let macros = enclosing(&source.document, *range, &["xacro:macro"]);
-                found.extend(macros.into_iter().map(|place| (changed.path.to_path_buf(), place)));
+                found.extend(
+                    macros
+                        .into_iter()
+                        .map(|place| (changed.path.to_path_buf(), place)),
+                );
             }
         }
         found.sort_by(|(a, one), (b, other)| (a, one.start).cmp(&(b, other.start)));
@@ -275,7 +367,11 @@ pub(super) fn enclosing(document: &Document, range: TextRange, names: &[&str]) -
         let own = node.range().shift(place.start);
         node.kind() == NodeKind::Element && own.start < range.start && range.end <= own.end
     };
-    let named = place.item.all_nodes().filter(holds).filter(|node| names.contains(&node.name()));
+    let named = place
+        .item
+        .all_nodes()
+        .filter(holds)
+        .filter(|node| names.contains(&node.name()));
     named.map(|node| node.range().shift(place.start)).collect()
 }
 
@@ -284,7 +380,9 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
     let place = document.item_at(range.start);
     let mut attrs = place.item.all_nodes().flat_map(|node| node.attrs());
     new.contains('$')
-        || attrs.any(|attr| attr.range().shift(place.start).contains_range(range) && attr.raw().contains('$'))
+        || attrs.any(|attr| {
+            attr.range().shift(place.start).contains_range(range) && attr.raw().contains('$')
+        })
 }
 
 /// Other values of an argument that decides between two or few things.
@@ -294,9 +392,11 @@ pub(super) fn turned_over(value: &str) -> Vec<&'static str> {
         "false" | "False" => vec!["true"],
         "1" => vec!["0"],
         "0" => vec!["1"],
-        kind if JointType::of(kind).is_some() => {
-            JointType::ALL.iter().map(|(name, _)| *name).filter(|name| *name != kind).collect()
-        }
+        kind if JointType::of(kind).is_some() => JointType::ALL
+            .iter()
+            .map(|(name, _)| *name)
+            .filter(|name| *name != kind)
+            .collect(),
         _ => Vec::new(),
     }
 }

@@ -72,22 +72,41 @@ impl Session {
             let source = self.vfs.document(&path).ok()?;
             let old = source.document.text();
             let new = apply(&old, &edits);
-            Some(Changed { path: source.path.clone(), old, new, edits })
+            Some(Changed {
+                path: source.path.clone(),
+                old,
+                new,
+                edits,
+            })
         });
         let changed: Vec<Changed> = changed.collect();
-        let effort = Effort { expansions: 0, roots: Roots::Known(Vec::new()), cancel: cancel.clone() };
+        let effort = Effort {
+            expansions: 0,
+            roots: Roots::Known(Vec::new()),
+            cancel: cancel.clone(),
+        };
         let trial = Trial::new(self, changed.iter().collect(), &effort)?;
         let mut left = MOST_FORCED;
-        roots.iter().map(job_of).find_map(|job| trial.obstacle(&job, name, &mut left))
+        roots
+            .iter()
+            .map(job_of)
+            .find_map(|job| trial.obstacle(&job, name, &mut left))
     }
 }
 
 impl Trial<'_> {
     /// Whether a robot would be another one, and under which condition.
     fn obstacle(&self, job: &Job, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
-        let plain = Setting { args: job.args.clone(), forced: Vec::new() };
+        let plain = Setting {
+            args: job.args.clone(),
+            forced: Vec::new(),
+        };
         let before = self.run(job, &self.session.vfs, &plain);
-        let found = |condition, difference| Obstacle { robot: job.file.clone(), condition, difference };
+        let found = |condition, difference| Obstacle {
+            robot: job.file.clone(),
+            condition,
+            difference,
+        };
         let found = |condition, difference| {
             Some(found(condition, difference)).filter(|_| !self.effort.cancel.is_cancelled())
         };
@@ -99,20 +118,27 @@ impl Trial<'_> {
                 break;
             }
             let taken = forced.last().is_some_and(|forced| forced.taken);
-            let setting = Setting { args: job.args.clone(), forced };
+            let setting = Setting {
+                args: job.args.clone(),
+                forced,
+            };
             let forced = self.run(job, &self.session.vfs, &setting);
             // what changes nothing is what was proved
             if forced.text == before.text && forced.failures == before.failures {
                 continue;
             }
             *left -= 1;
-            if let Err(difference) = self.is_same(&forced, &self.renamed_run(job, &setting, name), name) {
+            if let Err(difference) =
+                self.is_same(&forced, &self.renamed_run(job, &setting, name), name)
+            {
                 return found(Some((path, at, taken)), difference);
             }
         }
         for setting in switched(job, &before) {
             let before = self.run(job, &self.session.vfs, &setting);
-            if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &setting, name), name) {
+            if let Err(difference) =
+                self.is_same(&before, &self.renamed_run(job, &setting, name), name)
+            {
                 return found(None, difference);
             }
         }
@@ -121,12 +147,18 @@ impl Trial<'_> {
 
     /// What a setting gives afterwards.
     fn renamed_run(&self, job: &Job, setting: &Setting, name: NewName<'_>) -> Arc<Run> {
-        let moved = |forced: &Forced| Forced { at: self.moved(forced), ..forced.clone() };
+        let moved = |forced: &Forced| Forced {
+            at: self.moved(forced),
+            ..forced.clone()
+        };
         let args = setting.args.iter().map(|(given, value)| match name {
             NewName::Argument { old, new } if given == old => (new.to_owned(), value.clone()),
             _ => (given.clone(), value.clone()),
         });
-        let setting = Setting { args: args.collect(), forced: setting.forced.iter().map(moved).collect() };
+        let setting = Setting {
+            args: args.collect(),
+            forced: setting.forced.iter().map(moved).collect(),
+        };
         self.run(job, &self.after, &setting)
     }
 
@@ -136,18 +168,26 @@ impl Trial<'_> {
         if before.refused || after.refused {
             let moved = before.failures.iter().map(|(code, path, at)| {
                 let changed = self.changed.iter().find(|changed| *changed.path == **path);
-                (*code, path.clone(), changed.map_or(*at, |changed| changed.moved(*at)))
+                (
+                    *code,
+                    path.clone(),
+                    changed.map_or(*at, |changed| changed.moved(*at)),
+                )
             });
-            return holds(before.refused && after.refused && moved.eq(after.failures.iter().cloned()));
+            return holds(
+                before.refused && after.refused && moved.eq(after.failures.iter().cloned()),
+            );
         }
         if before.text == after.text {
             return Ok(());
         }
         match name {
-            NewName::Robot { old, new } => match other_difference(&before.text, &after.text, old, new) {
-                Some(difference) => Err(Some(difference)),
-                None => Ok(()),
-            },
+            NewName::Robot { old, new } => {
+                match other_difference(&before.text, &after.text, old, new) {
+                    Some(difference) => Err(Some(difference)),
+                    None => Ok(()),
+                }
+            }
             _ => holds(same_robot(&before.text, &after.text) == Some(true)),
         }
     }
@@ -156,20 +196,49 @@ impl Trial<'_> {
     /// those of the changed files, and where such a file takes no part, those around includes.
     fn conditions(&self, before: &Run) -> Vec<(PathBuf, u32, Vec<Forced>)> {
         let is_changed = |path: &Path| self.changed.iter().any(|changed| *changed.path == *path);
-        let is_missing = self.changed.iter().any(|changed| !before.reads(&changed.path));
-        let changed = self.changed.iter().map(|changed| changed.path.to_path_buf());
+        let is_missing = self
+            .changed
+            .iter()
+            .any(|changed| !before.reads(&changed.path));
+        let changed = self
+            .changed
+            .iter()
+            .map(|changed| changed.path.to_path_buf());
         let mut paths: Vec<PathBuf> = changed.collect();
-        paths.extend(before.files().iter().filter(|path| is_missing && !is_changed(path)).cloned());
+        paths.extend(
+            before
+                .files()
+                .iter()
+                .filter(|path| is_missing && !is_changed(path))
+                .cloned(),
+        );
         let mut found = Vec::new();
         for path in paths {
-            let Ok(source) = self.session.vfs.document(&path) else { continue };
+            let Ok(source) = self.session.vfs.document(&path) else {
+                continue;
+            };
             for range in conditions_of(&source.document, !is_changed(&path)) {
-                let line = source.document.line_col(range.start, base::Encoding::Utf8).line + 1;
+                let line = source
+                    .document
+                    .line_col(range.start, base::Encoding::Utf8)
+                    .line
+                    + 1;
                 let around = enclosing(&source.document, range, &CONDITIONS);
-                let force = |at: u32, taken: bool| Forced { file: path.clone(), at, taken };
-                let outer: Vec<Forced> = around.iter().map(|range| force(range.start, true)).collect();
+                let force = |at: u32, taken: bool| Forced {
+                    file: path.clone(),
+                    at,
+                    taken,
+                };
+                let outer: Vec<Forced> = around
+                    .iter()
+                    .map(|range| force(range.start, true))
+                    .collect();
                 for taken in [true, false] {
-                    let own = outer.iter().cloned().chain([force(range.start, taken)]).collect();
+                    let own = outer
+                        .iter()
+                        .cloned()
+                        .chain([force(range.start, taken)])
+                        .collect();
                     found.push((path.clone(), line, own));
                 }
             }
@@ -180,12 +249,21 @@ impl Trial<'_> {
 
 /// A robot with each of its switches turned over.
 fn switched(job: &Job, before: &Run) -> Vec<Setting> {
-    let turned = before.arguments.iter().filter_map(|(name, value)| match turned_over(value).as_slice() {
-        [other] => Some((name, *other)),
-        _ => None,
-    });
+    let turned =
+        before
+            .arguments
+            .iter()
+            .filter_map(|(name, value)| match turned_over(value).as_slice() {
+                [other] => Some((name, *other)),
+                _ => None,
+            });
     let with = |(name, value): (&EcoString, &str)| Setting {
-        args: job.args.iter().cloned().chain([(name.to_string(), value.to_owned())]).collect(),
+        args: job
+            .args
+            .iter()
+            .cloned()
+            .chain([(name.to_string(), value.to_owned())])
+            .collect(),
         forced: Vec::new(),
     };
     turned.take(MOST_SWITCHES).map(with).collect()
@@ -195,11 +273,14 @@ fn switched(job: &Job, before: &Run) -> Vec<Setting> {
 fn conditions_of(document: &Document, around_includes: bool) -> Vec<TextRange> {
     let mut found = Vec::new();
     for (base, item) in document.parts() {
-        let elements = item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
+        let elements = item
+            .all_nodes()
+            .filter(|node| node.kind() == NodeKind::Element);
         for node in elements.filter(|node| CONDITIONS.contains(&node.name())) {
             let range = node.range();
-            let include =
-                |inner: Node<'_>| inner.name() == "xacro:include" && range.contains_range(inner.range());
+            let include = |inner: Node<'_>| {
+                inner.name() == "xacro:include" && range.contains_range(inner.range())
+            };
             if !around_includes || item.all_nodes().any(include) {
                 found.push(range.shift(base));
             }

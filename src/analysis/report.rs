@@ -73,7 +73,10 @@ impl Report {
     pub(super) fn skip(&mut self, skipped: Skipped, named: &Path) {
         match skipped.reason {
             SkipReason::Unreadable(error) if skipped.path == named => {
-                self.unreadable.push(Unreadable { path: skipped.path, error });
+                self.unreadable.push(Unreadable {
+                    path: skipped.path,
+                    error,
+                });
             }
             _ => self.skipped.push(skipped),
         }
@@ -122,7 +125,9 @@ impl Report {
 
     /// The line that a span begins in; empty when its file could not be read, or when nobody would read the line.
     pub fn line(&self, span: Span) -> String {
-        let Some(file) = self.source(span.file) else { return String::new() };
+        let Some(file) = self.source(span.file) else {
+            return String::new();
+        };
         file.document
             .line_around(span.range.start, DRAWN_LINE as u32)
             .map_or_else(String::new, |(line, _)| line)
@@ -130,11 +135,19 @@ impl Report {
 
     /// Rows and columns of a span; the start of the file when it could not be read.
     pub fn position(&self, span: Span) -> Position {
-        let Some(file) = self.source(span.file) else { return Position { start: (1, 1), end: (1, 1) } };
+        let Some(file) = self.source(span.file) else {
+            return Position {
+                start: (1, 1),
+                end: (1, 1),
+            };
+        };
         let at = |offset: u32| {
             let position = file.document.line_col(offset, Encoding::Utf32);
             (position.line + 1, position.col + 1)
         };
-        Position { start: at(span.range.start), end: at(span.range.end) }
+        Position {
+            start: at(span.range.start),
+            end: at(span.range.end),
+        }
     }
 }

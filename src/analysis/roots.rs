@@ -38,12 +38,20 @@ pub(super) struct Job {
 impl Job {
     /// A file with arguments.
     pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
-        Self { file, reason, args, preset: None, called: None }
+        Self {
+            file,
+            reason,
+            args,
+            preset: None,
+            called: None,
+        }
     }
 
     /// What is expanded.
     pub(super) fn root(&self) -> RootChoice {
-        let Self { file, args, preset, .. } = self.clone();
+        let Self {
+            file, args, preset, ..
+        } = self.clone();
         RootChoice { file, args, preset }
     }
 }
@@ -56,14 +64,25 @@ impl Session {
 
     /// The arguments that a root takes from launch files, with their values.
     pub(super) fn choices(&self, root: &Root, file: &Path) -> Axes {
-        if root.launch_choices { self.launch_choices(file) } else { Axes::new() }
+        if root.launch_choices {
+            self.launch_choices(file)
+        } else {
+            Axes::new()
+        }
     }
 
     /// The expansions of one file of a configured root; `args` go over all others.
     pub(super) fn jobs_of(&self, root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Job> {
         let job = |variant: Variant| {
-            let args = variant.args.into_iter().chain(args.iter().cloned()).collect();
-            Job { preset: variant.preset, ..Job::new(file.to_path_buf(), Reason::Root, args) }
+            let args = variant
+                .args
+                .into_iter()
+                .chain(args.iter().cloned())
+                .collect();
+            Job {
+                preset: variant.preset,
+                ..Job::new(file.to_path_buf(), Reason::Root, args)
+            }
         };
         self.variants(root, file).into_iter().map(job).collect()
     }

@@ -9,8 +9,8 @@ use super::session::Session;
 use base::{CancelFlag, FastMap, TextRange};
 use ecow::EcoString;
 use expand::{
-    Expansion, FileUse, Forced, FrameKind, Problem, ProblemKind, Read, Request, Severity, World, expand,
-    write,
+    Expansion, FileUse, Forced, FrameKind, Problem, ProblemKind, Read, Request, Severity, World,
+    expand, write,
 };
 use vfs::Vfs;
 
@@ -46,7 +46,12 @@ impl Run {
     fn of(session: &Session, vfs: &Vfs, cancel: &CancelFlag, job: &Job, setting: &Setting) -> Self {
         let World { packages, env, .. } = job::world(session);
         let Setting { args, forced } = setting.clone();
-        let request = Request { probe: false, args, forced, ..job::request(session, cancel, job) };
+        let request = Request {
+            probe: false,
+            args,
+            forced,
+            ..job::request(session, cancel, job)
+        };
         let expansion = expand(World { vfs, packages, env }, &request);
         let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
         let texts = expansion.record.iter().filter_map(|read| match read {
@@ -59,7 +64,11 @@ impl Run {
                 || expansion.files.iter().any(is_broken),
             failures: failures(&expansion),
             called: called(&expansion),
-            files: expansion.files.iter().map(|file| file.source.path.to_path_buf()).collect(),
+            files: expansion
+                .files
+                .iter()
+                .map(|file| file.source.path.to_path_buf())
+                .collect(),
             texts: texts.collect(),
             text: write(&expansion.tree, "").text,
             arguments: expansion.arguments,
@@ -78,27 +87,41 @@ impl Run {
 
     /// Whether a macro was called that stands in a place.
     pub fn calls(&self, (path, range): &(PathBuf, TextRange)) -> bool {
-        self.called.iter().any(|(file, place)| file == path && range.contains_range(*place))
+        self.called
+            .iter()
+            .any(|(file, place)| file == path && range.contains_range(*place))
     }
 
     fn is_current(&self, vfs: &Vfs) -> bool {
-        self.texts.iter().all(|(path, hash)| vfs.document_hash(path) == Some(*hash))
+        self.texts
+            .iter()
+            .all(|(path, hash)| vfs.document_hash(path) == Some(*hash))
     }
 }
 
 /// The errors of an expansion: code, file and place.
 fn failures(expansion: &Expansion) -> Vec<(ProblemKind, PathBuf, u32)> {
-    let errors = expansion.problems.iter().filter(|problem| problem.severity == Severity::Error);
+    let errors = expansion
+        .problems
+        .iter()
+        .filter(|problem| problem.severity == Severity::Error);
     let place = |problem: &Problem| {
         let file = expansion.files.get(problem.place.file.0 as usize)?;
-        Some((problem.kind, file.source.path.to_path_buf(), problem.place.range.start))
+        Some((
+            problem.kind,
+            file.source.path.to_path_buf(),
+            problem.place.range.start,
+        ))
     };
     errors.filter_map(place).collect()
 }
 
 /// Where the macros stand that were called.
 fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
-    let calls = expansion.frames.iter().filter(|frame| frame.kind == FrameKind::Macro);
+    let calls = expansion
+        .frames
+        .iter()
+        .filter(|frame| frame.kind == FrameKind::Macro);
     let places = calls.filter_map(|frame| expansion.place(frame.definition?));
     let mut found: Vec<_> = places.map(|place| (place.file, place.range)).collect();
     found.sort_unstable_by_key(|(file, range)| (*file, range.start));

@@ -56,7 +56,10 @@ impl Session {
     /// # Errors
     /// When the configuration file that `setup` names cannot be read.
     pub fn new(env: &Environment, setup: Setup) -> Result<Self, LoadError> {
-        let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
+        let vfs = Arc::new(Vfs::with_cwd(
+            config::Limits::default().file_bytes(),
+            env.cwd.clone(),
+        ));
         let configs = Configs::new(&vfs, setup.overrides.clone())?;
         Ok(Self::with(vfs, env, setup, configs))
     }
@@ -64,7 +67,10 @@ impl Session {
     /// A session over files that others use too. A configuration file that `setup` names and that cannot be read
     /// counts as empty.
     pub fn over(vfs: Arc<Vfs>, env: &Environment, setup: Setup) -> Self {
-        let overrides = Overrides { config: None, ..setup.overrides.clone() };
+        let overrides = Overrides {
+            config: None,
+            ..setup.overrides.clone()
+        };
         let configs = Configs::new(&vfs, setup.overrides.clone());
         let configs = configs.unwrap_or_else(|_| Configs::without_file(overrides));
         Self::with(vfs, env, setup, configs)
@@ -80,7 +86,10 @@ impl Session {
         let setup = Setup {
             about: folders.first().cloned().unwrap_or_else(|| env.cwd.clone()),
             folders: folders.to_vec(),
-            overrides: Overrides { editor, ..Overrides::default() },
+            overrides: Overrides {
+                editor,
+                ..Overrides::default()
+            },
             ..Setup::default()
         };
         Self::over(vfs.clone(), env, setup)
@@ -88,12 +97,20 @@ impl Session {
 
     fn with(vfs: Arc<Vfs>, env: &Environment, setup: Setup, configs: Configs) -> Self {
         let about = vfs.absolute(&setup.about);
-        let folder = if vfs.is_dir(&about) { Some(about.as_path()) } else { about.parent() };
+        let folder = if vfs.is_dir(&about) {
+            Some(about.as_path())
+        } else {
+            about.parent()
+        };
         let settings = configs.of_folder(&vfs, folder.unwrap_or(&about));
         let config = &settings.config;
         vfs.set_max_file_bytes(config.limits.file_bytes());
         let explicit = setup.package_path.iter().map(|path| env.cwd.join(path));
-        let folders: Vec<PathBuf> = setup.folders.into_iter().filter(|folder| vfs.is_dir(folder)).collect();
+        let folders: Vec<PathBuf> = setup
+            .folders
+            .into_iter()
+            .filter(|folder| vfs.is_dir(folder))
+            .collect();
         // each folder may name places of its own
         let others = folders.iter().map(|folder| configs.of_folder(&vfs, folder));
         let of_folders: Vec<PathBuf> = others
@@ -102,7 +119,10 @@ impl Session {
             .collect();
         let options = PackageOptions {
             workspace_folders: folders,
-            explicit: explicit.chain(config.package_path.iter().cloned()).chain(of_folders).collect(),
+            explicit: explicit
+                .chain(config.package_path.iter().cloned())
+                .chain(of_folders)
+                .collect(),
             use_environment: config.use_environment,
             target: config.target,
             ..PackageOptions::default()
@@ -143,7 +163,8 @@ impl Session {
             return self.callers.calls_below(&path, &self.packages).to_vec();
         }
         let all = self.callers.calls(&path, &self.packages);
-        let concerns = |call: &&RobotCall| call.call.caller == path || call.target.as_ref() == Some(&path);
+        let concerns =
+            |call: &&RobotCall| call.call.caller == path || call.target.as_ref() == Some(&path);
         all.iter().filter(concerns).cloned().collect()
     }
 
@@ -164,7 +185,9 @@ impl Session {
 
     /// The files around a path that may say something about robots.
     pub(super) fn beside_around(&self, path: &Path) -> Arc<Vec<PathBuf>> {
-        let Some(top) = self.packages.sources_around(path) else { return Arc::default() };
+        let Some(top) = self.packages.sources_around(path) else {
+            return Arc::default();
+        };
         let known = || self.beside.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = known().get(&top) {
             return found.clone();
@@ -177,7 +200,10 @@ impl Session {
     /// Forget which robots the files beside them are for.
     pub(super) fn forget_pairings(&self) {
         self.pairings().clear();
-        self.beside.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.beside
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clear();
     }
 
     /// The descriptions around a file.
@@ -222,7 +248,8 @@ impl Session {
 
     /// The names of the descriptions that launch files load instead of this one.
     pub(super) fn launched_instead(&self, file: &Path, may_be_given: bool) -> FastSet<String> {
-        self.callers.launched_instead(file, &self.packages, may_be_given)
+        self.callers
+            .launched_instead(file, &self.packages, may_be_given)
     }
 
     /// Whether launch files load other descriptions, and nothing can mean this one, which lies in no package.
@@ -272,7 +299,8 @@ impl Session {
 
     /// Whether a file was copied with a repository of others, and nothing else in the workspace leads to it.
     pub(super) fn is_unused_copy(&self, file: &Path) -> bool {
-        self.callers.is_unused_copy(file, &self.packages, |file| self.includers(file))
+        self.callers
+            .is_unused_copy(file, &self.packages, |file| self.includers(file))
     }
 
     /// What the descriptions below a folder include, as `make` finds it the first time.
@@ -297,13 +325,17 @@ impl Session {
     /// Forget which files include and call others: some have come, gone or changed.
     pub(super) fn forget_uses(&self) {
         self.callers.forget();
-        self.included.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.included
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clear();
         self.forget_pairings();
     }
 
     /// The settings for a file.
     pub fn settings(&self, file: &Path) -> Arc<Settings> {
-        self.configs.of_folder(&self.vfs, file.parent().unwrap_or(file))
+        self.configs
+            .of_folder(&self.vfs, file.parent().unwrap_or(file))
     }
 
     /// The settings for what lies directly in a folder.
@@ -338,10 +370,23 @@ impl Session {
 
     /// What rules see around a file with these settings.
     pub fn surroundings<'a>(&'a self, config: &'a Config) -> Surroundings<'a> {
-        let variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
-        let sourced = variables.iter().any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
+        let variables = [
+            "AMENT_PREFIX_PATH",
+            "COLCON_PREFIX_PATH",
+            "ROS_PACKAGE_PATH",
+        ];
+        let sourced = variables
+            .iter()
+            .any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
         let (vfs, meshes, manifests) = (&self.vfs, &self.meshes, &self.manifests);
-        Surroundings { packages: &self.packages, has_ros, vfs, meshes, manifests, config }
+        Surroundings {
+            packages: &self.packages,
+            has_ros,
+            vfs,
+            meshes,
+            manifests,
+            config,
+        }
     }
 }

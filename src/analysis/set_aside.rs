@@ -39,15 +39,29 @@ const KEPT: [&str; 15] = [
 const TESTS: [&str; 4] = ["fixtures", "test", "testdata", "tests"];
 
 /// Words in the name of a file for a test that say that it has to be refused.
-const REFUSED: [&str; 9] =
-    ["bad", "broken", "error", "fail", "failing", "fails", "invalid", "malformed", "wrong"];
+const REFUSED: [&str; 9] = [
+    "bad",
+    "broken",
+    "error",
+    "fail",
+    "failing",
+    "fails",
+    "invalid",
+    "malformed",
+    "wrong",
+];
 
 /// How many folders above a file a model of Gazebo begins at most.
 const MODEL_DEPTH: usize = 3;
 
 impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
-    pub(super) fn settle_set_aside(&self, job: &Job, robot: Option<&Robot>, findings: &mut [Finding]) {
+    pub(super) fn settle_set_aside(
+        &self,
+        job: &Job,
+        robot: Option<&Robot>,
+        findings: &mut [Finding],
+    ) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
         if job.reason != Reason::Walked || !findings.iter().any(is_news) {
             return;
@@ -65,7 +79,8 @@ impl Session {
             self.is_only_shown(&job.file).then_some(Severity::Info)
         });
         // a value of the wrong sign is a slip, whoever reads it
-        let is_idle = |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
+        let is_idle =
+            |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
         self.lower_where(findings, is_idle, || {
             let is_idle = !self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
             is_idle.then_some(Severity::Info)
@@ -79,23 +94,30 @@ impl Session {
                 || finding.rule == named::MESH_NOT_FOUND && self.is_above(&job.file, finding);
             is_taken || finding.rule.category == Category::Inertia
         };
-        self.lower_where(findings, about_bullet, || self.is_for_bullet(&job.file).then_some(Severity::Info));
+        self.lower_where(findings, about_bullet, || {
+            self.is_for_bullet(&job.file).then_some(Severity::Info)
+        });
         let about_prefixes = |finding: &Finding| {
             let is_block = || finding.message.starts_with("`insert_block`");
             finding.rule == named::UNPREFIXED_XACRO_TAG
                 || finding.rule == named::UNPREFIXED_MACRO_CALL
                 || finding.rule == named::UNKNOWN_GEOMETRY_TYPE && is_block()
         };
-        if let Some(most) =
-            self.lower_where(findings, about_prefixes, || self.severity_of_bare_tags(&job.file))
-        {
+        if let Some(most) = self.lower_where(findings, about_prefixes, || {
+            self.severity_of_bare_tags(&job.file)
+        }) {
             // all of them are for another xacro
-            let of_old_xacro = |finding: &&mut Finding| finding.severity == most && about_prefixes(finding);
-            findings.iter_mut().filter(of_old_xacro).for_each(|finding| {
-                finding.group = Some(Group::Value("for an old xacro".into()));
-            });
+            let of_old_xacro =
+                |finding: &&mut Finding| finding.severity == most && about_prefixes(finding);
+            findings
+                .iter_mut()
+                .filter(of_old_xacro)
+                .for_each(|finding| {
+                    finding.group = Some(Group::Value("for an old xacro".into()));
+                });
         }
-        let about_order = |finding: &Finding| finding.problem == Some(ProblemKind::UseBeforeDefinition);
+        let about_order =
+            |finding: &Finding| finding.problem == Some(ProblemKind::UseBeforeDefinition);
         let is_unordered = || (self.era(&job.file) == Era::Unordered).then_some(Severity::Info);
         self.lower_where(findings, about_order, is_unordered);
         // a library of which the robots that are launched use a part
@@ -112,9 +134,11 @@ impl Session {
     /// Whether the text that is wrong is a word that a program puts something else for: it names the file and the word.
     fn is_filled_in(&self, file: &Path, finding: &Finding) -> bool {
         let source = self.vfs.document(&self.vfs.path(finding.span.file));
-        let word = source.map(|source| source.document.slice(finding.span.range)).unwrap_or_default();
-        let is_word =
-            word.chars().all(|c| c.is_alphanumeric() || c == '_') && word.contains(char::is_alphabetic);
+        let word = source
+            .map(|source| source.document.slice(finding.span.range))
+            .unwrap_or_default();
+        let is_word = word.chars().all(|c| c.is_alphanumeric() || c == '_')
+            && word.contains(char::is_alphabetic);
         is_word && self.is_named_with(file, &word)
     }
 
@@ -122,7 +146,9 @@ impl Session {
     /// else for it.
     fn is_replaced(&self, file: &Path, finding: &Finding) -> bool {
         let source = self.vfs.document(&self.vfs.path(finding.span.file));
-        let Ok(text) = source.map(|source| source.document.slice(finding.span.range)) else { return false };
+        let Ok(text) = source.map(|source| source.document.slice(finding.span.range)) else {
+            return false;
+        };
         text.starts_with("$(") && self.is_quoted(file, &text)
     }
 
@@ -133,7 +159,10 @@ impl Session {
         is_of_kind: impl Fn(&Finding) -> bool,
         most: impl FnOnce() -> Option<Severity>,
     ) -> Option<Severity> {
-        let mut found = findings.iter_mut().filter(|finding| is_of_kind(finding)).peekable();
+        let mut found = findings
+            .iter_mut()
+            .filter(|finding| is_of_kind(finding))
+            .peekable();
         let most = found.peek().is_some().then(most).flatten()?;
         found.for_each(|finding| finding.severity = finding.severity.min(most));
         Some(most)
@@ -155,7 +184,11 @@ impl Session {
         let inside = |folder: &&Path| top.as_ref().is_none_or(|top| folder.starts_with(top));
         let has_manifest = |folder: &Path| self.vfs.is_file(&folder.join("manifest.xml"));
         self.packages.containing(file).is_none()
-            && file.ancestors().skip(1).take_while(inside).any(has_manifest)
+            && file
+                .ancestors()
+                .skip(1)
+                .take_while(inside)
+                .any(has_manifest)
     }
 
     /// Whether a file is not in use, and only such files include it.
@@ -178,7 +211,11 @@ impl Session {
     /// Whether nobody names a file though its path says that it is old or a copy, or the launch files of its package load
     /// others. A template is filled by a script that names it.
     fn is_unnamed(&self, file: &Path) -> bool {
-        let is_empty = || self.vfs.text(file).is_ok_and(|file| file.text.trim().is_empty());
+        let is_empty = || {
+            self.vfs
+                .text(file)
+                .is_ok_and(|file| file.text.trim().is_empty())
+        };
         let is_other = || {
             self.is_kept(file)
                 || self.is_left_over(file)
@@ -193,34 +230,55 @@ impl Session {
 
     /// Whether the path of a file says that it is kept and not used.
     pub(super) fn is_kept(&self, file: &Path) -> bool {
-        self.words_of(file).iter().any(|word| KEPT.contains(&word.as_str()))
+        self.words_of(file)
+            .iter()
+            .any(|word| KEPT.contains(&word.as_str()))
     }
 
     /// Whether the folder of a relative mesh lies in one above the file, where Bullet looks as well.
     fn is_above(&self, file: &Path, finding: &Finding) -> bool {
         const MOST_FOLDERS: usize = 4;
         let source = self.vfs.document(&self.vfs.path(finding.span.file));
-        let name = source.map(|source| source.document.slice(finding.span.range)).unwrap_or_default();
-        let folder = Path::new(name.trim_start_matches("./")).parent().map(Path::to_owned);
-        let Some(folder) = folder.filter(|folder| folder.iter().next().is_some() && !name.contains(':'))
+        let name = source
+            .map(|source| source.document.slice(finding.span.range))
+            .unwrap_or_default();
+        let folder = Path::new(name.trim_start_matches("./"))
+            .parent()
+            .map(Path::to_owned);
+        let Some(folder) =
+            folder.filter(|folder| folder.iter().next().is_some() && !name.contains(':'))
         else {
             return false;
         };
         let above = file.ancestors().skip(2).take(MOST_FOLDERS);
-        above.into_iter().any(|top| self.vfs.is_dir(&top.join(&folder)))
+        above
+            .into_iter()
+            .any(|top| self.vfs.is_dir(&top.join(&folder)))
     }
 
     /// Whether a file is one of a test, which has to be refused.
     fn is_wrong_on_purpose(&self, file: &Path) -> bool {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
-        let is_refused = words(&name).iter().any(|word| REFUSED.contains(&word.as_str()));
-        is_refused && self.words_of(file).iter().any(|word| TESTS.contains(&word.as_str()))
+        let is_refused = words(&name)
+            .iter()
+            .any(|word| REFUSED.contains(&word.as_str()));
+        is_refused
+            && self
+                .words_of(file)
+                .iter()
+                .any(|word| TESTS.contains(&word.as_str()))
     }
 
     /// Whether a file lies in a model of Gazebo, whose `model.config` names another one.
     fn is_beside_model(&self, file: &Path) -> bool {
-        let config = file.ancestors().skip(1).take(MODEL_DEPTH).map(|folder| folder.join("model.config"));
-        let Some(config) = config.into_iter().find(|config| self.vfs.is_file(config)) else { return false };
+        let config = file
+            .ancestors()
+            .skip(1)
+            .take(MODEL_DEPTH)
+            .map(|folder| folder.join("model.config"));
+        let Some(config) = config.into_iter().find(|config| self.vfs.is_file(config)) else {
+            return false;
+        };
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         self.vfs
             .text(&config)
@@ -233,20 +291,29 @@ impl Session {
         if !launched.is_empty() && self.may_be_given(file, &launched) {
             launched = self.launched_instead(file, true);
         }
-        let Some(package) = self.packages.containing(file).filter(|_| !launched.is_empty()) else {
+        let Some(package) = self
+            .packages
+            .containing(file)
+            .filter(|_| !launched.is_empty())
+        else {
             return false;
         };
         let is_launched = |other: &PathBuf| {
             let name = other.file_name().and_then(|name| name.to_str());
             other != file && name.is_some_and(|name| launched.contains(name))
         };
-        walk::all_descriptions(&package.folder, &self.vfs, &self.env).iter().any(is_launched)
+        walk::all_descriptions(&package.folder, &self.vfs, &self.env)
+            .iter()
+            .any(is_launched)
     }
 
     /// Whether somebody may start a launch file that takes the name of any description with this one: it is a robot, and none of
     /// the same name is launched.
     fn may_be_given(&self, file: &Path, launched: &FastSet<String>) -> bool {
-        let gives_robot = self.vfs.document(file).is_ok_and(|source| graph::gives_robot(&source.document));
+        let gives_robot = self
+            .vfs
+            .document(file)
+            .is_ok_and(|source| graph::gives_robot(&source.document));
         let is_same = |name: &String| {
             let other = file.with_file_name(name);
             other != file && stem(&other) == stem(file) && self.vfs.is_file(&other)
@@ -257,33 +324,46 @@ impl Session {
     /// The words in the path of a file, from the top of the workspace. What file managers call copies are old.
     fn words_of(&self, file: &Path) -> Vec<String> {
         let top = self.packages.sources_around(file);
-        let inside =
-            top.and_then(|top| file.strip_prefix(top).ok().map(Path::to_path_buf)).unwrap_or_default();
+        let inside = top
+            .and_then(|top| file.strip_prefix(top).ok().map(Path::to_path_buf))
+            .unwrap_or_default();
         let copied = ["(copy", "(copia", "(otra copia", "(copie", "(kopie"];
         let path = inside.to_string_lossy().to_lowercase();
-        words(&copied.iter().fold(path, |path, copy| path.replace(copy, "(old")))
+        words(
+            &copied
+                .iter()
+                .fold(path, |path, copy| path.replace(copy, "(old")),
+        )
     }
 }
 
 /// Whether a file has the form of a robot and only lists joints with their limits, as `joint_state_publisher` shows them.
 fn is_list_of_joints(robot: &Robot) -> bool {
-    let is_bare = |joint: &Joint| joint.kind.is_none() && joint.parent.is_none() && joint.child.is_none();
+    let is_bare =
+        |joint: &Joint| joint.kind.is_none() && joint.parent.is_none() && joint.child.is_none();
     robot.links.is_empty() && !robot.joints.is_empty() && robot.joints.iter().all(is_bare)
 }
 
 /// Whether the name of a file says that it is to be filled in.
 fn is_template(file: &Path) -> bool {
     let name = file.file_name().unwrap_or_default().to_string_lossy();
-    words(&name).iter().any(|word| ["template", "tmpl"].contains(&word.as_str()))
+    words(&name)
+        .iter()
+        .any(|word| ["template", "tmpl"].contains(&word.as_str()))
 }
 
 fn words(text: &str) -> Vec<String> {
     let text = text.to_lowercase();
-    text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    text.split(|c: char| !c.is_alphanumeric())
+        .filter(|word| !word.is_empty())
+        .map(str::to_owned)
+        .collect()
 }
 
 fn lower(findings: &mut [Finding]) {
-    findings.iter_mut().for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
+    findings
+        .iter_mut()
+        .for_each(|finding| finding.severity = finding.severity.min(Severity::Info));
 }
 
 /// What is wrong in a file that xacro generated, and in its source as well, is said of the source. The rest is an info
@@ -294,24 +374,36 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
         .filter_map(|(number, outcome)| Some((number, generated_from(outcome.files.first()?)?)))
         .collect();
     for (number, source) in generated {
-        let Some(file) = outcomes.get(number).map(|outcome| outcome.job.file.clone()) else { continue };
+        let Some(file) = outcomes.get(number).map(|outcome| outcome.job.file.clone()) else {
+            continue;
+        };
         let is_source = |outcome: &&Outcome| {
-            outcome.job.file.file_name().is_some_and(|name| name == source.as_str())
+            outcome
+                .job
+                .file
+                .file_name()
+                .is_some_and(|name| name == source.as_str())
                 && outcome.job.file != file
         };
         let shared = |outcome: &&Outcome| {
             let (a, b) = (outcome.job.file.components(), file.components());
             a.zip(b).take_while(|(a, b)| a == b).count()
         };
-        let Some(source) = outcomes.iter().filter(is_source).max_by_key(shared) else { continue };
+        let Some(source) = outcomes.iter().filter(is_source).max_by_key(shared) else {
+            continue;
+        };
         let said = |finding: &Finding| {
             let ways = finding.ways.iter().map(|way| way.message.clone());
             let code = finding.rule.code;
-            ways.chain([finding.message.clone()]).map(|message| (code, message)).collect::<Vec<_>>()
+            ways.chain([finding.message.clone()])
+                .map(|message| (code, message))
+                .collect::<Vec<_>>()
         };
         let said: FastSet<(&str, String)> = source.findings.iter().flat_map(said).collect();
         if let Some(outcome) = outcomes.get_mut(number) {
-            outcome.findings.retain(|finding| !said.contains(&(finding.rule.code, finding.message.clone())));
+            outcome
+                .findings
+                .retain(|finding| !said.contains(&(finding.rule.code, finding.message.clone())));
             let is_walked = outcome.job.reason == Reason::Walked;
             if is_walked && !session.is_loaded(&file) && !session.is_included(&file) {
                 lower(&mut outcome.findings);

@@ -37,14 +37,30 @@ impl<'a> Hiding<'a> {
     pub(super) fn new(session: &'a Session, options: &CheckOptions, outcomes: &[Outcome]) -> Self {
         let mut files = BTreeMap::new();
         for file in outcomes.iter().flat_map(|outcome| &outcome.files) {
-            files.entry(file.id).or_insert_with(|| (file.clone(), Suppressions::of(&file.document)));
+            files
+                .entry(file.id)
+                .or_insert_with(|| (file.clone(), Suppressions::of(&file.document)));
         }
         files.retain(|_, (_, found)| !found.list.is_empty());
         let judged = judged(session, options, outcomes);
-        let called = outcomes.iter().flat_map(|outcome| outcome.called.iter().copied()).collect();
-        let variable = outcomes.iter().filter(|outcome| !outcome.arguments.is_empty());
-        let variable = variable.flat_map(|outcome| outcome.files.iter().map(|file| file.id)).collect();
-        Self { session, files, judged, used: FastSet::default(), called, variable }
+        let called = outcomes
+            .iter()
+            .flat_map(|outcome| outcome.called.iter().copied())
+            .collect();
+        let variable = outcomes
+            .iter()
+            .filter(|outcome| !outcome.arguments.is_empty());
+        let variable = variable
+            .flat_map(|outcome| outcome.files.iter().map(|file| file.id))
+            .collect();
+        Self {
+            session,
+            files,
+            judged,
+            used: FastSet::default(),
+            called,
+            variable,
+        }
     }
 
     /// Whether a comment hides a finding, where it stands or at a call or include that leads there. The includes are those
@@ -53,15 +69,29 @@ impl<'a> Hiding<'a> {
         if self.files.is_empty() {
             return false;
         }
-        let calls = finding.related.iter().filter(|related| related.is_call).map(|related| related.span);
+        let calls = finding
+            .related
+            .iter()
+            .filter(|related| related.is_call)
+            .map(|related| related.span);
         let mut hidden = false;
         let tags = including(finding.span.file, includes);
         for span in std::iter::once(finding.span).chain(calls).chain(tags) {
-            let Some((_, found)) = self.files.get(&span.file) else { continue };
-            let Some(number) = found.hiding(finding.rule, span.range.start) else { continue };
+            let Some((_, found)) = self.files.get(&span.file) else {
+                continue;
+            };
+            let Some(number) = found.hiding(finding.rule, span.range.start) else {
+                continue;
+            };
             hidden = true;
-            let rules = found.list.get(number).into_iter().flat_map(|suppression| &suppression.rules);
-            let named = rules.enumerate().filter(|(_, selector)| selector.names(finding.rule));
+            let rules = found
+                .list
+                .get(number)
+                .into_iter()
+                .flat_map(|suppression| &suppression.rules);
+            let named = rules
+                .enumerate()
+                .filter(|(_, selector)| selector.names(finding.rule));
             self.used.extend(named.map(|(i, _)| (span.file, number, i)));
         }
         hidden
@@ -83,7 +113,9 @@ impl<'a> Hiding<'a> {
             for (number, suppression) in found.list.iter().enumerate() {
                 let is_unused = |i: usize, selector: &Selector| match suppression.directive {
                     Directive::Enable => self.ends_nothing(source, suppression, selector, found),
-                    _ => !self.used.contains(&(file, number, i)) && self.is_judged(source, selector),
+                    _ => {
+                        !self.used.contains(&(file, number, i)) && self.is_judged(source, selector)
+                    }
                 };
                 if !self.was_evaluated(source, suppression) {
                     continue;
@@ -94,7 +126,11 @@ impl<'a> Hiding<'a> {
                     .map(|(_, selector)| selector)
                     .collect();
                 if !unused.is_empty() {
-                    let safety = if self.is_fixed(source) { Safety::Safe } else { Safety::Unsafe };
+                    let safety = if self.is_fixed(source) {
+                        Safety::Safe
+                    } else {
+                        Safety::Unsafe
+                    };
                     findings.push(unused_suppression(source, suppression, &unused, safety));
                 }
             }
@@ -108,17 +144,23 @@ impl<'a> Hiding<'a> {
         let document = &source.document;
         let behind = document.slice(TextRange::new(suppression.comment.end, document.len()));
         let next = behind.find('<').map_or(0, |at| at as u32 + 1);
-        [suppression.comment.start, suppression.comment.end + next].into_iter().all(|at| {
-            let inside = |names: &[&str]| enclosing(document, TextRange::empty(at), names);
-            inside(&["xacro:if", "xacro:unless"]).is_empty()
-                && inside(&["xacro:macro"]).into_iter().all(|place| self.is_called(source.id, place))
-        })
+        [suppression.comment.start, suppression.comment.end + next]
+            .into_iter()
+            .all(|at| {
+                let inside = |names: &[&str]| enclosing(document, TextRange::empty(at), names);
+                inside(&["xacro:if", "xacro:unless"]).is_empty()
+                    && inside(&["xacro:macro"])
+                        .into_iter()
+                        .all(|place| self.is_called(source.id, place))
+            })
     }
 
     /// Whether all of a file was evaluated, whatever the arguments.
     fn is_fixed(&self, source: &SourceFile) -> bool {
-        let elements =
-            source.document.parts().flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
+        let elements = source
+            .document
+            .parts()
+            .flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
         let mut open = elements.filter(|(base, node)| match node.name() {
             "xacro:if" | "xacro:unless" => true,
             "xacro:macro" => !self.is_called(source.id, node.range().shift(*base)),
@@ -128,7 +170,9 @@ impl<'a> Hiding<'a> {
     }
 
     fn is_called(&self, file: FileId, place: TextRange) -> bool {
-        self.called.iter().any(|span| span.file == file && place.contains_range(span.range))
+        self.called
+            .iter()
+            .any(|span| span.file == file && place.contains_range(span.range))
     }
 
     /// Whether the rules that a selector means had their say about a file. A rule that does not run hides
@@ -136,10 +180,15 @@ impl<'a> Hiding<'a> {
     fn is_judged(&self, source: &SourceFile, selector: &Selector) -> bool {
         let mut running = self.running(source, selector).peekable();
         let whole = self.judged.contains(&source.id);
-        running.peek().is_some() && running.all(|rule| whole || matches!(rule.check, Check::File(_)))
+        running.peek().is_some()
+            && running.all(|rule| whole || matches!(rule.check, Check::File(_)))
     }
 
-    fn running(&self, source: &SourceFile, selector: &Selector) -> impl Iterator<Item = &'static Rule> {
+    fn running(
+        &self,
+        source: &SourceFile,
+        selector: &Selector,
+    ) -> impl Iterator<Item = &'static Rule> {
         let settings = self.session.settings(&source.path);
         all().filter(move |rule| selector.names(rule) && settings.runs(rule, &source.path))
     }
@@ -178,7 +227,10 @@ fn judged(session: &Session, options: &CheckOptions, outcomes: &[Outcome]) -> Fa
     let absolute = options.paths.iter().map(|path| session.vfs.absolute(path));
     let folders: Vec<PathBuf> = absolute.filter(|path| session.vfs.is_dir(path)).collect();
     let mut judged = FastSet::default();
-    for outcome in outcomes.iter().filter(|outcome| outcome.is_robot && outcome.complete) {
+    for outcome in outcomes
+        .iter()
+        .filter(|outcome| outcome.is_robot && outcome.complete)
+    {
         let alone = matches!(outcome.job.reason, Reason::Named | Reason::Alone);
         if alone && outcome.job.preset.is_some() {
             continue;

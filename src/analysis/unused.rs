@@ -22,7 +22,8 @@ impl Session {
         outcomes: &mut [Outcome],
     ) -> Option<FastSet<PathBuf>> {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
-        let has_copies = |folder: PathBuf| self.vfs.is_dir(&folder) && self.has_copies(&folder.join("_"));
+        let has_copies =
+            |folder: PathBuf| self.vfs.is_dir(&folder) && self.has_copies(&folder.join("_"));
         // an editor asks about the files that it shows
         if !options.entries.is_empty() || !folders.into_iter().any(has_copies) {
             return None;
@@ -46,7 +47,9 @@ impl Session {
     fn is_other(&self, file: &Path, asked: &[PathBuf]) -> bool {
         // settings are found by names that are put together
         sort(file).is_none()
-            && self.copied_with(file).is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))
+            && self
+                .copied_with(file)
+                .is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))
             && self.is_unused_copy(file)
     }
 
@@ -56,9 +59,18 @@ impl Session {
         if !options.entries.is_empty() {
             return;
         }
-        let asked: FastSet<PathBuf> = options.paths.iter().map(|path| self.vfs.absolute(path)).collect();
-        self.lower_in(findings, |file| !asked.contains(file) && self.is_left_behind(file));
-        for finding in findings.iter_mut().filter(|finding| finding.severity > Severity::Info) {
+        let asked: FastSet<PathBuf> = options
+            .paths
+            .iter()
+            .map(|path| self.vfs.absolute(path))
+            .collect();
+        self.lower_in(findings, |file| {
+            !asked.contains(file) && self.is_left_behind(file)
+        });
+        for finding in findings
+            .iter_mut()
+            .filter(|finding| finding.severity > Severity::Info)
+        {
             let file = self.vfs.path(finding.span.file);
             let is_idle = if finding.rule.has(Trait::Controller) {
                 self.is_never_started(&file, finding)
@@ -75,27 +87,53 @@ impl Session {
 
     /// Whether a finding is about a controller that nothing starts, while others of the same file are started by their names.
     fn is_never_started(&self, file: &Path, finding: &Finding) -> bool {
-        let Some(settings) = self.beside_settings(file) else { return false };
-        let is_before = |controller: &&Controller| controller.name.range.start <= finding.span.range.start;
-        let own = settings.controllers.iter().filter(is_before).max_by_key(|one| one.name.range.start);
-        let Some(own) = own.map(|own| own.name.name.as_str()) else { return false };
-        let texts = self.starters(file).into_iter().filter_map(|path| self.vfs.text(&path).ok());
+        let Some(settings) = self.beside_settings(file) else {
+            return false;
+        };
+        let is_before =
+            |controller: &&Controller| controller.name.range.start <= finding.span.range.start;
+        let own = settings
+            .controllers
+            .iter()
+            .filter(is_before)
+            .max_by_key(|one| one.name.range.start);
+        let Some(own) = own.map(|own| own.name.name.as_str()) else {
+            return false;
+        };
+        let texts = self
+            .starters(file)
+            .into_iter()
+            .filter_map(|path| self.vfs.text(&path).ok());
         let texts: Vec<_> = texts.collect();
         let is_started = |name: &str| texts.iter().any(|text| has_name(&text.text, name));
-        !is_started(own) && settings.controllers.iter().any(|other| is_started(&other.name.name))
+        !is_started(own)
+            && settings
+                .controllers
+                .iter()
+                .any(|other| is_started(&other.name.name))
     }
 
     /// Whether another file of the workspace lists the controller that a finding is about: it is for another controller manager.
     fn is_listed_elsewhere(&self, file: &Path, finding: &Finding) -> bool {
         let text = self.vfs.text(file);
-        let name = text.map(|text| finding.span.range.slice(&text.text).to_owned()).unwrap_or_default();
-        let name = name.rsplit('/').next().unwrap_or_default().trim_matches(['"', '\'']).to_owned();
+        let name = text
+            .map(|text| finding.span.range.slice(&text.text).to_owned())
+            .unwrap_or_default();
+        let name = name
+            .rsplit('/')
+            .next()
+            .unwrap_or_default()
+            .trim_matches(['"', '\''])
+            .to_owned();
         let around = self.beside_around(file);
         let lists = |other: &PathBuf| {
             let settings = self.beside_settings(other);
             settings.is_some_and(|settings| settings.listed.iter().any(|one| one.name.name == name))
         };
-        around.iter().filter(|other| *other != file && is_settings(other)).any(lists)
+        around
+            .iter()
+            .filter(|other| *other != file && is_settings(other))
+            .any(lists)
     }
 
     /// Whether a file lists controllers and no text names it, while texts name another one of its package.
@@ -104,9 +142,13 @@ impl Session {
         let folder = self.packages.containing(file).map(|package| package.folder);
         // what the setup assistant of MoveIt writes is found by its name
         let folder = folder.filter(|folder| !self.vfs.is_file(&folder.join(".setup_assistant")));
-        let Some(folder) = folder.filter(|_| lists(file) && !self.is_mentioned(file)) else { return false };
+        let Some(folder) = folder.filter(|_| lists(file) && !self.is_mentioned(file)) else {
+            return false;
+        };
         let around = self.beside_around(file);
-        let mut others = around.iter().filter(|other| *other != file && other.starts_with(&folder));
+        let mut others = around
+            .iter()
+            .filter(|other| *other != file && other.starts_with(&folder));
         others.any(|other| lists(other) && self.is_mentioned(other))
     }
 
@@ -126,9 +168,15 @@ impl Session {
     /// Make infos of what is wrong in some files.
     fn lower_in(&self, findings: &mut [Finding], is_unused: impl Fn(&Path) -> bool) {
         let mut known: FastMap<FileId, bool> = FastMap::default();
-        for finding in findings.iter_mut().filter(|finding| finding.severity > Severity::Info) {
+        for finding in findings
+            .iter_mut()
+            .filter(|finding| finding.severity > Severity::Info)
+        {
             let file = finding.span.file;
-            if *known.entry(file).or_insert_with(|| is_unused(&self.vfs.path(file))) {
+            if *known
+                .entry(file)
+                .or_insert_with(|| is_unused(&self.vfs.path(file)))
+            {
                 finding.severity = Severity::Info;
             }
         }
@@ -137,5 +185,9 @@ impl Session {
 
 /// The files and folders that somebody asks for.
 fn asked(session: &Session, options: &CheckOptions) -> Vec<PathBuf> {
-    options.paths.iter().map(|path| session.vfs.absolute(path)).collect()
+    options
+        .paths
+        .iter()
+        .map(|path| session.vfs.absolute(path))
+        .collect()
 }

@@ -7,20 +7,39 @@ use vfs::testing::Tree;
 const BROKEN: &str = "<robot name='r'><link name='base'><visual/></link></robot>";
 
 /// The severity of a rule in one of these files, when a folder of them is checked.
-fn severity_below(folder: &str, files: &[(&str, &str)], file: &str, rule: &str) -> Option<Severity> {
+fn severity_below(
+    folder: &str,
+    files: &[(&str, &str)],
+    file: &str,
+    rule: &str,
+) -> Option<Severity> {
     let tree = Tree::new();
     for (name, text) in files {
         tree.write(name, text);
     }
-    let path = if folder.is_empty() { tree.root().to_owned() } else { tree.path(folder) };
-    let setup = Setup { folders: vec![path.clone()], ..Setup::default() };
+    let path = if folder.is_empty() {
+        tree.root().to_owned()
+    } else {
+        tree.path(folder)
+    };
+    let setup = Setup {
+        folders: vec![path.clone()],
+        ..Setup::default()
+    };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let report = session.check(&CheckOptions { paths: vec![path], ..CheckOptions::default() });
+    let report = session.check(&CheckOptions {
+        paths: vec![path],
+        ..CheckOptions::default()
+    });
     let is_it = |finding: &&rules::Finding| {
         let path = session.vfs.path(finding.span.file);
         finding.rule.name == rule && (file.is_empty() || path.ends_with(file))
     };
-    report.findings.iter().find(is_it).map(|finding| finding.severity)
+    report
+        .findings
+        .iter()
+        .find(is_it)
+        .map(|finding| finding.severity)
 }
 
 fn manifest(name: &str, person: &str) -> String {
@@ -30,15 +49,24 @@ fn manifest(name: &str, person: &str) -> String {
 /// A workspace with a robot of its own, and a package of another repository.
 fn workspace() -> Vec<(&'static str, String)> {
     vec![
-        ("src/rover_description/package.xml", manifest("rover_description", "me@todo.todo")),
+        (
+            "src/rover_description/package.xml",
+            manifest("rover_description", "me@todo.todo"),
+        ),
         ("src/rover_description/urdf/rover.urdf", BROKEN.to_owned()),
-        ("src/rover_description/launch/show.launch", "<param textfile='rover.urdf'/>".to_owned()),
+        (
+            "src/rover_description/launch/show.launch",
+            "<param textfile='rover.urdf'/>".to_owned(),
+        ),
         ("src/gripper_stack/.travis.yml", String::new()),
         (
             "src/gripper_stack/gripper_description/package.xml",
             manifest("gripper_description", "they@lab.org"),
         ),
-        ("src/gripper_stack/gripper_description/urdf/gripper.urdf", BROKEN.to_owned()),
+        (
+            "src/gripper_stack/gripper_description/urdf/gripper.urdf",
+            BROKEN.to_owned(),
+        ),
         (
             "src/gripper_stack/gripper_description/launch/gripper.launch",
             "<param textfile='$(find gripper_description)/urdf/gripper.urdf'/>".to_owned(),
@@ -47,7 +75,10 @@ fn workspace() -> Vec<(&'static str, String)> {
 }
 
 fn severity_of(file: &str, folder: &str, files: &[(&'static str, String)]) -> Option<Severity> {
-    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
+    let files: Vec<(&str, &str)> = files
+        .iter()
+        .map(|(name, text)| (*name, text.as_str()))
+        .collect();
     severity_below(folder, &files, file, "missing-element")
 }
 
@@ -57,21 +88,50 @@ fn copied_repositories() {
     assert_eq!(severity_of("gripper.urdf", "", &own), Some(Severity::Info));
     assert_eq!(severity_of("rover.urdf", "", &own), Some(Severity::Error));
     // somebody asks for it
-    assert_eq!(severity_of("gripper.urdf", "src/gripper_stack", &own), Some(Severity::Error));
     assert_eq!(
-        severity_of("gripper.urdf", "src/gripper_stack/gripper_description", &own),
+        severity_of("gripper.urdf", "src/gripper_stack", &own),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        severity_of(
+            "gripper.urdf",
+            "src/gripper_stack/gripper_description",
+            &own
+        ),
         Some(Severity::Error)
     );
     // a clone may be anybody's
-    let cloned = [own.clone(), vec![("src/gripper_stack/.git/HEAD", String::new())]].concat();
-    assert_eq!(severity_of("gripper.urdf", "", &cloned), Some(Severity::Error));
+    let cloned = [
+        own.clone(),
+        vec![("src/gripper_stack/.git/HEAD", String::new())],
+    ]
+    .concat();
+    assert_eq!(
+        severity_of("gripper.urdf", "", &cloned),
+        Some(Severity::Error)
+    );
     // without a mark it is no other repository
-    let plain: Vec<_> = own.iter().filter(|(name, _)| !name.ends_with(".yml")).cloned().collect();
-    assert_eq!(severity_of("gripper.urdf", "", &plain), Some(Severity::Error));
+    let plain: Vec<_> = own
+        .iter()
+        .filter(|(name, _)| !name.ends_with(".yml"))
+        .cloned()
+        .collect();
+    assert_eq!(
+        severity_of("gripper.urdf", "", &plain),
+        Some(Severity::Error)
+    );
     // one that was released
-    let released =
-        [plain.clone(), vec![("src/gripper_stack/gripper_description/CHANGELOG.rst", String::new())]];
-    assert_eq!(severity_of("gripper.urdf", "", &released.concat()), Some(Severity::Info));
+    let released = [
+        plain.clone(),
+        vec![(
+            "src/gripper_stack/gripper_description/CHANGELOG.rst",
+            String::new(),
+        )],
+    ];
+    assert_eq!(
+        severity_of("gripper.urdf", "", &released.concat()),
+        Some(Severity::Info)
+    );
 }
 
 #[test]
@@ -82,14 +142,21 @@ fn copied_repositories_that_are_used() {
             "<include file='$(find gripper_description)/launch/gripper.launch'/>",
         ),
         ("README.md", "roslaunch gripper_description gripper.launch"),
-        ("src/rover_description/scripts/load.py", "package = 'gripper_description'"),
+        (
+            "src/rover_description/scripts/load.py",
+            "package = 'gripper_description'",
+        ),
         (
             "src/rover_description/urdf/all.xacro",
             "<robot xmlns:xacro='x'><xacro:include filename='$(find gripper_description)/urdf/gripper.urdf'/></robot>",
         ),
     ] {
         let all = [workspace(), vec![(name, text.to_owned())]].concat();
-        assert_eq!(severity_of("gripper.urdf", "", &all), Some(Severity::Error), "{name}");
+        assert_eq!(
+            severity_of("gripper.urdf", "", &all),
+            Some(Severity::Error),
+            "{name}"
+        );
     }
     // a package that needs one of its family
     let needs = |name: &str| {
@@ -98,7 +165,11 @@ fn copied_repositories_that_are_used() {
         severity_of(
             "gripper.urdf",
             "",
-            &[workspace(), vec![("src/rover_description/package.xml", text)]].concat(),
+            &[
+                workspace(),
+                vec![("src/rover_description/package.xml", text)],
+            ]
+            .concat(),
         )
     };
     assert_eq!(needs("gripper_driver"), Some(Severity::Error));
@@ -108,13 +179,17 @@ fn copied_repositories_that_are_used() {
         "src/rover_description/launch/all.launch",
         "<!-- $(find gripper_description) gripper.launch -->".to_owned(),
     );
-    assert_eq!(severity_of("gripper.urdf", "", &[workspace(), vec![comment]].concat()), Some(Severity::Info));
+    assert_eq!(
+        severity_of("gripper.urdf", "", &[workspace(), vec![comment]].concat()),
+        Some(Severity::Info)
+    );
 }
 
 #[test]
 fn whose_a_package_is() {
     let with = |name: &str, person: &str| -> Vec<(&'static str, String)> {
-        let change = |(path, text): (&'static str, String)| match path.contains("gripper_description/package")
+        let change = |(path, text): (&'static str, String)| match path
+            .contains("gripper_description/package")
         {
             true => (path, manifest(name, person)),
             false => (path, text),
@@ -123,7 +198,11 @@ fn whose_a_package_is() {
     };
     // the same people, or the same family of names
     assert_eq!(
-        severity_of("gripper.urdf", "", &with("gripper_description", "me@todo.todo")),
+        severity_of(
+            "gripper.urdf",
+            "",
+            &with("gripper_description", "me@todo.todo")
+        ),
         Some(Severity::Error)
     );
     assert_eq!(
@@ -131,7 +210,11 @@ fn whose_a_package_is() {
         Some(Severity::Error)
     );
     assert_eq!(
-        severity_of("gripper.urdf", "", &with("gripper_description", "they@lab.org")),
+        severity_of(
+            "gripper.urdf",
+            "",
+            &with("gripper_description", "they@lab.org")
+        ),
         Some(Severity::Info)
     );
     // a repository of packages that are all alike
@@ -140,7 +223,10 @@ fn whose_a_package_is() {
         .map(|(path, text)| (path, text.replace("me@todo.todo", "some@lab.org")))
         .chain([("src/rover_description/.travis.yml", String::new())])
         .collect();
-    assert_eq!(severity_of("gripper.urdf", "", &alike), Some(Severity::Error));
+    assert_eq!(
+        severity_of("gripper.urdf", "", &alike),
+        Some(Severity::Error)
+    );
 }
 
 #[test]
@@ -148,15 +234,27 @@ fn published_repositories_hold_what_is_released() {
     let files = |person: &str| {
         vec![
             (".github/workflows/ci.yml", String::new()),
-            ("arm_description/package.xml", manifest("arm_description", "a@lab.org")),
+            (
+                "arm_description/package.xml",
+                manifest("arm_description", "a@lab.org"),
+            ),
             ("arm_description/CHANGELOG.rst", String::new()),
             ("arm_description/urdf/arm.urdf", BROKEN.to_owned()),
-            ("cell_description/package.xml", manifest("cell_description", person)),
+            (
+                "cell_description/package.xml",
+                manifest("cell_description", person),
+            ),
             ("cell_description/urdf/cell.urdf", BROKEN.to_owned()),
         ]
     };
-    assert_eq!(severity_of("arm.urdf", "", &files("b@lab.org")), Some(Severity::Error));
-    assert_eq!(severity_of("arm.urdf", "", &files("b@todo.todo")), Some(Severity::Info));
+    assert_eq!(
+        severity_of("arm.urdf", "", &files("b@lab.org")),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        severity_of("arm.urdf", "", &files("b@todo.todo")),
+        Some(Severity::Info)
+    );
 }
 
 #[test]
@@ -182,26 +280,42 @@ fn settings_that_no_text_names() {
     };
     assert_eq!(severity("load('r.urdf')"), Some(Severity::Error));
     assert_eq!(severity("load('r.urdf', 'one.yaml')"), Some(Severity::Info));
-    assert_eq!(severity("load('r.urdf', 'one.yaml')  # 'two.yaml'"), Some(Severity::Info));
-    assert_eq!(severity("load('r.urdf', 'two.yaml')"), Some(Severity::Error));
+    assert_eq!(
+        severity("load('r.urdf', 'one.yaml')  # 'two.yaml'"),
+        Some(Severity::Info)
+    );
+    assert_eq!(
+        severity("load('r.urdf', 'two.yaml')"),
+        Some(Severity::Error)
+    );
 }
 
 /// The severity of the only place of a rule in a package of these files.
 fn severity_in(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
-    let manifest =
-        ("package.xml", "<package><name>r</name><buildtool_depend>catkin</buildtool_depend></package>");
+    let manifest = (
+        "package.xml",
+        "<package><name>r</name><buildtool_depend>catkin</buildtool_depend></package>",
+    );
     severity_below("", &[&[manifest], files].concat(), "", rule)
 }
 
 #[test]
 fn lists_of_joints() {
     let list = |inside: &str| {
-        format!("<robot name='r'><joint name='a'><limit lower='0' upper='1'/></joint>{inside}</robot>")
+        format!(
+            "<robot name='r'><joint name='a'><limit lower='0' upper='1'/></joint>{inside}</robot>"
+        )
     };
     let severity = |inside: &str| severity_in("no-links", &[("urdf/list.urdf", &list(inside))]);
     assert_eq!(severity(""), Some(Severity::Info));
-    assert_eq!(severity("<joint name='b' type='fixed'/>"), Some(Severity::Error));
-    assert_eq!(severity("<joint name='b'><parent link='x'/></joint>"), Some(Severity::Error));
+    assert_eq!(
+        severity("<joint name='b' type='fixed'/>"),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        severity("<joint name='b'><parent link='x'/></joint>"),
+        Some(Severity::Error)
+    );
 }
 
 #[test]
@@ -234,10 +348,15 @@ fn parts_in_texts_that_launch_files_pass_on() {
     };
     let passes = "part = 'extra.xacro'\nLaunch('r.launch.py', {'args': ['extra:=', part]}.items())";
     assert_eq!(severity(passes), None);
-    assert_eq!(severity(&passes.replace("extra:=", "other:=")), Some(Severity::Error));
+    assert_eq!(
+        severity(&passes.replace("extra:=", "other:=")),
+        Some(Severity::Error)
+    );
     // the file itself is expanded
     assert_eq!(
-        severity("Command(['xacro ', FindPackageShare('r'), '/urdf/extra.xacro'])\nargs = 'extra:='"),
+        severity(
+            "Command(['xacro ', FindPackageShare('r'), '/urdf/extra.xacro'])\nargs = 'extra:='"
+        ),
         Some(Severity::Error)
     );
 }
@@ -253,14 +372,17 @@ fn interfaces_that_an_argument_decides_on() {
              </ros2_control></robot>"
         )
     };
-    let settings =
-        "go:\n  ros__parameters:\n    joints:\n      - j\n    command_interfaces:\n      - velocity\n";
+    let settings = "go:\n  ros__parameters:\n    joints:\n      - j\n    command_interfaces:\n      - velocity\n";
     let severity = |value: &str| {
         let manifest = (
             "package.xml",
             "<package><name>r</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
         );
-        let files = [manifest, ("urdf/r.urdf.xacro", &robot(value)), ("config/c.yaml", settings)];
+        let files = [
+            manifest,
+            ("urdf/r.urdf.xacro", &robot(value)),
+            ("config/c.yaml", settings),
+        ];
         severity_below("", &files, "", "controller-unknown-interface")
     };
     assert_eq!(severity("velocity"), None);
@@ -276,6 +398,10 @@ fn files_of_tests_that_have_to_be_refused() {
         ("urdf/fail_two_parents.urdf", Severity::Error),
         ("test/failsafe.urdf", Severity::Error),
     ] {
-        assert_eq!(severity_in("missing-element", &[(name, BROKEN)]), Some(expected), "{name}");
+        assert_eq!(
+            severity_in("missing-element", &[(name, BROKEN)]),
+            Some(expected),
+            "{name}"
+        );
     }
 }

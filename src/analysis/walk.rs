@@ -24,8 +24,14 @@ pub(super) fn descriptions(folder: &Path, session: &Session) -> (Vec<PathBuf>, V
 /// The same with what the configuration excludes: an excluded file may include others all the same, and no
 /// configuration is read for it.
 pub(super) fn all_descriptions(folder: &Path, vfs: &Vfs, env: &Environment) -> Vec<PathBuf> {
-    let entries = walk(folder, vfs, env).filter_map(Result::ok).take(SCAN_FILES * 10);
-    entries.flatten().filter(|path| is_description(path)).take(SCAN_FILES).collect()
+    let entries = walk(folder, vfs, env)
+        .filter_map(Result::ok)
+        .take(SCAN_FILES * 10);
+    entries
+        .flatten()
+        .filter(|path| is_description(path))
+        .take(SCAN_FILES)
+        .collect()
 }
 
 /// A search for descriptions below some folders that may be interrupted: a folder can be as large as the disk.
@@ -41,8 +47,17 @@ pub(super) struct Listing {
 impl Listing {
     /// One that was not begun.
     pub fn of(folders: &[PathBuf], vfs: &Vfs, env: &Environment) -> Self {
-        let walks = folders.iter().rev().map(|folder| walk(folder, vfs, env)).collect();
-        Self { walks, done: Vec::new(), found: Vec::new(), skipped: Vec::new() }
+        let walks = folders
+            .iter()
+            .rev()
+            .map(|folder| walk(folder, vfs, env))
+            .collect();
+        Self {
+            walks,
+            done: Vec::new(),
+            found: Vec::new(),
+            skipped: Vec::new(),
+        }
     }
 
     /// Search on until `stop` says so; whether all was searched.
@@ -71,7 +86,10 @@ impl Listing {
         }
         match path.to_str() {
             Some(_) => self.found.push(path),
-            None => self.skipped.push(Skipped { path, reason: SkipReason::NotUtf8 }),
+            None => self.skipped.push(Skipped {
+                path,
+                reason: SkipReason::NotUtf8,
+            }),
         }
     }
 
@@ -102,7 +120,11 @@ type Walk = Box<dyn Iterator<Item = Result<Option<PathBuf>, ignore::Error>> + Se
 /// What lies below a folder, without what build tools made.
 fn walk(folder: &Path, vfs: &Vfs, env: &Environment) -> Walk {
     if let Some(files) = vfs.files_in_memory(folder) {
-        return Box::new(in_memory(folder, files, vfs).into_iter().map(|file| Ok(Some(file))));
+        return Box::new(
+            in_memory(folder, files, vfs)
+                .into_iter()
+                .map(|file| Ok(Some(file))),
+        );
     }
     let file = |entry: ignore::DirEntry| {
         (!entry.file_type().is_some_and(|kind| kind.is_dir())).then(|| entry.into_path())
@@ -127,13 +149,17 @@ fn in_memory(folder: &Path, mut files: Vec<PathBuf>, vfs: &Vfs) -> Vec<PathBuf> 
     files.retain(|file| {
         let inside = file.strip_prefix(folder).unwrap_or(file);
         let folders = inside.parent().into_iter().flat_map(Path::components);
-        let is_hidden = inside.components().any(|part| part.as_os_str().as_encoded_bytes().starts_with(b"."));
+        let is_hidden = inside
+            .components()
+            .any(|part| part.as_os_str().as_encoded_bytes().starts_with(b"."));
         let mut verdicts = ignored.iter().filter(|list| file.starts_with(list.path()));
         let verdict = verdicts.find_map(|list| {
             let found = list.matched_path_or_any_parents(file, false);
             (!found.is_none()).then(|| found.is_ignore())
         });
-        !is_hidden && !folders.into_iter().any(|part| is_built(part.as_os_str())) && verdict != Some(true)
+        !is_hidden
+            && !folders.into_iter().any(|part| is_built(part.as_os_str()))
+            && verdict != Some(true)
     });
     files
 }
@@ -144,25 +170,36 @@ fn on_disk(folder: &Path, env: &Environment) -> ignore::Walk {
     // what git ignores everywhere is written down at home; where no home is named the user database of the system
     // would be asked, which a static program cannot do safely
     let has_home = env.home().is_some();
-    walk.require_git(false).git_global(has_home).filter_entry(move |entry| {
-        let is_dir = entry.file_type().is_some_and(|kind| kind.is_dir());
-        !(is_dir && is_built(entry.file_name())) || entry.path() == top
-    });
+    walk.require_git(false)
+        .git_global(has_home)
+        .filter_entry(move |entry| {
+            let is_dir = entry.file_type().is_some_and(|kind| kind.is_dir());
+            !(is_dir && is_built(entry.file_name())) || entry.path() == top
+        });
     walk.build()
 }
 
 /// Whether a file is a description, by its name: `.urdf`, `.srdf` and `.xacro`, alone or in front of `.xml`, in letters of
 /// any case.
 pub(super) fn is_description(path: &Path) -> bool {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    let name = path
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_ascii_lowercase();
     let name = name.strip_suffix(".xml").unwrap_or(&name);
-    [".urdf", ".srdf", ".xacro"].iter().any(|ending| name.ends_with(ending))
+    [".urdf", ".srdf", ".xacro"]
+        .iter()
+        .any(|ending| name.ends_with(ending))
 }
 
 /// Whether a file is certainly no description, by its name: an editor opens configurations and manifests as well.
 pub(super) fn is_something_else(path: &Path) -> bool {
     const ENDINGS: [&str; 4] = ["yaml", "yml", "toml", "json"];
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    let ending = path
+        .extension()
+        .and_then(|ending| ending.to_str())
+        .unwrap_or("");
     const NAMES: [&str; 2] = ["package.xml", ".setup_assistant"];
     let is_named = |name: &std::ffi::OsStr| NAMES.iter().any(|own| name == *own);
     ENDINGS.contains(&ending) || path.file_name().is_some_and(is_named) || is_launch(path)

@@ -68,7 +68,10 @@ impl World {
 
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
-        let vfs = Arc::new(Vfs::with_cwd(config::Limits::default().file_bytes(), env.cwd.clone()));
+        let vfs = Arc::new(Vfs::with_cwd(
+            config::Limits::default().file_bytes(),
+            env.cwd.clone(),
+        ));
         Self::over(vfs, env, folders)
     }
 
@@ -107,9 +110,18 @@ impl World {
 
     /// How much may be done to prove something about edits of a file: for the robots that are known to read it.
     pub fn effort(&self, path: &Path, expansions: usize, cancel: &CancelFlag) -> Effort {
-        let mut roots: Vec<PathBuf> = self.graph.roots_of(path).into_iter().map(|(root, _)| root).collect();
+        let mut roots: Vec<PathBuf> = self
+            .graph
+            .roots_of(path)
+            .into_iter()
+            .map(|(root, _)| root)
+            .collect();
         roots.push(path.to_owned());
-        Effort { expansions, roots: Roots::Known(roots), cancel: cancel.clone() }
+        Effort {
+            expansions,
+            roots: Roots::Known(roots),
+            cancel: cancel.clone(),
+        }
     }
 
     /// How many times a robot was expanded so far, because something that it reads had changed.
@@ -140,7 +152,12 @@ impl World {
     pub fn reload(&mut self) {
         self.epoch += 1;
         self.named.clear();
-        self.session = Session::of_editor(&self.session.vfs, &self.env, &self.folders, self.editor.clone());
+        self.session = Session::of_editor(
+            &self.session.vfs,
+            &self.env,
+            &self.folders,
+            self.editor.clone(),
+        );
     }
 
     /// Lay the settings of an editor (what stands below `xacro.`) over every configuration; returns what in
@@ -155,8 +172,10 @@ impl World {
         settings: Vec<(serde_json::Value, Option<PathBuf>)>,
     ) -> Vec<String> {
         let first = self.folders.first().unwrap_or(&self.env.cwd).clone();
-        let settings: Vec<_> =
-            settings.into_iter().map(|(own, folder)| (own, folder.unwrap_or(first.clone()))).collect();
+        let settings: Vec<_> = settings
+            .into_iter()
+            .map(|(own, folder)| (own, folder.unwrap_or(first.clone())))
+            .collect();
         let apply = |(own, folder): &(_, PathBuf)| Config::default().apply_settings(own, folder);
         let warnings: Vec<_> = settings.iter().flat_map(apply).collect();
         if settings != self.editor {
@@ -241,7 +260,8 @@ impl World {
         let edited = std::mem::take(&mut self.unseen);
         for file in edited.iter().map(PathBuf::as_path).chain([path]) {
             if walk::is_description(file) || self.open.contains_key(file) {
-                self.graph.update(&self.session.vfs, &self.session.packages, file);
+                self.graph
+                    .update(&self.session.vfs, &self.session.packages, file);
             }
         }
         if !self.is_scanned() {
@@ -253,10 +273,14 @@ impl World {
     fn scan_beside(&mut self, path: &Path) {
         let Some(folder) = path.parent() else { return };
         let names = self.session.vfs.list_dir(folder);
-        let files = names.iter().filter(|entry| !entry.is_dir).map(|entry| folder.join(&entry.name));
+        let files = names
+            .iter()
+            .filter(|entry| !entry.is_dir)
+            .map(|entry| folder.join(&entry.name));
         for file in files.filter(|file| walk::is_description(file)).take(200) {
             if !self.graph.knows(&file) {
-                self.graph.update(&self.session.vfs, &self.session.packages, &file);
+                self.graph
+                    .update(&self.session.vfs, &self.session.packages, &file);
             }
         }
     }
@@ -270,7 +294,8 @@ impl World {
         let total = self.unscanned.len();
         let mut done = 0;
         while let Some(path) = self.unscanned.pop() {
-            self.graph.update(&self.session.vfs, &self.session.packages, &path);
+            self.graph
+                .update(&self.session.vfs, &self.session.packages, &path);
             done += 1;
             if stop() {
                 break;
@@ -288,8 +313,9 @@ impl World {
     /// Search for the files to look at, until `stop` says so; whether all were found.
     fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
         if !self.scanned {
-            let listing =
-                self.listing.get_or_insert_with(|| Listing::of(&self.folders, &self.session.vfs, &self.env));
+            let listing = self
+                .listing
+                .get_or_insert_with(|| Listing::of(&self.folders, &self.session.vfs, &self.env));
             if !listing.go_on(&self.session, stop) {
                 return false;
             }
@@ -316,7 +342,11 @@ impl World {
         let robots = self.graph.files().filter(|file| self.graph.is_root(file));
         let variants = |file: &PathBuf| {
             let variants = self.configured_variants(file);
-            if variants.is_empty() { vec![RootChoice::plain(file)] } else { variants }
+            if variants.is_empty() {
+                vec![RootChoice::plain(file)]
+            } else {
+                variants
+            }
         };
         robots.flat_map(variants).collect()
     }
@@ -332,7 +362,10 @@ impl World {
         self.named.retain(|path, _| !paths.contains(path));
         self.session.forget_uses();
         let about_packages = |path: &PathBuf| {
-            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
+            let name = path
+                .file_name()
+                .and_then(|name| name.to_str())
+                .unwrap_or("");
             ["package.xml", "COLCON_IGNORE"].contains(&name)
                 || config::CONFIG_NAMES.contains(&name)
                 || BUILD_FILES.contains(&name)
@@ -341,7 +374,8 @@ impl World {
             self.reload();
         }
         for path in paths.iter().filter(|path| walk::is_description(path)) {
-            self.graph.update(&self.session.vfs, &self.session.packages, path);
+            self.graph
+                .update(&self.session.vfs, &self.session.packages, path);
         }
     }
 
@@ -363,14 +397,24 @@ impl World {
 
     pub(super) fn picked(&self, path: &Path) -> Option<RootChoice> {
         let reaches = |root: &&RootChoice| {
-            root.file == path || self.graph.roots_of(path).iter().any(|(file, _)| *file == root.file)
+            root.file == path
+                || self
+                    .graph
+                    .roots_of(path)
+                    .iter()
+                    .any(|(file, _)| *file == root.file)
         };
         let anywhere = || self.picks.get(Path::new("")).filter(reaches);
         self.picks.get(path).or_else(anywhere).cloned()
     }
 
     pub(super) fn same_package(&self, a: &Path, b: &Path) -> bool {
-        let package = |path: &Path| self.session.packages.containing(path).map(|package| package.folder);
+        let package = |path: &Path| {
+            self.session
+                .packages
+                .containing(path)
+                .map(|package| package.folder)
+        };
         package(a).is_some_and(|folder| Some(folder) == package(b))
     }
 
@@ -382,7 +426,10 @@ impl World {
             return Some(known.clone());
         }
         // what no record tells of is the same in the same epoch
-        let before = self.cache.get(root).filter(|known| known.epoch == self.epoch);
+        let before = self
+            .cache
+            .get(root)
+            .filter(|known| known.epoch == self.epoch);
         let before = before.map(|known| &known.expansion);
         let expansion = job::expansion(&self.session, cancel, &job_of(root), before);
         if cancel.is_cancelled() {
@@ -408,7 +455,8 @@ impl World {
         cancel: &CancelFlag,
     ) -> Option<Arc<Analyzed>> {
         let expansion = job::forced(&self.session, cancel, &job_of(root), forced);
-        (!cancel.is_cancelled()).then(|| Arc::new(Analyzed::new(root.clone(), expansion, self.epoch)))
+        (!cancel.is_cancelled())
+            .then(|| Arc::new(Analyzed::new(root.clone(), expansion, self.epoch)))
     }
 
     /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made
@@ -421,7 +469,9 @@ impl World {
         cancel: &CancelFlag,
     ) -> Vec<Arc<Analyzed>> {
         let known = self.cache.get(root).cloned();
-        let is_fresh = known.as_ref().is_some_and(|known| self.is_current_beside(known, path));
+        let is_fresh = known
+            .as_ref()
+            .is_some_and(|known| self.is_current_beside(known, path));
         let any = known.is_some() || self.good.contains_key(root);
         let whole = || {
             let files = known.iter().flat_map(|known| &known.expansion.files);
@@ -432,17 +482,29 @@ impl World {
             let _ = self.analyzed(root, cancel);
         }
         let newest = self.cache.get(root).cloned();
-        let good =
-            self.good.get(root).filter(|good| newest.as_ref().is_none_or(|new| !Arc::ptr_eq(new, good)));
-        let finished = newest.as_ref().is_some_and(|new| new.expansion.complete && self.is_current(new));
-        newest.iter().chain(good.filter(|_| !finished)).cloned().collect()
+        let good = self
+            .good
+            .get(root)
+            .filter(|good| newest.as_ref().is_none_or(|new| !Arc::ptr_eq(new, good)));
+        let finished = newest
+            .as_ref()
+            .is_some_and(|new| new.expansion.complete && self.is_current(new));
+        newest
+            .iter()
+            .chain(good.filter(|_| !finished))
+            .cloned()
+            .collect()
     }
 
     /// The last expansion of the robot of an open file, when the robot is large and nothing but this file was edited
     /// since: what it says of other places still holds, as far as that rests on nothing edited.
     pub fn before_typing(&mut self, path: &Path) -> Option<Arc<Analyzed>> {
         let root = self.context(path).root?;
-        let last = self.cache.get(&root).filter(|last| last.expansion.tree.len() >= Self::LARGE)?.clone();
+        let last = self
+            .cache
+            .get(&root)
+            .filter(|last| last.expansion.tree.len() >= Self::LARGE)?
+            .clone();
         let is_sound = self.document(path)?.document.errors().is_empty();
         (is_sound && !self.is_valid(&last) && self.is_valid_beside(&last, path)).then_some(last)
     }
@@ -478,9 +540,15 @@ impl World {
         let mut roots: Vec<RootChoice> = Vec::new();
         let mut own: Vec<RootChoice> = Vec::new();
         let asked = paths;
-        let paths: Vec<&PathBuf> = paths.iter().filter(|path| !walk::is_something_else(path)).collect();
+        let paths: Vec<&PathBuf> = paths
+            .iter()
+            .filter(|path| !walk::is_something_else(path))
+            .collect();
         for path in &paths {
-            let root = self.context(path).root.unwrap_or_else(|| RootChoice::plain(path));
+            let root = self
+                .context(path)
+                .root
+                .unwrap_or_else(|| RootChoice::plain(path));
             own.push(root.clone());
             if !roots.contains(&root) {
                 roots.push(root);
@@ -495,21 +563,36 @@ impl World {
             let is_context = self.all_contexts || self.is_configured(root);
             let analyzed = self.analyzed(root, cancel)?;
             let mut outcome = analyzed.outcome(&self.session, cancel)?.clone();
-            outcome.findings.extend(check_recovered(&analyzed.expansion, &self.session.vfs));
-            outcomes.push(Outcome { is_context, ..outcome });
+            outcome
+                .findings
+                .extend(check_recovered(&analyzed.expansion, &self.session.vfs));
+            outcomes.push(Outcome {
+                is_context,
+                ..outcome
+            });
         }
         self.keep_meshes();
         let entries: Vec<PathBuf> = paths.iter().map(|path| (*path).clone()).collect();
         let mut beside = self.beside_findings(asked, &roots, cancel)?;
         let robots: Vec<PathBuf> = roots.into_iter().map(|root| root.file).collect();
-        beside.findings.extend(self.session.shown_launch_findings(&robots, asked, cancel));
-        let mut report = self.session.conclude(&self.options(&entries), outcomes, beside);
-        placing::place(&mut report, &self.session.vfs, |path| self.open.contains_key(path));
+        beside
+            .findings
+            .extend(self.session.shown_launch_findings(&robots, asked, cancel));
+        let mut report = self
+            .session
+            .conclude(&self.options(&entries), outcomes, beside);
+        placing::place(&mut report, &self.session.vfs, |path| {
+            self.open.contains_key(path)
+        });
         Some(report)
     }
 
     /// What a check of these files is about.
     pub(super) fn options(&self, paths: &[PathBuf]) -> CheckOptions {
-        CheckOptions { paths: self.folders.clone(), entries: paths.to_vec(), ..CheckOptions::default() }
+        CheckOptions {
+            paths: self.folders.clone(),
+            entries: paths.to_vec(),
+            ..CheckOptions::default()
+        }
     }
 }

@@ -14,7 +14,11 @@ pub enum System {
 }
 
 /// The system that this program runs on.
-pub const HERE: System = if cfg!(windows) { System::Windows } else { System::Posix };
+pub const HERE: System = if cfg!(windows) {
+    System::Windows
+} else {
+    System::Posix
+};
 
 /// Names that are devices in every folder of Windows, with any ending.
 const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
@@ -26,10 +30,15 @@ impl System {
         if self == System::Posix {
             return Cow::Borrowed(path);
         }
-        let plain = match path.strip_prefix(r"\\?\UNC\").or_else(|| path.strip_prefix("//?/UNC/")) {
+        let plain = match path
+            .strip_prefix(r"\\?\UNC\")
+            .or_else(|| path.strip_prefix("//?/UNC/"))
+        {
             Some(share) => Cow::Owned(format!("//{share}")),
             None => Cow::Borrowed(
-                path.strip_prefix(r"\\?\").or_else(|| path.strip_prefix("//?/")).unwrap_or(path),
+                path.strip_prefix(r"\\?\")
+                    .or_else(|| path.strip_prefix("//?/"))
+                    .unwrap_or(path),
             ),
         };
         let is_lower = has_drive(&plain) && plain.starts_with(|c: char| c.is_ascii_lowercase());
@@ -67,7 +76,12 @@ impl System {
         let path = self.slashed(path);
         let root = self.root(&path);
         let mut parts: Vec<&str> = Vec::new();
-        for part in path.get(root.len()..).unwrap_or("").split('/').filter(|p| !p.is_empty() && *p != ".") {
+        for part in path
+            .get(root.len()..)
+            .unwrap_or("")
+            .split('/')
+            .filter(|p| !p.is_empty() && *p != ".")
+        {
             if part == ".." {
                 parts.pop();
             } else {
@@ -87,7 +101,11 @@ impl System {
             None if path.starts_with('/') => (String::from("file://"), &*path),
             None => (String::from("file:///"), &*path),
         };
-        let drive = if self == System::Windows && has_drive(rest) { 2 } else { 0 };
+        let drive = if self == System::Windows && has_drive(rest) {
+            2
+        } else {
+            0
+        };
         for (at, byte) in rest.bytes().enumerate() {
             match byte {
                 b'/' | b'-' | b'_' | b'.' | b'~' => uri.push(char::from(byte)),
@@ -109,16 +127,23 @@ impl System {
             return path.starts_with('/').then(|| path.to_owned());
         }
         let below = path.strip_prefix('/').unwrap_or(path);
-        let encoded = below.get(1..4).is_some_and(|colon| colon.eq_ignore_ascii_case("%3a"));
-        let drive =
-            if encoded { below.replacen(below.get(1..4).unwrap_or(""), ":", 1) } else { below.to_owned() };
+        let encoded = below
+            .get(1..4)
+            .is_some_and(|colon| colon.eq_ignore_ascii_case("%3a"));
+        let drive = if encoded {
+            below.replacen(below.get(1..4).unwrap_or(""), ":", 1)
+        } else {
+            below.to_owned()
+        };
         if has_drive(&drive) {
             return Some(self.slashed(&drive).into_owned());
         }
         match rest.strip_prefix("//") {
             // `file:////server/share`
             _ if path.starts_with("//") => Some(path.to_owned()),
-            Some(authority) if !authority.starts_with('/') && !authority.starts_with("localhost/") => {
+            Some(authority)
+                if !authority.starts_with('/') && !authority.starts_with("localhost/") =>
+            {
                 authority.contains('/').then(|| format!("//{authority}"))
             }
             _ => path.starts_with('/').then(|| path.to_owned()),
@@ -128,7 +153,11 @@ impl System {
     /// What has to stand between a text and a path behind it: in a URI, a path without a leading slash needs one.
     pub fn joint(self, before: &str, path: &str) -> &'static str {
         let is_drive = self == System::Windows && has_drive(path) && !self.root(path).is_empty();
-        if is_drive && before.to_ascii_lowercase().ends_with("file://") { "/" } else { "" }
+        if is_drive && before.to_ascii_lowercase().ends_with("file://") {
+            "/"
+        } else {
+            ""
+        }
     }
 
     /// A name as it is compared with others.
@@ -151,9 +180,18 @@ impl System {
         if has_drive(&path) && self.root(&path).is_empty() {
             return Some("it has a drive without a slash after the colon");
         }
-        let name = path.rsplit('/').next().unwrap_or("").split(['.', ':']).next().unwrap_or("").trim_end();
+        let name = path
+            .rsplit('/')
+            .next()
+            .unwrap_or("")
+            .split(['.', ':'])
+            .next()
+            .unwrap_or("")
+            .trim_end();
         let name = name.to_ascii_lowercase();
-        let port = name.strip_prefix("com").or_else(|| name.strip_prefix("lpt"));
+        let port = name
+            .strip_prefix("com")
+            .or_else(|| name.strip_prefix("lpt"));
         let is_port = port.is_some_and(|number| matches!(number.as_bytes(), [b'1'..=b'9']));
         (is_port || DEVICES.contains(&name.as_str())).then_some("it names a device")
     }
@@ -175,7 +213,10 @@ mod tests {
             (r"c:\ws/src\a.xacro", "C:/ws/src/a.xacro"),
             (r"\\?\C:\ws", "C:/ws"),
             (r"\\?\UNC\server\share\a", "//server/share/a"),
-            (r"\\wsl.localhost\Ubuntu\home\me", "//wsl.localhost/Ubuntu/home/me"),
+            (
+                r"\\wsl.localhost\Ubuntu\home\me",
+                "//wsl.localhost/Ubuntu/home/me",
+            ),
             (r"parts\arm.xacro", "parts/arm.xacro"),
             ("Z:/done", "Z:/done"),
             ("", ""),
@@ -225,8 +266,16 @@ mod tests {
     #[test]
     fn uris() {
         for (system, path, uri) in [
-            (Posix, "/my robot/ä:1.xacro", "file:///my%20robot/%C3%A4%3A1.xacro"),
-            (Windows, r"c:\my robot\a.xacro", "file:///C:/my%20robot/a.xacro"),
+            (
+                Posix,
+                "/my robot/ä:1.xacro",
+                "file:///my%20robot/%C3%A4%3A1.xacro",
+            ),
+            (
+                Windows,
+                r"c:\my robot\a.xacro",
+                "file:///C:/my%20robot/a.xacro",
+            ),
             (Windows, r"\\server\share\a b", "file://server/share/a%20b"),
         ] {
             assert_eq!(system.file_uri(path), uri);
@@ -245,9 +294,12 @@ mod tests {
         ] {
             assert_eq!(Windows.of_file_uri(rest).as_deref(), expected, "{rest}");
         }
-        for (rest, expected) in
-            [("///a/b", Some("/a/b")), ("//localhost/a", Some("/a")), ("/a", Some("/a")), ("//a/b", None)]
-        {
+        for (rest, expected) in [
+            ("///a/b", Some("/a/b")),
+            ("//localhost/a", Some("/a")),
+            ("/a", Some("/a")),
+            ("//a/b", None),
+        ] {
             assert_eq!(Posix.of_file_uri(rest).as_deref(), expected, "{rest}");
         }
     }
@@ -263,10 +315,24 @@ mod tests {
 
     #[test]
     fn what_is_no_file() {
-        for path in [r"\\.\COM1", "C:arm.xacro", r"C:\ws\nul", "ws/Con.xacro", "aux", "LPT9.txt"] {
+        for path in [
+            r"\\.\COM1",
+            "C:arm.xacro",
+            r"C:\ws\nul",
+            "ws/Con.xacro",
+            "aux",
+            "LPT9.txt",
+        ] {
             assert!(Windows.refusal(path).is_some(), "{path}");
         }
-        for path in [r"C:\ws\conveyor.xacro", "com0", "com10", "nullable.xacro", r"\\server\share\a", ""] {
+        for path in [
+            r"C:\ws\conveyor.xacro",
+            "com0",
+            "com10",
+            "nullable.xacro",
+            r"\\server\share\a",
+            "",
+        ] {
             assert_eq!(Windows.refusal(path), None, "{path}");
         }
         assert_eq!(Posix.refusal("/ws/con"), None);

@@ -26,9 +26,10 @@ impl Encoding {
         let width = match self {
             Encoding::Utf8 => text.len(),
             // Every character has one lead byte; those beyond U+FFFF, with a lead from 0xF0, need two units.
-            Encoding::Utf16 => {
-                text.bytes().map(|b| usize::from(b & 0xC0 != 0x80) + usize::from(b >= 0xF0)).sum()
-            }
+            Encoding::Utf16 => text
+                .bytes()
+                .map(|b| usize::from(b & 0xC0 != 0x80) + usize::from(b >= 0xF0))
+                .sum(),
             Encoding::Utf32 => text.bytes().filter(|b| b & 0xC0 != 0x80).count(),
         };
         u32::try_from(width).unwrap_or(u32::MAX)
@@ -57,7 +58,9 @@ impl Encoding {
 pub fn count_line_ends(text: &str) -> u32 {
     let bytes = text.as_bytes();
     let feeds = memchr::memchr_iter(b'\n', bytes).count();
-    let lone = memchr::memchr_iter(b'\r', bytes).filter(|&at| bytes.get(at + 1) != Some(&b'\n')).count();
+    let lone = memchr::memchr_iter(b'\r', bytes)
+        .filter(|&at| bytes.get(at + 1) != Some(&b'\n'))
+        .count();
     u32::try_from(feeds + lone).unwrap_or(u32::MAX)
 }
 

@@ -19,7 +19,10 @@ impl TextRange {
     /// The range from `start` to `end`; an inverted pair becomes empty at `start`.
     #[inline]
     pub fn new(start: u32, end: u32) -> Self {
-        Self { start, end: end.max(start) }
+        Self {
+            start,
+            end: end.max(start),
+        }
     }
 
     /// The empty range at `at`.
@@ -44,7 +47,10 @@ impl TextRange {
     #[must_use]
     #[inline]
     pub fn shift(self, by: u32) -> Self {
-        Self { start: self.start + by, end: self.end + by }
+        Self {
+            start: self.start + by,
+            end: self.end + by,
+        }
     }
 
     /// Whether `offset` lies inside or directly behind the range (where a cursor may stand).
@@ -62,7 +68,8 @@ impl TextRange {
     /// The text of this range; empty when the range does not fit `text`.
     #[inline]
     pub fn slice(self, text: &str) -> &str {
-        text.get(self.start as usize..self.end as usize).unwrap_or("")
+        text.get(self.start as usize..self.end as usize)
+            .unwrap_or("")
     }
 }
 

@@ -8,7 +8,10 @@ use xacro_lsp::expand::on_first_thread;
 use xacro_lsp::vfs::{Environment, first_stack};
 
 fn main() -> ExitCode {
-    let args: Vec<String> = std::env::args_os().skip(1).map(|a| a.to_string_lossy().into_owned()).collect();
+    let args: Vec<String> = std::env::args_os()
+        .skip(1)
+        .map(|a| a.to_string_lossy().into_owned())
+        .collect();
     let env = Environment::capture();
     let color = cli::has_colors(&env, std::io::stderr().is_terminal());
     // where results are piped on, nothing is drawn between them

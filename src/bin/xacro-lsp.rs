@@ -26,7 +26,8 @@ fn main() -> ExitCode {
 
 /// Where the server is: beside this program, or beside the file that this name is a link to.
 fn program() -> Result<PathBuf, String> {
-    let own = std::env::current_exe().map_err(|error| format!("its own path is unknown: {error}"))?;
+    let own =
+        std::env::current_exe().map_err(|error| format!("its own path is unknown: {error}"))?;
     let name = format!("xacro-lint{}", std::env::consts::EXE_SUFFIX);
     let real = own.canonicalize().unwrap_or_else(|_| own.clone());
     for file in [&own, &real] {

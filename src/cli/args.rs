@@ -12,7 +12,12 @@ use rules::consumers::Consumer;
 
 /// Linter, language server and expander for xacro and URDF robot descriptions
 #[derive(Debug, Parser)]
-#[command(name = "xacro-lint", version, subcommand_required = true, arg_required_else_help = true)]
+#[command(
+    name = "xacro-lint",
+    version,
+    subcommand_required = true,
+    arg_required_else_help = true
+)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub(super) command: Command,

@@ -49,12 +49,16 @@ pub(super) fn rename(
     places: &Places<'_>,
 ) -> Result<Vec<String>, String> {
     let named = named_assets(expansion, places.cwd);
-    let around = places.packages.around(expansion.files.first().map(|root| &*root.source.path));
+    let around = places
+        .packages
+        .around(expansion.files.first().map(|root| &*root.source.path));
     let belongs = |path: &Path| is_asset(path) && around.hold(path);
     let mut names: BTreeMap<PathBuf, String> = BTreeMap::new();
     let mut complaints: BTreeSet<String> = BTreeSet::new();
-    let mut copies =
-        options.copy_to.as_ref().map(|folder| Copies::to(without_parents(&places.cwd.join(folder))));
+    let mut copies = options
+        .copy_to
+        .as_ref()
+        .map(|folder| Copies::to(without_parents(&places.cwd.join(folder))));
     for (id, attr, from) in named {
         let path = match asset(&attr.value, &from, places, &belongs) {
             Ok(path) => path,
@@ -70,13 +74,25 @@ pub(super) fn rename(
                     Some(copies) => copies.copy_mesh(&path, places, &belongs)?,
                     None => path.clone(),
                 };
-                let is_relative = options.relative_paths || copies.is_some() && !options.strip_protocols;
-                let new = slashed(&if is_relative { relative(places.output, &place) } else { place });
+                let is_relative =
+                    options.relative_paths || copies.is_some() && !options.strip_protocols;
+                let new = slashed(&if is_relative {
+                    relative(places.output, &place)
+                } else {
+                    place
+                });
                 names.insert(path, new.clone());
                 new
             }
         };
-        expansion.tree.set_attr(id, XAttr { value: new.into(), pieces: Box::default(), ..attr });
+        expansion.tree.set_attr(
+            id,
+            XAttr {
+                value: new.into(),
+                pieces: Box::default(),
+                ..attr
+            },
+        );
     }
     complaints.extend(copies.into_iter().flat_map(|copies| copies.left_out));
     Ok(complaints.into_iter().collect())
@@ -85,13 +101,19 @@ pub(super) fn rename(
 /// The elements that name a mesh or a texture, with the attribute and the file that it stands in.
 fn named_assets(expansion: &Expansion, cwd: &Path) -> Vec<(XId, XAttr, PathBuf)> {
     let tree = &expansion.tree;
-    let elements =
-        tree.below(XId::DOCUMENT).filter(|&id| ["mesh", "texture"].contains(&tree.get(id).text.as_str()));
+    let elements = tree
+        .below(XId::DOCUMENT)
+        .filter(|&id| ["mesh", "texture"].contains(&tree.get(id).text.as_str()));
     let named = elements.filter_map(|id| {
-        let attr = tree.attr(id, "filename").filter(|attr| !attr.value.is_empty())?;
+        let attr = tree
+            .attr(id, "filename")
+            .filter(|attr| !attr.value.is_empty())?;
         let place = expansion.place(attr.origin);
         let file = place.and_then(|place| expansion.files.get(place.file.0 as usize));
-        let from = file.map_or_else(|| cwd.join("robot.urdf"), |file| file.source.path.to_path_buf());
+        let from = file.map_or_else(
+            || cwd.join("robot.urdf"),
+            |file| file.source.path.to_path_buf(),
+        );
         Some((id, attr.clone(), from))
     });
     named.collect()
@@ -106,8 +128,12 @@ fn asset(
 ) -> Result<PathBuf, String> {
     let path = match places.packages.resolve_uri(name, from).outcome {
         UriOutcome::Found(path) => path,
-        UriOutcome::Missing(path) => return Err(format!("`{}` does not exist", vfs::slashed(&path))),
-        UriOutcome::UnknownPackage(error) => return Err(format!("package `{}` not found", error.name)),
+        UriOutcome::Missing(path) => {
+            return Err(format!("`{}` does not exist", vfs::slashed(&path)));
+        }
+        UriOutcome::UnknownPackage(error) => {
+            return Err(format!("package `{}` not found", error.name));
+        }
         UriOutcome::Malformed(why) => return Err(why.to_owned()),
         UriOutcome::Elsewhere => return Err("it is not a file on this machine".to_owned()),
     };
@@ -121,11 +147,16 @@ fn asset(
 /// Whether a file is a mesh, a material or a picture by its name.
 fn is_asset(path: &Path) -> bool {
     const ENDINGS: [&str; 17] = [
-        "stl", "dae", "obj", "mtl", "gltf", "glb", "bin", "ply", "png", "jpg", "jpeg", "tga", "bmp", "tif",
-        "tiff", "dds", "webp",
+        "stl", "dae", "obj", "mtl", "gltf", "glb", "bin", "ply", "png", "jpg", "jpeg", "tga",
+        "bmp", "tif", "tiff", "dds", "webp",
     ];
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
-    ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known))
+    let ending = path
+        .extension()
+        .and_then(|ending| ending.to_str())
+        .unwrap_or("");
+    ENDINGS
+        .iter()
+        .any(|known| ending.eq_ignore_ascii_case(known))
 }
 
 /// The copies of assets in one folder: of a package by its name and the path inside it, of other files by their folder.
@@ -139,7 +170,12 @@ struct Copies {
 
 impl Copies {
     fn to(folder: PathBuf) -> Self {
-        Self { folder, of: FastMap::default(), meshes: Meshes::default(), left_out: Vec::new() }
+        Self {
+            folder,
+            of: FastMap::default(),
+            meshes: Meshes::default(),
+            left_out: Vec::new(),
+        }
     }
 
     /// Copy a mesh and the files that it needs; answers with the place of the copy.
@@ -154,10 +190,16 @@ impl Copies {
         for (name, needed) in self.meshes.files(places.vfs, path, &mesh) {
             // the mesh keeps the name: the copy must lie at the same place beside it
             let from = path.parent().unwrap_or(Path::new(""));
-            let beside = copy.parent().unwrap_or(Path::new("")).join(relative(from, &needed));
+            let beside = copy
+                .parent()
+                .unwrap_or(Path::new(""))
+                .join(relative(from, &needed));
             let inside = without_parents(&beside);
             if !inside.starts_with(&self.folder) || !belongs(&needed) {
-                self.left_out.push(format!("`{name}`, which `{}` needs, is not copied", vfs::slashed(path)));
+                self.left_out.push(format!(
+                    "`{name}`, which `{}` needs, is not copied",
+                    vfs::slashed(path)
+                ));
                 continue;
             }
             self.copy_as(&needed, inside, places)?;
@@ -181,11 +223,17 @@ impl Copies {
         self.copy_as(path, place, places)
     }
 
-    fn copy_as(&mut self, path: &Path, place: PathBuf, places: &Places<'_>) -> Result<PathBuf, String> {
+    fn copy_as(
+        &mut self,
+        path: &Path,
+        place: PathBuf,
+        places: &Places<'_>,
+    ) -> Result<PathBuf, String> {
         if self.of.insert(place.clone(), path.to_owned()).is_none() {
             let bytes = places.vfs.bytes(path, MESH_BYTES);
-            let bytes =
-                bytes.map_err(|error| format!("cannot read {}: {}", vfs::slashed(path), error.reason()))?;
+            let bytes = bytes.map_err(|error| {
+                format!("cannot read {}: {}", vfs::slashed(path), error.reason())
+            })?;
             vfs::write_atomically(&place, &bytes)
                 .map_err(|error| format!("cannot write {}: {error}", vfs::slashed(&place)))?;
         }

@@ -16,9 +16,16 @@ use workspace::launch::{Argument, Why};
 /// List the calls of robots: where they stand, the description, and the arguments as far as they are known.
 pub(super) fn run(args: &CallsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let package_path = args.package_path.iter().map(PathBuf::from).collect();
-    let folders = std::path::absolute(&args.path).ok().filter(|path| path.is_dir());
+    let folders = std::path::absolute(&args.path)
+        .ok()
+        .filter(|path| path.is_dir());
     let folders = folders.into_iter().collect();
-    let setup = Setup { about: args.path.clone(), folders, package_path, ..Setup::default() };
+    let setup = Setup {
+        about: args.path.clone(),
+        folders,
+        package_path,
+        ..Setup::default()
+    };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => {
@@ -28,7 +35,10 @@ pub(super) fn run(args: &CallsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     };
     warn_about_config(&session, env, io);
     if !session.vfs.exists(&args.path) {
-        io.line(&format!("error: {}: No such file or directory", visible(&vfs::slashed(&args.path))));
+        io.line(&format!(
+            "error: {}: No such file or directory",
+            visible(&vfs::slashed(&args.path))
+        ));
         return 2;
     }
     let calls = session.robot_calls(&args.path);
@@ -45,7 +55,10 @@ pub(super) fn run(args: &CallsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 /// The first line and column of a call, from 1.
 fn position(call: &RobotCall, session: &Session) -> (usize, usize) {
     let text = session.vfs.text(&call.call.caller);
-    let before = text.as_ref().ok().and_then(|file| file.text.get(..call.call.range.start as usize));
+    let before = text
+        .as_ref()
+        .ok()
+        .and_then(|file| file.text.get(..call.call.range.start as usize));
     let before = before.unwrap_or("");
     let line = before.rsplit('\n').next().unwrap_or("");
     (before.matches('\n').count() + 1, line.chars().count() + 1)
@@ -62,12 +75,22 @@ fn table(calls: &[RobotCall], session: &Session, cwd: &Path, io: &mut Io<'_>) {
     for call in calls {
         let (line, column) = position(call, session);
         let caller = shown_path(&call.call.caller, cwd);
-        let through = call.call.through.iter().map(|path| format!(" from {}", shown_path(path, cwd)));
+        let through = call
+            .call
+            .through
+            .iter()
+            .map(|path| format!(" from {}", shown_path(path, cwd)));
         let place = format!("{caller}:{line}:{column}{}", through.collect::<String>());
-        let missing = call.target.as_ref().is_some_and(|path| !session.vfs.is_file(path));
+        let missing = call
+            .target
+            .as_ref()
+            .is_some_and(|path| !session.vfs.is_file(path));
         let missing = if missing { " (not found)" } else { "" };
         io.out(&format!("{}\n", visible_name(&place)));
-        io.out(&format!("  {}{missing}\n", visible_name(&description(call, session, cwd))));
+        io.out(&format!(
+            "  {}{missing}\n",
+            visible_name(&description(call, session, cwd))
+        ));
         for argument in &call.call.args {
             io.out(&format!("    {}\n", visible_name(&shown(argument))));
         }
@@ -77,8 +100,13 @@ fn table(calls: &[RobotCall], session: &Session, cwd: &Path, io: &mut Io<'_>) {
     }
     let values: usize = calls.iter().map(|call| call.call.args.len()).sum();
     let known: usize = calls.iter().map(|call| call.call.known()).sum();
-    let files = calls.iter().map(|call| &call.call.caller).collect::<std::collections::BTreeSet<_>>().len();
-    let plural = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
+    let files = calls
+        .iter()
+        .map(|call| &call.call.caller)
+        .collect::<std::collections::BTreeSet<_>>()
+        .len();
+    let plural =
+        |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let summary = format!(
         "{} in {}; {known} of {} known",
         plural(calls.len(), "call"),
@@ -112,7 +140,12 @@ fn object(call: &RobotCall, session: &Session, cwd: &Path) -> serde_json::Value 
         let unknown = argument.value.why().map(reason);
         json!({"name": argument.name, "value": value, "unknown": unknown})
     });
-    let through: Vec<String> = call.call.through.iter().map(|path| shown_path(path, cwd)).collect();
+    let through: Vec<String> = call
+        .call
+        .through
+        .iter()
+        .map(|path| shown_path(path, cwd))
+        .collect();
     json!({
         "caller": shown_path(&call.call.caller, cwd),
         "line": line,

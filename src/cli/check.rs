@@ -47,38 +47,70 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
     let mut prepared = match prepare(args, env, &mut io.stdin) {
         Ok(prepared) => prepared,
-        Err(message) => return Round { code: usage(io, &message), state: State::default() },
+        Err(message) => {
+            return Round {
+                code: usage(io, &message),
+                state: State::default(),
+            };
+        }
     };
     // it takes as long as a third of the check
     prepared.options.count_consumers &= io.is_read;
-    let Prepared { session, options, .. } = &prepared;
+    let Prepared {
+        session, options, ..
+    } = &prepared;
     let parts = session.robots_of_parts(options).filter(|_| !args.changed);
-    let (options, part_of) =
-        parts.as_ref().map_or((options, &[] as &[PathBuf]), |(options, robots)| (options, robots));
+    let (options, part_of) = parts
+        .as_ref()
+        .map_or((options, &[] as &[PathBuf]), |(options, robots)| {
+            (options, robots)
+        });
     if args.show_files {
         for file in session.files(options) {
             io.out(&format!("{}\n", visible(&shown_path(&file, &env.cwd))));
         }
-        return Round { code: warn_about_config(session, env, io), state: State::default() };
+        return Round {
+            code: warn_about_config(session, env, io),
+            state: State::default(),
+        };
     }
-    let (code, reads) = Run { args, prepared: &prepared, session, options, part_of, env }.all(io);
+    let (code, reads) = Run {
+        args,
+        prepared: &prepared,
+        session,
+        options,
+        part_of,
+        env,
+    }
+    .all(io);
     if args.watch {
-        return Round { code, state: prepared.state(reads) };
+        return Round {
+            code,
+            state: prepared.state(reads),
+        };
     }
     // the process ends behind this: it need not take everything apart first
     std::mem::forget(prepared);
-    Round { code, state: State::default() }
+    Round {
+        code,
+        state: State::default(),
+    }
 }
 
 /// Say what in the configuration has no effect; the exit code: 2 when it cannot be read.
 pub(super) fn warn_about_config(session: &Session, env: &Environment, io: &mut Io<'_>) -> u8 {
     for warning in session.config_warnings() {
-        let text = warning.to_string().replace(&format!("{}/", vfs::slashed(&env.cwd)), "");
+        let text = warning
+            .to_string()
+            .replace(&format!("{}/", vfs::slashed(&env.cwd)), "");
         io.line(&visible(&format!("warning: {text}")));
     }
     let mut code = 0;
     for error in session.unreadable_configs() {
-        code = usage(io, &format!("{}: {}", shown_path(&error.path, &env.cwd), error.reason()));
+        code = usage(
+            io,
+            &format!("{}: {}", shown_path(&error.path, &env.cwd), error.reason()),
+        );
     }
     code
 }
@@ -108,19 +140,31 @@ impl Run<'_> {
             self.warn_about_arguments(&report, io);
             return (self.conclude(report, "", io), reads);
         }
-        let most = if self.args.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
-        let how = FixOptions { most, shown: least_shown(self.args) };
+        let most = if self.args.unsafe_fixes {
+            Safety::Unsafe
+        } else {
+            Safety::Safe
+        };
+        let how = FixOptions {
+            most,
+            shown: least_shown(self.args),
+        };
         let fixed = watched(io, &options.progress, || session.fix(options, how));
         if self.args.diff {
             return (self.diff(fixed, io), BTreeSet::new());
         }
         let mut fixed = fixed;
         let files = fixed.files.len();
-        fixed.files.retain(|file| match session.vfs.rewrite(&file.path, &file.before, &file.after) {
-            Ok(()) => true,
-            Err(error) => {
-                usage(io, &format!("cannot write {}: {error}", self.shown(&file.path)));
-                false
+        fixed.files.retain(|file| {
+            match session.vfs.rewrite(&file.path, &file.before, &file.after) {
+                Ok(()) => true,
+                Err(error) => {
+                    usage(
+                        io,
+                        &format!("cannot write {}: {error}", self.shown(&file.path)),
+                    );
+                    false
+                }
             }
         });
         let failed = fixed.files.len() < files;
@@ -133,9 +177,14 @@ impl Run<'_> {
 
     /// Name the arguments of the command line that no robot knows: xacro ignores them without a word.
     fn warn_about_arguments(&self, report: &Report, io: &mut Io<'_>) {
-        for (name, near) in self.session.undeclared_arguments(&report.roots, &self.options.args) {
+        for (name, near) in self
+            .session
+            .undeclared_arguments(&report.roots, &self.options.args)
+        {
             let near = near.map_or(String::new(), |near| format!("; did you mean `{near}`?"));
-            io.line(&visible(&format!("warning: unknown argument `{name}`{near}")));
+            io.line(&visible(&format!(
+                "warning: unknown argument `{name}`{near}"
+            )));
         }
     }
 
@@ -146,7 +195,9 @@ impl Run<'_> {
             count => format!("; {} appeared after fixing", text::counted(count, "error")),
         };
         match fixed.count {
-            0 if fixed.hidden > 0 || fixed.taken_back > 0 => format!("fixed nothing{}", not_made(fixed)),
+            0 if fixed.hidden > 0 || fixed.taken_back > 0 => {
+                format!("fixed nothing{}", not_made(fixed))
+            }
             0 => String::new(),
             _ => format!("fixed {}{revealed}{}", fixed_in(fixed), taken_back(fixed)),
         }
@@ -182,22 +233,41 @@ impl Run<'_> {
     }
 
     fn subtract_known(&self, report: &mut Report, io: &mut Io<'_>) {
-        let Some((baseline, folder)) = &self.prepared.baseline else { return };
-        let files: BTreeSet<PathBuf> = report.files.values().map(|file| file.path.to_path_buf()).collect();
-        let paths = self.options.paths.iter().map(|path| self.session.vfs.absolute(path));
+        let Some((baseline, folder)) = &self.prepared.baseline else {
+            return;
+        };
+        let files: BTreeSet<PathBuf> = report
+            .files
+            .values()
+            .map(|file| file.path.to_path_buf())
+            .collect();
+        let paths = self
+            .options
+            .paths
+            .iter()
+            .map(|path| self.session.vfs.absolute(path));
         let folders: Vec<PathBuf> = paths.filter(|path| self.session.vfs.is_dir(path)).collect();
         let is_below = |path: &Path| folders.iter().any(|folder| path.starts_with(folder));
         // of a change, only some findings are reported
         let checked = |path: &Path| !self.args.changed && (files.contains(path) || is_below(path));
         let (known, gone) = baseline.subtract(report, folder, checked);
         if known > 0 {
-            io.line(&format!("note: {} from the baseline not shown", text::counted(known, "finding")));
+            io.line(&format!(
+                "note: {} from the baseline not shown",
+                text::counted(known, "finding")
+            ));
         }
         if gone > 0 {
             let is_whole = folders.iter().any(|checked| folder.starts_with(checked));
-            let advice = if is_whole { ": update it with --write-baseline" } else { "" };
+            let advice = if is_whole {
+                ": update it with --write-baseline"
+            } else {
+                ""
+            };
             let gone = text::counted(gone, "finding");
-            io.line(&format!("note: {gone} from the baseline no longer found{advice}"));
+            io.line(&format!(
+                "note: {gone} from the baseline no longer found{advice}"
+            ));
         }
     }
 
@@ -207,7 +277,11 @@ impl Run<'_> {
         if let Err(error) = write_atomically(&path, baseline.to_json().as_bytes()) {
             return usage(io, &format!("cannot write {}: {error}", self.shown(&path)));
         }
-        io.line(&format!("wrote {} to {}", text::counted(baseline.len(), "finding"), self.shown(&path)));
+        io.line(&format!(
+            "wrote {} to {}",
+            text::counted(baseline.len(), "finding"),
+            self.shown(&path)
+        ));
         0
     }
 
@@ -223,7 +297,10 @@ impl Run<'_> {
         self.subtract_known(&mut report, io);
         for skipped in &report.skipped {
             let path = visible(&self.shown(&skipped.path));
-            io.line(&format!("warning: {path} was not checked: {}", skipped.reason));
+            io.line(&format!(
+                "warning: {path} was not checked: {}",
+                skipped.reason
+            ));
         }
         if report.roots.is_empty()
             && report.compared.is_empty()
@@ -242,8 +319,16 @@ impl Run<'_> {
             self.say(done, io);
             return code;
         }
-        let could = if for_people { self.could_be_fixed(&report) } else { String::new() };
-        let report = if wants_all(self.args) { report } else { report.grouped() };
+        let could = if for_people {
+            self.could_be_fixed(&report)
+        } else {
+            String::new()
+        };
+        let report = if wants_all(self.args) {
+            report
+        } else {
+            report.grouped()
+        };
         match self.args.format {
             Format::Text => self.draw(&report, done, &could, io),
             Format::Concise => self.list(&report, done, &could, io),
@@ -286,9 +371,15 @@ impl Run<'_> {
         if self.args.fix && self.args.unsafe_fixes {
             return String::new();
         }
-        let (safe, other) = self.session.fixable(self.options, report, least_shown(self.args));
+        let (safe, other) = self
+            .session
+            .fixable(self.options, report, least_shown(self.args));
         // what is left by `--fix` could not be proved to be safe
-        let (safe, other) = if self.args.fix { (0, safe + other) } else { (safe, other) };
+        let (safe, other) = if self.args.fix {
+            (0, safe + other)
+        } else {
+            (safe, other)
+        };
         match (safe, other) {
             (0, 0) => String::new(),
             (safe, 0) => format!("{safe} fixable with --fix"),
@@ -299,7 +390,10 @@ impl Run<'_> {
 
     /// Findings for programs.
     fn print(&self, report: &Report, io: &mut Io<'_>) {
-        let (hints, cwd) = (matches!(self.args.show, Some(Show::Hint | Show::All)), &self.env.cwd);
+        let (hints, cwd) = (
+            matches!(self.args.show, Some(Show::Hint | Show::All)),
+            &self.env.cwd,
+        );
         match self.args.format {
             Format::Json => io.out(&report.to_json(cwd)),
             Format::Sarif => io.out(&sarif::document(report, cwd)),
@@ -313,7 +407,11 @@ impl Run<'_> {
 
 /// `3 findings in 2 files`
 fn fixed_in(fixed: &Fixed) -> String {
-    format!("{} in {}", text::counted(fixed.count, "finding"), text::counted(fixed.files.len(), "file"))
+    format!(
+        "{} in {}",
+        text::counted(fixed.count, "finding"),
+        text::counted(fixed.files.len(), "file")
+    )
 }
 
 /// `; 2 fixes may change a robot: --unsafe-fixes; 1 finding that is not shown can be fixed: --show hint`
@@ -327,7 +425,9 @@ fn not_made(fixed: &Fixed) -> String {
     match fixed.hidden {
         0 => {}
         1 => said.push_str("; 1 hidden finding is fixable (--show hint)"),
-        count => said.push_str(&format!("; {count} hidden findings are fixable (--show hint)")),
+        count => said.push_str(&format!(
+            "; {count} hidden findings are fixable (--show hint)"
+        )),
     }
     said
 }
@@ -351,7 +451,10 @@ fn least(args: &CheckArgs) -> Severity {
 }
 
 fn exit_code(report: &Report, args: &CheckArgs) -> u8 {
-    let fails = report.findings.iter().any(|finding| finding.severity >= least(args));
+    let fails = report
+        .findings
+        .iter()
+        .any(|finding| finding.severity >= least(args));
     let lacks = args.require_packages && !report.incomplete.is_empty();
     u8::from((fails || lacks) && !args.exit_zero)
 }

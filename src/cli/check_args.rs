@@ -92,7 +92,10 @@ impl CheckArgs {
     /// give, without declaring a hundred options first. None where something else may be meant.
     pub(super) fn of_paths(paths: &[String]) -> Option<Self> {
         let plain = paths.iter().all(|path| !path.starts_with('-'));
-        plain.then(|| Self { paths: paths.to_vec(), ..Self::default() })
+        plain.then(|| Self {
+            paths: paths.to_vec(),
+            ..Self::default()
+        })
     }
 }
 
@@ -151,13 +154,26 @@ mod tests {
 
     #[test]
     fn paths_alone_need_no_parser() {
-        for line in ["", "robot.urdf", ".", "a.xacro prefix:=left b.urdf", "help", "check"] {
+        for line in [
+            "",
+            "robot.urdf",
+            ".",
+            "a.xacro prefix:=left b.urdf",
+            "help",
+            "check",
+        ] {
             let paths: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
-            let all = ["xacro-lint", "check"].into_iter().map(str::to_owned).chain(paths.clone());
+            let all = ["xacro-lint", "check"]
+                .into_iter()
+                .map(str::to_owned)
+                .chain(paths.clone());
             let Command::Check(parsed) = Arguments::try_parse_from(all).unwrap().command else {
                 panic!("{line}: another command");
             };
-            assert_eq!(format!("{:?}", CheckArgs::of_paths(&paths).unwrap()), format!("{parsed:?}"));
+            assert_eq!(
+                format!("{:?}", CheckArgs::of_paths(&paths).unwrap()),
+                format!("{parsed:?}")
+            );
         }
         for line in ["-", "--", "a.xacro --fix", "--fix a.xacro", "-h"] {
             let paths: Vec<String> = line.split_whitespace().map(str::to_owned).collect();

@@ -19,29 +19,50 @@ pub(super) fn run(args: &ConfigArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         io.out(&format!("{:#}\n", schema()));
         return 0;
     }
-    let overrides = Overrides { config: args.config.clone(), ..Overrides::default() };
-    let setup = Setup { about: args.path.clone(), overrides, ..Setup::default() };
+    let overrides = Overrides {
+        config: args.config.clone(),
+        ..Overrides::default()
+    };
+    let setup = Setup {
+        about: args.path.clone(),
+        overrides,
+        ..Setup::default()
+    };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => {
             io.line(&format!(
                 "error: {}",
-                visible(&format!("{}: {}", vfs::slashed(&error.path), error.reason()))
+                visible(&format!(
+                    "{}: {}",
+                    vfs::slashed(&error.path),
+                    error.reason()
+                ))
             ));
             return 2;
         }
     };
     if !session.vfs.exists(&args.path) {
-        io.line(&format!("error: {}: No such file or directory", visible(&vfs::slashed(&args.path))));
+        io.line(&format!(
+            "error: {}: No such file or directory",
+            visible(&vfs::slashed(&args.path))
+        ));
         return 2;
     }
     let path = session.vfs.absolute(&args.path);
-    let file = if session.vfs.is_dir(&path) { path.join("_") } else { path };
+    let file = if session.vfs.is_dir(&path) {
+        path.join("_")
+    } else {
+        path
+    };
     let settings = session.settings(&file);
     let all = with_thresholds(&settings.config);
     match args.format {
         Plain::Text => table(&settings.config, &all, &env.cwd, io),
-        Plain::Json => io.out(&format!("{:#}\n", as_json(&settings.config, &all, &env.cwd))),
+        Plain::Json => io.out(&format!(
+            "{:#}\n",
+            as_json(&settings.config, &all, &env.cwd)
+        )),
     }
     warn_about_config(&session, env, io)
 }
@@ -56,9 +77,17 @@ fn with_thresholds(config: &Config) -> Vec<Setting> {
         }
         for threshold in THRESHOLDS {
             let is_set = config.thresholds.contains_key(threshold.name);
-            let origins = if is_set { setting.origins.clone() } else { Vec::new() };
+            let origins = if is_set {
+                setting.origins.clone()
+            } else {
+                Vec::new()
+            };
             let value = json!(threshold.value(config));
-            all.push(Setting { key: format!("thresholds.{}", threshold.name), value, origins });
+            all.push(Setting {
+                key: format!("thresholds.{}", threshold.name),
+                value,
+                origins,
+            });
         }
     }
     all
@@ -66,23 +95,44 @@ fn with_thresholds(config: &Config) -> Vec<Setting> {
 
 fn origin(origins: &[PathBuf], cwd: &Path) -> String {
     let names: Vec<String> = origins.iter().map(|path| shown_path(path, cwd)).collect();
-    if names.is_empty() { "default".to_owned() } else { names.join(", ") }
+    if names.is_empty() {
+        "default".to_owned()
+    } else {
+        names.join(", ")
+    }
 }
 
 /// As a configuration file, with the origin of each line behind it.
 fn table(config: &Config, settings: &[Setting], cwd: &Path, io: &mut Io<'_>) {
-    let files: Vec<String> = config.files.iter().map(|path| shown_path(path, cwd)).collect();
-    let files = if files.is_empty() { "no configuration file".to_owned() } else { files.join(", ") };
+    let files: Vec<String> = config
+        .files
+        .iter()
+        .map(|path| shown_path(path, cwd))
+        .collect();
+    let files = if files.is_empty() {
+        "no configuration file".to_owned()
+    } else {
+        files.join(", ")
+    };
     let mut out = format!("# {files}\n");
     let lines: Vec<(String, String)> = settings
         .iter()
         .map(|setting| match &setting.value {
-            Value::Null => (format!("# {} is not set", setting.key), origin(&setting.origins, cwd)),
-            value => (format!("{} = {}", setting.key, toml(value)), origin(&setting.origins, cwd)),
+            Value::Null => (
+                format!("# {} is not set", setting.key),
+                origin(&setting.origins, cwd),
+            ),
+            value => (
+                format!("{} = {}", setting.key, toml(value)),
+                origin(&setting.origins, cwd),
+            ),
         })
         .collect();
     const WIDEST: usize = 60;
-    let fitting = lines.iter().map(|(line, _)| line.chars().count()).filter(|&width| width <= WIDEST);
+    let fitting = lines
+        .iter()
+        .map(|(line, _)| line.chars().count())
+        .filter(|&width| width <= WIDEST);
     let width = fitting.max().unwrap_or(0);
     for (line, origin) in lines {
         out.push_str(&format!("{line:width$}  # {origin}\n"));
@@ -93,7 +143,10 @@ fn table(config: &Config, settings: &[Setting], cwd: &Path, io: &mut Io<'_>) {
 /// A value as it is written in a configuration file.
 fn toml(value: &Value) -> String {
     match value {
-        Value::Array(items) => format!("[{}]", items.iter().map(toml).collect::<Vec<_>>().join(", ")),
+        Value::Array(items) => format!(
+            "[{}]",
+            items.iter().map(toml).collect::<Vec<_>>().join(", ")
+        ),
         Value::Object(fields) if fields.is_empty() => "{}".to_owned(),
         Value::Object(fields) => {
             let field = |(key, value): (&String, &Value)| {
@@ -105,7 +158,10 @@ fn toml(value: &Value) -> String {
                 };
                 format!("{key} = {}", toml(value))
             };
-            format!("{{ {} }}", fields.iter().map(field).collect::<Vec<_>>().join(", "))
+            format!(
+                "{{ {} }}",
+                fields.iter().map(field).collect::<Vec<_>>().join(", ")
+            )
         }
         // strings, numbers and truth values are written as in JSON
         other => other.to_string(),
@@ -113,7 +169,12 @@ fn toml(value: &Value) -> String {
 }
 
 fn as_json(config: &Config, settings: &[Setting], cwd: &Path) -> Value {
-    let names = |paths: &[PathBuf]| paths.iter().map(|path| json!(shown_path(path, cwd))).collect::<Value>();
+    let names = |paths: &[PathBuf]| {
+        paths
+            .iter()
+            .map(|path| json!(shown_path(path, cwd)))
+            .collect::<Value>()
+    };
     let entry = |setting: &Setting| {
         let value = json!({"value": setting.value, "origins": names(&setting.origins)});
         (setting.key.clone(), value)

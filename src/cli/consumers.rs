@@ -44,7 +44,12 @@ pub(super) fn run(args: &ConsumersArgs, env: &Environment, io: &mut Io<'_>) -> u
         return 0;
     }
     let expanded = Expanded::of(&args.file, &args.package_path, env, io);
-    let Expanded { file, arguments, session, expansion } = match expanded {
+    let Expanded {
+        file,
+        arguments,
+        session,
+        expansion,
+    } = match expanded {
         Ok(expanded) => expanded,
         Err(message) => return fails(io, &message),
     };
@@ -71,11 +76,16 @@ pub(super) fn run(args: &ConsumersArgs, env: &Environment, io: &mut Io<'_>) -> u
 /// The constructs of a robot.
 fn met(session: &Session, expansion: &Expansion, file: &str) -> Vec<Met> {
     let settings = session.settings(&session.vfs.absolute(file.as_ref()));
-    constructs(expansion, Robot::of(expansion).as_ref(), session.surroundings(&settings.config))
+    constructs(
+        expansion,
+        Robot::of(expansion).as_ref(),
+        session.surroundings(&settings.config),
+    )
 }
 
 fn wanted(names: &[String]) -> Vec<&'static Consumer> {
-    let is_wanted = |consumer: &&Consumer| names.is_empty() || names.iter().any(|name| name == consumer.name);
+    let is_wanted =
+        |consumer: &&Consumer| names.is_empty() || names.iter().any(|name| name == consumer.name);
     CONSUMERS.iter().filter(is_wanted).collect()
 }
 
@@ -84,11 +94,24 @@ fn rows(met: &[Met], all: bool) -> Vec<Row<'_>> {
     let mut rows: IndexMap<&str, Row<'_>> = IndexMap::new();
     for met in met {
         let construct = met.construct;
-        rows.entry(&construct.name).or_insert(Row { construct, met: Vec::new() }).met.push(met);
+        rows.entry(&construct.name)
+            .or_insert(Row {
+                construct,
+                met: Vec::new(),
+            })
+            .met
+            .push(met);
     }
-    let worst = |row: &Row<'_>| CONSUMERS.iter().map(|consumer| row.construct.outcome(consumer)).max();
-    let mut rows: Vec<Row<'_>> =
-        rows.into_values().filter(|row| all || worst(row) > Some(Outcome::Accepts)).collect();
+    let worst = |row: &Row<'_>| {
+        CONSUMERS
+            .iter()
+            .map(|consumer| row.construct.outcome(consumer))
+            .max()
+    };
+    let mut rows: Vec<Row<'_>> = rows
+        .into_values()
+        .filter(|row| all || worst(row) > Some(Outcome::Accepts))
+        .collect();
     rows.sort_by_key(|row| std::cmp::Reverse(worst(row)));
     rows
 }
@@ -96,13 +119,20 @@ fn rows(met: &[Met], all: bool) -> Vec<Row<'_>> {
 impl Matrix<'_> {
     /// The worst that a consumer does with the robot.
     fn verdict(&self, consumer: &Consumer) -> Outcome {
-        self.rows.iter().map(|row| row.construct.outcome(consumer)).max().unwrap_or(Outcome::Accepts)
+        self.rows
+            .iter()
+            .map(|row| row.construct.outcome(consumer))
+            .max()
+            .unwrap_or(Outcome::Accepts)
     }
 
     fn text(&self) -> String {
         let mut text = String::new();
         for outcome in [Outcome::Rejects, Outcome::Changes, Outcome::Accepts] {
-            let who = self.consumers.iter().filter(|consumer| self.verdict(consumer) == outcome);
+            let who = self
+                .consumers
+                .iter()
+                .filter(|consumer| self.verdict(consumer) == outcome);
             let who: Vec<&str> = who.map(|consumer| consumer.title).collect();
             if !who.is_empty() {
                 text.push_str(&format!("{:8}  {}\n", past(outcome), who.join(", ")));
@@ -110,9 +140,16 @@ impl Matrix<'_> {
         }
         let judged = |consumer: &&&Consumer| self.verdict(consumer) > Outcome::Accepts;
         let columns: Vec<&&Consumer> = self.consumers.iter().filter(judged).collect();
-        let is_judged =
-            |row: &Row<'_>| columns.iter().any(|consumer| row.construct.outcome(consumer) > Outcome::Accepts);
-        let rows: Vec<_> = self.rows.iter().filter(|row| self.all || is_judged(row)).collect();
+        let is_judged = |row: &Row<'_>| {
+            columns
+                .iter()
+                .any(|consumer| row.construct.outcome(consumer) > Outcome::Accepts)
+        };
+        let rows: Vec<_> = self
+            .rows
+            .iter()
+            .filter(|row| self.all || is_judged(row))
+            .collect();
         if !columns.is_empty() && !rows.is_empty() {
             let names: Vec<&str> = columns.iter().map(|consumer| consumer.name).collect();
             text.push_str("\nx rejects, ~ changes or ignores, - accepts\n\n");
@@ -131,12 +168,28 @@ impl Matrix<'_> {
             Outcome::Changes => "~",
             Outcome::Accepts => "-",
         };
-        let marks = columns.iter().map(|consumer| format!("{:1$}", mark(consumer), consumer.name.len()));
+        let marks = columns
+            .iter()
+            .map(|consumer| format!("{:1$}", mark(consumer), consumer.name.len()));
         let marks: Vec<String> = marks.collect();
-        let places: Vec<String> = row.met.iter().take(MOST_PLACES).map(|met| self.place(met)).collect();
+        let places: Vec<String> = row
+            .met
+            .iter()
+            .take(MOST_PLACES)
+            .map(|met| self.place(met))
+            .collect();
         let more = row.met.len().saturating_sub(MOST_PLACES);
-        let more = if more > 0 { format!(" and {}", counted(more, "more place")) } else { String::new() };
-        format!("{}  {}: {}{more}\n", marks.join("  "), row.construct.title, places.join(", "))
+        let more = if more > 0 {
+            format!(" and {}", counted(more, "more place"))
+        } else {
+            String::new()
+        };
+        format!(
+            "{}  {}: {}{more}\n",
+            marks.join("  "),
+            row.construct.title,
+            places.join(", ")
+        )
     }
 
     /// `arm.urdf:12:5 (joint `elbow`)`
@@ -148,21 +201,34 @@ impl Matrix<'_> {
     fn position(&self, origin: Origin) -> (String, u32, u32) {
         let place = self.expansion.place(origin);
         let file = place.and_then(|place| self.expansion.files.get(place.file.0 as usize));
-        let (Some(place), Some(file)) = (place, file) else { return (String::new(), 1, 1) };
-        let at = file.source.document.line_col(place.range.start, Encoding::Utf32);
-        (shown_path(&file.source.path, &self.env.cwd), at.line + 1, at.col + 1)
+        let (Some(place), Some(file)) = (place, file) else {
+            return (String::new(), 1, 1);
+        };
+        let at = file
+            .source
+            .document
+            .line_col(place.range.start, Encoding::Utf32);
+        (
+            shown_path(&file.source.path, &self.env.cwd),
+            at.line + 1,
+            at.col + 1,
+        )
     }
 
     fn json(&self) -> Value {
-        let verdicts = self
-            .consumers
-            .iter()
-            .map(|consumer| (consumer.name.to_owned(), json!(self.verdict(consumer).name())));
+        let verdicts = self.consumers.iter().map(|consumer| {
+            (
+                consumer.name.to_owned(),
+                json!(self.verdict(consumer).name()),
+            )
+        });
         let rows = self.rows.iter().map(|row| {
-            let outcomes = self
-                .consumers
-                .iter()
-                .map(|consumer| (consumer.name.to_owned(), json!(row.construct.outcome(consumer).name())));
+            let outcomes = self.consumers.iter().map(|consumer| {
+                (
+                    consumer.name.to_owned(),
+                    json!(row.construct.outcome(consumer).name()),
+                )
+            });
             let places = row.met.iter().map(|met| {
                 let (path, line, column) = self.position(met.origin);
                 json!({"file": path, "line": line, "column": column, "of": met.owner})
@@ -183,25 +249,48 @@ impl Matrix<'_> {
 }
 
 /// What programs reject or change of the robots that were checked, when nobody named any, and how to see it.
-pub(super) fn counted_line(report: &Report, args: &[(String, String)], cwd: &Path) -> Option<String> {
+pub(super) fn counted_line(
+    report: &Report,
+    args: &[(String, String)],
+    cwd: &Path,
+) -> Option<String> {
     let (first, _) = report.consumers.first_key_value()?;
     let constructs: BTreeMap<_, _> = report.consumers.values().flatten().collect();
-    let count = |wanted: Outcome| constructs.values().filter(|worst| ***worst == wanted).count();
+    let count = |wanted: Outcome| {
+        constructs
+            .values()
+            .filter(|worst| ***worst == wanted)
+            .count()
+    };
     let what = match (count(Outcome::Rejects), count(Outcome::Changes)) {
         (rejected, 0) => format!("reject {}", counted(rejected, "construct")),
         (0, changed) => format!("change or ignore {}", counted(changed, "construct")),
         (rejected, changed) => {
-            format!("reject {} and change or ignore {changed}", counted(rejected, "construct"))
+            format!(
+                "reject {} and change or ignore {changed}",
+                counted(rejected, "construct")
+            )
         }
     };
     let (of, command) = match report.consumers.len() {
         1 => {
-            let args: Vec<String> = args.iter().map(|(name, value)| format!(" {name}:={value}")).collect();
-            (String::new(), format!("{}{}", shown_path(first, cwd), args.concat()))
+            let args: Vec<String> = args
+                .iter()
+                .map(|(name, value)| format!(" {name}:={value}"))
+                .collect();
+            (
+                String::new(),
+                format!("{}{}", shown_path(first, cwd), args.concat()),
+            )
         }
-        robots => (format!(" in {}", counted(robots, "robot")), "FILE".to_owned()),
+        robots => (
+            format!(" in {}", counted(robots, "robot")),
+            "FILE".to_owned(),
+        ),
     };
-    Some(visible(&format!("some programs {what}{of}: run `xacro-lint consumers {command}`")))
+    Some(visible(&format!(
+        "some programs {what}{of}: run `xacro-lint consumers {command}`"
+    )))
 }
 
 fn past(outcome: Outcome) -> &'static str {

@@ -14,14 +14,18 @@ use vfs::Environment;
 
 /// Print what an expansion depends on.
 pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let Expanded { file, session, expansion, .. } =
-        match Expanded::of(&args.file, &args.package_path, env, io) {
-            Ok(expanded) => expanded,
-            Err(message) => {
-                io.line(&format!("error: {}", visible(&message)));
-                return 2;
-            }
-        };
+    let Expanded {
+        file,
+        session,
+        expansion,
+        ..
+    } = match Expanded::of(&args.file, &args.package_path, env, io) {
+        Ok(expanded) => expanded,
+        Err(message) => {
+            io.line(&format!("error: {}", visible(&message)));
+            return 2;
+        }
+    };
     match args.format {
         Plain::Text => {
             for read in expansion.record.iter() {
@@ -29,7 +33,11 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
                     io.out(&visible(&format!("{}\n", shown_path(path, &env.cwd))));
                 }
             }
-            let beside = if args.beside { session.files_beside(Path::new(&file)) } else { Vec::new() };
+            let beside = if args.beside {
+                session.files_beside(Path::new(&file))
+            } else {
+                Vec::new()
+            };
             for (path, _) in beside {
                 io.out(&visible(&format!("{}\n", shown_path(&path, &env.cwd))));
             }
@@ -42,9 +50,15 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
             io.out(&format!("{found:#}\n"));
         }
     }
-    let errors = expansion.problems.iter().filter(|p| p.severity == expand::Severity::Error).count();
+    let errors = expansion
+        .problems
+        .iter()
+        .filter(|p| p.severity == expand::Severity::Error)
+        .count();
     if errors > 0 {
-        io.line(&format!("warning: {errors} errors; the list may be incomplete (run `xacro-lint check`)"));
+        io.line(&format!(
+            "warning: {errors} errors; the list may be incomplete (run `xacro-lint check`)"
+        ));
     }
     u8::from(errors > 0)
 }
@@ -52,13 +66,29 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 /// The files beside a robot, for JSON.
 pub(super) fn beside(session: &Session, file: &str) -> Value {
     let files = session.files_beside(Path::new(file)).into_iter();
-    files.map(|(path, kind)| json!({"path": path, "kind": kind})).collect()
+    files
+        .map(|(path, kind)| json!({"path": path, "kind": kind}))
+        .collect()
 }
 
 fn everything(expansion: &Expansion) -> Value {
-    let mut lists: [(&str, Vec<Value>); 6] =
-        ["files", "missing", "globs", "packages", "environment", "arguments"].map(|name| (name, Vec::new()));
-    let [(_, files), (_, missing), (_, globs), (_, packages), (_, variables), (_, arguments)] = &mut lists;
+    let mut lists: [(&str, Vec<Value>); 6] = [
+        "files",
+        "missing",
+        "globs",
+        "packages",
+        "environment",
+        "arguments",
+    ]
+    .map(|name| (name, Vec::new()));
+    let [
+        (_, files),
+        (_, missing),
+        (_, globs),
+        (_, packages),
+        (_, variables),
+        (_, arguments),
+    ] = &mut lists;
     for read in expansion.record.iter() {
         match read {
             Read::File(path, _) => files.push(json!(path)),
@@ -69,5 +99,10 @@ fn everything(expansion: &Expansion) -> Value {
             Read::Arg(name, value) => arguments.push(json!({"name": name, "value": value})),
         }
     }
-    Value::Object(lists.into_iter().map(|(name, list)| (name.to_owned(), Value::Array(list))).collect())
+    Value::Object(
+        lists
+            .into_iter()
+            .map(|(name, list)| (name.to_owned(), Value::Array(list)))
+            .collect(),
+    )
 }

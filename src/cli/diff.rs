@@ -15,9 +15,24 @@ pub(super) fn unified(file: &FixedFile, cwd: &Path, terminal: bool) -> String {
     // `patch` takes a name with blanks up to a tab
     let end = if path.contains(' ') { "\t" } else { "" };
     let (before, after) = (format!("a/{path}{end}"), format!("b/{path}{end}"));
-    let (old, new): (Vec<&str>, Vec<&str>) =
-        (file.before.split_inclusive('\n').collect(), file.after.split_inclusive('\n').collect());
-    let diff = TextDiff::configure().newline_terminated(true).diff_slices(&old, &new);
-    let text = diff.unified_diff().context_radius(3).header(&before, &after).to_string();
-    if terminal { text.split("\r\n").map(visible).collect::<Vec<_>>().join("\r\n") } else { text }
+    let (old, new): (Vec<&str>, Vec<&str>) = (
+        file.before.split_inclusive('\n').collect(),
+        file.after.split_inclusive('\n').collect(),
+    );
+    let diff = TextDiff::configure()
+        .newline_terminated(true)
+        .diff_slices(&old, &new);
+    let text = diff
+        .unified_diff()
+        .context_radius(3)
+        .header(&before, &after)
+        .to_string();
+    if terminal {
+        text.split("\r\n")
+            .map(visible)
+            .collect::<Vec<_>>()
+            .join("\r\n")
+    } else {
+        text
+    }
 }

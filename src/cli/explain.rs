@@ -7,21 +7,32 @@ use rules::{self, Activation, Rule};
 
 /// Print the page of a rule; without one, or of several, a list.
 pub(super) fn explain(rule: Option<&str>, io: &mut Io<'_>) -> u8 {
-    let Some(selector) = rule else { return rules(&RulesArgs::default(), io) };
+    let Some(selector) = rule else {
+        return rules(&RulesArgs::default(), io);
+    };
     let found = rules::find(selector).find(|rule| rule.name == selector || rule.code == selector);
     match found {
         Some(rule) => {
             io.out(rule.docs);
             0
         }
-        None => rules(&RulesArgs { rules: vec![selector.to_owned()], ..RulesArgs::default() }, io),
+        None => rules(
+            &RulesArgs {
+                rules: vec![selector.to_owned()],
+                ..RulesArgs::default()
+            },
+            io,
+        ),
     }
 }
 
 /// Print the rules that are asked for.
 pub(super) fn rules(args: &RulesArgs, io: &mut Io<'_>) -> u8 {
     if let Some(unknown) = args.rules.iter().find(|selector| !is_known(selector)) {
-        io.line(&format!("error: {}", visible(&rules::unknown_selector(unknown))));
+        io.line(&format!(
+            "error: {}",
+            visible(&rules::unknown_selector(unknown))
+        ));
         return 2;
     }
     let found: Vec<&'static Rule> = rules::all().filter(|rule| is_wanted(rule, args)).collect();
@@ -29,10 +40,22 @@ pub(super) fn rules(args: &RulesArgs, io: &mut Io<'_>) -> u8 {
         Plain::Json => io.out(&rules::catalogue_of(found.iter().copied())),
         Plain::Text => {
             let width = found.iter().map(|rule| rule.name.len()).max().unwrap_or(0);
-            for Rule { code, name, severity, default, fix, .. } in found {
+            for Rule {
+                code,
+                name,
+                severity,
+                default,
+                fix,
+                ..
+            } in found
+            {
                 let fix = fix.map_or("", |safety| safety.name());
                 let line = format!("{code}  {name:width$}  {:7}  {default}", severity.name());
-                let line = if fix.is_empty() { line } else { format!("{line}  ({fix} fix)") };
+                let line = if fix.is_empty() {
+                    line
+                } else {
+                    format!("{line}  ({fix} fix)")
+                };
                 io.out(&format!("{line}\n"));
             }
         }
@@ -52,8 +75,13 @@ fn is_wanted(rule: &Rule, args: &RulesArgs) -> bool {
         Activation::Profiles(profiles) => profiles.contains(&profile.as_str()),
     };
     (args.rules.is_empty() || args.rules.iter().any(named))
-        && args.category.as_ref().is_none_or(|category| rule.category.name() == category)
-        && args.severity.is_none_or(|severity| rule.severity.name() == severity.name())
+        && args
+            .category
+            .as_ref()
+            .is_none_or(|category| rule.category.name() == category)
+        && args
+            .severity
+            .is_none_or(|severity| rule.severity.name() == severity.name())
         && args.profile.as_ref().is_none_or(in_profile)
         && (!args.fixable || rule.fix.is_some())
 }

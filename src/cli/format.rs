@@ -23,7 +23,10 @@ struct Done {
 
 /// Format files, or say which would change.
 pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let setup = Setup { about: args.paths.first().cloned().unwrap_or_default(), ..Setup::default() };
+    let setup = Setup {
+        about: args.paths.first().cloned().unwrap_or_default(),
+        ..Setup::default()
+    };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => return usage(io, &error.to_string()),
@@ -32,15 +35,27 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     if is_input && let Err(error) = read_input(&session, io) {
         return usage(io, &format!("cannot read standard input: {error}"));
     }
-    let options = CheckOptions { paths: args.paths.clone(), ..CheckOptions::default() };
-    if let Some(missing) =
-        args.paths.iter().find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path))
+    let options = CheckOptions {
+        paths: args.paths.clone(),
+        ..CheckOptions::default()
+    };
+    if let Some(missing) = args
+        .paths
+        .iter()
+        .find(|path| session.vfs.text(path).is_err() && !is_dir(&session, path))
     {
-        return usage(io, &format!("cannot read {}", visible(&vfs::slashed(missing))));
+        return usage(
+            io,
+            &format!("cannot read {}", visible(&vfs::slashed(missing))),
+        );
     }
     let mut done = Done::default();
     let excluded = |path: &Path| session.settings(path).excludes(path);
-    for path in session.files(&options).into_iter().filter(|path| !excluded(path)) {
+    for path in session
+        .files(&options)
+        .into_iter()
+        .filter(|path| !excluded(path))
+    {
         one(args, &session, &path, env, io, &mut done);
     }
     let code = warn_about_config(&session, env, io);
@@ -66,7 +81,9 @@ fn is_dir(session: &Session, path: &Path) -> bool {
 
 /// Put standard input in the place of a file.
 fn read_input(session: &Session, io: &mut Io<'_>) -> std::io::Result<()> {
-    session.vfs.set_buffer(Path::new("-"), Some(all_of(io.stdin)?));
+    session
+        .vfs
+        .set_buffer(Path::new("-"), Some(all_of(io.stdin)?));
     Ok(())
 }
 
@@ -87,14 +104,23 @@ fn one(
     let document = &source.document;
     if !document.errors().is_empty() {
         done.failed += 1;
-        return io.line(&format!("error: {shown} not formatted because of syntax errors"));
+        return io.line(&format!(
+            "error: {shown} not formatted because of syntax errors"
+        ));
     }
     let config = &session.settings(path).config.format;
     let edits = ide::format(document, &ide::indentation(document), config);
     let before = document.text();
     let after = apply(&before, &edits);
     let is_input = path.file_name().is_some_and(|name| name == "-");
-    let (same, file) = (before == after, FixedFile { path: Arc::from(path), before, after });
+    let (same, file) = (
+        before == after,
+        FixedFile {
+            path: Arc::from(path),
+            before,
+            after,
+        },
+    );
     if args.diff {
         io.out(&unified(&file, &env.cwd, io.out_is_terminal));
     } else if args.check && !same {
@@ -110,7 +136,11 @@ fn one(
 }
 
 fn summary(args: &FormatArgs, done: &Done) -> String {
-    let verb = if args.check || args.diff { "would format" } else { "formatted" };
+    let verb = if args.check || args.diff {
+        "would format"
+    } else {
+        "formatted"
+    };
     match (done.changed, done.same) {
         (0, 0) => "warning: no xacro or URDF files found".to_owned(),
         (0, same) => format!("nothing to format in {}", counted(same, "file")),

@@ -65,7 +65,10 @@ pub(super) fn all_of(stdin: &mut dyn Read) -> std::io::Result<String> {
     let mut bytes = Vec::new();
     stdin.take(STDIN_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > STDIN_BYTES {
-        let why = format!("input is larger than {} MB; pass the file name instead", STDIN_BYTES / 1_000_000);
+        let why = format!(
+            "input is larger than {} MB; pass the file name instead",
+            STDIN_BYTES / 1_000_000
+        );
         return Err(std::io::Error::other(why));
     }
     Ok(String::from_utf8_lossy(&bytes).into_owned())
@@ -80,7 +83,9 @@ impl Io<'_> {
 
     /// Remember that results were lost.
     fn note(&mut self, written: std::io::Result<()>) {
-        let lost = written.err().filter(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
+        let lost = written
+            .err()
+            .filter(|error| error.kind() != std::io::ErrorKind::BrokenPipe);
         self.failed = self.failed.take().or(lost);
     }
 
@@ -135,9 +140,18 @@ mod tests {
             (vec![("CLICOLOR_FORCE", "0")], true, false),
             (vec![("FORCE_COLOR", "1"), ("TERM", "dumb")], true, true),
         ] {
-            let pairs = vars.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
-            let env = Environment { vars: BTreeMap::from_iter(pairs), cwd: "/".into() };
-            assert_eq!((has_colors(&env, true), has_colors(&env, false)), (on_terminal, in_pipe), "{vars:?}");
+            let pairs = vars
+                .iter()
+                .map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+            let env = Environment {
+                vars: BTreeMap::from_iter(pairs),
+                cwd: "/".into(),
+            };
+            assert_eq!(
+                (has_colors(&env, true), has_colors(&env, false)),
+                (on_terminal, in_pipe),
+                "{vars:?}"
+            );
         }
     }
 }

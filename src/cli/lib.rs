@@ -74,9 +74,16 @@ fn command(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
         Ok(arguments) => dispatch(arguments.command, env, io),
         Err(error) => {
             let text = error.render();
-            let wanted = matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion);
+            let wanted = matches!(
+                error.kind(),
+                ErrorKind::DisplayHelp | ErrorKind::DisplayVersion
+            );
             let color = if wanted { io.color_out } else { io.color };
-            let text = if color { text.ansi().to_string() } else { text.to_string() };
+            let text = if color {
+                text.ansi().to_string()
+            } else {
+                text.to_string()
+            };
             if wanted {
                 io.out(&text);
                 return 0;

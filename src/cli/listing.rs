@@ -46,7 +46,11 @@ pub(super) fn least_shown(args: &CheckArgs) -> Severity {
         Some(Show::Hint | Show::All) => Severity::Hint,
     };
     // what makes a run fail is never hidden
-    if args.fail_level == FailLevel::Info { asked.min(Severity::Info) } else { asked }
+    if args.fail_level == FailLevel::Info {
+        asked.min(Severity::Info)
+    } else {
+        asked
+    }
 }
 
 impl<'a> Listing<'a> {
@@ -68,7 +72,9 @@ impl<'a> Listing<'a> {
                 *listing.hidden.entry(severity).or_default() += 1;
                 continue;
             }
-            let here = in_file.entry((code, severity, finding.span.file)).or_default();
+            let here = in_file
+                .entry((code, severity, finding.span.file))
+                .or_default();
             let there = in_all.entry((code, severity)).or_default();
             if all || *here < DRAWN_OF_A_RULE && *there < DRAWN_IN_ALL {
                 (*here, *there) = (*here + 1, *there + 1);
@@ -82,7 +88,11 @@ impl<'a> Listing<'a> {
 
     /// `2 errors, 1 warning in 2 files (1 robot, 7 files checked); 3 info not shown: --show info`
     fn summary(&self) -> String {
-        let printed = self.report.findings.iter().filter(|finding| finding.severity >= self.least);
+        let printed = self
+            .report
+            .findings
+            .iter()
+            .filter(|finding| finding.severity >= self.least);
         let mut parts = vec![summary(self.report, printed, self.hidden.is_empty())];
         parts.extend(self.not_shown());
         parts.join("; ")
@@ -92,11 +102,13 @@ impl<'a> Listing<'a> {
     fn not_shown(&self) -> Vec<String> {
         let hidden = |severity: Severity| Some((severity.name(), *self.hidden.get(&severity)?));
         let hidden = Severity::ALL.into_iter().filter_map(hidden);
-        let (kinds, options): (Vec<String>, Vec<String>) =
-            hidden.map(|(name, count)| (counted(count, name), format!("--show {name}"))).unzip();
-        let left_out = (self.left_out > 0).then(|| format!("{} more not shown (--show all)", self.left_out));
-        let hidden =
-            (!kinds.is_empty()).then(|| format!("{} not shown: {}", kinds.join(" and "), options.join(", ")));
+        let (kinds, options): (Vec<String>, Vec<String>) = hidden
+            .map(|(name, count)| (counted(count, name), format!("--show {name}")))
+            .unzip();
+        let left_out =
+            (self.left_out > 0).then(|| format!("{} more not shown (--show all)", self.left_out));
+        let hidden = (!kinds.is_empty())
+            .then(|| format!("{} not shown: {}", kinds.join(" and "), options.join(", ")));
         left_out.into_iter().chain(hidden).collect()
     }
 
@@ -133,17 +145,30 @@ impl<'a> Listing<'a> {
     fn part_of(&self) -> Option<String> {
         const MOST: usize = 3;
         let robots = &self.report.part_of;
-        let names: Vec<String> =
-            robots.iter().take(MOST).map(|robot| format!("`{}`", file_name(robot))).collect();
+        let names: Vec<String> = robots
+            .iter()
+            .take(MOST)
+            .map(|robot| format!("`{}`", file_name(robot)))
+            .collect();
         let more = robots.len().saturating_sub(MOST);
-        let more = if more > 0 { format!(" and {}", counted(more, "other robot")) } else { String::new() };
+        let more = if more > 0 {
+            format!(" and {}", counted(more, "other robot"))
+        } else {
+            String::new()
+        };
         let has_robots = !names.is_empty() && self.report.robots > 0;
         has_robots.then(|| format!("checked as part of {}{more}", names.join(", ")))
     }
 
     /// That no robot was found, and why: without errors it would look like success.
     fn without_robot(&self) -> Option<String> {
-        let Report { robots, roots, nameless, skipped, .. } = self.report;
+        let Report {
+            robots,
+            roots,
+            nameless,
+            skipped,
+            ..
+        } = self.report;
         if self.is_change || *robots > 0 || self.has_errors() || !self.report.compared.is_empty() {
             return None;
         }
@@ -169,8 +194,15 @@ impl<'a> Listing<'a> {
 
     /// That errors left out parts of robots, for those of which no package is said to be missing.
     fn partial(&self) -> Option<String> {
-        let Report { partial, incomplete, .. } = self.report;
-        let count = partial.keys().filter(|robot| !incomplete.contains_key(*robot)).count();
+        let Report {
+            partial,
+            incomplete,
+            ..
+        } = self.report;
+        let count = partial
+            .keys()
+            .filter(|robot| !incomplete.contains_key(*robot))
+            .count();
         let whose = if count == 1 { "it" } else { "them" };
         (count > 0).then(|| {
             let robots = counted(count, "robot");
@@ -179,7 +211,10 @@ impl<'a> Listing<'a> {
     }
 
     fn has_errors(&self) -> bool {
-        self.report.findings.iter().any(|finding| finding.severity == Severity::Error)
+        self.report
+            .findings
+            .iter()
+            .any(|finding| finding.severity == Severity::Error)
     }
 
     fn is_many(&self) -> bool {
@@ -190,11 +225,18 @@ impl<'a> Listing<'a> {
     fn by_rule(&self) -> Vec<String> {
         let mut counts = counts(self.report);
         counts.retain(|(severity, ..)| *severity >= self.least);
-        let width = counts.iter().map(|(.., count)| count.to_string().len()).max().unwrap_or(0);
-        let lines = counts.iter().take(MOST_RULES).map(|(severity, rule, count)| {
-            let severity = severity.name();
-            format!("  {count:width$}  {severity:7}  {}", rule.name)
-        });
+        let width = counts
+            .iter()
+            .map(|(.., count)| count.to_string().len())
+            .max()
+            .unwrap_or(0);
+        let lines = counts
+            .iter()
+            .take(MOST_RULES)
+            .map(|(severity, rule, count)| {
+                let severity = severity.name();
+                format!("  {count:width$}  {severity:7}  {}", rule.name)
+            });
         let left = counts.len().saturating_sub(MOST_RULES);
         let plural = if left == 1 { "" } else { "s" };
         let more = (left > 0).then(|| format!("  and {left} more rule{plural}: --statistics"));
@@ -217,11 +259,17 @@ impl<'a> Listing<'a> {
 pub(super) fn counts(report: &Report) -> Vec<(Severity, &'static Rule, usize)> {
     let mut counts: IndexMap<(Severity, &str), (&'static Rule, usize)> = IndexMap::new();
     for finding in &report.findings {
-        counts.entry((finding.severity, finding.rule.code)).or_insert((finding.rule, 0)).1 += 1;
+        counts
+            .entry((finding.severity, finding.rule.code))
+            .or_insert((finding.rule, 0))
+            .1 += 1;
     }
-    let mut counts: Vec<_> =
-        counts.into_iter().map(|((severity, _), (rule, count))| (severity, rule, count)).collect();
-    counts.sort_by_key(|(severity, rule, count)| (std::cmp::Reverse((*severity, *count)), rule.code));
+    let mut counts: Vec<_> = counts
+        .into_iter()
+        .map(|((severity, _), (rule, count))| (severity, rule, count))
+        .collect();
+    counts
+        .sort_by_key(|(severity, rule, count)| (std::cmp::Reverse((*severity, *count)), rule.code));
     counts
 }
 
@@ -230,7 +278,11 @@ fn file_name(path: &Path) -> Cow<'_, str> {
 }
 
 /// `2 errors, 1 warning in 2 files (1 robot, 7 files checked)`
-fn summary<'f>(report: &Report, printed: impl Iterator<Item = &'f Finding>, is_all: bool) -> String {
+fn summary<'f>(
+    report: &Report,
+    printed: impl Iterator<Item = &'f Finding>,
+    is_all: bool,
+) -> String {
     let robots = counted(report.robots, "robot");
     let files = counted(report.files.len(), "file");
     let checked = format!("{robots}, {files} checked");
@@ -243,12 +295,21 @@ fn summary<'f>(report: &Report, printed: impl Iterator<Item = &'f Finding>, is_a
             *count += usize::from(severity == finding.severity);
         }
     }
-    let named = counts.into_iter().zip(Severity::ALL).filter(|(count, _)| *count > 0);
-    let named: Vec<String> = named.map(|(count, severity)| counted(count, severity.name())).collect();
+    let named = counts
+        .into_iter()
+        .zip(Severity::ALL)
+        .filter(|(count, _)| *count > 0);
+    let named: Vec<String> = named
+        .map(|(count, severity)| counted(count, severity.name()))
+        .collect();
     match named.is_empty() {
         true if is_all => format!("no findings ({checked})"),
         true => format!("no errors or warnings ({checked})"),
-        false => format!("{} in {} ({checked})", named.join(", "), counted(with_findings.len(), "file")),
+        false => format!(
+            "{} in {} ({checked})",
+            named.join(", "),
+            counted(with_findings.len(), "file")
+        ),
     }
 }
 
@@ -257,11 +318,27 @@ pub(super) fn incomplete(report: &Report) -> Option<String> {
     const MOST: usize = 5;
     let robots = &report.incomplete;
     let packages: BTreeSet<&String> = robots.values().flatten().collect();
-    let names: Vec<String> = packages.iter().take(MOST).map(|name| format!("`{name}`")).collect();
-    let what = if packages.len() == 1 { "package" } else { "packages" };
+    let names: Vec<String> = packages
+        .iter()
+        .take(MOST)
+        .map(|name| format!("`{name}`"))
+        .collect();
+    let what = if packages.len() == 1 {
+        "package"
+    } else {
+        "packages"
+    };
     let more = packages.len().saturating_sub(MOST);
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let more = if more > 0 {
+        format!(" and {more} more")
+    } else {
+        String::new()
+    };
     let robots = counted(robots.len(), "robot");
-    (!names.is_empty())
-        .then(|| format!("{robots} not checked in full: {what} {}{more} not found", names.join(", ")))
+    (!names.is_empty()).then(|| {
+        format!(
+            "{robots} not checked in full: {what} {}{more} not found",
+            names.join(", ")
+        )
+    })
 }

@@ -81,12 +81,16 @@ fn is_name(text: &str) -> bool {
 ///
 /// # Errors
 /// When an argument holds `:=` more than once.
-pub fn mappings<'a>(args: impl IntoIterator<Item = &'a str>) -> Result<Vec<(String, String)>, UsageError> {
+pub fn mappings<'a>(
+    args: impl IntoIterator<Item = &'a str>,
+) -> Result<Vec<(String, String)>, UsageError> {
     let mut found = Vec::new();
     for arg in args.into_iter().filter(|a| a.contains(":=")) {
         let parts: Vec<&str> = arg.split(":=").map(str::trim).collect();
         let [name, value] = parts.as_slice() else {
-            return Err(UsageError::Mapping(format!("Invalid remapping argument '{arg}'")));
+            return Err(UsageError::Mapping(format!(
+                "Invalid remapping argument '{arg}'"
+            )));
         };
         let private = name.starts_with('_') && !name.starts_with("__") && name.len() > 1;
         if !name.is_empty() && !value.is_empty() && !private {
@@ -115,7 +119,10 @@ pub fn parse(args: &[String]) -> Result<ExpandOptions, UsageError> {
         assets: AssetOptions::default(),
     };
     let mut files = Vec::new();
-    let mut rest = args.iter().filter(|a| !a.contains(":=")).map(String::as_str);
+    let mut rest = args
+        .iter()
+        .filter(|a| !a.contains(":="))
+        .map(String::as_str);
     while let Some(arg) = rest.next() {
         if arg == "--" {
             files.extend(rest.by_ref());
@@ -128,17 +135,27 @@ pub fn parse(args: &[String]) -> Result<ExpandOptions, UsageError> {
         }
     }
     if options.check.is_some() && (options.output.is_some() || options.deps) {
-        return Err(UsageError::Usage("--check cannot be used with -o or --deps".into()));
+        return Err(UsageError::Usage(
+            "--check cannot be used with -o or --deps".into(),
+        ));
     }
     if options.assets.strip_protocols && options.assets.relative_paths {
-        return Err(UsageError::Usage("--strip-protocols cannot be used with --relative-paths".into()));
+        return Err(UsageError::Usage(
+            "--strip-protocols cannot be used with --relative-paths".into(),
+        ));
     }
     if options.assets.copy_to.is_some() && (options.check.is_some() || options.deps) {
-        return Err(UsageError::Usage("--copy-assets-to cannot be used with --check or --deps".into()));
+        return Err(UsageError::Usage(
+            "--copy-assets-to cannot be used with --check or --deps".into(),
+        ));
     }
     match files.as_slice() {
         [file] => options.input = (*file).to_owned(),
-        _ => return Err(UsageError::Usage("expected exactly one input file as argument".into())),
+        _ => {
+            return Err(UsageError::Usage(
+                "expected exactly one input file as argument".into(),
+            ));
+        }
     }
     Ok(options)
 }
@@ -163,7 +180,9 @@ fn long_option<'a>(
         [] => return Err(UsageError::Usage(format!("no such option: {given}"))),
         many => {
             let list = many.join(", ");
-            return Err(UsageError::Usage(format!("ambiguous option: {given} ({list}?)")));
+            return Err(UsageError::Usage(format!(
+                "ambiguous option: {given} ({list}?)"
+            )));
         }
     };
     let takes_value = matches!(
@@ -177,13 +196,19 @@ fn long_option<'a>(
             | "--output"
     );
     if !takes_value && value.is_some() {
-        return Err(UsageError::Usage(format!("{name} option does not take a value")));
+        return Err(UsageError::Usage(format!(
+            "{name} option does not take a value"
+        )));
     }
     if takes_value && value.is_none() {
         value = rest.next().map(str::to_owned);
     }
     let value = match (takes_value, value) {
-        (true, None) => return Err(UsageError::Usage(format!("{name} option requires 1 argument"))),
+        (true, None) => {
+            return Err(UsageError::Usage(format!(
+                "{name} option requires 1 argument"
+            )));
+        }
         (_, value) => value.unwrap_or_default(),
     };
     match name {
@@ -200,7 +225,9 @@ fn long_option<'a>(
         "--verbosity" => {
             let number = value.parse();
             options.verbosity = number.map_err(|_| {
-                UsageError::Usage(format!("option --verbosity: invalid integer value: '{value}'"))
+                UsageError::Usage(format!(
+                    "option --verbosity: invalid integer value: '{value}'"
+                ))
             })?;
         }
         _ => return Err(UsageError::Help),
@@ -218,7 +245,11 @@ fn short_options<'a>(
         match letter {
             'o' => {
                 let joined: String = letters.by_ref().collect();
-                let value = if joined.is_empty() { rest.next().map(str::to_owned) } else { Some(joined) };
+                let value = if joined.is_empty() {
+                    rest.next().map(str::to_owned)
+                } else {
+                    Some(joined)
+                };
                 let missing = || UsageError::Usage("-o option requires 1 argument".into());
                 options.output = Some(value.ok_or_else(missing)?);
             }
@@ -266,11 +297,18 @@ mod tests {
             ("a b", "expected exactly one input file as argument"),
             ("a --legacy", "no such option: --legacy"),
             ("a -x", "no such option: -x"),
-            ("a --verbosity x", "option --verbosity: invalid integer value: 'x'"),
+            (
+                "a --verbosity x",
+                "option --verbosity: invalid integer value: 'x'",
+            ),
             ("a -o", "-o option requires 1 argument"),
             ("a --deps=1", "--deps option does not take a value"),
         ] {
-            assert_eq!(parse(&args(line)), Err(UsageError::Usage(message.into())), "{line}");
+            assert_eq!(
+                parse(&args(line)),
+                Err(UsageError::Usage(message.into())),
+                "{line}"
+            );
         }
     }
 }

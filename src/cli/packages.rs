@@ -15,7 +15,11 @@ use workspace::Entry;
 /// Print the packages that can be found, with the step of the look-up that gave each.
 pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let package_path = args.package_path.iter().map(PathBuf::from).collect();
-    let setup = Setup { about: args.from.clone(), package_path, ..Setup::default() };
+    let setup = Setup {
+        about: args.from.clone(),
+        package_path,
+        ..Setup::default()
+    };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
         Err(error) => {
@@ -26,11 +30,18 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
     warn_about_config(&session, env, io);
     let vfs = &session.vfs;
     if !vfs.exists(&args.from) {
-        io.line(&format!("error: {}: No such file or directory", visible(&vfs::slashed(&args.from))));
+        io.line(&format!(
+            "error: {}: No such file or directory",
+            visible(&vfs::slashed(&args.from))
+        ));
         return 2;
     }
     // the look-up starts from a file
-    let from = if vfs.is_dir(&args.from) { args.from.join("_") } else { args.from.clone() };
+    let from = if vfs.is_dir(&args.from) {
+        args.from.join("_")
+    } else {
+        args.from.clone()
+    };
     let entries = session.packages.all(&from);
     match args.format {
         Plain::Text => table(&entries, &env.cwd, io),
@@ -49,8 +60,13 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
 }
 
 fn table(entries: &[Entry], cwd: &Path, io: &mut Io<'_>) {
-    let width =
-        |text: &dyn Fn(&Entry) -> String| entries.iter().map(|e| text(e).chars().count()).max().unwrap_or(0);
+    let width = |text: &dyn Fn(&Entry) -> String| {
+        entries
+            .iter()
+            .map(|e| text(e).chars().count())
+            .max()
+            .unwrap_or(0)
+    };
     let names = width(&|entry| entry.name.clone());
     let steps = width(&|entry| entry.step.to_string());
     for entry in entries {

@@ -11,8 +11,8 @@ use analysis::Session;
 use expand::Expansion;
 use model::Robot;
 use picture::{
-    Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, Shot, View, movable, picture_png,
-    picture_svg,
+    Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, Shot, View, movable,
+    picture_png, picture_svg,
 };
 use preview::{Joint, Model, still};
 use vfs::{Environment, write_atomically};
@@ -37,17 +37,26 @@ pub(super) fn run(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, String> {
     let form = form(&args.output, args.tree)?;
     let shot = shot(args)?;
-    let Expanded { file, arguments, session, expansion } =
-        Expanded::of(&args.file, &args.package_path, env, io)?;
+    let Expanded {
+        file,
+        arguments,
+        session,
+        expansion,
+    } = Expanded::of(&args.file, &args.package_path, env, io)?;
     let robot = Robot::of(&expansion);
-    let tree = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree);
+    let tree = robot
+        .as_ref()
+        .filter(|_| !expansion.has_errors())
+        .and_then(good_tree);
     if tree.is_none() {
         explain(&session, &file, arguments, env, io);
     }
     let bytes = match (args.tree, tree.as_ref(), robot.as_ref()) {
         (true, Some(tree), _) => svg::draw(tree).into_bytes(),
         (false, _, Some(robot)) => {
-            let Some((bytes, whole)) = picture(args, form, &shot, (&session, &expansion, robot), io)? else {
+            let Some((bytes, whole)) =
+                picture(args, form, &shot, (&session, &expansion, robot), io)?
+            else {
                 return Ok(1);
             };
             write(args, &bytes, env)?;
@@ -72,7 +81,11 @@ fn picture(
 ) -> Result<Option<(Vec<u8>, bool)>, String> {
     let (model, files) = still(session, expansion, robot);
     let positions = positions(&args.joint, &model)?;
-    let content = Content { collisions: args.collision, frames: args.frames, positions };
+    let content = Content {
+        collisions: args.collision,
+        frames: args.frames,
+        positions,
+    };
     let scene = Scene::of(&model, &files, &session.vfs, &content)?;
     if scene.is_empty() {
         io.line("error: robot has no links, nothing to draw");
@@ -95,11 +108,18 @@ fn write(args: &RenderArgs, bytes: &[u8], env: &Environment) -> Result<(), Strin
 
 /// The form that a file name asks for.
 fn form(output: &Path, tree: bool) -> Result<Form, String> {
-    let ending = output.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    let ending = output
+        .extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_lowercase();
     match (ending.as_str(), tree) {
         ("svg", _) => Ok(Form::Svg),
         ("png", false) => Ok(Form::Png),
-        (_, false) => Err(format!("{}: file name must end in .png or .svg", vfs::slashed(output))),
+        (_, false) => Err(format!(
+            "{}: file name must end in .png or .svg",
+            vfs::slashed(output)
+        )),
         (_, true) => Err(format!(
             "{}: a tree is drawn as SVG, so the file name must end in .svg",
             vfs::slashed(output)
@@ -121,13 +141,19 @@ fn shot(args: &RenderArgs) -> Result<Shot, String> {
             args.background
         )
     })?;
-    Ok(Shot { view, size: size(&args.size)?, background })
+    Ok(Shot {
+        view,
+        size: size(&args.size)?,
+        background,
+    })
 }
 
 /// `800x600`
 fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.parse::<u32>();
-    let sides = text.split_once('x').map(|(width, height)| (side(width), side(height)));
+    let sides = text
+        .split_once('x')
+        .map(|(width, height)| (side(width), side(height)));
     let Some((Ok(width), Ok(height))) = sides else {
         return Err(format!("invalid size `{text}`: write it as `800x600`"));
     };
@@ -148,11 +174,19 @@ fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
         let (name, value) = text
             .split_once('=')
             .ok_or_else(|| format!("invalid joint position `{text}`: write it as `elbow=0.5`"))?;
-        let joint = model.joints.iter().find(|joint| joint.name == name).ok_or_else(|| {
-            let names = model.joints.iter().filter(|joint| movable(joint)).map(|joint| joint.name.as_str());
-            let near = nearest(name, names).map(|near| format!("; did you mean `{near}`?"));
-            format!("unknown joint `{name}`{}", near.unwrap_or_default())
-        })?;
+        let joint = model
+            .joints
+            .iter()
+            .find(|joint| joint.name == name)
+            .ok_or_else(|| {
+                let names = model
+                    .joints
+                    .iter()
+                    .filter(|joint| movable(joint))
+                    .map(|joint| joint.name.as_str());
+                let near = nearest(name, names).map(|near| format!("; did you mean `{near}`?"));
+                format!("unknown joint `{name}`{}", near.unwrap_or_default())
+            })?;
         positions.insert(name.to_owned(), position(joint, value)?);
     }
     Ok(positions)
@@ -162,16 +196,33 @@ fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
 fn position(joint: &Joint, value: &str) -> Result<f64, String> {
     let name = &joint.name;
     if let Some(mimic) = &joint.mimic {
-        return Err(format!("joint `{name}` mimics joint `{}`: set the position of that joint", mimic.joint));
+        return Err(format!(
+            "joint `{name}` mimics joint `{}`: set the position of that joint",
+            mimic.joint
+        ));
     }
     if !movable(joint) {
-        return Err(format!("joint `{name}` has no position: its type is {}", joint.kind));
+        return Err(format!(
+            "joint `{name}` has no position: its type is {}",
+            joint.kind
+        ));
     }
-    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    let number = |text: &str| {
+        text.trim()
+            .parse()
+            .ok()
+            .filter(|number: &f64| number.is_finite())
+    };
     let found = match value.strip_suffix("deg") {
         Some(degrees) if joint.kind != "prismatic" => number(degrees).map(f64::to_radians),
-        Some(_) => return Err(format!("joint `{name}` is prismatic: its position is in meters")),
+        Some(_) => {
+            return Err(format!(
+                "joint `{name}` is prismatic: its position is in meters"
+            ));
+        }
         None => number(value),
     };
-    found.ok_or_else(|| format!("invalid position `{value}` for joint `{name}`: write `0.5` or `30deg`"))
+    found.ok_or_else(|| {
+        format!("invalid position `{value}` for joint `{name}`: write `0.5` or `30deg`")
+    })
 }

@@ -26,19 +26,29 @@ impl Prepared {
     pub(super) fn state(&self, mut files: BTreeSet<PathBuf>) -> State {
         let vfs = &self.session.vfs;
         files.extend(self.session.files(&self.options));
-        let named = self.options.paths.iter().chain(&self.options.entries).map(|path| vfs.absolute(path));
+        let named = self
+            .options
+            .paths
+            .iter()
+            .chain(&self.options.entries)
+            .map(|path| vfs.absolute(path));
         let named: Vec<PathBuf> = named.collect();
         let folders: BTreeSet<&Path> = files
             .iter()
             .filter_map(|file| file.parent())
             .chain(named.iter().flat_map(|path| path.ancestors()))
             .collect();
-        let configs: Vec<PathBuf> =
-            folders.into_iter().flat_map(|folder| CONFIG_NAMES.map(|name| folder.join(name))).collect();
+        let configs: Vec<PathBuf> = folders
+            .into_iter()
+            .flat_map(|folder| CONFIG_NAMES.map(|name| folder.join(name)))
+            .collect();
         // a folder changes with every file in it
         files.extend(named.into_iter().filter(|path| !vfs.is_dir(path)));
         files.extend(configs);
-        files.into_iter().map(|path| (path.clone(), vfs.state_on_disk(&path))).collect()
+        files
+            .into_iter()
+            .map(|path| (path.clone(), vfs.state_on_disk(&path)))
+            .collect()
     }
 }
 
@@ -46,14 +56,28 @@ impl Prepared {
 ///
 /// # Errors
 /// What is wrong with the arguments, or cannot be read.
-pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read) -> Result<Prepared, String> {
+pub(super) fn prepare(
+    args: &CheckArgs,
+    env: &Environment,
+    stdin: &mut dyn Read,
+) -> Result<Prepared, String> {
     let options = options(args)?;
     let setup = Setup {
-        about: options.paths.iter().chain(&options.entries).next().cloned().unwrap_or_default(),
+        about: options
+            .paths
+            .iter()
+            .chain(&options.entries)
+            .next()
+            .cloned()
+            .unwrap_or_default(),
         package_path: args.package_path.iter().map(PathBuf::from).collect(),
         overrides: overrides(args),
         // who checks a folder means the packages in it
-        folders: options.paths.iter().map(|path| env.cwd.join(path)).collect(),
+        folders: options
+            .paths
+            .iter()
+            .map(|path| env.cwd.join(path))
+            .collect(),
     };
     let session = Session::new(env, setup)
         .map_err(|error| format!("{}: {}", vfs::slashed(&error.path), error.reason()))?;
@@ -61,13 +85,24 @@ pub(super) fn prepare(args: &CheckArgs, env: &Environment, stdin: &mut dyn Read)
         let read = read_stdin(&name, &session, stdin);
         read.map_err(|error| format!("cannot read standard input: {error}"))?;
     }
-    let baseline = args.baseline.as_deref().map(|path| read_baseline(path, &session)).transpose()?;
-    Ok(Prepared { session, options, baseline })
+    let baseline = args
+        .baseline
+        .as_deref()
+        .map(|path| read_baseline(path, &session))
+        .transpose()?;
+    Ok(Prepared {
+        session,
+        options,
+        baseline,
+    })
 }
 
 fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
     let named = |why: &str| format!("{}: {why}", vfs::slashed(path));
-    let file = session.vfs.text(path).map_err(|error| named(&error.reason()))?;
+    let file = session
+        .vfs
+        .text(path)
+        .map_err(|error| named(&error.reason()))?;
     let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
     let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
     Ok((baseline, folder))
@@ -75,7 +110,11 @@ fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), 
 
 /// The name that standard input is checked under.
 fn stdin_name(args: &CheckArgs) -> Option<PathBuf> {
-    let dash = args.paths.iter().any(|path| path == "-").then(|| PathBuf::from("-"));
+    let dash = args
+        .paths
+        .iter()
+        .any(|path| path == "-")
+        .then(|| PathBuf::from("-"));
     args.stdin_filename.clone().or(dash)
 }
 
@@ -91,19 +130,30 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
     let paths = paths.into_iter().filter(|path| *path != "-");
     let mut paths: Vec<PathBuf> = paths.map(PathBuf::from).collect();
     paths.extend(stdin_name(args));
-    if paths.iter().chain(&args.entry).any(|path| path.as_os_str().is_empty()) {
+    if paths
+        .iter()
+        .chain(&args.entry)
+        .any(|path| path.as_os_str().is_empty())
+    {
         return Err("empty path".to_owned());
     }
     if paths.is_empty() && args.entry.is_empty() {
         paths.push(".".into());
     }
-    let arguments = mappings(mapped.into_iter().map(String::as_str)).map_err(|error| error.message())?;
+    let arguments =
+        mappings(mapped.into_iter().map(String::as_str)).map_err(|error| error.message())?;
     contradictions(args)?;
-    let selectors = [&args.select, &args.extend_select, &args.ignore].into_iter().flatten();
+    let selectors = [&args.select, &args.extend_select, &args.ignore]
+        .into_iter()
+        .flatten();
     let mut unknown =
         selectors.filter(|selector| *selector != "ALL" && rules::find(selector).next().is_none());
     // a change is judged by everything around it
-    let changed = if args.changed { std::mem::replace(&mut paths, vec![".".into()]) } else { Vec::new() };
+    let changed = if args.changed {
+        std::mem::replace(&mut paths, vec![".".into()])
+    } else {
+        Vec::new()
+    };
     match unknown.next() {
         Some(unknown) => Err(rules::unknown_selector(unknown)),
         None => Ok(CheckOptions {

@@ -62,14 +62,23 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
         );
     }
     let mut views = Views::default();
-    let id = views.open(RootChoice { args: arguments, ..RootChoice::plain(&path) });
+    let id = views.open(RootChoice {
+        args: arguments,
+        ..RootChoice::plain(&path)
+    });
     let (say, said) = mpsc::channel();
     // the other end is gone only when the process ends
     let receive = move |received| drop(say.send(received));
     let hub = Hub::start(views.files().clone(), vfs, receive)
         .map_err(|error| format!("cannot start the preview: {error}"))?;
     hub.open(id);
-    Ok(Preview { world, views, hub, said, id })
+    Ok(Preview {
+        world,
+        views,
+        hub,
+        said,
+        id,
+    })
 }
 
 impl Preview {
@@ -102,30 +111,47 @@ impl Preview {
 
     /// Send what became of changed files: those that are `now` not as they were in `state`.
     fn follow(&mut self, state: &mut State, now: State) {
-        let differs = |(path, one): &(&PathBuf, &u64)| state.get(*path).is_some_and(|known| known != *one);
-        let changed: Vec<PathBuf> = now.iter().filter(differs).map(|(path, _)| path.clone()).collect();
+        let differs =
+            |(path, one): &(&PathBuf, &u64)| state.get(*path).is_some_and(|known| known != *one);
+        let changed: Vec<PathBuf> = now
+            .iter()
+            .filter(differs)
+            .map(|(path, _)| path.clone())
+            .collect();
         if !changed.is_empty() {
             self.world.changed_on_disk(&changed);
         }
-        let Self { world, views, hub, .. } = self;
+        let Self {
+            world, views, hub, ..
+        } = self;
         let watched = |id| hub.is_watched(id);
-        let (messages, _) = with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
+        let (messages, _) =
+            with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
         messages.iter().for_each(|message| hub.tell(message));
         // what changed while it was read counts as not seen yet
         *state = self.state();
-        now.into_iter().for_each(|(path, one)| drop(state.entry(path).and_modify(|known| *known = one)));
+        now.into_iter()
+            .for_each(|(path, one)| drop(state.entry(path).and_modify(|known| *known = one)));
     }
 
     fn state(&self) -> State {
         let vfs = &self.world.session().vfs;
-        self.views.reads().into_iter().map(|path| (path.clone(), vfs.state_on_disk(&path))).collect()
+        self.views
+            .reads()
+            .into_iter()
+            .map(|path| (path.clone(), vfs.state_on_disk(&path)))
+            .collect()
     }
 
     fn answer(&mut self, received: Received, env: &Environment, io: &mut Io<'_>) {
         let Received { id, message } = received;
         match message {
             FromViewer::Ready | FromViewer::Mesh { .. } => {}
-            FromViewer::Select { link, joint, location } => {
+            FromViewer::Select {
+                link,
+                joint,
+                location,
+            } => {
                 let found = with_names(|names| self.views.place_of(id, link, joint, names));
                 let Some(selection) = found else { return };
                 self.hub.select(&selection);
@@ -135,7 +161,9 @@ impl Preview {
             }
             FromViewer::Open { location } => say_place(&location, env, io),
             FromViewer::Root { root, compare } => {
-                let Some(root) = self.chosen(root) else { return };
+                let Some(root) = self.chosen(root) else {
+                    return;
+                };
                 let compare = compare.and_then(|compare| self.chosen(compare));
                 if compare.is_none() {
                     self.hub.end_compare(id);
@@ -148,25 +176,43 @@ impl Preview {
     /// A root that a page names: one that was offered, with any arguments.
     fn chosen(&self, name: RootName) -> Option<RootChoice> {
         let file = path_of(&name.uri)?;
-        let offered = self.views.root(self.id).is_some_and(|root| root.file == file)
+        let offered = self
+            .views
+            .root(self.id)
+            .is_some_and(|root| root.file == file)
             || self.world.known_files().contains(&file);
         let args = name.args.into_iter().collect();
-        offered.then_some(RootChoice { file, args, preset: name.preset })
+        offered.then_some(RootChoice {
+            file,
+            args,
+            preset: name.preset,
+        })
     }
 }
 
 /// Print the place of what was clicked, so that a terminal or an editor around it can go there.
 fn say_place(location: &Location, env: &Environment, io: &mut Io<'_>) {
-    let Some(path) = path_of(&location.uri) else { return };
+    let Some(path) = path_of(&location.uri) else {
+        return;
+    };
     let start = location.range.start;
-    let place = format!("{}:{}:{}", shown_path(&path, &env.cwd), start.line + 1, start.character + 1);
+    let place = format!(
+        "{}:{}:{}",
+        shown_path(&path, &env.cwd),
+        start.line + 1,
+        start.character + 1
+    );
     io.line(&visible(&place));
     io.flush();
 }
 
 fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));
-    work(&Names { uri: &uri, path: &path_of, encoding: Encoding::Utf32 })
+    work(&Names {
+        uri: &uri,
+        path: &path_of,
+        encoding: Encoding::Utf32,
+    })
 }
 
 fn path_of(uri: &str) -> Option<PathBuf> {

@@ -14,7 +14,11 @@ const PERIOD: Duration = Duration::from_millis(100);
 const WIDTH: usize = 30;
 
 /// Run `work`; on a terminal, with a bar.
-pub(super) fn watched<T: Send>(io: &mut Io<'_>, progress: &Progress, work: impl FnOnce() -> T + Send) -> T {
+pub(super) fn watched<T: Send>(
+    io: &mut Io<'_>,
+    progress: &Progress,
+    work: impl FnOnce() -> T + Send,
+) -> T {
     if !io.terminal {
         return work();
     }
@@ -38,14 +42,20 @@ pub(super) fn watched<T: Send>(io: &mut Io<'_>, progress: &Progress, work: impl 
         if drawn {
             io.flash("");
         }
-        worker.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        worker
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })
 }
 
 /// `[=====     ] 5/10`
 fn bar(done: usize, all: usize) -> String {
     let filled = (done * WIDTH).checked_div(all).unwrap_or(0).min(WIDTH);
-    format!("[{}{}] {done}/{all}", "=".repeat(filled), " ".repeat(WIDTH - filled))
+    format!(
+        "[{}{}] {done}/{all}",
+        "=".repeat(filled),
+        " ".repeat(WIDTH - filled)
+    )
 }
 
 #[cfg(test)]
@@ -74,13 +84,19 @@ mod tests {
         assert_eq!(shown(false, 700), "");
         assert_eq!(shown(true, 0), "");
         let long = shown(true, 1200);
-        assert!(long.contains("] 0/0") && long.ends_with("\r\u{1b}[K"), "{long:?}");
+        assert!(
+            long.contains("] 0/0") && long.ends_with("\r\u{1b}[K"),
+            "{long:?}"
+        );
     }
 
     #[test]
     fn bars() {
         assert_eq!(bar(0, 0), format!("[{}] 0/0", " ".repeat(30)));
-        assert_eq!(bar(1, 2), format!("[{}{}] 1/2", "=".repeat(15), " ".repeat(15)));
+        assert_eq!(
+            bar(1, 2),
+            format!("[{}{}] 1/2", "=".repeat(15), " ".repeat(15))
+        );
         assert_eq!(bar(2, 2), format!("[{}] 2/2", "=".repeat(30)));
     }
 }

@@ -55,8 +55,18 @@ const MOST_PLACES: usize = 3;
 pub fn render(report: &Report<'_>, color: bool) -> String {
     let title = visible(&report.title);
     let primary = Piece::cut(&report.primary);
-    let trace: Vec<Piece> = report.trace.iter().take(MOST_STEPS).map(Piece::cut).collect();
-    let places: Vec<Piece> = report.places.iter().take(MOST_PLACES).map(Piece::cut).collect();
+    let trace: Vec<Piece> = report
+        .trace
+        .iter()
+        .take(MOST_STEPS)
+        .map(Piece::cut)
+        .collect();
+    let places: Vec<Piece> = report
+        .places
+        .iter()
+        .take(MOST_PLACES)
+        .map(Piece::cut)
+        .collect();
     let mut head = report.level.clone().primary_title(title.as_str());
     if let Some(id) = &report.id {
         head = head.id(id.as_str());
@@ -88,7 +98,11 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     if let Some(help) = &help {
         group = group.element(Level::HELP.message(help.as_str()));
     }
-    let renderer = if color { Renderer::styled() } else { Renderer::plain() };
+    let renderer = if color {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
     let groups: [Group<'_>; 1] = [group];
     renderer.decor_style(DecorStyle::Ascii).render(&groups)
 }
@@ -106,7 +120,8 @@ struct Piece {
 /// A source line without the control characters that the drawing passes on; it stays as long as it is.
 fn harmless(line: &str) -> String {
     // as many bytes as what they stand for
-    line.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), "·").replace(['\u{2028}', '\u{2029}'], "\u{240a}")
+    line.replace(|c| ('\u{80}'..='\u{9f}').contains(&c), "·")
+        .replace(['\u{2028}', '\u{2029}'], "\u{240a}")
 }
 
 impl Piece {
@@ -114,11 +129,17 @@ impl Piece {
         let document = &mark.file.source.document;
         let start = document.line_col(mark.range.start, Encoding::Utf8);
         let end = document.line_col(mark.range.end, Encoding::Utf8);
-        let line = document.line_around(mark.range.start, DRAWN_LINE as u32).map(|(line, _)| line);
+        let line = document
+            .line_around(mark.range.start, DRAWN_LINE as u32)
+            .map(|(line, _)| line);
         let length = line.as_ref().map_or(0, String::len);
         let col = start.col as usize;
         // of a range over several lines, the first says enough
-        let to = if end.line == start.line { end.col as usize } else { length };
+        let to = if end.line == start.line {
+            end.col as usize
+        } else {
+            length
+        };
         Self {
             path: visible(&mark.file.path),
             line: start.line as usize + 1,
@@ -131,18 +152,24 @@ impl Piece {
     fn draw<'g>(&'g self, group: Group<'g>, kind: AnnotationKind) -> Group<'g> {
         let label = (!self.label.is_empty()).then_some(self.label.as_str());
         let Some(text) = &self.text else {
-            let origin = Origin::path(self.path.as_str()).line(self.line).char_column(self.span.start + 1);
+            let origin = Origin::path(self.path.as_str())
+                .line(self.line)
+                .char_column(self.span.start + 1);
             let group = group.element(origin);
             return group.elements(label.map(|label| Level::NOTE.message(label)));
         };
-        let snippet = Snippet::source(text.as_str()).line_start(self.line).path(self.path.as_str());
+        let snippet = Snippet::source(text.as_str())
+            .line_start(self.line)
+            .path(self.path.as_str());
         group.element(snippet.annotation(kind.span(self.span.clone()).label(label)))
     }
 }
 
 /// The same for a name, which stays in its line.
 pub fn visible_name(name: &str) -> String {
-    visible(name).replace('\n', "\u{240a}").replace('\t', "\u{2409}")
+    visible(name)
+        .replace('\n', "\u{240a}")
+        .replace('\t', "\u{2409}")
 }
 
 /// Whether a character steers a terminal, or makes text read other than it is: control characters, marks of the
@@ -180,13 +207,20 @@ mod tests {
         let tree = Tree::new();
         tree.write("a.urdf", "<robot/>\n");
         let source = tree.vfs().document(&tree.path("a.urdf")).unwrap();
-        let file = ShownFile { source: &source, path: "a.urdf".to_owned() };
+        let file = ShownFile {
+            source: &source,
+            path: "a.urdf".to_owned(),
+        };
         let report = Report {
             level: Level::ERROR,
             id: Some("no-links".to_owned()),
             url: Some("https://example.org/no-links".to_owned()),
             title: "robot has no links".to_owned(),
-            primary: Mark { file: &file, range: TextRange::new(0, 6), label: String::new() },
+            primary: Mark {
+                file: &file,
+                range: TextRange::new(0, 6),
+                label: String::new(),
+            },
             trace: Vec::new(),
             places: Vec::new(),
             help: None,

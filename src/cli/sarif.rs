@@ -47,7 +47,12 @@ pub(super) fn document(report: &Report, cwd: &Path) -> String {
 
 /// Without the keys that have no value.
 fn object(fields: impl IntoIterator<Item = (&'static str, Option<Value>)>) -> Value {
-    Value::Object(fields.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect())
+    Value::Object(
+        fields
+            .into_iter()
+            .filter_map(|(key, value)| Some((key.to_owned(), value?)))
+            .collect(),
+    )
 }
 
 fn descriptor(rule: &Rule) -> Value {
@@ -56,9 +61,15 @@ fn descriptor(rule: &Rule) -> Value {
         ("id", Some(json!(rule.code))),
         ("name", Some(json!(rule.name))),
         ("shortDescription", Some(json!({"text": summary}))),
-        ("help", Some(json!({"text": summary, "markdown": rule.docs}))),
+        (
+            "help",
+            Some(json!({"text": summary, "markdown": rule.docs})),
+        ),
         ("helpUri", rule.url().map(Value::String)),
-        ("defaultConfiguration", Some(json!({"level": level(rule.severity)}))),
+        (
+            "defaultConfiguration",
+            Some(json!({"level": level(rule.severity)})),
+        ),
         ("properties", Some(json!({"tags": [rule.category.name()]}))),
     ])
 }
@@ -93,10 +104,26 @@ impl Writer<'_> {
             ("ruleIndex", Some(json!(rule_index))),
             ("level", Some(json!(level(finding.severity)))),
             ("message", Some(json!({"text": text}))),
-            ("locations", Some(json!([{"physicalLocation": self.place(finding.span)}]))),
-            ("relatedLocations", (!related.is_empty()).then_some(Value::Array(related))),
-            ("partialFingerprints", Some(json!({"xacroLint/v1": fingerprint}))),
-            ("fixes", finding.fix.as_ref().filter(|fix| !fix.edits.is_empty()).map(|fix| self.fixes(fix))),
+            (
+                "locations",
+                Some(json!([{"physicalLocation": self.place(finding.span)}])),
+            ),
+            (
+                "relatedLocations",
+                (!related.is_empty()).then_some(Value::Array(related)),
+            ),
+            (
+                "partialFingerprints",
+                Some(json!({"xacroLint/v1": fingerprint})),
+            ),
+            (
+                "fixes",
+                finding
+                    .fix
+                    .as_ref()
+                    .filter(|fix| !fix.edits.is_empty())
+                    .map(|fix| self.fixes(fix)),
+            ),
         ])
     }
 
@@ -125,7 +152,8 @@ impl Writer<'_> {
             let artifact = || (self.artifact(edit.span), Vec::new());
             let (_, replacements) = files.entry(edit.span.file.0).or_insert_with(artifact);
             let region = self.region(edit.span);
-            replacements.push(json!({"deletedRegion": region, "insertedContent": {"text": edit.content}}));
+            replacements
+                .push(json!({"deletedRegion": region, "insertedContent": {"text": edit.content}}));
         }
         let changes: Vec<Value> = files
             .into_values()
@@ -159,7 +187,10 @@ mod tests {
     fn uris() {
         for (path, expected) in [
             ("urdf/arm.xacro", "urdf/arm.xacro"),
-            ("/ws/my robot/ärm#1.xacro", "file:///ws/my%20robot/%C3%A4rm%231.xacro"),
+            (
+                "/ws/my robot/ärm#1.xacro",
+                "file:///ws/my%20robot/%C3%A4rm%231.xacro",
+            ),
         ] {
             assert_eq!(uri(path), expected);
         }

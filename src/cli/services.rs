@@ -13,7 +13,10 @@ use rules::{Finding, Severity};
 
 /// The findings that people are shown.
 fn shown(report: &Report, hints: bool) -> impl Iterator<Item = &Finding> {
-    report.findings.iter().filter(move |finding| hints || finding.severity > Severity::Hint)
+    report
+        .findings
+        .iter()
+        .filter(move |finding| hints || finding.severity > Severity::Hint)
 }
 
 /// Commands that GitHub Actions turns into annotations.
@@ -38,7 +41,9 @@ pub(super) fn github(report: &Report, cwd: &Path, hints: bool) -> String {
 }
 
 fn escape(text: &str) -> String {
-    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+    text.replace('%', "%25")
+        .replace('\r', "%0D")
+        .replace('\n', "%0A")
 }
 
 fn property(text: &str) -> String {
@@ -76,15 +81,29 @@ pub(super) fn gitlab(report: &Report, cwd: &Path, hints: bool) -> String {
 /// A JUnit report: a suite for each file, a test for each finding; findings of at least `least` fail, and a
 /// file without findings is a test that passes.
 pub(super) fn junit(report: &Report, cwd: &Path, hints: bool, least: Severity) -> String {
-    let mut suites: IndexMap<String, Vec<&Finding>> =
-        report.files.values().map(|file| (shown_path(&file.path, cwd), Vec::new())).collect();
+    let mut suites: IndexMap<String, Vec<&Finding>> = report
+        .files
+        .values()
+        .map(|file| (shown_path(&file.path, cwd), Vec::new()))
+        .collect();
     for finding in shown(report, hints) {
-        suites.entry(shown_path(report.path(finding.span.file), cwd)).or_default().push(finding);
+        suites
+            .entry(shown_path(report.path(finding.span.file), cwd))
+            .or_default()
+            .push(finding);
     }
     suites.sort_unstable_keys();
-    let all = suites.values().map(|findings| findings.len().max(1)).sum::<usize>();
+    let all = suites
+        .values()
+        .map(|findings| findings.len().max(1))
+        .sum::<usize>();
     let is_failure = |finding: &&Finding| finding.severity >= least;
-    let failed = suites.values().flatten().copied().filter(|finding| is_failure(finding)).count();
+    let failed = suites
+        .values()
+        .flatten()
+        .copied()
+        .filter(|finding| is_failure(finding))
+        .count();
     let mut out = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"xacro-lint\" tests=\"{all}\" failures=\"{failed}\" errors=\"0\">\n"
     );
@@ -96,7 +115,9 @@ pub(super) fn junit(report: &Report, cwd: &Path, hints: bool, least: Severity) -
             "  <testsuite name=\"{path}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"0\" skipped=\"0\">\n"
         ));
         if findings.is_empty() {
-            out.push_str(&format!("    <testcase classname=\"{path}\" name=\"no findings\"/>\n"));
+            out.push_str(&format!(
+                "    <testcase classname=\"{path}\" name=\"no findings\"/>\n"
+            ));
         }
         for finding in findings {
             out.push_str(&test(report, finding, &path, is_failure(finding)));
@@ -108,7 +129,10 @@ pub(super) fn junit(report: &Report, cwd: &Path, hints: bool, least: Severity) -
 }
 
 fn test(report: &Report, finding: &Finding, path: &str, fails: bool) -> String {
-    let Position { start: (row, column), .. } = report.position(finding.span);
+    let Position {
+        start: (row, column),
+        ..
+    } = report.position(finding.span);
     let (name, severity) = (finding.rule.name, finding.severity);
     let message = quoted(&finding.message);
     let text = format!("{path}:{row}:{column}: {severity}: {message} [{name}]");
@@ -116,7 +140,9 @@ fn test(report: &Report, finding: &Finding, path: &str, fails: bool) -> String {
         "    <testcase classname=\"{path}\" name=\"{name}:{row}:{column}\" file=\"{path}\" line=\"{row}\">\n"
     );
     let body = match fails {
-        true => format!("      <failure type=\"{severity}\" message=\"{message}\">{text}</failure>\n"),
+        true => {
+            format!("      <failure type=\"{severity}\" message=\"{message}\">{text}</failure>\n")
+        }
         false => format!("      <system-out>{text}</system-out>\n"),
     };
     format!("{head}{body}    </testcase>\n")
@@ -126,5 +152,6 @@ fn test(report: &Report, finding: &Finding, path: &str, fails: bool) -> String {
 pub(super) fn quoted(text: &str) -> String {
     let text = escape_xml(&visible(text));
     // characters that no XML may hold
-    text.replace(['\n', '\t'], " ").replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}")
+    text.replace(['\n', '\t'], " ")
+        .replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}")
 }

@@ -39,24 +39,39 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
     let left = |depth: usize| columns.get(depth).map_or(0.0, |column| column.left);
     let width = |placed: &Placed| length(tree.link(placed.link)) * CHAR + 2.0 * PADDING;
     let rows = placed.iter().map(|p| p.row).fold(0.0, f64::max) + 1.0;
-    let total_width = placed.iter().map(|p| left(p.depth) + width(p)).fold(0.0, f64::max) + MARGIN;
+    let total_width = placed
+        .iter()
+        .map(|p| left(p.depth) + width(p))
+        .fold(0.0, f64::max)
+        + MARGIN;
     let total_height = rows * ROW + 2.0 * MARGIN - (ROW - BOX);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{total_width:.0}\" height=\"{total_height:.0}\" \
          viewBox=\"0 0 {total_width:.0} {total_height:.0}\">\n<title>{}</title>\n<style>{STYLE}</style>\n",
-        escape_xml(tree.robot.name.as_ref().map_or("", |name| name.value.as_str()))
+        escape_xml(
+            tree.robot
+                .name
+                .as_ref()
+                .map_or("", |name| name.value.as_str())
+        )
     );
     let middle = |placed: &Placed| MARGIN + placed.row * ROW + BOX / 2.0;
     for child in &placed {
-        let Some((parent, (joint, kind))) =
-            child.parent.and_then(|p| placed.get(p)).zip(child.joint.as_ref())
+        let Some((parent, (joint, kind))) = child
+            .parent
+            .and_then(|p| placed.get(p))
+            .zip(child.joint.as_ref())
         else {
             continue;
         };
         let (x0, y0) = (left(parent.depth) + width(parent), middle(parent));
         let (x1, y1) = (left(child.depth), middle(child));
         let bend = columns.get(child.depth).map_or(x1, |column| column.bend);
-        let class = if kind == "fixed" { "joint fixed" } else { "joint" };
+        let class = if kind == "fixed" {
+            "joint fixed"
+        } else {
+            "joint"
+        };
         let _ = writeln!(
             out,
             "<g class=\"{class}\"><title>{0}: {1}</title><path d=\"M{x0:.1} {y0:.1}H{bend:.1}V{y1:.1}H{x1:.1}\"/>\
@@ -84,17 +99,34 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
 
 /// Give each link a row: leaves one after the other, every other link halfway between its first and last child.
 fn place(tree: &Tree<'_>) -> Vec<Placed> {
-    let mut placed = vec![Placed { link: tree.root, depth: 0, row: 0.0, parent: None, joint: None }];
+    let mut placed = vec![Placed {
+        link: tree.root,
+        depth: 0,
+        row: 0.0,
+        parent: None,
+        joint: None,
+    }];
     let mut open = vec![0];
     let mut children: Vec<Vec<usize>> = vec![Vec::new()];
     let mut order = Vec::new();
     while let Some(at) = open.pop() {
         order.push(at);
-        let Some((link, depth)) = placed.get(at).map(|p| (p.link, p.depth)) else { continue };
+        let Some((link, depth)) = placed.get(at).map(|p| (p.link, p.depth)) else {
+            continue;
+        };
         for (joint, child) in tree.children(link) {
             let joint = Some((joint.shown().to_owned(), kind(joint).to_owned()));
-            children.get_mut(at).into_iter().for_each(|list| list.push(placed.len()));
-            placed.push(Placed { link: child, depth: depth + 1, row: 0.0, parent: Some(at), joint });
+            children
+                .get_mut(at)
+                .into_iter()
+                .for_each(|list| list.push(placed.len()));
+            placed.push(Placed {
+                link: child,
+                depth: depth + 1,
+                row: 0.0,
+                parent: Some(at),
+                joint,
+            });
             children.push(Vec::new());
         }
         open.extend(children.get(at).into_iter().flatten().rev());
@@ -108,8 +140,14 @@ fn place(tree: &Tree<'_>) -> Vec<Placed> {
     }
     // children come behind their parents in `order`
     for &at in order.iter().rev() {
-        let Some(list) = children.get(at).filter(|list| !list.is_empty()) else { continue };
-        let row = |child: Option<&usize>| child.and_then(|&child| placed.get(child)).map_or(0.0, |p| p.row);
+        let Some(list) = children.get(at).filter(|list| !list.is_empty()) else {
+            continue;
+        };
+        let row = |child: Option<&usize>| {
+            child
+                .and_then(|&child| placed.get(child))
+                .map_or(0.0, |p| p.row)
+        };
         let middle = (row(list.first()) + row(list.last())) / 2.0;
         placed.get_mut(at).into_iter().for_each(|p| p.row = middle);
     }
@@ -127,13 +165,17 @@ fn columns(tree: &Tree<'_>, placed: &[Placed]) -> Vec<Column> {
     let mut boxes = vec![0.0_f64; depth + 1];
     let mut labels = vec![0.0_f64; depth + 1];
     for p in placed {
-        let label =
-            p.joint.as_ref().map_or(0.0, |(joint, kind)| (length(joint) + length(kind) + 3.0) * CHAR * 0.92);
+        let label = p.joint.as_ref().map_or(0.0, |(joint, kind)| {
+            (length(joint) + length(kind) + 3.0) * CHAR * 0.92
+        });
         boxes
             .get_mut(p.depth)
             .into_iter()
             .for_each(|w| *w = w.max(length(tree.link(p.link)) * CHAR + 2.0 * PADDING));
-        labels.get_mut(p.depth).into_iter().for_each(|w| *w = w.max(label));
+        labels
+            .get_mut(p.depth)
+            .into_iter()
+            .for_each(|w| *w = w.max(label));
     }
     let mut columns = Vec::new();
     let mut right = MARGIN;

@@ -22,24 +22,45 @@ const NAMED: usize = 3;
 
 /// Test the configured roots; the exit code is that of `check`.
 pub(super) fn run(args: &TestArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let paths = if args.paths.is_empty() { vec![".".into()] } else { args.paths.clone() };
+    let paths = if args.paths.is_empty() {
+        vec![".".into()]
+    } else {
+        args.paths.clone()
+    };
     let setup = Setup {
         about: paths.first().cloned().unwrap_or_default(),
         package_path: args.package_path.iter().map(Into::into).collect(),
-        overrides: Overrides { config: args.config.clone(), ..Overrides::default() },
+        overrides: Overrides {
+            config: args.config.clone(),
+            ..Overrides::default()
+        },
         folders: paths.iter().map(|path| env.cwd.join(path)).collect(),
     };
     let session = match Session::new(env, setup) {
         Ok(session) => session,
-        Err(error) => return failed(io, &format!("{}: {}", vfs::slashed(&error.path), error.reason())),
+        Err(error) => {
+            return failed(
+                io,
+                &format!("{}: {}", vfs::slashed(&error.path), error.reason()),
+            );
+        }
     };
     let options = TestOptions {
-        check: CheckOptions { paths, ..CheckOptions::default() },
+        check: CheckOptions {
+            paths,
+            ..CheckOptions::default()
+        },
         filter: args.filter.clone(),
         update: args.update,
     };
     let tests = watched(io, &options.check.progress, || session.test(&options));
-    let code = Runner { args, session: &session, tests: &tests, env }.conclude(io);
+    let code = Runner {
+        args,
+        session: &session,
+        tests: &tests,
+        env,
+    }
+    .conclude(io);
     // the process ends after this: it need not take everything apart first
     std::mem::forget((session, tests));
     code
@@ -69,8 +90,16 @@ impl Runner<'_> {
             TestFormat::Junit => io.out(&self.junit()),
         }
         let written = self.write_updates(io);
-        let fails = self.tests.cases.iter().any(|case| !case.failures.is_empty());
-        if written > 0 { written } else { u8::from(fails) }
+        let fails = self
+            .tests
+            .cases
+            .iter()
+            .any(|case| !case.failures.is_empty());
+        if written > 0 {
+            written
+        } else {
+            u8::from(fails)
+        }
     }
 
     /// What keeps tests from running: a test that does not run must not look like one that passes.
@@ -103,7 +132,11 @@ impl Runner<'_> {
     }
 
     fn failures(&self, case: &TestCase) -> &[Finding] {
-        self.tests.report.findings.get(case.failures.clone()).unwrap_or_default()
+        self.tests
+            .report
+            .findings
+            .get(case.failures.clone())
+            .unwrap_or_default()
     }
 
     // Text.
@@ -127,34 +160,62 @@ impl Runner<'_> {
         let mut first: IndexMap<(Span, &str), (usize, Vec<usize>)> = IndexMap::new();
         for (number, case) in self.tests.cases.iter().enumerate() {
             for finding in case.failures.clone() {
-                let Some(found) = self.tests.report.findings.get(finding) else { continue };
-                let entry = first.entry((found.span, &found.message)).or_insert((finding, Vec::new()));
+                let Some(found) = self.tests.report.findings.get(finding) else {
+                    continue;
+                };
+                let entry = first
+                    .entry((found.span, &found.message))
+                    .or_insert((finding, Vec::new()));
                 entry.1.push(number);
             }
         }
         let (report, packages) = (&self.tests.report, &self.session.packages);
-        let kept =
-            first.values().take(DRAWN_PROBLEMS).filter_map(|(finding, _)| report.findings.get(*finding));
+        let kept = first
+            .values()
+            .take(DRAWN_PROBLEMS)
+            .filter_map(|(finding, _)| report.findings.get(*finding));
         let drawn = drawings(kept, report, packages, &self.env.cwd, io.color_out);
         for (drawing, (_, cases)) in drawn.iter().zip(first.values()) {
-            io.out(&format!("\n{drawing}\n{}\n", visible_name(&self.in_tests(cases))));
+            io.out(&format!(
+                "\n{drawing}\n{}\n",
+                visible_name(&self.in_tests(cases))
+            ));
         }
         if first.len() > drawn.len() {
-            io.out(&format!("\n{} not shown\n", counted(first.len() - drawn.len(), "more failure")));
+            io.out(&format!(
+                "\n{} not shown\n",
+                counted(first.len() - drawn.len(), "more failure")
+            ));
         }
     }
 
     /// `in 5 tests: a, b, c and 2 more`
     fn in_tests(&self, cases: &[usize]) -> String {
-        let names = cases.iter().take(NAMED).filter_map(|&number| self.tests.cases.get(number));
+        let names = cases
+            .iter()
+            .take(NAMED)
+            .filter_map(|&number| self.tests.cases.get(number));
         let names: Vec<String> = names.map(|case| format!("`{}`", self.name(case))).collect();
         let more = cases.len().saturating_sub(NAMED);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        format!("in {}: {}{more}", counted(cases.len(), "test"), names.join(", "))
+        let more = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        format!(
+            "in {}: {}{more}",
+            counted(cases.len(), "test"),
+            names.join(", ")
+        )
     }
 
     fn summary(&self) -> String {
-        let failing = self.tests.cases.iter().filter(|case| !case.failures.is_empty()).count();
+        let failing = self
+            .tests
+            .cases
+            .iter()
+            .filter(|case| !case.failures.is_empty())
+            .count();
         let passing = self.tests.cases.len() - failing;
         let expectations = self.tests.cases.iter().map(|case| case.expectations).sum();
         let left_out = match self.tests.left_out {
@@ -169,8 +230,12 @@ impl Runner<'_> {
 
     fn json(&self) -> Value {
         let case = |case: &TestCase| {
-            let args: Vec<Value> =
-                case.root.args.iter().map(|(name, value)| json!({"name": name, "value": value})).collect();
+            let args: Vec<Value> = case
+                .root
+                .args
+                .iter()
+                .map(|(name, value)| json!({"name": name, "value": value}))
+                .collect();
             let failures = self.failures(case).iter();
             json!({
                 "name": self.name(case),
@@ -189,9 +254,17 @@ impl Runner<'_> {
     fn junit(&self) -> String {
         let mut suites: IndexMap<String, Vec<&TestCase>> = IndexMap::new();
         for case in &self.tests.cases {
-            suites.entry(self.shown(&case.root.file)).or_default().push(case);
+            suites
+                .entry(self.shown(&case.root.file))
+                .or_default()
+                .push(case);
         }
-        let failing = |cases: &[&TestCase]| cases.iter().filter(|case| !case.failures.is_empty()).count();
+        let failing = |cases: &[&TestCase]| {
+            cases
+                .iter()
+                .filter(|case| !case.failures.is_empty())
+                .count()
+        };
         let all: Vec<&TestCase> = self.tests.cases.iter().collect();
         let mut out = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
@@ -205,7 +278,9 @@ impl Runner<'_> {
             out.push_str(&format!(
                 "  <testsuite name=\"{path}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"0\" skipped=\"0\">\n"
             ));
-            cases.iter().for_each(|case| out.push_str(&self.testcase(case, &path)));
+            cases
+                .iter()
+                .for_each(|case| out.push_str(&self.testcase(case, &path)));
             out.push_str("  </testsuite>\n");
         }
         out.push_str("</testsuites>\n");
@@ -222,7 +297,10 @@ impl Runner<'_> {
         let failures = failures.iter().map(|found| {
             let message = quoted(&found.message);
             let text = quoted(&self.located(&self.tests.report, found));
-            format!("      <failure type=\"{}\" message=\"{message}\">{text}</failure>\n", found.rule.name)
+            format!(
+                "      <failure type=\"{}\" message=\"{message}\">{text}</failure>\n",
+                found.rule.name
+            )
         });
         format!("{head}>\n{}    </testcase>\n", failures.collect::<String>())
     }
@@ -230,7 +308,11 @@ impl Runner<'_> {
     /// `file:row:column: message`
     fn located(&self, report: &Report, found: &Finding) -> String {
         let (row, column) = report.position(found.span).start;
-        format!("{}:{row}:{column}: {}", self.shown(report.path(found.span.file)), found.message)
+        format!(
+            "{}:{row}:{column}: {}",
+            self.shown(report.path(found.span.file)),
+            found.message
+        )
     }
 
     // Snapshots.

@@ -13,20 +13,40 @@ use rules::{Finding, Severity};
 use workspace::{Packages, Vicinity};
 
 /// With the source text.
-pub(super) fn full(listing: &Listing<'_>, report: &Report, packages: &Packages, cwd: &Path, io: &mut Io<'_>) {
+pub(super) fn full(
+    listing: &Listing<'_>,
+    report: &Report,
+    packages: &Packages,
+    cwd: &Path,
+    io: &mut Io<'_>,
+) {
     let files = LazyCell::new(|| shown_files(report, packages, cwd));
     for finding in &listing.shown {
-        io.out(&format!("{}\n\n", drawing(finding, &files, report, cwd, io.color_out)));
+        io.out(&format!(
+            "{}\n\n",
+            drawing(finding, &files, report, cwd, io.color_out)
+        ));
     }
 }
 
 /// One line a finding.
 pub(super) fn concise(listing: &Listing<'_>, report: &Report, cwd: &Path, io: &mut Io<'_>) {
     for finding in &listing.shown {
-        let Position { start: (row, column), .. } = report.position(finding.span);
+        let Position {
+            start: (row, column),
+            ..
+        } = report.position(finding.span);
         let path = shown_path(report.path(finding.span.file), cwd);
-        let Finding { severity, message, rule, .. } = finding;
-        io.out(&visible(&format!("{path}:{row}:{column}: {severity}: {message} [{}]\n", rule.name)));
+        let Finding {
+            severity,
+            message,
+            rule,
+            ..
+        } = finding;
+        io.out(&visible(&format!(
+            "{path}:{row}:{column}: {severity}: {message} [{}]\n",
+            rule.name
+        )));
     }
 }
 
@@ -34,7 +54,10 @@ pub(super) fn concise(listing: &Listing<'_>, report: &Report, cwd: &Path, io: &m
 pub(super) fn statistics(report: &Report, io: &mut Io<'_>) {
     for (severity, rule, count) in counts(report) {
         let severity = severity.name();
-        io.out(&format!("{count:6}  {severity:7}  {}  {}\n", rule.code, rule.name));
+        io.out(&format!(
+            "{count:6}  {severity:7}  {}  {}\n",
+            rule.code, rule.name
+        ));
     }
 }
 
@@ -47,20 +70,39 @@ pub(super) fn drawings<'f>(
     color: bool,
 ) -> Vec<String> {
     let files = shown_files(report, packages, cwd);
-    findings.map(|finding| drawing(finding, &files, report, cwd, color)).collect()
+    findings
+        .map(|finding| drawing(finding, &files, report, cwd, color))
+        .collect()
 }
 
 /// The files whose text may be shown.
-fn shown_files<'a>(report: &'a Report, packages: &Packages, cwd: &Path) -> FastMap<FileId, ShownFile<'a>> {
+fn shown_files<'a>(
+    report: &'a Report,
+    packages: &Packages,
+    cwd: &Path,
+) -> FastMap<FileId, ShownFile<'a>> {
     let around = packages.around(report.roots.iter().map(PathBuf::as_path));
     let places = |finding: &Finding| {
-        let related = finding.related.iter().chain(&finding.places).map(|related| related.span.file);
+        let related = finding
+            .related
+            .iter()
+            .chain(&finding.places)
+            .map(|related| related.span.file);
         related.chain([finding.span.file]).collect::<Vec<_>>()
     };
     let named: FastSet<FileId> = report.findings.iter().flat_map(places).collect();
     let sources = report.files.iter().chain(&report.beside);
-    let shown = sources.filter(|(id, source)| named.contains(id) && is_shown(&source.path, &around));
-    let shown = shown.map(|(id, source)| (*id, ShownFile { source, path: shown_path(&source.path, cwd) }));
+    let shown =
+        sources.filter(|(id, source)| named.contains(id) && is_shown(&source.path, &around));
+    let shown = shown.map(|(id, source)| {
+        (
+            *id,
+            ShownFile {
+                source,
+                path: shown_path(&source.path, cwd),
+            },
+        )
+    });
     shown.collect()
 }
 
@@ -73,13 +115,25 @@ fn drawing(
     color: bool,
 ) -> String {
     let mark = |span: Span, label: &str| {
-        Some(Mark { file: files.get(&span.file)?, range: span.range, label: label.to_owned() })
+        Some(Mark {
+            file: files.get(&span.file)?,
+            range: span.range,
+            label: label.to_owned(),
+        })
     };
     let Some(primary) = mark(finding.span, "") else {
         let path = shown_path(report.path(finding.span.file), cwd);
-        let Finding { severity, rule, message, .. } = finding;
-        let from =
-            finding.related.iter().find(|related| files.contains_key(&related.span.file)).map(|related| {
+        let Finding {
+            severity,
+            rule,
+            message,
+            ..
+        } = finding;
+        let from = finding
+            .related
+            .iter()
+            .find(|related| files.contains_key(&related.span.file))
+            .map(|related| {
                 let (row, column) = report.position(related.span).start;
                 format!(
                     " ({} {}:{row}:{column})",
@@ -88,7 +142,10 @@ fn drawing(
                 )
             });
         let from = from.unwrap_or_default();
-        return visible(&format!("{severity}[{}]: {path}: {message}{from}", rule.name));
+        return visible(&format!(
+            "{severity}[{}]: {path}: {message}{from}",
+            rule.name
+        ));
     };
     let drawing = Drawing {
         level: level(finding.severity),
@@ -96,8 +153,16 @@ fn drawing(
         url: finding.rule.url().filter(|_| color),
         title: finding.message.clone(),
         primary,
-        trace: finding.related.iter().filter_map(|related| mark(related.span, &related.message)).collect(),
-        places: finding.places.iter().filter_map(|place| mark(place.span, &place.message)).collect(),
+        trace: finding
+            .related
+            .iter()
+            .filter_map(|related| mark(related.span, &related.message))
+            .collect(),
+        places: finding
+            .places
+            .iter()
+            .filter_map(|place| mark(place.span, &place.message))
+            .collect(),
         help: finding.help.clone(),
     };
     render(&drawing, color)
@@ -106,8 +171,10 @@ fn drawing(
 /// Whether the text of a file may be shown. What is no description by its name, or belongs to no robot, may be anything:
 /// a key, say. Its text is not for a log.
 pub(super) fn is_shown(path: &Path, around: &Vicinity<'_>) -> bool {
-    const ENDINGS: [&str; 13] =
-        ["xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt", "launch", "py", "sh", "bash"];
+    const ENDINGS: [&str; 13] = [
+        "xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt", "launch", "py", "sh",
+        "bash",
+    ];
     let ending = path.extension().and_then(|ending| ending.to_str());
     ending.is_some_and(|ending| ENDINGS.contains(&ending)) && around.hold(path)
 }
@@ -122,6 +189,10 @@ fn level(severity: Severity) -> Level<'static> {
 }
 
 pub(super) fn counted(count: usize, noun: &str) -> String {
-    let plural = if count == 1 || noun == "info" { "" } else { "s" };
+    let plural = if count == 1 || noun == "info" {
+        ""
+    } else {
+        "s"
+    };
     format!("{count} {noun}{plural}")
 }

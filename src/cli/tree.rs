@@ -28,13 +28,22 @@ pub(super) struct Tree<'a> {
 impl Tree<'_> {
     /// The name of a link.
     pub(super) fn link(&self, link: usize) -> &str {
-        self.robot.links.get(link).and_then(|link| link.name.as_ref()).map_or("", |name| name.value.as_str())
+        self.robot
+            .links
+            .get(link)
+            .and_then(|link| link.name.as_ref())
+            .map_or("", |name| name.value.as_str())
     }
 
     /// The joints below a link with the links they lead to, in the order of urdfdom.
     pub(super) fn children(&self, link: usize) -> impl DoubleEndedIterator<Item = (&Joint, usize)> {
         let joints = self.kinematics.down(link).iter();
-        joints.filter_map(|&joint| Some((self.robot.joints.get(joint)?, self.kinematics.ends(joint)?.1)))
+        joints.filter_map(|&joint| {
+            Some((
+                self.robot.joints.get(joint)?,
+                self.kinematics.ends(joint)?.1,
+            ))
+        })
     }
 }
 
@@ -46,12 +55,21 @@ pub(super) fn kind(joint: &Joint) -> &str {
 /// Run `tree`.
 pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let expanded = Expanded::of(&args.file, &args.package_path, env, io);
-    let Expanded { file, arguments, session, expansion } = match expanded {
+    let Expanded {
+        file,
+        arguments,
+        session,
+        expansion,
+    } = match expanded {
         Ok(expanded) => expanded,
         Err(message) => return fails(io, &message),
     };
     let robot = Robot::of(&expansion);
-    let Some(tree) = robot.as_ref().filter(|_| !expansion.has_errors()).and_then(good_tree) else {
+    let Some(tree) = robot
+        .as_ref()
+        .filter(|_| !expansion.has_errors())
+        .and_then(good_tree)
+    else {
         explain(&session, &file, arguments, env, io);
         no_tree(&expansion, io);
         return 1;
@@ -83,11 +101,18 @@ pub(super) fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
     let kinematics = Kinematics::of(robot);
     robot.name.as_ref().filter(|name| !name.value.is_empty())?;
     let mut roots = kinematics.roots(robot).into_iter();
-    let (root, None) = (roots.next()?, roots.next()) else { return None };
+    let (root, None) = (roots.next()?, roots.next()) else {
+        return None;
+    };
     // n links in a tree hang on n - 1 joints; a cycle would need one more, a loose link one less
-    let single = (0..robot.links.len()).all(|link| kinematics.up(link).len() == usize::from(link != root));
+    let single =
+        (0..robot.links.len()).all(|link| kinematics.up(link).len() == usize::from(link != root));
     let joined = (0..robot.joints.len()).all(|joint| kinematics.ends(joint).is_some());
-    (single && joined && kinematics.cycles().is_empty()).then_some(Tree { robot, kinematics, root })
+    (single && joined && kinematics.cycles().is_empty()).then_some(Tree {
+        robot,
+        kinematics,
+        root,
+    })
 }
 
 /// Say what keeps a robot from being one.
@@ -98,11 +123,28 @@ pub(super) fn explain(
     env: &Environment,
     io: &mut Io<'_>,
 ) {
-    let options = CheckOptions { entries: vec![file.into()], args, ..CheckOptions::default() };
+    let options = CheckOptions {
+        entries: vec![file.into()],
+        args,
+        ..CheckOptions::default()
+    };
     let mut report = session.check(&options);
-    let categories = [Category::Xml, Category::Xacro, Category::Structure, Category::Package];
-    report.findings.retain(|f| f.severity == Severity::Error && categories.contains(&f.rule.category));
-    for line in text::drawings(report.findings.iter(), &report, &session.packages, &env.cwd, io.color) {
+    let categories = [
+        Category::Xml,
+        Category::Xacro,
+        Category::Structure,
+        Category::Package,
+    ];
+    report
+        .findings
+        .retain(|f| f.severity == Severity::Error && categories.contains(&f.rule.category));
+    for line in text::drawings(
+        report.findings.iter(),
+        &report,
+        &session.packages,
+        &env.cwd,
+        io.color,
+    ) {
         io.line(&line);
     }
 }
@@ -128,7 +170,12 @@ impl Expanded {
         let expansion = expand_in(&session, &file, arguments.clone());
         match &expansion.root_error {
             Some(error) => Err(format!("{file}: {}", error.reason())),
-            None => Ok(Self { file, arguments, session, expansion }),
+            None => Ok(Self {
+                file,
+                arguments,
+                session,
+                expansion,
+            }),
         }
     }
 }
@@ -141,19 +188,36 @@ pub(super) fn open(
     io: &mut Io<'_>,
 ) -> Result<Session, String> {
     let package_path = package_path.iter().map(PathBuf::from).collect();
-    let setup = Setup { about: file.into(), package_path, ..Setup::default() };
+    let setup = Setup {
+        about: file.into(),
+        package_path,
+        ..Setup::default()
+    };
     let session = Session::new(env, setup).map_err(|error| error.to_string())?;
     warn_about_config(&session, env, io);
     Ok(session)
 }
 
 pub(super) fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
-    let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
-    expand(world, &Request { file: file.to_owned(), args, ..Request::default() })
+    let world = World {
+        vfs: &session.vfs,
+        packages: &session.packages,
+        env: &session.env,
+    };
+    expand(
+        world,
+        &Request {
+            file: file.to_owned(),
+            args,
+            ..Request::default()
+        },
+    )
 }
 
 /// The one file among `names`, and the arguments.
-pub(super) fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(String, String)>), String> {
+pub(super) fn file_and_arguments(
+    names: &[String],
+) -> Result<(String, Vec<(String, String)>), String> {
     let arguments = mappings(names.iter().map(String::as_str)).map_err(|error| error.message())?;
     let mut files = names.iter().filter(|name| !name.contains(":="));
     match (files.next(), files.next()) {
@@ -165,21 +229,39 @@ pub(super) fn file_and_arguments(names: &[String]) -> Result<(String, Vec<(Strin
 
 /// What `check_urdf` prints; `joints` adds names and types of joints.
 fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
-    let name = tree.robot.name.as_ref().map_or("", |name| name.value.as_str());
+    let name = tree
+        .robot
+        .name
+        .as_ref()
+        .map_or("", |name| name.value.as_str());
     let name = visible_name(name);
-    let mut out = format!("robot name is: {name}\n---------- Successfully Parsed XML ---------------\n");
+    let mut out =
+        format!("robot name is: {name}\n---------- Successfully Parsed XML ---------------\n");
     let count = tree.children(tree.root).count();
-    out.push_str(&format!("root Link: {} has {count} child(ren)\n", visible_name(tree.link(tree.root))));
+    out.push_str(&format!(
+        "root Link: {} has {count} child(ren)\n",
+        visible_name(tree.link(tree.root))
+    ));
     // links still to be printed: level, number among its siblings, joint
     let mut open: Vec<(usize, usize, &Joint, usize)> = Vec::new();
     let below = |link: usize, level: usize| {
         let children: Vec<_> = tree.children(link).enumerate().collect();
-        children.into_iter().rev().map(move |(i, (joint, child))| (level, i + 1, joint, child))
+        children
+            .into_iter()
+            .rev()
+            .map(move |(i, (joint, child))| (level, i + 1, joint, child))
     };
     open.extend(below(tree.root, 1));
     while let Some((level, number, joint, link)) = open.pop() {
-        let by = if joints { format!("  [{}: {}]", joint.shown(), kind(joint)) } else { String::new() };
-        let (indent, shown) = ("    ".repeat(level), visible_name(&format!("{}{by}", tree.link(link))));
+        let by = if joints {
+            format!("  [{}: {}]", joint.shown(), kind(joint))
+        } else {
+            String::new()
+        };
+        let (indent, shown) = (
+            "    ".repeat(level),
+            visible_name(&format!("{}{by}", tree.link(link))),
+        );
         out.push_str(&format!("{indent}child({number}):  {shown}\n"));
         open.extend(below(link, level + 1));
     }
@@ -189,7 +271,9 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
 /// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
 fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
     let text = |text: &Option<model::Text>| text.as_ref().map(|text| text.value.to_string());
-    let links: Vec<_> = (0..tree.robot.links.len()).map(|link| tree.link(link)).collect();
+    let links: Vec<_> = (0..tree.robot.links.len())
+        .map(|link| tree.link(link))
+        .collect();
     let joints: Vec<_> = tree
         .robot
         .joints
@@ -214,18 +298,38 @@ fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
 
 /// For Graphviz: boxes for links, ellipses for joints.
 fn dot(tree: &Tree<'_>) -> String {
-    let quoted =
-        |text: &str| format!("\"{}\"", visible_name(text).replace('\\', "\\\\").replace('"', "\\\""));
-    let name = tree.robot.name.as_ref().map_or("", |name| name.value.as_str());
+    let quoted = |text: &str| {
+        format!(
+            "\"{}\"",
+            visible_name(text)
+                .replace('\\', "\\\\")
+                .replace('"', "\\\"")
+        )
+    };
+    let name = tree
+        .robot
+        .name
+        .as_ref()
+        .map_or("", |name| name.value.as_str());
     let mut out = format!("digraph {} {{\n  node [shape=box];\n", quoted(name));
     for link in 0..tree.robot.links.len() {
         out.push_str(&format!("  {};\n", quoted(tree.link(link))));
     }
     for joint in &tree.robot.joints {
-        let Some((parent, child)) = joint.ends() else { continue };
+        let Some((parent, child)) = joint.ends() else {
+            continue;
+        };
         let (name, kind) = (quoted(joint.shown()), quoted(kind(joint)));
-        let label = format!("{}\\n{}", name.trim_end_matches('"'), kind.trim_start_matches('"'));
-        out.push_str(&format!("  {} -> {} [label={label}];\n", quoted(parent), quoted(child)));
+        let label = format!(
+            "{}\\n{}",
+            name.trim_end_matches('"'),
+            kind.trim_start_matches('"')
+        );
+        out.push_str(&format!(
+            "  {} -> {} [label={label}];\n",
+            quoted(parent),
+            quoted(child)
+        ));
     }
     out.push_str("}\n");
     out

@@ -34,7 +34,10 @@ pub(super) fn watch(
     }
     loop {
         let present = round.state.values().filter(|state| **state != 0).count();
-        io.line(&format!("watching {}; press Ctrl-C to stop", counted(present, "file")));
+        io.line(&format!(
+            "watching {}; press Ctrl-C to stop",
+            counted(present, "file")
+        ));
         io.flush();
         let (now, changed) = loop {
             if !wait() {
@@ -61,7 +64,11 @@ pub(super) fn watch(
 fn difference(before: &State, now: &State) -> Option<PathBuf> {
     let differs = |(path, state): &(&PathBuf, &u64)| before.get(*path) != Some(state);
     let gone = before.keys().find(|path| !now.contains_key(*path));
-    now.iter().find(differs).map(|(path, _)| path).or(gone).cloned()
+    now.iter()
+        .find(differs)
+        .map(|(path, _)| path)
+        .or(gone)
+        .cloned()
 }
 
 #[cfg(test)]
@@ -83,7 +90,10 @@ mod tests {
         let run = |io: &mut Io<'_>| {
             runs += 1;
             io.out(&format!("run {runs}\n"));
-            Round { code: runs, state: state() }
+            Round {
+                code: runs,
+                state: state(),
+            }
         };
         let wait = || {
             tick.set(tick.get() + 1);

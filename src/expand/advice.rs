@@ -10,7 +10,10 @@ pub(super) fn headline(error: &EvalError) -> String {
     match error.kind {
         ErrorKind::Key if !message.contains("()") => format!("unknown key {message}"),
         ErrorKind::YamlKey => message.replacen("The ", "the ", 1),
-        ErrorKind::Io => message.split_once("] ").map_or(message, |(_, rest)| rest).to_owned(),
+        ErrorKind::Io => message
+            .split_once("] ")
+            .map_or(message, |(_, rest)| rest)
+            .to_owned(),
         _ => translated(message).unwrap_or_else(|| message.to_owned()),
     }
 }
@@ -27,7 +30,10 @@ fn translated(message: &str) -> Option<String> {
     }
     if let Some(rest) = message.strip_prefix("can only concatenate str (not \"") {
         let kind = rest.split('"').next()?;
-        return Some(format!("`+` cannot be applied to a string and {}", named(kind)));
+        return Some(format!(
+            "`+` cannot be applied to a string and {}",
+            named(kind)
+        ));
     }
     if let Some(tag) = message.strip_prefix("could not determine a constructor for the tag ") {
         return Some(format!("unknown YAML tag {tag}"));
@@ -65,7 +71,9 @@ pub(super) fn of(problem: &Problem) -> String {
         ProblemKind::MacroBlockMismatch => {
             "remove the extra element from the call, or add a block parameter `*name` to the macro"
         }
-        ProblemKind::IncludeCycle => "remove one of the includes, or put it in <xacro:if value=\"...\">",
+        ProblemKind::IncludeCycle => {
+            "remove one of the includes, or put it in <xacro:if value=\"...\">"
+        }
         ProblemKind::ShadowedBuiltin => {
             "rename the property; expressions can no longer use the built-in symbol"
         }
@@ -88,7 +96,9 @@ pub(super) fn of(problem: &Problem) -> String {
             true => "add the attribute with a value",
             false => "remove the attribute",
         },
-        ProblemKind::IncludeChildrenIgnored => "remove the child elements, or move them out of the include",
+        ProblemKind::IncludeChildrenIgnored => {
+            "remove the child elements, or move them out of the include"
+        }
         ProblemKind::InfiniteMacroRecursion => "simplify the robot description; the limit is fixed",
         ProblemKind::GlobIncludeNoMatch => "correct the pattern, or remove the include",
         ProblemKind::ConflictingPropertyAttributes => "keep only one of the attributes",
@@ -97,7 +107,9 @@ pub(super) fn of(problem: &Problem) -> String {
         ProblemKind::InconsistentNamespaceRedefinition => {
             "use the same URI in both places, or another prefix"
         }
-        ProblemKind::XmlSyntaxError => "write the text itself instead of the entity, and remove the DOCTYPE",
+        ProblemKind::XmlSyntaxError => {
+            "write the text itself instead of the entity, and remove the DOCTYPE"
+        }
         _ => return of_evaluation(&problem.message),
     };
     advice.to_owned()
@@ -105,7 +117,12 @@ pub(super) fn of(problem: &Problem) -> String {
 
 /// The advice, and Python's own words where the headline translates them.
 fn of_failure(problem: &Problem) -> String {
-    let words = problem.reference.split(" \nwhen evaluating").next().unwrap_or_default().trim();
+    let words = problem
+        .reference
+        .split(" \nwhen evaluating")
+        .next()
+        .unwrap_or_default()
+        .trim();
     match translated(words) {
         Some(_) if !words.contains('\n') => format!("{}; Python: {words}", of_evaluation(words)),
         _ => of_evaluation(&problem.message),
@@ -165,5 +182,7 @@ fn of_operands(message: &str) -> Option<String> {
         (false, true) => "the value on the right is a string",
         _ => return Some(format!("use numbers with `{operator}`")),
     };
-    Some(format!("convert the string with `float(...)`; `{operator}` needs numbers, but {side}"))
+    Some(format!(
+        "convert the string with `float(...)`; `{operator}` needs numbers, but {side}"
+    ))
 }

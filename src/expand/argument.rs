@@ -19,7 +19,9 @@ pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let mut found = None;
     let mut at = origin;
     for _ in 0..MOST_CALLS {
-        let Some(given) = passed(expansion, at) else { break };
+        let Some(given) = passed(expansion, at) else {
+            break;
+        };
         found = Some(given);
         at = given;
     }
@@ -30,14 +32,28 @@ pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
 fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let token = the_name(expansion, origin)?;
     let evaluations = &expansion.evaluations;
-    let evaluation = evaluations.in_frame(SourceRange { src: origin.src, range: token }, origin.frame)?;
-    let [read] = expansion.read_in(evaluation.reads) else { return None };
+    let evaluation = evaluations.in_frame(
+        SourceRange {
+            src: origin.src,
+            range: token,
+        },
+        origin.frame,
+    )?;
+    let [read] = expansion.read_in(evaluation.reads) else {
+        return None;
+    };
     let binding = expansion.bindings.get(*read as usize)?;
-    let given = binding.origin.filter(|_| binding.kind == BindingKind::Parameter)?;
+    let given = binding
+        .origin
+        .filter(|_| binding.kind == BindingKind::Parameter)?;
     // a default belongs to the macro, not to the call
-    let calls = expansion.frames_of(origin).filter(|frame| frame.kind == FrameKind::Macro);
+    let calls = expansion
+        .frames_of(origin)
+        .filter(|frame| frame.kind == FrameKind::Macro);
     let mut calls = calls.map(|frame| frame.call);
-    calls.any(|call| call.frame == given.frame && call.src == given.src).then_some(given)
+    calls
+        .any(|call| call.frame == given.frame && call.src == given.src)
+        .then_some(given)
 }
 
 /// The range of the `${name}` that the text at an origin consists of.
@@ -58,17 +74,31 @@ fn source_text(expansion: &Expansion, origin: Origin) -> Option<&str> {
 /// Whether a text that reads differently from call to call is wrong in some calls only; `instances` are those in
 /// which it is.
 pub fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
-    let Some(first) = instances.first() else { return false };
+    let Some(first) = instances.first() else {
+        return false;
+    };
     let wrong: FastSet<FrameId> = instances.iter().map(|origin| origin.frame).collect();
-    let Some(text) = source_text(expansion, *first).filter(|text| text.contains('$')) else { return false };
+    let Some(text) = source_text(expansion, *first).filter(|text| text.contains('$')) else {
+        return false;
+    };
     let template = expr::split(text);
-    let tokens =
-        template.tokens.iter().filter(|token| matches!(token, Token::Expr { .. } | Token::Subst { .. }));
+    let tokens = template
+        .tokens
+        .iter()
+        .filter(|token| matches!(token, Token::Expr { .. } | Token::Subst { .. }));
     let mut all: FastSet<FrameId> = FastSet::default();
     for token in tokens {
         let range = token.range().shift(first.range.start);
-        let place = SourceRange { src: first.src, range };
-        all.extend(expansion.evaluations.at(place).map(|evaluation| evaluation.at.frame));
+        let place = SourceRange {
+            src: first.src,
+            range,
+        };
+        all.extend(
+            expansion
+                .evaluations
+                .at(place)
+                .map(|evaluation| evaluation.at.frame),
+        );
     }
     wrong.len() < all.len()
 }
@@ -82,7 +112,9 @@ impl Expansion {
     pub fn empty_argument(&self, pieces: &[Piece]) -> Option<EcoString> {
         pieces.iter().find_map(|piece| {
             let Origin { src, range, frame } = piece.source;
-            let evaluation = self.evaluations.in_frame(SourceRange { src, range }, frame)?;
+            let evaluation = self
+                .evaluations
+                .in_frame(SourceRange { src, range }, frame)?;
             self.empty_argument_of(self.read_in(evaluation.reads))
         })
     }

@@ -12,32 +12,54 @@ use base::TextRange;
 use expr::{Value, display, literal};
 
 /// Attributes of xacro elements: one of these is no other name for a missing one.
-const ATTRIBUTES: &[&str] =
-    &["name", "default", "filename", "value", "params", "macro", "ns", "optional", "scope"];
+const ATTRIBUTES: &[&str] = &[
+    "name", "default", "filename", "value", "params", "macro", "ns", "optional", "scope",
+];
 
 impl Expander<'_> {
     /// An attribute as it is written (entities decoded), and where.
     pub fn attr<'a>(&self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
         let attr = tag.attr(name)?;
-        let origin = Origin { src: tag.src, range: attr.value_range(), frame: cx.frame };
-        Some((attr.value(self.entities(tag.src)), Place { origin, is_attr: true }))
+        let origin = Origin {
+            src: tag.src,
+            range: attr.value_range(),
+            frame: cx.frame,
+        };
+        Some((
+            attr.value(self.entities(tag.src)),
+            Place {
+                origin,
+                is_attr: true,
+            },
+        ))
     }
 
     /// An attribute that must be there.
-    pub fn required_attr<'a>(&mut self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
+    pub fn required_attr<'a>(
+        &mut self,
+        tag: Tag<'a>,
+        name: &str,
+        cx: Cx,
+    ) -> Option<(Cow<'a, str>, Place)> {
         let found = self.attr(tag, name, cx);
         if found.is_none() {
             let message = format!("missing attribute `{name}` in `{}`", tag.name);
             let reference = format!("{}: missing attribute '{name}'", tag.name);
             let problem = self
-                .problem(ProblemKind::MissingXacroAttribute, self.tag_origin(tag, cx), message)
+                .problem(
+                    ProblemKind::MissingXacroAttribute,
+                    self.tag_origin(tag, cx),
+                    message,
+                )
                 .says(reference);
             let mut others = tag.attrs().filter(|attr| !attr.name().starts_with("xmlns"));
             self.push(match (others.next(), others.next()) {
                 (Some(other), None) if tag.name == "xacro:property" => {
                     let value = other.value(self.entities(tag.src));
-                    problem
-                        .help(format!("write <xacro:property name=\"{}\" value=\"{value}\"/>", other.name()))
+                    problem.help(format!(
+                        "write <xacro:property name=\"{}\" value=\"{value}\"/>",
+                        other.name()
+                    ))
                 }
                 (Some(other), None) if !ATTRIBUTES.contains(&other.name()) => {
                     problem.help(format!("rename `{}` to `{name}`", other.name()))
@@ -50,20 +72,29 @@ impl Expander<'_> {
 
     /// Warn about attributes that mean nothing on this tag.
     pub fn check_attrs(&mut self, tag: Tag<'_>, allowed: &[&str], cx: Cx) {
-        let unknown =
-            |name: &str| !allowed.contains(&name) && !name.starts_with("xmlns:") && name != "xmlns:xacro";
+        let unknown = |name: &str| {
+            !allowed.contains(&name) && !name.starts_with("xmlns:") && name != "xmlns:xacro"
+        };
         let extra: Vec<_> = tag.attrs().filter(|a| unknown(a.name())).collect();
         let names: Vec<&str> = extra.iter().map(|a| a.name()).collect();
         for (i, attr) in extra.iter().enumerate() {
-            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+            let at = Origin {
+                src: tag.src,
+                range: attr.name_range(),
+                frame: cx.frame,
+            };
             let message = format!("unknown attribute `{}` in `{}`", attr.name(), tag.name);
-            let mut problem = self.problem(ProblemKind::UnknownXacroAttribute, at, message).warning();
+            let mut problem = self
+                .problem(ProblemKind::UnknownXacroAttribute, at, message)
+                .warning();
             if i == 0 {
                 let list = names.join(", ");
                 problem = problem.says(format!("{}: unknown attribute(s): {list}", tag.name));
             }
             if let Some(near) = meant::by_attribute(attr.name(), allowed) {
-                problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
+                problem = problem
+                    .help(format!("did you mean `{near}`?"))
+                    .replace_with(near);
             }
             self.push(problem);
         }
@@ -88,7 +119,9 @@ impl Expander<'_> {
             let message = match (raw.is_empty(), shown.is_empty()) {
                 (true, _) => "condition is empty".to_owned(),
                 (_, true) => {
-                    format!("condition `{raw}` evaluates to an empty string, which is not a boolean")
+                    format!(
+                        "condition `{raw}` evaluates to an empty string, which is not a boolean"
+                    )
                 }
                 _ if raw == shown => format!("condition `{raw}` is not a boolean"),
                 _ => format!("condition `{raw}` evaluates to `{shown}`, which is not a boolean"),

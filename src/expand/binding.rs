@@ -36,19 +36,39 @@ impl Expander<'_> {
     ) -> Vec<&'d Param> {
         let mut open = Open::new(&def.params);
         for attr in tag.attrs() {
-            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+            let at = Origin {
+                src: tag.src,
+                range: attr.name_range(),
+                frame: cx.frame,
+            };
             let given = open.take(attr.name());
-            let Some(param) =
-                given.or_else(|| self.misspelled_param(tag, def, &mut open, (attr.name(), at), body))
+            let Some(param) = given
+                .or_else(|| self.misspelled_param(tag, def, &mut open, (attr.name(), at), body))
             else {
                 continue;
             };
             if param.name == attr.name() {
-                self.note_use(at, param.definition.map(|(_, definition)| definition), UseKind::Given);
+                self.note_use(
+                    at,
+                    param.definition.map(|(_, definition)| definition),
+                    UseKind::Given,
+                );
             }
-            let origin = Origin { range: attr.value_range(), ..at };
+            let origin = Origin {
+                range: attr.value_range(),
+                ..at
+            };
             let text = attr.value(self.entities(tag.src)).into_owned();
-            self.bind_param(param, &text, Place { origin, is_attr: true }, cx, body);
+            self.bind_param(
+                param,
+                &text,
+                Place {
+                    origin,
+                    is_attr: true,
+                },
+                cx,
+                body,
+            );
         }
         open.left()
     }
@@ -58,8 +78,17 @@ impl Expander<'_> {
         let mark = self.reads.len();
         let value = literal_of(self.eval_text(text, place, cx.scope));
         let reads = self.take_reads(mark);
-        let info = BindingInfo { reads, ..param_info(param, place.origin) };
-        self.bind(body.scope, param.name.clone(), State::Ready(value), info, place.origin);
+        let info = BindingInfo {
+            reads,
+            ..param_info(param, place.origin)
+        };
+        self.bind(
+            body.scope,
+            param.name.clone(),
+            State::Ready(value),
+            info,
+            place.origin,
+        );
     }
 
     /// The blocks that a call gives: its child elements, and blocks of the caller passed on.
@@ -90,7 +119,9 @@ impl Expander<'_> {
         if given.len() > wanted.len() {
             wanted.extend(self.blocks_without_star(def, open));
         }
-        let mut blocks = given.into_iter().take_while(|block| *block != GivenBlock::Any);
+        let mut blocks = given
+            .into_iter()
+            .take_while(|block| *block != GivenBlock::Any);
         let mut missing = Vec::new();
         for param in wanted {
             match blocks.next() {
@@ -98,8 +129,11 @@ impl Expander<'_> {
                     let origin = self.result.tree.get(block).origin;
                     let info = param_info(param, origin);
                     let state = State::Block(Block::Built(block));
-                    let key =
-                        if param.is_block() { param.name.clone() } else { format!("*{}", param.name).into() };
+                    let key = if param.is_block() {
+                        param.name.clone()
+                    } else {
+                        format!("*{}", param.name).into()
+                    };
                     self.bind(body.scope, key, state, info, origin);
                 }
                 block => {
@@ -114,8 +148,11 @@ impl Expander<'_> {
             return;
         }
         if !missing.is_empty() {
-            let message =
-                format!("call of macro `{}` is missing a block for `{}`", def.name, missing.join("`, `"));
+            let message = format!(
+                "call of macro `{}` is missing a block for `{}`",
+                def.name,
+                missing.join("`, `")
+            );
             let problem = self
                 .problem(ProblemKind::MacroBlockMismatch, self.tag_origin(tag, cx), message)
                 .says("Not enough blocks")
@@ -124,7 +161,10 @@ impl Expander<'_> {
         } else if let Some(GivenBlock::Known(extra)) = blocks.next() {
             let node = self.result.tree.get(extra);
             let (name, at) = (node.text.clone(), node.origin);
-            let message = format!("too many blocks in call of macro `{}`: unexpected `{name}`", def.name);
+            let message = format!(
+                "too many blocks in call of macro `{}`: unexpected `{name}`",
+                def.name
+            );
             let problem = self
                 .problem(ProblemKind::MacroBlockMismatch, at, message)
                 .says(format!("Unused block \"{name}\""));
@@ -133,16 +173,24 @@ impl Expander<'_> {
     }
 
     /// Take the parameters without a value that the body inserts as blocks: their `*` is missing, which is reported.
-    fn blocks_without_star<'d>(&mut self, def: &MacroDef, open: &mut Vec<&'d Param>) -> Vec<&'d Param> {
+    fn blocks_without_star<'d>(
+        &mut self,
+        def: &MacroDef,
+        open: &mut Vec<&'d Param>,
+    ) -> Vec<&'d Param> {
         if !self.request.probe {
             return Vec::new();
         }
-        let Some(item) = self.item(def.body.src) else { return Vec::new() };
+        let Some(item) = self.item(def.body.src) else {
+            return Vec::new();
+        };
         let body = item.node(def.body.node).range();
-        let inserts = item
-            .all_nodes()
-            .filter(|node| node.name() == "xacro:insert_block" && body.contains_range(node.range()));
-        let inserted: Vec<&str> = inserts.filter_map(|node| Some(node.attr("name")?.raw())).collect();
+        let inserts = item.all_nodes().filter(|node| {
+            node.name() == "xacro:insert_block" && body.contains_range(node.range())
+        });
+        let inserted: Vec<&str> = inserts
+            .filter_map(|node| Some(node.attr("name")?.raw()))
+            .collect();
         let (meant, others): (Vec<&Param>, Vec<&Param>) = std::mem::take(open)
             .into_iter()
             .partition(|param| param.default.is_none() && inserted.contains(&param.name.as_str()));
@@ -150,11 +198,18 @@ impl Expander<'_> {
         for param in &meant {
             let name = &param.name;
             let at = param.definition.map_or(def.origin, |(at, _)| at);
-            let message = format!("parameter `{name}` of macro `{}` is inserted as a block", def.name);
+            let message = format!(
+                "parameter `{name}` of macro `{}` is inserted as a block",
+                def.name
+            );
             let problem = self
                 .problem(ProblemKind::UndefinedBlock, at, message)
                 .says(format!("Undefined block \"{name}\""));
-            self.push(problem.help(format!("write `*{name}`")).replace_with(format!("*{name}")));
+            self.push(
+                problem
+                    .help(format!("write `*{name}`"))
+                    .replace_with(format!("*{name}")),
+            );
         }
         meant
     }
@@ -178,8 +233,20 @@ impl Expander<'_> {
             }
             match &spec.default {
                 Some((text, _)) => {
-                    let origin = Origin { frame: body.frame, ..spec.default_at.unwrap_or(def.origin) };
-                    self.bind_param(param, text, Place { origin, is_attr: true }, cx, body);
+                    let origin = Origin {
+                        frame: body.frame,
+                        ..spec.default_at.unwrap_or(def.origin)
+                    };
+                    self.bind_param(
+                        param,
+                        text,
+                        Place {
+                            origin,
+                            is_attr: true,
+                        },
+                        cx,
+                        body,
+                    );
                 }
                 None => self.nothing_to_forward(def, param, at, body),
             }
@@ -191,7 +258,10 @@ impl Expander<'_> {
     fn forward(&mut self, param: &Param, at: Origin, cx: Cx, body: Cx) -> bool {
         let name = &param.name;
         let mark = self.reads.len();
-        let outer = self.scopes.find(cx.scope, name).map(|(_, binding)| binding.info);
+        let outer = self
+            .scopes
+            .find(cx.scope, name)
+            .map(|(_, binding)| binding.info);
         if let (Some((place, _)), Some(outer)) = (param.definition, outer) {
             self.note_read(place, outer, UseKind::Read);
         }
@@ -203,8 +273,17 @@ impl Expander<'_> {
             },
         };
         let reads = self.take_reads(mark);
-        let info = BindingInfo { reads, ..param_info(param, at) };
-        self.bind(body.scope, name.clone(), State::Ready(literal_of(value)), info, at);
+        let info = BindingInfo {
+            reads,
+            ..param_info(param, at)
+        };
+        self.bind(
+            body.scope,
+            name.clone(),
+            State::Ready(literal_of(value)),
+            info,
+            at,
+        );
         true
     }
 
@@ -225,7 +304,13 @@ impl Expander<'_> {
 
     pub(super) fn bind_unknown(&mut self, param: &Param, at: Origin, body: Cx) {
         self.result.complete = false;
-        self.bind(body.scope, param.name.clone(), State::Ready(Value::Unknown), param_info(param, at), at);
+        self.bind(
+            body.scope,
+            param.name.clone(),
+            State::Ready(Value::Unknown),
+            param_info(param, at),
+            at,
+        );
     }
 
     pub(super) fn missing_params(&mut self, def: &MacroDef, open: &[&Param], at: Origin, body: Cx) {
@@ -238,15 +323,24 @@ impl Expander<'_> {
             return;
         }
         let names: Vec<&str> = open.iter().map(|p| p.name.as_str()).collect();
-        let plural = if names.len() == 1 { "parameter" } else { "parameters" };
-        let message =
-            format!("call of macro `{}` is missing the {plural} `{}`", def.name, names.join("`, `"));
+        let plural = if names.len() == 1 {
+            "parameter"
+        } else {
+            "parameters"
+        };
+        let message = format!(
+            "call of macro `{}` is missing the {plural} `{}`",
+            def.name,
+            names.join("`, `")
+        );
         let add: Vec<String> = names.iter().map(|n| format!("{n}=\"...\"")).collect();
         let problem = self
             .problem(ProblemKind::MissingMacroParam, at, message)
             .says(format!("Undefined parameters [{}]", names.join(",")))
             .help(format!("add {}", add.join(" ")))
-            .detail(Detail::MissingParams(open.iter().map(|param| param.name.clone()).collect()));
+            .detail(Detail::MissingParams(
+                open.iter().map(|param| param.name.clone()).collect(),
+            ));
         self.push_with_definition(problem, def);
         for param in &open {
             self.bind_unknown(param, at, body);
@@ -258,7 +352,9 @@ impl Expander<'_> {
     fn is_listed_twice(&mut self, def: &MacroDef, param: &Param) -> bool {
         let mut same = def.params.iter().filter(|other| other.name == param.name);
         let first = same.next().and_then(|first| first.definition);
-        let (Some((first, _)), Some((again, _))) = (first, param.definition) else { return false };
+        let (Some((first, _)), Some((again, _))) = (first, param.definition) else {
+            return false;
+        };
         if first.range == again.range {
             return false;
         }
@@ -269,7 +365,10 @@ impl Expander<'_> {
             .says(format!("Undefined parameters [{name}]"))
             .help("remove one of them, or rename it");
         let place = self.result.place(first);
-        problem.trace.extend(place.map(|place| Step { place, message: "first listed here".to_owned() }));
+        problem.trace.extend(place.map(|place| Step {
+            place,
+            message: "first listed here".to_owned(),
+        }));
         self.push(problem);
         true
     }
@@ -289,8 +388,10 @@ impl Expander<'_> {
             .problem(ProblemKind::UnknownMacroParam, at, message)
             .says(format!("Invalid parameter \"{name}\""));
         if let Some(block) = self.block_of_name(def, open, name) {
-            let message =
-                format!("block parameter `{name}` of macro `{}` is given as an attribute", def.name);
+            let message = format!(
+                "block parameter `{name}` of macro `{}` is given as an attribute",
+                def.name
+            );
             let problem = self
                 .problem(ProblemKind::MacroBlockMismatch, at, message)
                 .says(format!("Invalid parameter \"{name}\""))
@@ -299,26 +400,47 @@ impl Expander<'_> {
             self.bind_unknown(block, at, body);
             return None;
         }
-        let names = def.params.iter().map(|p| p.name.as_str()).filter(|_| self.compares());
+        let names = def
+            .params
+            .iter()
+            .map(|p| p.name.as_str())
+            .filter(|_| self.compares());
         let near = nearest(name, names).map(str::to_owned);
         self.compared += def.params.iter().len();
         if let Some(near) = &near {
-            problem = problem.help(format!("did you mean `{near}`?")).replace_with(near.as_str());
+            problem = problem
+                .help(format!("did you mean `{near}`?"))
+                .replace_with(near.as_str());
         }
         self.push_with_definition(problem, def);
         let near = near.filter(|near| tag.attr(near).is_none() && !near.starts_with('*'));
         if near.is_none() && self.request.probe {
             // the body may read it: it is missing in `params`, and that is reported here
             let info = BindingInfo::new(name.into(), BindingKind::Parameter, at);
-            self.bind(body.scope, name.into(), State::Ready(Value::Unknown), info, at);
+            self.bind(
+                body.scope,
+                name.into(),
+                State::Ready(Value::Unknown),
+                info,
+                at,
+            );
         }
         open.take(&near?)
     }
 
     /// The block parameter of a name that a call gives as an attribute.
-    fn block_of_name<'d>(&self, def: &MacroDef, open: &mut Open<'d>, name: &str) -> Option<&'d Param> {
+    fn block_of_name<'d>(
+        &self,
+        def: &MacroDef,
+        open: &mut Open<'d>,
+        name: &str,
+    ) -> Option<&'d Param> {
         let is_it = |param: &&Param| param.is_block() && param.name.trim_start_matches('*') == name;
-        let block = def.params.iter().find(is_it).filter(|_| self.request.probe)?;
+        let block = def
+            .params
+            .iter()
+            .find(is_it)
+            .filter(|_| self.request.probe)?;
         open.take(&block.name)
     }
 }
@@ -326,5 +448,8 @@ impl Expander<'_> {
 /// A parameter of a call, with its value at `at`.
 fn param_info(param: &Param, at: Origin) -> BindingInfo {
     let info = BindingInfo::new(param.name.clone(), BindingKind::Parameter, at);
-    BindingInfo { definition: param.definition.map(|(_, definition)| definition), ..info }
+    BindingInfo {
+        definition: param.definition.map(|(_, definition)| definition),
+        ..info
+    }
 }

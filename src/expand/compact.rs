@@ -80,7 +80,13 @@ mod tests {
     fn a_compact_document_reads_the_same() {
         use XKind::{Comment, Element, Text};
         let documents: [&[(XKind, &str)]; 4] = [
-            &[(Text, "\n  "), (Element, "link"), (Text, "\n  "), (Element, "joint"), (Text, "\n")],
+            &[
+                (Text, "\n  "),
+                (Element, "link"),
+                (Text, "\n  "),
+                (Element, "joint"),
+                (Text, "\n"),
+            ],
             &[(Text, " "), (Comment, "c"), (Text, "t")],
             &[(Text, " ")],
             &[(Text, "t"), (Element, "link"), (Text, " \n")],

@@ -33,7 +33,10 @@ impl Expander<'_> {
                 let content = self.container(self.tag_origin(tag, cx));
                 // the reference evaluates the attributes, the condition once more; seen only when that changes something
                 let is_code = |attr: Attr<'_>| attr.value(self.entities(tag.src)).contains('$');
-                let others = tag.attrs().filter(|attr| attr.name() != "value").any(is_code);
+                let others = tag
+                    .attrs()
+                    .filter(|attr| attr.name() != "value")
+                    .any(is_code);
                 if others || text.contains('$') && text.contains('(') {
                     self.eval_attributes(tag, content, cx);
                 }
@@ -55,7 +58,11 @@ impl Expander<'_> {
         let path = &self.result.files.get(source.file.0 as usize)?.source.path;
         let at = source.base + tag.node.range().start;
         let is_it = |forced: &&Forced| forced.at == at && forced.file == **path;
-        self.request.forced.iter().find(is_it).map(|forced| forced.taken)
+        self.request
+            .forced
+            .iter()
+            .find(is_it)
+            .map(|forced| forced.taken)
     }
 
     /// A branch that may or may not be taken: what it defines is not missed later, what it holds is not kept.
@@ -95,7 +102,9 @@ impl Expander<'_> {
                     ..BindingInfo::new(name.clone(), BindingKind::Argument, origin).of(definition)
                 };
                 let info = self.add_binding(info);
-                self.result.record.add(super::Read::Arg(name.to_string(), None));
+                self.result
+                    .record
+                    .add(super::Read::Arg(name.to_string(), None));
                 self.args.insert(name, (value, info));
             }
         }
@@ -104,7 +113,9 @@ impl Expander<'_> {
 
     /// `xacro:insert_block`
     pub fn insert_block(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
-        let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
+        let Some((name, place)) = self.required_attr(tag, "name", cx) else {
+            return;
+        };
         self.check_attrs(tag, &["name"], cx);
         let mut unknown = None;
         let found = ["**", "*"].into_iter().find_map(|stars| {
@@ -113,9 +124,15 @@ impl Expander<'_> {
             if matches!(binding.state, State::Ready(Value::Unknown)) {
                 unknown = Some(stars);
             }
-            let State::Block(block) = binding.state else { return None };
+            let State::Block(block) = binding.state else {
+                return None;
+            };
             let info = binding.info;
-            let origin = self.result.bindings.get(info as usize).and_then(|info| info.origin);
+            let origin = self
+                .result
+                .bindings
+                .get(info as usize)
+                .and_then(|info| info.origin);
             Some((block, stars == "**", origin, info))
         });
         let Some((block, content_only, definition, info)) = found else {
@@ -139,8 +156,17 @@ impl Expander<'_> {
                 self.note_source(at.src);
                 if let Some(item) = self.item(at.src) {
                     let node = item.node(at.node);
-                    let content = self.container(Origin { src: at.src, range: node.range(), frame });
-                    let tag = Tag { node, src: at.src, name: node.name(), used: &[] };
+                    let content = self.container(Origin {
+                        src: at.src,
+                        range: node.range(),
+                        frame,
+                    });
+                    let tag = Tag {
+                        node,
+                        src: at.src,
+                        name: node.name(),
+                        used: &[],
+                    };
                     self.eval_attributes(tag, content, cx);
                     self.eval_children(node, at.src, content, cx);
                     // no comments vanish in front of this tag, so the marker stays in front of the block
@@ -171,19 +197,26 @@ impl Expander<'_> {
     fn undefined_block(&mut self, name: &str, place: Place, cx: Cx) {
         // a call around it gives fewer blocks than it was meant to
         self.losses += 1;
-        let Some(missing) =
-            self.missing_name(NameKind::Block, name, |machine| machine.scopes.visible_blocks(cx.scope))
-        else {
+        let Some(missing) = self.missing_name(NameKind::Block, name, |machine| {
+            machine.scopes.visible_blocks(cx.scope)
+        }) else {
             return;
         };
         let mut problem = self
-            .problem(ProblemKind::UndefinedBlock, place.origin, format!("block `{name}` is not defined"))
+            .problem(
+                ProblemKind::UndefinedBlock,
+                place.origin,
+                format!("block `{name}` is not defined"),
+            )
             .says(format!("Undefined block \"{name}\""));
         if let Some(near) = &missing.near {
-            problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
+            problem = problem
+                .help(format!("did you mean `{near}`?"))
+                .replace_with(near);
         } else if self.scopes.find(cx.scope, name).is_some() {
-            problem =
-                problem.help(format!("declare the parameter as `*{name}`; `{name}` is a value, not a block"));
+            problem = problem.help(format!(
+                "declare the parameter as `*{name}`; `{name}` is a value, not a block"
+            ));
         } else {
             problem = problem.help(format!(
                 "add `*{name}` to `params` of the macro, or define a property `{name}` without `value`"
@@ -201,7 +234,17 @@ impl Expander<'_> {
             return;
         }
         let text = match kind {
-            XKind::Text => self.eval_pieces(&text, Place { origin, is_attr: false }, cx).0,
+            XKind::Text => {
+                self.eval_pieces(
+                    &text,
+                    Place {
+                        origin,
+                        is_attr: false,
+                    },
+                    cx,
+                )
+                .0
+            }
             _ => text,
         };
         let id = self.result.tree.add(kind, text, origin);
@@ -227,14 +270,25 @@ impl Expander<'_> {
             self.result.tree.get_mut(to).attrs = attrs;
             return;
         }
-        let rebuilt = attrs.iter().filter(|a| !a.name.starts_with("xacro:")).cloned().map(|attr| {
-            if !attr.value.contains('$') {
-                return attr;
-            }
-            let place = Place { origin: attr.origin, is_attr: true };
-            let (value, pieces) = self.eval_pieces(&attr.value, place, cx);
-            XAttr { value, pieces, ..attr }
-        });
+        let rebuilt = attrs
+            .iter()
+            .filter(|a| !a.name.starts_with("xacro:"))
+            .cloned()
+            .map(|attr| {
+                if !attr.value.contains('$') {
+                    return attr;
+                }
+                let place = Place {
+                    origin: attr.origin,
+                    is_attr: true,
+                };
+                let (value, pieces) = self.eval_pieces(&attr.value, place, cx);
+                XAttr {
+                    value,
+                    pieces,
+                    ..attr
+                }
+            });
         let rebuilt = rebuilt.collect();
         self.result.tree.get_mut(to).attrs = rebuilt;
     }

@@ -21,11 +21,23 @@ impl Expander<'_> {
     /// `xacro:macro`
     pub fn define_macro(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         self.drop_comments(out, has_next);
-        let Some((name, place)) = self.required_attr(tag, "name", cx) else { return };
+        let Some((name, place)) = self.required_attr(tag, "name", cx) else {
+            return;
+        };
         let mut name = name.as_ref();
         if self.is_call_meant(tag, name, cx) {
             let own = format!("xacro:{name}");
-            return self.call(Tag { name: &own, used: &["name"], ..tag }, name, has_next, out, cx);
+            return self.call(
+                Tag {
+                    name: &own,
+                    used: &["name"],
+                    ..tag
+                },
+                name,
+                has_next,
+                out,
+                cx,
+            );
         }
         let listed = self.parameter_attribute(tag, cx);
         let attributes = self.params_in_attributes(tag, cx);
@@ -42,9 +54,16 @@ impl Expander<'_> {
             );
         }
         if name.contains('.') {
-            let message = format!("macro name `{name}` contains `.`, which is reserved for namespaces");
-            let reference = format!("macro names must not contain '.' (reserved for namespaces): {name}");
-            self.error(ProblemKind::InvalidMacroName, place.origin, message, reference);
+            let message =
+                format!("macro name `{name}` contains `.`, which is reserved for namespaces");
+            let reference =
+                format!("macro names must not contain '.' (reserved for namespaces): {name}");
+            self.error(
+                ProblemKind::InvalidMacroName,
+                place.origin,
+                message,
+                reference,
+            );
         } else if let Some(bare) = name.strip_prefix("xacro:") {
             let message = format!("macro name `{name}` has the prefix `xacro:`");
             let reference = format!("macro names must not contain prefix 'xacro:': {name}");
@@ -52,17 +71,35 @@ impl Expander<'_> {
                 .problem(ProblemKind::MacroNameWithPrefix, place.origin, message)
                 .says(reference)
                 .warning();
-            self.push(problem.help(format!("rename it to `{bare}`")).replace_with(bare));
+            self.push(
+                problem
+                    .help(format!("rename it to `{bare}`"))
+                    .replace_with(bare),
+            );
             name = bare;
         }
         let name = EcoString::from(name);
-        let text = self.attr(tag, listed, cx).map(|(text, _)| text).unwrap_or_default();
-        let params = self.attr(tag, listed, cx).map(|(text, place)| (params::parse(&text), place));
-        let params = params
-            .map(|(list, place)| (list.map(|list| self.repaired_params(&name, (&text, list), place)), place));
+        let text = self
+            .attr(tag, listed, cx)
+            .map(|(text, _)| text)
+            .unwrap_or_default();
+        let params = self
+            .attr(tag, listed, cx)
+            .map(|(text, place)| (params::parse(&text), place));
+        let params = params.map(|(list, place)| {
+            (
+                list.map(|list| self.repaired_params(&name, (&text, list), place)),
+                place,
+            )
+        });
         if let Some((None, place)) = &params {
             let message = format!("`params` of macro `{name}` contains only whitespace");
-            self.error(ProblemKind::ExpressionError, place.origin, message, "list index out of range");
+            self.error(
+                ProblemKind::ExpressionError,
+                place.origin,
+                message,
+                "list index out of range",
+            );
         }
         self.defined(NameKind::Macro, &name, cx.scope, place.origin);
         let definition = self.define(SymbolKind::Macro, &name, place.origin);
@@ -71,8 +108,17 @@ impl Expander<'_> {
             || Params::new(attributes),
             |(list, place)| Params::new(self.define_params((&text, list), place, definition)),
         );
-        let body = SrcRef { src: tag.src, node: tag.node.id() };
-        let def = MacroDef { name, body, origin: place.origin, definition, params };
+        let body = SrcRef {
+            src: tag.src,
+            node: tag.node.id(),
+        };
+        let def = MacroDef {
+            name,
+            body,
+            origin: place.origin,
+            definition,
+            params,
+        };
         let def = self.macros.define(cx.macros, def);
         if self.request.probe && self.calls.is_empty() {
             self.idle_macros.push((def, cx));
@@ -82,11 +128,17 @@ impl Expander<'_> {
     /// Whether the definition of a macro was meant to call it: it is empty, and gives parameters of the one that is there.
     /// The reference takes it as it is.
     fn is_call_meant(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> bool {
-        let others: Vec<&str> = tag.attrs().map(|attr| attr.name()).filter(|attr| *attr != "name").collect();
+        let others: Vec<&str> = tag
+            .attrs()
+            .map(|attr| attr.name())
+            .filter(|attr| *attr != "name")
+            .collect();
         if !self.request.probe || others.contains(&"params") {
             return false;
         }
-        let Some(def) = self.macros.find(cx.macros, name) else { return false };
+        let Some(def) = self.macros.find(cx.macros, name) else {
+            return false;
+        };
         let blocks = def.params.iter().filter(|param| param.is_block()).count();
         let children = tag.node.child_elements().count();
         // the body of another definition would read parameters
@@ -94,21 +146,43 @@ impl Expander<'_> {
         if !is_empty && (children != blocks || others.is_empty()) {
             return false;
         }
-        if !others.iter().all(|attr| def.params.iter().any(|param| param.name == *attr)) {
+        if !others
+            .iter()
+            .all(|attr| def.params.iter().any(|param| param.name == *attr))
+        {
             return false;
         }
         let what = if is_empty { " with an empty body" } else { "" };
         let message = format!("macro `{name}` is redefined{what} instead of called");
         let at = self.tag_origin(tag, cx);
-        let first =
-            tag.node.attrs().next().filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
+        let first = tag
+            .node
+            .attrs()
+            .next()
+            .filter(|attr| attr.name() == "name" && tag.node.end_tag().is_none());
         let whole = first.map(|attr| TextRange::new(at.range.start, attr.range().end));
         let problem = self
-            .problem(ProblemKind::RedefinedMacro, Origin { range: whole.unwrap_or(at.range), ..at }, message)
+            .problem(
+                ProblemKind::RedefinedMacro,
+                Origin {
+                    range: whole.unwrap_or(at.range),
+                    ..at
+                },
+                message,
+            )
             .warning()
-            .help(format!("write <xacro:{name} ...> with the parameters as attributes to call the macro"));
-        let problem = if whole.is_some() { problem.replace_with(format!("<xacro:{name}")) } else { problem };
-        let problem = Problem { detail: (!is_empty).then(|| Detail::Called(name.into())), ..problem };
+            .help(format!(
+                "write <xacro:{name} ...> with the parameters as attributes to call the macro"
+            ));
+        let problem = if whole.is_some() {
+            problem.replace_with(format!("<xacro:{name}"))
+        } else {
+            problem
+        };
+        let problem = Problem {
+            detail: (!is_empty).then(|| Detail::Called(name.into())),
+            ..problem
+        };
         self.push_with_definition(problem, &def);
         true
     }
@@ -118,23 +192,41 @@ impl Expander<'_> {
         if !self.request.probe || tag.attr("params").is_some() {
             return "params";
         }
-        let Some(attr) = tag.attrs().find(|attr| nearest(attr.name(), ["params"]).is_some()) else {
+        let Some(attr) = tag
+            .attrs()
+            .find(|attr| nearest(attr.name(), ["params"]).is_some())
+        else {
             return "params";
         };
-        let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+        let at = Origin {
+            src: tag.src,
+            range: attr.name_range(),
+            frame: cx.frame,
+        };
         let message = format!("unknown attribute `{}` in `xacro:macro`", attr.name());
-        let problem = self.problem(ProblemKind::MissingXacroAttribute, at, message).says(format!(
-            "{}: unknown attribute(s): {}",
-            tag.name,
-            attr.name()
-        ));
-        self.push(problem.help("did you mean `params`?").replace_with("params"));
+        let problem = self
+            .problem(ProblemKind::MissingXacroAttribute, at, message)
+            .says(format!(
+                "{}: unknown attribute(s): {}",
+                tag.name,
+                attr.name()
+            ));
+        self.push(
+            problem
+                .help("did you mean `params`?")
+                .replace_with("params"),
+        );
         attr.name()
     }
 
     /// The parameters that are meant where a name is none that a call can give: `a, b` has commas. The reference takes
     /// them as they are, and refuses each call.
-    fn repaired_params(&mut self, of: &str, (text, params): (&str, Vec<Param>), place: Place) -> Vec<Param> {
+    fn repaired_params(
+        &mut self,
+        of: &str,
+        (text, params): (&str, Vec<Param>),
+        place: Place,
+    ) -> Vec<Param> {
         let is_bad = |param: &Param| meant::by_parameter(&param.name).is_some();
         if !self.request.probe || !params.iter().any(is_bad) {
             return params;
@@ -147,7 +239,12 @@ impl Expander<'_> {
             };
             let at = self.origin_in(TextSite { text, place }, param.range);
             self.push(self.bad_parameter(of, &param, &names, at));
-            repaired.extend(names.iter().enumerate().map(|(i, name)| param.part(name, i + 1 == names.len())));
+            repaired.extend(
+                names
+                    .iter()
+                    .enumerate()
+                    .map(|(i, name)| param.part(name, i + 1 == names.len())),
+            );
         }
         repaired
     }
@@ -164,7 +261,9 @@ impl Expander<'_> {
             [] => format!("{help}: remove the comma"),
             names => format!("{help}: write `{}`", names.join(" ")),
         };
-        self.problem(ProblemKind::InvalidPropertyName, at, message).help(help).replace_with(names.join(" "))
+        self.problem(ProblemKind::InvalidPropertyName, at, message)
+            .help(help)
+            .replace_with(names.join(" "))
     }
 
     /// Note where the parameters of a macro stand.
@@ -179,13 +278,20 @@ impl Expander<'_> {
         let mut places = Vec::with_capacity(params.len());
         for param in &mut params {
             let name = param.name.trim_start_matches('*');
-            places.push(origin_of(TextRange::new(param.range.end - name.len() as u32, param.range.end)));
+            places.push(origin_of(TextRange::new(
+                param.range.end - name.len() as u32,
+                param.range.end,
+            )));
             param.default_at = param.default.as_ref().map(|(_, range)| origin_of(*range));
         }
         drop(origin_of);
         for (param, at) in params.iter_mut().zip(places) {
             let name = param.name.trim_start_matches('*');
-            let kind = if param.is_block() { SymbolKind::BlockParameter } else { SymbolKind::Parameter };
+            let kind = if param.is_block() {
+                SymbolKind::BlockParameter
+            } else {
+                SymbolKind::Parameter
+            };
             param.definition = Some((at, self.define_part(kind, &name.into(), at, Some(of))));
         }
         params

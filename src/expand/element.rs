@@ -48,7 +48,9 @@ pub(super) struct Siblings {
 impl Expander<'_> {
     /// The whole root document.
     pub fn eval_document(&mut self, file: FileIdx, cx: Cx) {
-        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let Some(used) = self.result.files.get(file.0 as usize) else {
+            return;
+        };
         let document = used.source.document.clone();
         let header = used.first_source;
         let footer = SrcId(header.0 + 1 + used.items);
@@ -65,38 +67,72 @@ impl Expander<'_> {
     }
 
     fn eval_root(&mut self, node: Node<'_>, src: SrcId, file: FileIdx, cx: Cx) {
-        let origin = Origin { src, range: node.start_tag_range(), frame: cx.frame };
-        let root = self.result.tree.add(XKind::Element, node.name().into(), origin);
+        let origin = Origin {
+            src,
+            range: node.start_tag_range(),
+            frame: cx.frame,
+        };
+        let root = self
+            .result
+            .tree
+            .add(XKind::Element, node.name().into(), origin);
         self.result.tree.append(XId::DOCUMENT, root);
-        let tag = Tag { node, src, name: node.name(), used: &[] };
+        let tag = Tag {
+            node,
+            src,
+            name: node.name(),
+            used: &[],
+        };
         self.eval_attributes(tag, root, cx);
-        let namespace = self.attr(tag, "xacro:targetNamespace", cx).filter(|(value, _)| !value.is_empty());
+        let namespace = self
+            .attr(tag, "xacro:targetNamespace", cx)
+            .filter(|(value, _)| !value.is_empty());
         if let Some((text, place)) = namespace {
             let (value, pieces) = self.eval_pieces(&text, place, cx);
-            self.result
-                .tree
-                .set_attr(root, XAttr { name: "xmlns".into(), value, origin: place.origin, pieces });
+            self.result.tree.set_attr(
+                root,
+                XAttr {
+                    name: "xmlns".into(),
+                    value,
+                    origin: place.origin,
+                    pieces,
+                },
+            );
         }
         self.eval_root_content(file, root, cx);
     }
 
     /// The children of a file's root element, item by item.
     pub fn eval_root_content(&mut self, file: FileIdx, out: XId, cx: Cx) {
-        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let Some(used) = self.result.files.get(file.0 as usize) else {
+            return;
+        };
         let document = used.source.document.clone();
         let (header, count) = (used.first_source, used.items);
         let has_tail = document.footer_content().next().is_some();
         let mut siblings = Siblings::default();
         for i in 0..count {
             let src = SrcId(header.0 + 1 + i);
-            let Some(item) = self.result.sources.get(src.0 as usize).map(|source| source.item.clone()) else {
+            let Some(item) = self
+                .result
+                .sources
+                .get(src.0 as usize)
+                .map(|source| source.item.clone())
+            else {
                 continue;
             };
             let more = i + 1 < count || has_tail;
             self.eval_nodes(item.nodes(), src, more, out, cx, &mut siblings);
         }
         let footer = SrcId(header.0 + 1 + count);
-        self.eval_nodes(document.footer_content(), footer, false, out, cx, &mut siblings);
+        self.eval_nodes(
+            document.footer_content(),
+            footer,
+            false,
+            out,
+            cx,
+            &mut siblings,
+        );
     }
 
     /// The children of an element inside an item.
@@ -117,7 +153,11 @@ impl Expander<'_> {
     ) {
         let mut joined = None;
         for node in nodes {
-            if self.tick(Origin { src, range: node.range(), frame: cx.frame }) {
+            if self.tick(Origin {
+                src,
+                range: node.range(),
+                frame: cx.frame,
+            }) {
                 return;
             }
             if joined == Some(node.id()) {
@@ -130,13 +170,20 @@ impl Expander<'_> {
                 NodeKind::Text if behind_empty_cdata(node).is_some() => {
                     joined = behind_empty_cdata(node).map(|text| text.id());
                     let texts = std::iter::successors(Some(node), |&text| behind_empty_cdata(text));
-                    let text: String = texts.map(|text| text.text(self.entities(src)).into_owned()).collect();
+                    let text: String = texts
+                        .map(|text| text.text(self.entities(src)).into_owned())
+                        .collect();
                     self.push_text(&text, node, src, out, cx, siblings);
                 }
                 NodeKind::Element => {
                     siblings.eval_comments = false;
                     let has_next = more || node.next_sibling().is_some();
-                    let tag = Tag { node, src, name: node.name(), used: &[] };
+                    let tag = Tag {
+                        node,
+                        src,
+                        name: node.name(),
+                        used: &[],
+                    };
                     self.eval_tag(tag, has_next, out, cx);
                 }
                 NodeKind::Text => self.eval_text_node(node, src, out, cx, siblings),
@@ -146,9 +193,27 @@ impl Expander<'_> {
         }
     }
 
-    fn eval_text_node(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
-        if let Some(name) = self.entities(src).markup_entity(node.raw()).map(str::to_owned) {
-            self.refuse_markup(&name, Origin { src, range: node.raw_range(), frame: cx.frame });
+    fn eval_text_node(
+        &mut self,
+        node: Node<'_>,
+        src: SrcId,
+        out: XId,
+        cx: Cx,
+        siblings: &mut Siblings,
+    ) {
+        if let Some(name) = self
+            .entities(src)
+            .markup_entity(node.raw())
+            .map(str::to_owned)
+        {
+            self.refuse_markup(
+                &name,
+                Origin {
+                    src,
+                    range: node.raw_range(),
+                    frame: cx.frame,
+                },
+            );
         }
         let text = node.text(self.entities(src));
         self.push_text(&text, node, src, out, cx, siblings);
@@ -157,7 +222,9 @@ impl Expander<'_> {
     /// An entity that stands for elements: the tree does not show them.
     fn refuse_markup(&mut self, name: &str, at: Origin) {
         let message = format!("entity `{name}` contains markup, which is not supported");
-        let problem = self.problem(ProblemKind::XmlSyntaxError, at, message.clone()).says(message);
+        let problem = self
+            .problem(ProblemKind::XmlSyntaxError, at, message.clone())
+            .says(message);
         self.push(problem.help("write the elements in place of `&{name};`, or use a macro"));
         self.result.complete = false;
         self.content_lost = true;
@@ -176,8 +243,21 @@ impl Expander<'_> {
         if text.is_empty() {
             return;
         }
-        let origin = Origin { src, range: node.range(), frame: cx.frame };
-        let value = self.eval_pieces(text, Place { origin, is_attr: false }, cx).0;
+        let origin = Origin {
+            src,
+            range: node.range(),
+            frame: cx.frame,
+        };
+        let value = self
+            .eval_pieces(
+                text,
+                Place {
+                    origin,
+                    is_attr: false,
+                },
+                cx,
+            )
+            .0;
         if !strip(&value).is_empty() {
             siblings.eval_comments = false;
         }
@@ -185,7 +265,14 @@ impl Expander<'_> {
         self.result.tree.append(out, id);
     }
 
-    fn eval_comment(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx, siblings: &mut Siblings) {
+    fn eval_comment(
+        &mut self,
+        node: Node<'_>,
+        src: SrcId,
+        out: XId,
+        cx: Cx,
+        siblings: &mut Siblings,
+    ) {
         let raw = node.raw();
         if raw.contains("xacro:eval-comments") {
             siblings.eval_comments = !raw.contains("xacro:eval-comments:off");
@@ -194,14 +281,33 @@ impl Expander<'_> {
         let whole = node.range();
         // the data stands between `<!--` and `-->`
         let range = TextRange::new(whole.start + 4, whole.start + 4 + raw.len() as u32);
-        let origin = Origin { src, range, frame: cx.frame };
+        let origin = Origin {
+            src,
+            range,
+            frame: cx.frame,
+        };
         let data = normalize_line_ends(raw);
         let text = if siblings.eval_comments && data.contains('$') {
-            self.eval_pieces(&data, Place { origin, is_attr: false }, cx).0
+            self.eval_pieces(
+                &data,
+                Place {
+                    origin,
+                    is_attr: false,
+                },
+                cx,
+            )
+            .0
         } else {
             data.as_ref().into()
         };
-        let id = self.result.tree.add(XKind::Comment, text, Origin { range: whole, ..origin });
+        let id = self.result.tree.add(
+            XKind::Comment,
+            text,
+            Origin {
+                range: whole,
+                ..origin
+            },
+        );
         self.result.tree.append(out, id);
     }
 
@@ -212,7 +318,10 @@ impl Expander<'_> {
             NodeKind::CData => (XKind::CData, normalize_line_ends(node.raw())),
             NodeKind::Doctype => {
                 let text = normalize_line_ends(node.raw());
-                (XKind::Doctype, Cow::Owned(printed_doctype(&text, self.keeps_subset(src))))
+                (
+                    XKind::Doctype,
+                    Cow::Owned(printed_doctype(&text, self.keeps_subset(src))),
+                )
             }
             NodeKind::Pi => {
                 let data = normalize_line_ends(node.raw());
@@ -220,7 +329,11 @@ impl Expander<'_> {
             }
             _ => return,
         };
-        let origin = Origin { src, range: node.range(), frame: cx.frame };
+        let origin = Origin {
+            src,
+            range: node.range(),
+            frame: cx.frame,
+        };
         let id = self.result.tree.add(kind, text.as_ref().into(), origin);
         self.result.tree.append(out, id);
     }
@@ -260,8 +373,15 @@ impl Expander<'_> {
     }
 
     fn eval_plain(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
-        let origin = Origin { src: tag.src, range: tag.node.start_tag_range(), frame: cx.frame };
-        let id = self.result.tree.add(XKind::Element, tag.name.into(), origin);
+        let origin = Origin {
+            src: tag.src,
+            range: tag.node.start_tag_range(),
+            frame: cx.frame,
+        };
+        let id = self
+            .result
+            .tree
+            .add(XKind::Element, tag.name.into(), origin);
         self.result.tree.append(out, id);
         self.eval_attributes(tag, id, cx);
         if self.nesting >= ELEMENT_DEPTH {
@@ -282,16 +402,32 @@ impl Expander<'_> {
             if name.starts_with("xacro:") {
                 continue;
             }
-            let origin = Origin { src: tag.src, range: attr.value_range(), frame: cx.frame };
+            let origin = Origin {
+                src: tag.src,
+                range: attr.value_range(),
+                frame: cx.frame,
+            };
             let text = attr.value(self.entities(tag.src));
             let (value, pieces) = if text.contains('$') {
-                self.eval_pieces(&text, Place { origin, is_attr: true }, cx)
+                self.eval_pieces(
+                    &text,
+                    Place {
+                        origin,
+                        is_attr: true,
+                    },
+                    cx,
+                )
             } else {
                 (EcoString::from(text.as_ref()), Box::default())
             };
             // evaluated as any other, and only then dropped
             if name != "xmlns:xacro" {
-                attrs.push(XAttr { name: name.into(), value, origin, pieces });
+                attrs.push(XAttr {
+                    name: name.into(),
+                    value,
+                    origin,
+                    pieces,
+                });
             }
         }
         self.result.tree.get_mut(out).attrs = attrs.drain(..).collect();
@@ -300,7 +436,9 @@ impl Expander<'_> {
 
     /// `xacro:element`: go on under the computed name.
     fn renamed_element(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
-        let Some((text, place)) = self.required_attr(tag, "xacro:name", cx) else { return };
+        let Some((text, place)) = self.required_attr(tag, "xacro:name", cx) else {
+            return;
+        };
         let at = place.origin;
         let value = self.eval_text(&text, place, cx.scope);
         let name = match value {
@@ -327,28 +465,56 @@ impl Expander<'_> {
                 return;
             }
         };
-        self.eval_tag(Tag { name: &name, used: &["xacro:name"], ..tag }, has_next, out, cx);
+        self.eval_tag(
+            Tag {
+                name: &name,
+                used: &["xacro:name"],
+                ..tag
+            },
+            has_next,
+            out,
+            cx,
+        );
     }
 
     /// `xacro:attribute`: onto the element around it.
     fn set_attribute(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
-        let Some((name, name_place)) = self.required_attr(tag, "name", cx) else { return };
-        let Some((value, value_place)) = self.required_attr(tag, "value", cx) else { return };
+        let Some((name, name_place)) = self.required_attr(tag, "name", cx) else {
+            return;
+        };
+        let Some((value, value_place)) = self.required_attr(tag, "value", cx) else {
+            return;
+        };
         let name = self.eval_text(&name, name_place, cx.scope);
         let (value, pieces) = self.eval_pieces(&value, value_place, cx);
         let at = name_place.origin;
         match name {
             Value::Str(name) if !name.is_empty() => {
-                self.result.tree.set_attr(out, XAttr { name, value, origin: value_place.origin, pieces });
+                self.result.tree.set_attr(
+                    out,
+                    XAttr {
+                        name,
+                        value,
+                        origin: value_place.origin,
+                        pieces,
+                    },
+                );
             }
             Value::Unknown => {}
             name if literal::truth(&name) == Some(false) => {
                 let message = "empty name in `xacro:attribute`";
-                self.error(ProblemKind::ExpressionError, at, message, "xacro:attribute: empty name");
+                self.error(
+                    ProblemKind::ExpressionError,
+                    at,
+                    message,
+                    "xacro:attribute: empty name",
+                );
             }
             name => {
                 let message = match display::repr(&name) {
-                    Some(shown) => format!("name in `xacro:attribute` is {shown}, which is not a string"),
+                    Some(shown) => {
+                        format!("name in `xacro:attribute` is {shown}, which is not a string")
+                    }
                     None => "name in `xacro:attribute` is not a string".to_owned(),
                 };
                 let reference = format!("'{}' object has no attribute 'split'", name.type_name());
@@ -362,7 +528,10 @@ impl Expander<'_> {
         self.result.complete = false;
         self.content_lost = true;
         self.losses += 1;
-        let nowhere = self.result.tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
+        let nowhere = self
+            .result
+            .tree
+            .add(XKind::Container, EcoString::new(), Origin::NOWHERE);
         self.eval_children(tag.node, tag.src, nowhere, cx);
     }
 
@@ -378,14 +547,19 @@ impl Expander<'_> {
 
     /// The item of a source.
     pub fn item(&self, src: SrcId) -> Option<Arc<Item>> {
-        self.result.sources.get(src.0 as usize).map(|s| s.item.clone())
+        self.result
+            .sources
+            .get(src.0 as usize)
+            .map(|s| s.item.clone())
     }
 }
 
 /// The text behind `node` and an empty CDATA section: an XML parser makes no node of the section, so both
 /// texts are one.
 fn behind_empty_cdata(node: Node<'_>) -> Option<Node<'_>> {
-    let section = node.next_sibling().filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty())?;
+    let section = node
+        .next_sibling()
+        .filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty())?;
     let mut next = section.next_sibling();
     while let Some(empty) = next.filter(|n| n.kind() == NodeKind::CData && n.raw().is_empty()) {
         next = empty.next_sibling();

@@ -55,7 +55,9 @@ impl Evaluations {
         let frames = self.frames.get_or_init(|| {
             let mut frames: FastMap<(SourceRange, FrameId), u32> = FastMap::default();
             for (index, evaluation) in (0..).zip(&self.list) {
-                frames.entry((evaluation.at.into(), evaluation.at.frame)).or_insert(index);
+                frames
+                    .entry((evaluation.at.into(), evaluation.at.frame))
+                    .or_insert(index);
             }
             frames
         });
@@ -79,12 +81,17 @@ impl Evaluations {
 
     /// The values of a part of them.
     pub(super) fn values(&self, part: Range<usize>) -> impl Iterator<Item = &Value> {
-        self.list.get(part).unwrap_or_default().iter().map(|evaluation| &evaluation.value)
+        self.list
+            .get(part)
+            .unwrap_or_default()
+            .iter()
+            .map(|evaluation| &evaluation.value)
     }
 
     /// Add a part of others.
     pub(super) fn extend_from(&mut self, others: &Self, part: Range<usize>) {
-        self.list.extend_from_slice(others.list.get(part).unwrap_or_default());
+        self.list
+            .extend_from_slice(others.list.get(part).unwrap_or_default());
     }
 
     /// Whether there were more than are kept.
@@ -100,7 +107,11 @@ impl Expander<'_> {
         let reads = self.keep_reads(mark);
         let kept = &mut self.result.evaluations;
         if self.request.probe && !kept.is_full() {
-            kept.list.push(Evaluation { at, value: value.clone(), reads });
+            kept.list.push(Evaluation {
+                at,
+                value: value.clone(),
+                reads,
+            });
         }
         reads
     }

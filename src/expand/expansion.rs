@@ -92,6 +92,8 @@ impl Expansion {
 
     /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].
     pub fn read_in(&self, part: TextRange) -> &[u32] {
-        self.reads.get(part.start as usize..part.end as usize).unwrap_or(&[])
+        self.reads
+            .get(part.start as usize..part.end as usize)
+            .unwrap_or(&[])
     }
 }

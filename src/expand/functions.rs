@@ -91,7 +91,8 @@ impl Host for ExprHost<'_, '_, '_> {
         let name_range = TextRange::new(range.start, range.start + name.len() as u32);
         let at = self.machine.origin_of(self.at, name_range);
         let message = format!("using `{name}()` directly is deprecated");
-        let reference = format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
+        let reference =
+            format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
         let problem = self
             .machine
             .problem(ProblemKind::DeprecatedBuiltinCall, at, message)
@@ -133,7 +134,10 @@ impl ExprHost<'_, '_, '_> {
             Some((None, _)) => Ok(Value::Unknown),
             None => {
                 let at = self.machine.origin_of(self.at, range);
-                self.machine.result.record.add(Read::Arg(name.to_string(), None));
+                self.machine
+                    .result
+                    .record
+                    .add(Read::Arg(name.to_string(), None));
                 self.machine.undefined_arg(&name, at, format!("'{name}'"));
                 Ok(Value::Unknown)
             }
@@ -147,11 +151,15 @@ impl ExprHost<'_, '_, '_> {
         keywords: &[(EcoString, Value)],
         located: bool,
     ) -> Result<Value, EvalError> {
-        let Some(text) = joined(args) else { return Ok(Value::Unknown) };
+        let Some(text) = joined(args) else {
+            return Ok(Value::Unknown);
+        };
         let located = keywords
             .iter()
             .find(|(name, _)| name == "print_location")
-            .map_or(located, |(_, value)| literal::truth(value).unwrap_or(located));
+            .map_or(located, |(_, value)| {
+                literal::truth(value).unwrap_or(located)
+            });
         self.machine.result.messages.push(format!("{prefix}{text}"));
         if located {
             let location = self.location();
@@ -172,7 +180,9 @@ impl ExprHost<'_, '_, '_> {
         // load_yaml opens relative to the working directory, whatever --root-dir says
         let mut path: PathBuf = self.machine.world.env.cwd.join(&name);
         let mut loaded = self.machine.world.vfs.yaml(&path, &name);
-        if loaded.as_ref().is_err_and(|error| error.kind == LoadErrorKind::NotFound)
+        if loaded
+            .as_ref()
+            .is_err_and(|error| error.kind == LoadErrorKind::NotFound)
             && let Some(built) = self.machine.built(&path)
         {
             path = built.path;
@@ -185,10 +195,19 @@ impl ExprHost<'_, '_, '_> {
                 return self.unreadable(&name, &error);
             }
         };
-        self.machine.result.record.add(Read::File(path, loaded.file.hash));
-        self.machine.open_files.push(OpenFile { name: name.clone(), file: None, conditions: u32::MAX });
+        self.machine
+            .result
+            .record
+            .add(Read::File(path, loaded.file.hash));
+        self.machine.open_files.push(OpenFile {
+            name: name.clone(),
+            file: None,
+            conditions: u32::MAX,
+        });
         let value = match &loaded.value {
-            value if is_telling(value) && self.is_foreign(&loaded.file.path) => Err(refused(&name, &loaded)),
+            value if is_telling(value) && self.is_foreign(&loaded.file.path) => {
+                Err(refused(&name, &loaded))
+            }
             Ok(node) => file_value(node, &mut self.machine.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };
@@ -205,13 +224,22 @@ impl ExprHost<'_, '_, '_> {
     }
 
     fn unreadable(&mut self, name: &str, error: &LoadError) -> Result<Value, EvalError> {
-        let missing_is_fine = self.machine.optional_includes.iter().any(|&optional| optional);
+        let missing_is_fine = self
+            .machine
+            .optional_includes
+            .iter()
+            .any(|&optional| optional);
         if missing_is_fine && self.machine.lazy_uses.is_empty() {
             self.machine.unwinding = true;
             return Ok(Value::Unknown);
         }
-        let LoadError { errno, strerror, .. } = error;
-        Err(EvalError::new(ErrorKind::Io, format!("[Errno {errno}] {strerror}: '{name}'")))
+        let LoadError {
+            errno, strerror, ..
+        } = error;
+        Err(EvalError::new(
+            ErrorKind::Io,
+            format!("[Errno {errno}] {strerror}: '{name}'"),
+        ))
     }
 }
 
@@ -230,7 +258,9 @@ fn refused(name: &str, loaded: &YamlFile) -> EvalError {
         Err(error) => {
             let before = text.get(..error.range.start as usize).unwrap_or(text);
             let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            format!("`{name}` is not valid YAML at line {line}; it is {OUTSIDE}, so its text is not shown")
+            format!(
+                "`{name}` is not valid YAML at line {line}; it is {OUTSIDE}, so its text is not shown"
+            )
         }
     };
     EvalError::new(ErrorKind::Xacro, message)
@@ -251,7 +281,10 @@ pub(super) fn text_argument(
             return Err(EvalError::new(ErrorKind::Type, message));
         }
         (args, _) => {
-            let message = format!("{function}() takes 1 positional argument but {} were given", args.len());
+            let message = format!(
+                "{function}() takes 1 positional argument but {} were given",
+                args.len()
+            );
             return Err(EvalError::new(ErrorKind::Type, message));
         }
     };

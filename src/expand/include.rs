@@ -38,10 +38,14 @@ impl Expander<'_> {
     /// `xacro:include`
     pub fn include(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
         self.note_unclear();
-        let Some((text, place)) = self.required_attr(tag, "filename", cx) else { return };
+        let Some((text, place)) = self.required_attr(tag, "filename", cx) else {
+            return;
+        };
         self.check_attrs(tag, &["filename", "ns", "optional"], cx);
         let inner = self.include_scope(tag, cx);
-        let Some(optional) = self.optional_flag(tag, cx) else { return };
+        let Some(optional) = self.optional_flag(tag, cx) else {
+            return;
+        };
         self.warn_about_children(tag, cx);
         let mark = self.reads.len();
         let value = self.eval_text(&text, place, cx.scope);
@@ -68,7 +72,14 @@ impl Expander<'_> {
         self.splice(content, out);
     }
 
-    fn include_file(&mut self, name: &str, inclusion: &Inclusion, content: XId, parent: XId, cx: Cx) {
+    fn include_file(
+        &mut self,
+        name: &str,
+        inclusion: &Inclusion,
+        content: XId,
+        parent: XId,
+        cx: Cx,
+    ) {
         self.result.includes.push(name.to_owned());
         self.optional_includes.push(inclusion.optional);
         if let Some(file) = self.load(name, inclusion.at, inclusion.argument.as_ref())
@@ -76,7 +87,11 @@ impl Expander<'_> {
         {
             let conditions = self.conditions;
             self.conditions += u32::from(inclusion.computed);
-            self.open_files.push(OpenFile { name: name.to_owned(), file: Some(file), conditions });
+            self.open_files.push(OpenFile {
+                name: name.to_owned(),
+                file: Some(file),
+                conditions,
+            });
             let frame = self.push_frame(FrameKind::Include, name.into(), inclusion.tag, None);
             let root = self.container(inclusion.tag);
             self.eval_included(file, root, Cx { frame, ..cx });
@@ -95,17 +110,31 @@ impl Expander<'_> {
     }
 
     fn eval_included(&mut self, file: FileIdx, root: XId, cx: Cx) {
-        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let Some(used) = self.result.files.get(file.0 as usize) else {
+            return;
+        };
         let (document, header) = (used.source.document.clone(), used.first_source);
         if let Some(node) = document.root() {
-            self.eval_attributes(Tag { node, src: header, name: node.name(), used: &[] }, root, cx);
+            self.eval_attributes(
+                Tag {
+                    node,
+                    src: header,
+                    name: node.name(),
+                    used: &[],
+                },
+                root,
+                cx,
+            );
         }
         self.eval_root_content(file, root, cx);
     }
 
     /// The scopes an included file is evaluated in: those of `ns=`, or the includer's.
     fn include_scope(&mut self, tag: Tag<'_>, cx: Cx) -> Cx {
-        let Some((text, place)) = self.attr(tag, "ns", cx).filter(|(text, _)| !text.is_empty()) else {
+        let Some((text, place)) = self
+            .attr(tag, "ns", cx)
+            .filter(|(text, _)| !text.is_empty())
+        else {
             return cx;
         };
         let value = self.eval_text(&text, place, cx.scope);
@@ -120,19 +149,35 @@ impl Expander<'_> {
             );
             return cx;
         }
-        let Some(name) = display::to_str(&value) else { return cx };
+        let Some(name) = display::to_str(&value) else {
+            return cx;
+        };
         let macros = self.macros.push(None);
         let scope = self.scopes.push(cx.scope, true);
-        self.macros.define_namespace(cx.macros, name.clone(), macros);
+        self.macros
+            .define_namespace(cx.macros, name.clone(), macros);
         let definition = self.define(SymbolKind::Namespace, &name, place.origin);
-        let info = BindingInfo::new(name.clone(), BindingKind::Namespace, place.origin).of(definition);
-        self.bind(cx.scope, name, State::Ready(Value::Scope(scope)), info, place.origin);
-        Cx { scope, macros, ..cx }
+        let info =
+            BindingInfo::new(name.clone(), BindingKind::Namespace, place.origin).of(definition);
+        self.bind(
+            cx.scope,
+            name,
+            State::Ready(Value::Scope(scope)),
+            info,
+            place.origin,
+        );
+        Cx {
+            scope,
+            macros,
+            ..cx
+        }
     }
 
     /// `optional=`, which is not evaluated. `None`: it is neither true nor false.
     fn optional_flag(&mut self, tag: Tag<'_>, cx: Cx) -> Option<bool> {
-        let Some((text, place)) = self.attr(tag, "optional", cx) else { return Some(false) };
+        let Some((text, place)) = self.attr(tag, "optional", cx) else {
+            return Some(false);
+        };
         let truth = literal::boolean(&Value::Str(text.as_ref().into()));
         if truth.is_none() {
             let message = format!("`optional` is `{text}`, which is not a boolean");
@@ -149,10 +194,16 @@ impl Expander<'_> {
     }
 
     fn warn_about_children(&mut self, tag: Tag<'_>, cx: Cx) {
-        let Some(child) = tag.node.children().find(|n| n.kind() == NodeKind::Element) else { return };
+        let Some(child) = tag.node.children().find(|n| n.kind() == NodeKind::Element) else {
+            return;
+        };
         let name = child.name_range();
         let range = TextRange::new(name.start.saturating_sub(1), name.end);
-        let at = Origin { src: tag.src, range, frame: cx.frame };
+        let at = Origin {
+            src: tag.src,
+            range,
+            frame: cx.frame,
+        };
         let message = "child elements of `xacro:include` are ignored";
         self.warn(
             ProblemKind::IncludeChildrenIgnored,
@@ -168,7 +219,11 @@ impl Expander<'_> {
         if !HERE.root(&name).is_empty() {
             return name.into_owned();
         }
-        match self.current_file().rsplit_once('/').map(|(folder, _)| (folder, folder.trim_end_matches('/'))) {
+        match self
+            .current_file()
+            .rsplit_once('/')
+            .map(|(folder, _)| (folder, folder.trim_end_matches('/')))
+        {
             // as Python's `dirname`: slashes at the end go, except when there is nothing else
             Some((folder, "")) => format!("{folder}/{name}"),
             Some((_, folder)) => format!("{folder}/{name}"),
@@ -187,14 +242,20 @@ impl Expander<'_> {
         if !name.contains(['*', '?', '[']) {
             return vec![name];
         }
-        let found = match self.world.vfs.glob(&name, &self.world.env.cwd, &mut self.glob_entries) {
+        let found = match self
+            .world
+            .vfs
+            .glob(&name, &self.world.env.cwd, &mut self.glob_entries)
+        {
             Ok(found) => found,
             Err(why) => {
                 self.matches_too_much(&name, why, at);
                 return Vec::new();
             }
         };
-        self.result.record.add(Read::Glob(name.clone(), found.clone()));
+        self.result
+            .record
+            .add(Read::Glob(name.clone(), found.clone()));
         if found.is_empty() {
             let message = format!("no files match `{name}`");
             let reference = format!("Include tag's filename spec \"{name}\" matched no files.");
@@ -216,8 +277,11 @@ impl Expander<'_> {
                 "too many folder entries to search for `{name}`: the limit for all includes of a robot is {GLOB_ENTRIES}"
             ),
         };
-        let help = "write the folder and the common part of the file names; none of the files is included";
-        let problem = self.problem(ProblemKind::InfiniteMacroRecursion, at, message).help(help);
+        let help =
+            "write the folder and the common part of the file names; none of the files is included";
+        let problem = self
+            .problem(ProblemKind::InfiniteMacroRecursion, at, message)
+            .help(help);
         self.push(problem);
     }
 
@@ -237,9 +301,17 @@ impl Expander<'_> {
             return true;
         }
         let chain: Vec<&str> = self.open_files.iter().map(|f| f.name.as_str()).collect();
-        let name = self.result.files.get(file.0 as usize).map_or("", |f| f.name.as_str());
+        let name = self
+            .result
+            .files
+            .get(file.0 as usize)
+            .map_or("", |f| f.name.as_str());
         if endless {
-            let start = self.open_files.iter().position(|f| f.file == Some(file)).unwrap_or(0);
+            let start = self
+                .open_files
+                .iter()
+                .position(|f| f.file == Some(file))
+                .unwrap_or(0);
             let chain = chain.get(start..).unwrap_or_default().join("` -> `");
             let message = format!("`{name}` includes itself: `{chain}` -> `{name}`");
             let problem = self

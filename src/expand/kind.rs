@@ -76,20 +76,27 @@ pub enum ProblemKind {
 impl ProblemKind {
     /// Whether the text of a file is wrong, before anything in it is evaluated.
     pub fn is_about_text(self) -> bool {
-        matches!(self, Self::XmlSyntaxError | Self::MissingXacroNamespace | Self::XmlEncodingMismatch)
+        matches!(
+            self,
+            Self::XmlSyntaxError | Self::MissingXacroNamespace | Self::XmlEncodingMismatch
+        )
     }
 
     /// Whether it is a name that nothing defines.
     pub fn is_undefined_name(self) -> bool {
         matches!(
             self,
-            Self::UndefinedProperty | Self::UndefinedMacro | Self::UndefinedArg | Self::UndefinedBlock
+            Self::UndefinedProperty
+                | Self::UndefinedMacro
+                | Self::UndefinedArg
+                | Self::UndefinedBlock
         )
     }
 
     /// Whether elements may be missing from the expansion because of it.
     pub fn loses_content(self) -> bool {
-        self.is_about_elements() || matches!(self, Self::XmlSyntaxError | Self::MissingXacroNamespace)
+        self.is_about_elements()
+            || matches!(self, Self::XmlSyntaxError | Self::MissingXacroNamespace)
     }
 
     fn is_about_elements(self) -> bool {

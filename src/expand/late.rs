@@ -68,16 +68,27 @@ impl Expander<'_> {
         name: &'n str,
         known: impl FnOnce(&Self) -> Vec<&str>,
     ) -> Option<Missing<'n>> {
-        let known = if self.compares() { known(self) } else { Vec::new() };
+        let known = if self.compares() {
+            known(self)
+        } else {
+            Vec::new()
+        };
         let meant = misspelled(name, known.iter().copied());
         let is_misspelled = meant.is_some();
-        let near = meant.or_else(|| nearest(name, known.iter().copied())).map(EcoString::from);
+        let near = meant
+            .or_else(|| nearest(name, known.iter().copied()))
+            .map(EcoString::from);
         self.compared += known.len();
         if self.include_missing && !is_misspelled {
             self.result.complete = false;
             return None;
         }
-        Some(Missing { kind, name, is_misspelled, near })
+        Some(Missing {
+            kind,
+            name,
+            is_misspelled,
+            near,
+        })
     }
 
     /// Report a problem, unless expansion is on its way out of an optional include, or looks at what is not used.
@@ -92,8 +103,12 @@ impl Expander<'_> {
         if self.unwinding || self.idle {
             return true;
         }
-        let Some(place) = self.result.place(at) else { return false };
-        let Some(known) = self.problems.find(kind, place, message) else { return false };
+        let Some(place) = self.result.place(at) else {
+            return false;
+        };
+        let Some(known) = self.problems.find(kind, place, message) else {
+            return false;
+        };
         if self.problems.wants_calls(known) {
             let call = self.trace(at, 1).pop();
             self.problems.add_call(known, call);
@@ -104,7 +119,12 @@ impl Expander<'_> {
     /// Report that a name is not defined (yet) where `scope` sees it.
     pub fn push_undefined(&mut self, missing: Missing<'_>, scope: ScopeId, mut problem: Problem) {
         let before = self.problems.list.len();
-        let Missing { kind, name, is_misspelled, .. } = missing;
+        let Missing {
+            kind,
+            name,
+            is_misspelled,
+            ..
+        } = missing;
         problem.outside = match kind {
             _ if is_misspelled => None,
             NameKind::Arg => Some(Outside::Argument(name.into())),
@@ -112,8 +132,14 @@ impl Expander<'_> {
         };
         self.push(problem);
         if self.problems.list.len() > before {
-            let early = Early { problem: before, scope };
-            self.undefined.entry((kind, name.into())).or_default().push(early);
+            let early = Early {
+                problem: before,
+                scope,
+            };
+            self.undefined
+                .entry((kind, name.into()))
+                .or_default()
+                .push(early);
         }
     }
 
@@ -123,17 +149,26 @@ impl Expander<'_> {
         if self.undefined.is_empty() {
             return;
         }
-        let Some(uses) = self.undefined.remove(&(kind, name.clone())) else { return };
+        let Some(uses) = self.undefined.remove(&(kind, name.clone())) else {
+            return;
+        };
         let sees = |early: &Early| kind == NameKind::Arg || self.scopes.sees(early.scope, scope);
         let (early, others): (Vec<Early>, Vec<Early>) = uses.into_iter().partition(sees);
         if !others.is_empty() {
             self.undefined.insert((kind, name.clone()), others);
         }
-        let Some(place) = self.result.place(at) else { return };
+        let Some(place) = self.result.place(at) else {
+            return;
+        };
         let noun = kind.noun();
-        let step = Step { place, message: format!("{noun} `{name}` is defined here") };
+        let step = Step {
+            place,
+            message: format!("{noun} `{name}` is defined here"),
+        };
         for Early { problem, .. } in early {
-            let Some(problem) = self.problems.list.get_mut(problem) else { continue };
+            let Some(problem) = self.problems.list.get_mut(problem) else {
+                continue;
+            };
             problem.kind = ProblemKind::UseBeforeDefinition;
             problem.message = format!("{noun} `{name}` is used before it is defined");
             problem.help = Some(match kind {
@@ -142,7 +177,8 @@ impl Expander<'_> {
                      attributes of the root element first"
                 ),
                 _ => {
-                    "move the definition above its first use; xacro reads files from top to bottom".to_owned()
+                    "move the definition above its first use; xacro reads files from top to bottom"
+                        .to_owned()
                 }
             });
             problem.replacement = None;

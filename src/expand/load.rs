@@ -22,12 +22,19 @@ use xml::{SyntaxError, SyntaxErrorKind};
 impl Expander<'_> {
     /// Load a file for the include (or the request) at `at`; reports why it cannot be; `argument` is
     /// one that callers give and that the name is computed from.
-    pub fn load(&mut self, name: &str, at: Origin, argument: Option<&EcoString>) -> Option<FileIdx> {
+    pub fn load(
+        &mut self,
+        name: &str,
+        at: Origin,
+        argument: Option<&EcoString>,
+    ) -> Option<FileIdx> {
         let path = self.file_path(name);
         let (path, loaded) = match self.world.vfs.document(&path) {
             Err(error) if error.kind == LoadErrorKind::NotFound && at != Origin::NOWHERE => {
                 match self.built(&path) {
-                    Some(built) if built.is_template && has_placeholders(&self.world, &built.path) => {
+                    Some(built)
+                        if built.is_template && has_placeholders(&self.world, &built.path) =>
+                    {
                         self.generated(name, &built.path, at);
                         return None;
                     }
@@ -66,7 +73,11 @@ impl Expander<'_> {
     pub fn built(&mut self, path: &Path) -> Option<Built> {
         let World { vfs, packages, .. } = self.world;
         self.result.record.add(Read::Missing(path.to_owned()));
-        for file in packages.build_around(path).iter().flat_map(|build| &build.files) {
+        for file in packages
+            .build_around(path)
+            .iter()
+            .flat_map(|build| &build.files)
+        {
             self.result.record.add(match vfs.document_hash(file) {
                 Some(hash) => Read::File(file.clone(), hash),
                 None => Read::Missing(file.clone()),
@@ -82,19 +93,29 @@ impl Expander<'_> {
         if self.optional_includes.iter().any(|&optional| optional) {
             return;
         }
-        let message =
-            format!("included file `{name}` is generated from `{}` at build time", slashed(template));
-        let problem = self.problem(ProblemKind::IncludeNotFound, at, message).excused();
-        self.push(problem.help("build the package to generate the file; definitions in it are not checked"));
+        let message = format!(
+            "included file `{name}` is generated from `{}` at build time",
+            slashed(template)
+        );
+        let problem = self
+            .problem(ProblemKind::IncludeNotFound, at, message)
+            .excused();
+        self.push(
+            problem
+                .help("build the package to generate the file; definitions in it are not checked"),
+        );
     }
 
     /// The reference reads every file as UTF-8.
     fn report_encoding(&mut self, file: FileIdx, source: &SourceFile) {
-        let Some((offset, message)) = &source.encoding_error else { return };
+        let Some((offset, message)) = &source.encoding_error else {
+            return;
+        };
         let range = TextRange::empty((*offset).min(source.document.len()));
         let place = super::Place { file, range };
-        let byte =
-            message.strip_prefix("'utf-8' codec can't decode ").and_then(|rest| rest.split(": ").next());
+        let byte = message
+            .strip_prefix("'utf-8' codec can't decode ")
+            .and_then(|rest| rest.split(": ").next());
         let said = format!("file is not valid UTF-8: {}", byte.unwrap_or(message));
         let problem = super::Problem::new(ProblemKind::XmlEncodingMismatch, place, said);
         self.push(problem.says(message.clone()).help("save the file as UTF-8"));
@@ -104,9 +125,21 @@ impl Expander<'_> {
         let first_source = SrcId(self.result.sources.len() as u32);
         let document = &source.document;
         let footer_base = document.len() - document.footer().text().len() as u32;
-        let header = Source { file, item: document.header().clone(), base: 0 };
-        let items = document.items().map(|(base, item)| Source { file, item: item.clone(), base });
-        let footer = Source { file, item: document.footer().clone(), base: footer_base };
+        let header = Source {
+            file,
+            item: document.header().clone(),
+            base: 0,
+        };
+        let items = document.items().map(|(base, item)| Source {
+            file,
+            item: item.clone(),
+            base,
+        });
+        let footer = Source {
+            file,
+            item: document.footer().clone(),
+            base: footer_base,
+        };
         self.result.sources.push(header);
         self.result.sources.extend(items);
         self.result.sources.push(footer);
@@ -119,23 +152,39 @@ impl Expander<'_> {
         });
     }
 
-    fn not_loaded(&mut self, name: &str, error: LoadError, at: Origin, argument: Option<&EcoString>) {
+    fn not_loaded(
+        &mut self,
+        name: &str,
+        error: LoadError,
+        at: Origin,
+        argument: Option<&EcoString>,
+    ) {
         if at == Origin::NOWHERE {
             self.result.root_error = Some(error);
             self.result.complete = false;
             return;
         }
         let missing_is_fine = self.optional_includes.iter().any(|&optional| optional);
-        if missing_is_fine && matches!(error.kind, LoadErrorKind::NotFound | LoadErrorKind::IsDirectory) {
+        if missing_is_fine
+            && matches!(
+                error.kind,
+                LoadErrorKind::NotFound | LoadErrorKind::IsDirectory
+            )
+        {
             // undo everything up to the optional include; only a nested file has anything to undo
             self.unwinding = self.optional_includes.last() != Some(&true);
             return;
         }
         self.include_missing = true;
         self.result.complete = false;
-        let shown =
-            if HERE.is_absolute(name) { name.to_owned() } else { format!("{}/{name}", self.root_name()) };
-        let LoadError { strerror, errno, .. } = &error;
+        let shown = if HERE.is_absolute(name) {
+            name.to_owned()
+        } else {
+            format!("{}/{name}", self.root_name())
+        };
+        let LoadError {
+            strerror, errno, ..
+        } = &error;
         let message = match error.kind {
             LoadErrorKind::NotFound => format!("included file `{name}` not found"),
             LoadErrorKind::IsDirectory => format!("included file `{name}` is a folder"),
@@ -143,7 +192,10 @@ impl Expander<'_> {
         };
         let help = match error.kind {
             LoadErrorKind::TooLarge { .. } => raise("file-mb"),
-            _ => format!("correct the path, or add the file: {}", slashed(&error.path)),
+            _ => format!(
+                "correct the path, or add the file: {}",
+                slashed(&error.path)
+            ),
         };
         let path = match error.kind {
             LoadErrorKind::TooLarge { .. } => None,
@@ -164,15 +216,23 @@ impl Expander<'_> {
         };
         let problem = self
             .problem(ProblemKind::IncludeNotFound, at, message)
-            .says(format!("{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"))
+            .says(format!(
+                "{strerror}: {shown} [Errno {errno}] {strerror}: '{shown}'"
+            ))
             .depends_on(argument.cloned().map_or(Outside::File, Outside::Argument))
             .help(help);
-        let problem = super::Problem { detail: path.map(Detail::LookedFor), ..problem };
-        let problem =
-            match error.kind == LoadErrorKind::NotFound && self.world.packages.may_be_made(&error.path) {
-                true => problem.excused().help("build the package to generate the file, or correct the path"),
-                false => problem,
-            };
+        let problem = super::Problem {
+            detail: path.map(Detail::LookedFor),
+            ..problem
+        };
+        let problem = match error.kind == LoadErrorKind::NotFound
+            && self.world.packages.may_be_made(&error.path)
+        {
+            true => problem
+                .excused()
+                .help("build the package to generate the file, or correct the path"),
+            false => problem,
+        };
         self.push(match meant {
             Some(meant) => meant.said_of(problem),
             None => problem,
@@ -185,20 +245,33 @@ impl Expander<'_> {
 
     /// One finding a file that is not well-formed; what its recovered tree seems to say is not trusted.
     fn report_syntax(&mut self, file: FileIdx, include: Origin) {
-        let Some(used) = self.result.files.get(file.0 as usize) else { return };
+        let Some(used) = self.result.files.get(file.0 as usize) else {
+            return;
+        };
         let (document, base) = (used.source.document.clone(), used.first_source);
         let errors = document.errors();
-        let Some(first) = errors.iter().min_by_key(|e| e.expat_offset) else { return };
+        let Some(first) = errors.iter().min_by_key(|e| e.expat_offset) else {
+            return;
+        };
         self.broken.insert(file);
         if self.result.files.len() > 1 {
             self.include_missing = true;
         }
         let position = document.line_col(first.expat_offset, base::Encoding::Utf32);
-        let at = Origin { src: base, range: first.range, frame: super::FrameId::ROOT };
+        let at = Origin {
+            src: base,
+            range: first.range,
+            frame: super::FrameId::ROOT,
+        };
         let mut problem = self.syntax_problem(first, at, file);
         if let Some(place) = self.result.place(include) {
-            problem.trace.push(super::Step { place, message: "included here".to_owned() });
-            problem.trace.extend(self.problem(ProblemKind::XmlSyntaxError, include, "").trace);
+            problem.trace.push(super::Step {
+                place,
+                message: "included here".to_owned(),
+            });
+            problem
+                .trace
+                .extend(self.problem(ProblemKind::XmlSyntaxError, include, "").trace);
         }
         problem.reference = format!(
             "XML parsing error: {}: line {}, column {}",
@@ -216,7 +289,11 @@ impl Expander<'_> {
     fn syntax_problem(&self, error: &SyntaxError, at: Origin, file: FileIdx) -> super::Problem {
         let place = |range| super::Place { file, range };
         let xacro = error.kind == SyntaxErrorKind::UnboundPrefix && error.message.contains("xacro");
-        let kind = if xacro { ProblemKind::MissingXacroNamespace } else { ProblemKind::XmlSyntaxError };
+        let kind = if xacro {
+            ProblemKind::MissingXacroNamespace
+        } else {
+            ProblemKind::XmlSyntaxError
+        };
         let mut problem = self.problem(kind, at, error.headline());
         problem.place = place(error.range);
         problem = problem.help(match xacro {
@@ -224,7 +301,10 @@ impl Expander<'_> {
             false => error.help(),
         });
         if let Some((range, what)) = error.related {
-            problem.trace.push(super::Step { place: place(range), message: what.to_owned() });
+            problem.trace.push(super::Step {
+                place: place(range),
+                message: what.to_owned(),
+            });
         }
         problem
     }
@@ -232,8 +312,14 @@ impl Expander<'_> {
 
 /// Whether a template has places that the build fills in: `@NAME@`, or those of a template language.
 fn has_placeholders(world: &World<'_>, template: &Path) -> bool {
-    let Ok(file) = world.vfs.text(template) else { return true };
-    let is_name = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_');
+    let Ok(file) = world.vfs.text(template) else {
+        return true;
+    };
+    let is_name =
+        |text: &str| !text.is_empty() && text.chars().all(|c| c.is_alphanumeric() || c == '_');
     let mut parts = file.text.split('@').skip(1);
-    ["@(", "{{", "{%"].iter().any(|sign| file.text.contains(sign)) || parts.any(is_name)
+    ["@(", "{{", "{%"]
+        .iter()
+        .any(|sign| file.text.contains(sign))
+        || parts.any(is_name)
 }

@@ -149,7 +149,10 @@ impl<'w> Expander<'w> {
     pub(super) const TRACE_STEPS: usize = 100;
 
     fn new(world: World<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
-        let mut result = Expansion { complete: true, ..Expansion::default() };
+        let mut result = Expansion {
+            complete: true,
+            ..Expansion::default()
+        };
         result.frames.push(Frame {
             kind: FrameKind::Root,
             name: request.file.as_str().into(),
@@ -215,7 +218,9 @@ impl<'w> Expander<'w> {
         let broken = std::mem::take(&mut self.broken);
         // what the recovered tree of a broken file seems to say is not trusted
         let trusted = |p: &Problem| p.kind.is_about_text() || !broken.contains(&p.place.file);
-        let (kept, doubtful) = std::mem::take(&mut self.problems.list).into_iter().partition(trusted);
+        let (kept, doubtful) = std::mem::take(&mut self.problems.list)
+            .into_iter()
+            .partition(trusted);
         self.result.problems = kept;
         self.result.doubtful = doubtful;
         self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
@@ -248,20 +253,42 @@ impl<'w> Expander<'w> {
     /// What could not be computed has a cause that was reported. Should one be missing, that is said here: a
     /// document with a hole never passes for a good one.
     fn admit_unknown(&mut self) {
-        let reported = self.problems.list.iter().any(|problem| problem.severity == Severity::Error);
+        let reported = self
+            .problems
+            .list
+            .iter()
+            .any(|problem| problem.severity == Severity::Error);
         let asked_for = self.guessed || !self.request.unknown_args.is_empty();
-        if self.result.complete || reported || asked_for || self.stopped || self.result.root_error.is_some() {
+        if self.result.complete
+            || reported
+            || asked_for
+            || self.stopped
+            || self.result.root_error.is_some()
+        {
             return;
         }
         let tree = &self.result.tree;
-        let pieces = tree.below(XId::DOCUMENT).flat_map(|id| &tree.get(id).attrs).flat_map(|a| &a.pieces);
-        let hole = pieces.filter(|piece| piece.unknown).map(|piece| piece.source).next();
-        let root = tree.root().map_or(Origin::NOWHERE, |root| tree.get(root).origin);
+        let pieces = tree
+            .below(XId::DOCUMENT)
+            .flat_map(|id| &tree.get(id).attrs)
+            .flat_map(|a| &a.pieces);
+        let hole = pieces
+            .filter(|piece| piece.unknown)
+            .map(|piece| piece.source)
+            .next();
+        let root = tree
+            .root()
+            .map_or(Origin::NOWHERE, |root| tree.get(root).origin);
         let message = match hole {
             Some(_) => "expression uses an unsupported Python feature",
             None => "an expression in this file uses an unsupported Python feature",
         };
-        self.error(ProblemKind::ExpressionError, hole.unwrap_or(root), message, message);
+        self.error(
+            ProblemKind::ExpressionError,
+            hole.unwrap_or(root),
+            message,
+            message,
+        );
     }
 
     fn bind_arguments(&mut self) {
@@ -271,20 +298,34 @@ impl<'w> Expander<'w> {
             self.args.insert(name.as_str().into(), (None, info));
         }
         for (name, value) in &request.args {
-            let info = self.add_binding(BindingInfo::given(name, Value::Str(value.as_str().into())));
-            self.args.insert(name.as_str().into(), (Some(value.as_str().into()), info));
-            self.result.record.add(Read::Arg(name.clone(), Some(value.clone())));
+            let info =
+                self.add_binding(BindingInfo::given(name, Value::Str(value.as_str().into())));
+            self.args
+                .insert(name.as_str().into(), (Some(value.as_str().into()), info));
+            self.result
+                .record
+                .add(Read::Arg(name.clone(), Some(value.clone())));
         }
     }
 
     fn expand_root(&mut self) {
         let name = self.request.file.clone();
-        self.open_files.push(OpenFile { name: name.clone(), file: None, conditions: 0 });
-        let Some(file) = self.load(&name, Origin::NOWHERE, None) else { return };
+        self.open_files.push(OpenFile {
+            name: name.clone(),
+            file: None,
+            conditions: 0,
+        });
+        let Some(file) = self.load(&name, Origin::NOWHERE, None) else {
+            return;
+        };
         if let Some(open) = self.open_files.last_mut() {
             open.file = Some(file);
         }
-        let cx = Cx { scope: Scopes::TOP, macros: Macros::TOP, frame: FrameId::ROOT };
+        let cx = Cx {
+            scope: Scopes::TOP,
+            macros: Macros::TOP,
+            frame: FrameId::ROOT,
+        };
         self.eval_document(file, cx);
     }
 
@@ -296,14 +337,22 @@ impl<'w> Expander<'w> {
         self.ticks += 1;
         if self.nodes_made() as u64 > self.request.limits.expand_nodes {
             let most = self.request.limits.expand_nodes;
-            self.stop(at, format!("the expanded robot has more than {most} nodes"), Some("expand-nodes"));
+            self.stop(
+                at,
+                format!("the expanded robot has more than {most} nodes"),
+                Some("expand-nodes"),
+            );
         } else if self.ticks.is_multiple_of(256) {
             if self.request.cancel.is_cancelled() {
                 self.stopped = true;
                 self.result.complete = false;
             } else if Instant::now() > self.deadline {
                 let most = self.request.limits.expand_time.as_millis();
-                self.stop(at, format!("the expansion takes more than {most} ms"), Some("expand-ms"));
+                self.stop(
+                    at,
+                    format!("the expansion takes more than {most} ms"),
+                    Some("expand-ms"),
+                );
             }
         }
         self.stopped
@@ -330,10 +379,20 @@ impl<'w> Expander<'w> {
         call: Origin,
         definition: Option<Origin>,
     ) -> FrameId {
-        let outer = self.result.frames.get(call.frame.0 as usize).map_or(0, |f| f.depth);
+        let outer = self
+            .result
+            .frames
+            .get(call.frame.0 as usize)
+            .map_or(0, |f| f.depth);
         let depth = outer + u32::from(kind == FrameKind::Macro);
         let id = FrameId(self.result.frames.len() as u32);
-        self.result.frames.push(Frame { kind, name, call, definition, depth });
+        self.result.frames.push(Frame {
+            kind,
+            name,
+            call,
+            definition,
+            depth,
+        });
         id
     }
 

@@ -27,7 +27,9 @@ struct Resolved {
 impl Expander<'_> {
     /// `xacro:call`: the macro's name is computed.
     pub fn dynamic_call(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
-        let Some((text, place)) = self.required_attr(tag, "macro", cx) else { return };
+        let Some((text, place)) = self.required_attr(tag, "macro", cx) else {
+            return;
+        };
         if text.is_empty() {
             let message = "missing attribute `macro` in `xacro:call`";
             return self.error(
@@ -38,11 +40,21 @@ impl Expander<'_> {
             );
         }
         let value = self.eval_text(&text, place, cx.scope);
-        let Some(name) = display::to_str(&value) else { return self.skip_unknown(tag, cx) };
+        let Some(name) = display::to_str(&value) else {
+            return self.skip_unknown(tag, cx);
+        };
         let tag_name = format!("xacro:{name}");
         // `xacro:element` may have made it a call
-        let used: &[&str] = if tag.used.is_empty() { &["macro"] } else { &["xacro:name", "macro"] };
-        let tag = Tag { name: &tag_name, used, ..tag };
+        let used: &[&str] = if tag.used.is_empty() {
+            &["macro"]
+        } else {
+            &["xacro:name", "macro"]
+        };
+        let tag = Tag {
+            name: &tag_name,
+            used,
+            ..tag
+        };
         // a computed name can end a recursion just as a condition can
         self.conditions += 1;
         self.call(tag, &name, has_next, out, cx);
@@ -68,17 +80,28 @@ impl Expander<'_> {
             self.unknown_macro(tag, name, cx);
             return None;
         };
-        self.note_use(self.called_name(tag, &def, cx), Some(def.definition), UseKind::Call);
+        self.note_use(
+            self.called_name(tag, &def, cx),
+            Some(def.definition),
+            UseKind::Call,
+        );
         if self.is_endless(&def, at) {
             return None;
         }
         let frame = self.push_frame(FrameKind::Macro, def.name.clone(), at, Some(def.origin));
-        let body_cx =
-            Cx { scope: self.scopes.push(scope, false), macros: self.macros.push(Some(macros)), frame };
+        let body_cx = Cx {
+            scope: self.scopes.push(scope, false),
+            macros: self.macros.push(Some(macros)),
+            frame,
+        };
         let mut open = self.bind_attributes(tag, &def, cx, body_cx);
         let (content, losses) = (self.container(at), self.losses);
         self.eval_children(tag.node, tag.src, content, cx);
-        let given = if self.losses > losses { Vec::new() } else { self.given_blocks(content) };
+        let given = if self.losses > losses {
+            Vec::new()
+        } else {
+            self.given_blocks(content)
+        };
         let is_sure = self.losses == losses && !given.contains(&GivenBlock::Any);
         self.bind_blocks(tag, (given, is_sure), &def, &mut open, cx, body_cx);
         self.bind_defaults(&def, &mut open, at, cx, body_cx);
@@ -86,7 +109,8 @@ impl Expander<'_> {
             self.missing_params(&def, &open, at, body_cx);
         }
         let body = self.container(at);
-        self.calls.push((Arc::as_ptr(&def) as usize, self.conditions));
+        self.calls
+            .push((Arc::as_ptr(&def) as usize, self.conditions));
         self.eval_body(&def, body, body_cx);
         self.calls.pop();
         Some(body)
@@ -103,37 +127,69 @@ impl Expander<'_> {
     /// The text that names the macro of a call.
     fn called_name(&self, tag: Tag<'_>, def: &MacroDef, cx: Cx) -> Origin {
         // `xacro:call`, and a macro called through `xacro:element`
-        let range = tag.used.last().and_then(|name| tag.node.attr(name)).map(|attr| attr.value_range());
+        let range = tag
+            .used
+            .last()
+            .and_then(|name| tag.node.attr(name))
+            .map(|attr| attr.value_range());
         let name = tag.node.name_range();
-        let own = TextRange::new(name.end.saturating_sub(def.name.len() as u32).max(name.start), name.end);
-        Origin { src: tag.src, range: range.unwrap_or(own), frame: cx.frame }
+        let own = TextRange::new(
+            name.end
+                .saturating_sub(def.name.len() as u32)
+                .max(name.start),
+            name.end,
+        );
+        Origin {
+            src: tag.src,
+            range: range.unwrap_or(own),
+            frame: cx.frame,
+        }
     }
 
     pub(super) fn eval_body(&mut self, def: &MacroDef, body: XId, cx: Cx) {
-        let Some(item) = self.item(def.body.src) else { return };
+        let Some(item) = self.item(def.body.src) else {
+            return;
+        };
         self.note_source(def.body.src);
         let node = item.node(def.body.node);
         // the reference evaluates the attributes of the macro tag as well
-        self.eval_attributes(Tag { node, src: def.body.src, name: node.name(), used: &[] }, body, cx);
+        self.eval_attributes(
+            Tag {
+                node,
+                src: def.body.src,
+                name: node.name(),
+                used: &[],
+            },
+            body,
+            cx,
+        );
         self.eval_children(node, def.body.src, body, cx);
     }
 
     /// A node whose content will be spliced elsewhere.
     pub fn container(&mut self, origin: Origin) -> XId {
-        self.result.tree.add(XKind::Container, EcoString::new(), origin)
+        self.result
+            .tree
+            .add(XKind::Container, EcoString::new(), origin)
     }
 
     pub(super) fn push_with_definition(&mut self, mut problem: super::Problem, def: &MacroDef) {
         let message = format!("macro `{}` is defined here", def.name);
         let place = self.result.place(def.origin);
-        problem.trace.extend(place.map(|place| super::Step { place, message }));
+        problem
+            .trace
+            .extend(place.map(|place| super::Step { place, message }));
         self.push(problem);
     }
 
     /// The macro called `name`: as a whole, else through its namespaces.
     fn find_macro(&mut self, name: &str, cx: Cx, at: Origin) -> Option<Resolved> {
         if let Some(def) = self.macros.find(cx.macros, name) {
-            return Some(Resolved { def, macros: cx.macros, scope: cx.scope });
+            return Some(Resolved {
+                def,
+                macros: cx.macros,
+                scope: cx.scope,
+            });
         }
         let (path, name) = name.rsplit_once('.')?;
         let (mut macros, mut scope) = (cx.macros, cx.scope);
@@ -153,13 +209,18 @@ impl Expander<'_> {
 
     /// The text at an origin.
     pub(super) fn text_of(&self, at: Origin) -> &str {
-        self.result.sources.get(at.src.0 as usize).map_or("", |source| at.range.slice(source.item.text()))
+        self.result
+            .sources
+            .get(at.src.0 as usize)
+            .map_or("", |source| at.range.slice(source.item.text()))
     }
 
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
         let at = self.tag_origin(tag, cx);
         let (table, path, own) = self.macros.inside(cx.macros, name);
-        let known = self.missing_name(NameKind::Macro, own, |machine| machine.macros.visible_names(table));
+        let known = self.missing_name(NameKind::Macro, own, |machine| {
+            machine.macros.visible_names(table)
+        });
         if let Some(missing) = known.map(|missing| Missing { name, ..missing }) {
             let message = format!("macro `{name}` is not defined");
             let mut problem = self
@@ -218,7 +279,10 @@ impl Expander<'_> {
         let most = self.request.limits.macro_depth;
         let deep = self.calls.len() as u32 >= most;
         if deep {
-            let message = format!("macro calls are nested more than {most} levels deep: `{}`", def.name);
+            let message = format!(
+                "macro calls are nested more than {most} levels deep: `{}`",
+                def.name
+            );
             self.stop(at, message, Some("macro-depth"));
         }
         deep
@@ -227,20 +291,38 @@ impl Expander<'_> {
     /// Copy the `xmlns:*` attributes of a spliced tag to the element around it.
     pub fn lift_namespaces(&mut self, from: XId, to: XId, cx: Cx) {
         let attrs = std::mem::take(&mut self.result.tree.get_mut(from).attrs);
-        for attr in attrs.iter().filter(|a| a.name.starts_with("xmlns:")).cloned() {
-            let old = self.result.tree.attr(to, &attr.name).map(|a| a.value.clone());
+        for attr in attrs
+            .iter()
+            .filter(|a| a.name.starts_with("xmlns:"))
+            .cloned()
+        {
+            let old = self
+                .result
+                .tree
+                .attr(to, &attr.name)
+                .map(|a| a.value.clone());
             match old {
                 Some(old) if old != attr.value => {
-                    let message =
-                        format!("namespace `{}` is redefined from `{old}` to `{1}`", attr.name, attr.value);
+                    let message = format!(
+                        "namespace `{}` is redefined from `{old}` to `{1}`",
+                        attr.name, attr.value
+                    );
                     let reference = format!(
                         "inconsistent namespace redefinitions for {}:\n old: {old}\n new: {} ({})",
                         attr.name,
                         attr.value,
                         self.current_file()
                     );
-                    let at = Origin { frame: cx.frame, ..attr.origin };
-                    self.warn(ProblemKind::InconsistentNamespaceRedefinition, at, message, reference);
+                    let at = Origin {
+                        frame: cx.frame,
+                        ..attr.origin
+                    };
+                    self.warn(
+                        ProblemKind::InconsistentNamespaceRedefinition,
+                        at,
+                        message,
+                        reference,
+                    );
                 }
                 _ => self.result.tree.set_attr(to, attr),
             }

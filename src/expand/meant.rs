@@ -15,7 +15,10 @@ pub(super) struct Meant {
 
 impl Meant {
     pub fn new(help: impl Into<String>) -> Self {
-        Self { help: help.into(), text: None }
+        Self {
+            help: help.into(),
+            text: None,
+        }
     }
 
     pub fn with(mut self, text: impl Into<String>) -> Self {
@@ -45,15 +48,23 @@ pub(super) fn by_expression(code: &str) -> Option<Meant> {
             "find" => "to find a package",
             _ => "for this command",
         };
-        let text = format!("$({})", code.split_whitespace().collect::<Vec<_>>().join(" "));
+        let text = format!(
+            "$({})",
+            code.split_whitespace().collect::<Vec<_>>().join(" ")
+        );
         return Some(Meant::new(format!("write `{text}` {what}")).with(text));
     }
     SLIPS.iter().find_map(|(help, repair)| {
-        let text = repair(code).filter(|text| text != code && expr::parse(text).errors.is_empty())?;
+        let text =
+            repair(code).filter(|text| text != code && expr::parse(text).errors.is_empty())?;
         let text = format!("${{{text}}}");
         let meant = Meant::new(format!("{help}: `{text}`"));
         // other signs would have to be written as references
-        Some(if text.contains(['<', '&', '"', '\'']) { meant } else { meant.with(text) })
+        Some(if text.contains(['<', '&', '"', '\'']) {
+            meant
+        } else {
+            meant.with(text)
+        })
     })
 }
 
@@ -61,8 +72,12 @@ pub(super) fn by_expression(code: &str) -> Option<Meant> {
 type Slip = (&'static str, fn(&str) -> Option<String>);
 
 const SLIPS: [Slip; 5] = [
-    ("use ASCII operators and quotes", |code| Some(plain_signs(code))),
-    ("use `*` to multiply", |code| Some(code.replace(" x ", " * ").replace(['×', '·'], "*"))),
+    ("use ASCII operators and quotes", |code| {
+        Some(plain_signs(code))
+    }),
+    ("use `*` to multiply", |code| {
+        Some(code.replace(" x ", " * ").replace(['×', '·'], "*"))
+    }),
     ("use `*` to multiply", multiplied),
     ("use `and`, `or` and `not`", |code| {
         Some(
@@ -73,7 +88,10 @@ const SLIPS: [Slip; 5] = [
                 .join(" "),
         )
     }),
-    ("use `==` to compare", |code| code.split_once('=').map(|(left, right)| format!("{left}=={right}"))),
+    ("use `==` to compare", |code| {
+        code.split_once('=')
+            .map(|(left, right)| format!("{left}=={right}"))
+    }),
 ];
 
 /// `2width` as `2*width`.
@@ -108,21 +126,30 @@ pub(super) fn plain_signs(text: &str) -> String {
 pub(super) fn by_failure(code: &str, message: &str) -> Option<Meant> {
     if message.contains("for ^:") {
         let text = format!("${{{}}}", code.replace('^', "**"));
-        let meant = Meant::new(format!("write `{text}`; the power operator of Python is `**`"));
-        return Some(if code.contains(['<', '&', '"', '\'']) { meant } else { meant.with(text) });
+        let meant = Meant::new(format!(
+            "write `{text}`; the power operator of Python is `**`"
+        ));
+        return Some(if code.contains(['<', '&', '"', '\'']) {
+            meant
+        } else {
+            meant.with(text)
+        });
     }
     None
 }
 
 /// Names that expressions know without a definition, and that are written otherwise elsewhere.
-const KNOWN: [&str; 12] =
-    ["pi", "radians", "degrees", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "True"];
+const KNOWN: [&str; 12] = [
+    "pi", "radians", "degrees", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt",
+    "True",
+];
 
 /// Of a name that nothing defines: the one that expressions know.
 pub(super) fn by_name(name: &str) -> Option<Meant> {
     let bare = name.strip_prefix("M_").unwrap_or(name).to_lowercase();
     let is_meant = |known: &&&str| {
-        known.to_lowercase() == bare || known.len() > 4 && known.strip_suffix('s') == Some(bare.as_str())
+        known.to_lowercase() == bare
+            || known.len() > 4 && known.strip_suffix('s') == Some(bare.as_str())
     };
     let known = *KNOWN.iter().find(is_meant)?;
     Some(Meant::new(format!("did you mean `{known}`?")).with(known))
@@ -138,10 +165,22 @@ pub(super) fn by_comparison(name: &str, code: &str) -> Option<String> {
 
 /// Xacro's own tag that a misspelled one was meant to be.
 pub(super) fn by_tag(name: &str) -> Option<&'static str> {
-    const TAGS: [&str; 9] =
-        ["include", "property", "macro", "arg", "if", "unless", "insert_block", "element", "attribute"];
+    const TAGS: [&str; 9] = [
+        "include",
+        "property",
+        "macro",
+        "arg",
+        "if",
+        "unless",
+        "insert_block",
+        "element",
+        "attribute",
+    ];
     let is_same = |tag: &&&str| tag.eq_ignore_ascii_case(name);
-    TAGS.iter().find(is_same).copied().or_else(|| misspelled(name, TAGS))
+    TAGS.iter()
+        .find(is_same)
+        .copied()
+        .or_else(|| misspelled(name, TAGS))
 }
 
 /// What to write for a tag of another language.
@@ -165,7 +204,10 @@ pub(super) fn by_include(name: &str) -> Option<Meant> {
     let end = rest.find(['/', ')', '}'])?;
     let (package, file) = rest.split_at(end);
     let file = file.trim_start_matches([')', '}']);
-    let is_name = !package.is_empty() && package.chars().all(|c| c.is_alphanumeric() || "_-.".contains(c));
+    let is_name = !package.is_empty()
+        && package
+            .chars()
+            .all(|c| c.is_alphanumeric() || "_-.".contains(c));
     let text = format!("$(find {package}){file}");
     (is_name && file.starts_with('/')).then(|| Meant::new(format!("write `{text}`")).with(text))
 }
@@ -176,24 +218,36 @@ pub(super) fn by_other_bracket(rest: &str, open: &str) -> Option<Meant> {
     let inner = rest.strip_prefix(open)?;
     let end = inner.find(other)?;
     let (code, behind) = inner.split_at(end);
-    let is_plain = !code.is_empty() && code.chars().all(|c| c.is_alphanumeric() || " _.".contains(c));
+    let is_plain = !code.is_empty()
+        && code
+            .chars()
+            .all(|c| c.is_alphanumeric() || " _.".contains(c));
     let text = format!("{open}{code}{close}");
     let whole = format!("{text}{}", behind.get(1..)?);
     is_plain.then(|| Meant::new(format!("write `{text}`")).with(whole))
 }
 
 /// Of a `$(inner)` that is no substitution: a property or an argument, as far as there are such.
-pub(super) fn by_round_brackets(inner: &str, is_property: bool, is_argument: bool) -> Option<Meant> {
+pub(super) fn by_round_brackets(
+    inner: &str,
+    is_property: bool,
+    is_argument: bool,
+) -> Option<Meant> {
     if !is_identifier(inner) {
         return None;
     }
     let (property, argument) = (format!("${{{inner}}}"), format!("$(arg {inner})"));
     Some(match (is_property, is_argument) {
-        (true, _) => Meant::new(format!("write `{property}` to read a property or parameter")).with(property),
-        (false, true) => Meant::new(format!("write `{argument}` to read an argument")).with(argument),
-        _ => {
-            Meant::new(format!("write `{property}` to read a property, or `{argument}` to read an argument"))
+        (true, _) => Meant::new(format!(
+            "write `{property}` to read a property or parameter"
+        ))
+        .with(property),
+        (false, true) => {
+            Meant::new(format!("write `{argument}` to read an argument")).with(argument)
         }
+        _ => Meant::new(format!(
+            "write `{property}` to read a property, or `{argument}` to read an argument"
+        )),
     })
 }
 
@@ -204,19 +258,29 @@ pub(super) fn by_parameter(name: &str) -> Option<Vec<&str>> {
         return None;
     }
     let bare = match stars {
-        "" => bare.strip_prefix("${").and_then(|rest| rest.strip_suffix('}')).unwrap_or(bare),
+        "" => bare
+            .strip_prefix("${")
+            .and_then(|rest| rest.strip_suffix('}'))
+            .unwrap_or(bare),
         _ => bare,
     };
     let whole = if stars.is_empty() { bare } else { name };
-    let names: Vec<&str> = whole.split([',', ';']).filter(|part| !part.is_empty()).collect();
-    names.iter().all(|part| is_identifier(part.trim_start_matches('*'))).then_some(names)
+    let names: Vec<&str> = whole
+        .split([',', ';'])
+        .filter(|part| !part.is_empty())
+        .collect();
+    names
+        .iter()
+        .all(|part| is_identifier(part.trim_start_matches('*')))
+        .then_some(names)
 }
 
 /// The attribute of a tag of xacro that is meant by an unknown one: a near name, or one that is cut short (`val`).
 pub(super) fn by_attribute<'a>(name: &str, allowed: &[&'a str]) -> Option<&'a str> {
     const SHORTEST: usize = 3;
-    let is_cut =
-        |whole: &&&str| name.len() >= SHORTEST && whole.starts_with(name) && whole.len() > name.len();
+    let is_cut = |whole: &&&str| {
+        name.len() >= SHORTEST && whole.starts_with(name) && whole.len() > name.len()
+    };
     let whole = allowed.iter().find(is_cut).copied();
     whole.or_else(|| nearest(name, allowed.iter().copied()))
 }
@@ -244,8 +308,15 @@ mod tests {
 
     #[test]
     fn names() {
-        let known = |name| by_name(name).and_then(|meant| meant.text).unwrap_or_default();
-        assert_eq!(["PI", "M_PI", "radian", "Sqrt", "width"].map(known), ["pi", "pi", "radians", "sqrt", ""]);
+        let known = |name| {
+            by_name(name)
+                .and_then(|meant| meant.text)
+                .unwrap_or_default()
+        };
+        assert_eq!(
+            ["PI", "M_PI", "radian", "Sqrt", "width"].map(known),
+            ["pi", "pi", "radians", "sqrt", ""]
+        );
     }
 
     #[test]

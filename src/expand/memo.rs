@@ -147,7 +147,14 @@ impl Expander<'_> {
     /// Evaluate a step, and keep what it gave for the next expansion.
     // not in the frame of a call, of which there are many in a deep document
     #[inline(never)]
-    pub(super) fn recorded_call(&mut self, tag: Tag<'_>, name: &str, has_next: bool, out: XId, cx: Cx) {
+    pub(super) fn recorded_call(
+        &mut self,
+        tag: Tag<'_>,
+        name: &str,
+        has_next: bool,
+        out: XId,
+        cx: Cx,
+    ) {
         let start = self.start_step();
         let evaluations = start.evaluations;
         self.note_source(tag.src);
@@ -160,7 +167,11 @@ impl Expander<'_> {
             // a marker that stays inside is part of the content
             let marker = self.result.tree.parent(self.marker);
             if !memo.moves_marker || marker == Some(out) {
-                self.steps.push(Kept { step: Arc::new(memo), content: (first, first), evaluations });
+                self.steps.push(Kept {
+                    step: Arc::new(memo),
+                    content: (first, first),
+                    evaluations,
+                });
             }
         }
     }
@@ -197,24 +208,40 @@ impl Expander<'_> {
     }
 
     /// What there is to keep of the step that ends here.
-    fn finish_step(&mut self, call: (SrcId, NodeId), body: Option<XId>, start: Start) -> Option<StepMemo> {
+    fn finish_step(
+        &mut self,
+        call: (SrcId, NodeId),
+        body: Option<XId>,
+        start: Start,
+    ) -> Option<StepMemo> {
         let recorder = self.recorder.take().unwrap_or_default();
         let lazy_left = self.scopes.has_lazy_from(start.scopes);
         let (names, macros) = (self.scopes.unwatch(), self.macros.unwatch());
-        let (symbols, record) = (self.result.symbols.take_log(), self.result.record.take_log());
+        let (symbols, record) = (
+            self.result.symbols.take_log(),
+            self.result.record.take_log(),
+        );
         let is_clear = self.result.complete;
         self.result.complete &= start.was_complete;
         let elements = body.and_then(|body| self.content_elements(body))?;
         let (names, evaluated) = names?;
-        let is_kept = |read: &Read| matches!(read, Read::Package(..) | Read::Env(..) | Read::Arg(..));
+        let is_kept =
+            |read: &Read| matches!(read, Read::Package(..) | Read::Env(..) | Read::Arg(..));
         let result = &self.result;
-        let quiet = (result.messages.len(), result.includes.len()) == (start.messages, start.includes)
+        let quiet = (result.messages.len(), result.includes.len())
+            == (start.messages, start.includes)
             && (self.losses, self.compared, self.problems.touched())
                 == (start.losses, start.compared, start.problems)
             && !(recorder.unclear || lazy_left || self.stopped || self.unwinding);
-        let values = result.bindings.get(start.bindings..)?.iter().filter_map(|info| info.value.as_ref());
+        let values = result
+            .bindings
+            .get(start.bindings..)?
+            .iter()
+            .filter_map(|info| info.value.as_ref());
         let evaluations = start.evaluations..result.evaluations.len();
-        let is_plain_data = values.chain(result.evaluations.values(evaluations.clone())).all(is_plain)
+        let is_plain_data = values
+            .chain(result.evaluations.values(evaluations.clone()))
+            .all(is_plain)
             && recorder.forced.iter().all(|forced| is_plain(&forced.value));
         if !(is_clear && quiet && is_plain_data && record.iter().all(is_kept)) {
             return None;
@@ -222,7 +249,11 @@ impl Expander<'_> {
         let moves_marker = result.tree.parent(self.marker) != start.marker;
         Some(StepMemo {
             call,
-            reads: StepReads { names, macros: macros?, ..recorder.reads },
+            reads: StepReads {
+                names,
+                macros: macros?,
+                ..recorder.reads
+            },
             frames: start.frames..result.frames.len(),
             bindings: start.bindings..result.bindings.len(),
             read_list: start.read_list..result.reads.len(),
@@ -235,7 +266,10 @@ impl Expander<'_> {
             tables: self.macros.len() - start.tables,
             nodes: self.nodes_made() - start.nodes,
             elements,
-            spent: (start.budget.0 - self.budget.steps, start.budget.1 - self.budget.bytes),
+            spent: (
+                start.budget.0 - self.budget.steps,
+                start.budget.1 - self.budget.bytes,
+            ),
             moves_marker,
         })
     }
@@ -253,7 +287,11 @@ impl Expander<'_> {
                 _ => return None,
             }
         }
-        let lifts = tree.get(body).attrs.iter().any(|attr| attr.name.starts_with("xmlns"));
+        let lifts = tree
+            .get(body)
+            .attrs
+            .iter()
+            .any(|attr| attr.name.starts_with("xmlns"));
         (elements > 0 && !lifts).then_some(elements)
     }
 
@@ -271,7 +309,10 @@ impl Expander<'_> {
         if let Some(recorder) = &mut self.recorder
             && !recorder.reads.args.iter().any(|(known, _)| known == name)
         {
-            recorder.reads.args.push((name.clone(), self.args.get(name).cloned()));
+            recorder
+                .reads
+                .args
+                .push((name.clone(), self.args.get(name).cloned()));
         }
     }
 
@@ -283,9 +324,16 @@ impl Expander<'_> {
         folder: &std::path::Path,
     ) {
         if let Some(recorder) = &mut self.recorder
-            && !recorder.reads.packages.iter().any(|(known, asks, _)| known == name && asks == from)
+            && !recorder
+                .reads
+                .packages
+                .iter()
+                .any(|(known, asks, _)| known == name && asks == from)
         {
-            recorder.reads.packages.push((name.clone(), from.to_owned(), folder.to_owned()));
+            recorder
+                .reads
+                .packages
+                .push((name.clone(), from.to_owned(), folder.to_owned()));
         }
     }
 
@@ -307,16 +355,33 @@ impl Expander<'_> {
     /// them.
     pub(super) fn placed_steps(&mut self, ordinals: &[usize]) -> Memo {
         let tree = &self.result.tree;
-        let elements: Vec<XId> = tree.root().into_iter().flat_map(|root| tree.elements(root)).collect();
+        let elements: Vec<XId> = tree
+            .root()
+            .into_iter()
+            .flat_map(|root| tree.elements(root))
+            .collect();
         let place = |kept: Kept, &ordinal: &usize| {
             let first = *elements.get(ordinal)?;
             let last = *elements.get(ordinal + kept.step.elements - 1)?;
-            Some(Kept { content: (first, tree.behind(last)), ..kept })
+            Some(Kept {
+                content: (first, tree.behind(last)),
+                ..kept
+            })
         };
         let steps = std::mem::take(&mut self.steps);
-        let steps = steps.into_iter().zip(ordinals).filter_map(|(kept, ordinal)| place(kept, ordinal));
-        let request = Request { cancel: CancelFlag::default(), ..self.request.clone() };
-        Memo { request, steps: steps.collect(), taken_over: self.taken_over }
+        let steps = steps
+            .into_iter()
+            .zip(ordinals)
+            .filter_map(|(kept, ordinal)| place(kept, ordinal));
+        let request = Request {
+            cancel: CancelFlag::default(),
+            ..self.request.clone()
+        };
+        Memo {
+            request,
+            steps: steps.collect(),
+            taken_over: self.taken_over,
+        }
     }
 
     /// For each step, which element of the root its first one is.
@@ -324,7 +389,12 @@ impl Expander<'_> {
         let tree = &self.result.tree;
         let mut wanted = self.steps.iter().map(|kept| kept.content.0).peekable();
         let mut found = Vec::with_capacity(self.steps.len());
-        for (ordinal, element) in tree.root().into_iter().flat_map(|root| tree.elements(root)).enumerate() {
+        for (ordinal, element) in tree
+            .root()
+            .into_iter()
+            .flat_map(|root| tree.elements(root))
+            .enumerate()
+        {
             if wanted.next_if_eq(&element).is_some() {
                 found.push(ordinal);
             }

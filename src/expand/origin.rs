@@ -40,8 +40,11 @@ pub struct Origin {
 
 impl Origin {
     /// Of things that have no text: the document node.
-    pub const NOWHERE: Origin =
-        Origin { src: SrcId(u32::MAX), range: TextRange { start: 0, end: 0 }, frame: FrameId::ROOT };
+    pub const NOWHERE: Origin = Origin {
+        src: SrcId(u32::MAX),
+        range: TextRange { start: 0, end: 0 },
+        frame: FrameId::ROOT,
+    };
 }
 
 /// An item that was read.

@@ -83,7 +83,13 @@ fn with_default(text: &str, at: usize, closings: &mut Closings) -> Option<(Param
     }
 }
 
-fn param(text: &str, start: usize, end: usize, forward: bool, default: Option<(usize, usize)>) -> Param {
+fn param(
+    text: &str,
+    start: usize,
+    end: usize,
+    forward: bool,
+    default: Option<(usize, usize)>,
+) -> Param {
     let range = |start: usize, end: usize| TextRange::new(start as u32, end as u32);
     let slice = |start: usize, end: usize| EcoString::from(text.get(start..end).unwrap_or(""));
     Param {
@@ -99,14 +105,20 @@ fn param(text: &str, start: usize, end: usize, forward: bool, default: Option<(u
 /// Lengths of the forward mark to try at `at`: `^|`, `^`, nothing.
 fn forward_marks(text: &str, at: usize) -> impl Iterator<Item = usize> {
     let rest = text.get(at..).unwrap_or("");
-    let longest = if rest.starts_with("^|") { 2 } else { usize::from(rest.starts_with('^')) };
+    let longest = if rest.starts_with("^|") {
+        2
+    } else {
+        usize::from(rest.starts_with('^'))
+    };
     (0..=longest).rev()
 }
 
 /// The end of the default at `at`, and where the next parameter begins.
 fn default_value(text: &str, at: usize, closings: &mut Closings) -> Option<(usize, usize)> {
-    let bracketed =
-        closings.curly.after(text, at, "${", '}').or_else(|| closings.round.after(text, at, "$(", ')'));
+    let bracketed = closings
+        .curly
+        .after(text, at, "${", '}')
+        .or_else(|| closings.round.after(text, at, "$(", ')'));
     let end = bracketed.or_else(|| quoted_run(text, at)).unwrap_or(at);
     tail(text, end).map(|next| (end, next))
 }
@@ -136,7 +148,11 @@ impl Closing {
             let line = rest.split('\n').next().unwrap_or("");
             let ends = line.match_indices(close).map(|(i, _)| from + i + 1);
             let end = ends.into_iter().find(|&end| tail(text, end).is_some());
-            *self = Self { from, to: end.unwrap_or(from + line.len()), end };
+            *self = Self {
+                from,
+                to: end.unwrap_or(from + line.len()),
+                end,
+            };
         }
         self.end
     }
@@ -200,7 +216,9 @@ fn char_at(text: &str, at: usize) -> Option<char> {
 }
 
 fn prev_boundary(text: &str, at: usize) -> usize {
-    text.get(..at).and_then(|head| head.char_indices().next_back()).map_or(0, |(i, _)| i)
+    text.get(..at)
+        .and_then(|head| head.char_indices().next_back())
+        .map_or(0, |(i, _)| i)
 }
 
 #[cfg(test)]
@@ -208,9 +226,14 @@ mod tests {
     use super::parse;
 
     fn show(text: &str) -> String {
-        let Some(params) = parse(text) else { return "error".into() };
+        let Some(params) = parse(text) else {
+            return "error".into();
+        };
         let one = |p: &super::Param| {
-            let default = p.default.as_ref().map_or(String::new(), |(d, _)| format!("={d}"));
+            let default = p
+                .default
+                .as_ref()
+                .map_or(String::new(), |(d, _)| format!("={d}"));
             format!("{}{}{default}", p.name, if p.forward { "^" } else { "" })
         };
         params.iter().map(one).collect::<Vec<_>>().join(" | ")
@@ -247,7 +270,10 @@ mod tests {
             ("a:='b'x'c d' e", "a='b'x'c d' | e"),
             ("a:='b\"c'd\"e' f\" g", "a='b\"c'd\"e' f\" | g"),
             ("a:='b\"c'\"d\"'e'\" f", "a='b\"c'\"d\"'e'\" | f"),
-            ("a:=${x}y b:=${x}y c:=${x} d", "a=${x}y b:=${x}y c:=${x} | d"),
+            (
+                "a:=${x}y b:=${x}y c:=${x} d",
+                "a=${x}y b:=${x}y c:=${x} | d",
+            ),
             ("a:=${x}y\nb:=${x} c", "a=${x}y | b=${x} | c"),
         ];
         for (text, expected) in cases {

@@ -26,7 +26,11 @@ impl Expander<'_> {
         if !self.request.probe || self.stopped {
             return;
         }
-        let before = (self.result.complete, self.content_lost, self.problems.list.len());
+        let before = (
+            self.result.complete,
+            self.content_lost,
+            self.problems.list.len(),
+        );
         // a macro that is called by a later one need not be looked into by itself
         for (def, cx) in std::mem::take(&mut self.idle_macros).into_iter().rev() {
             let is_call = |used: &Use| used.kind == UseKind::Call;
@@ -46,7 +50,12 @@ impl Expander<'_> {
         if !self.request.probe || self.stopped {
             return;
         }
-        let before = (self.result.complete, self.content_lost, self.include_missing, self.budget.clone());
+        let before = (
+            self.result.complete,
+            self.content_lost,
+            self.include_missing,
+            self.budget.clone(),
+        );
         let (known, messages) = (self.problems.list.len(), self.result.messages.len());
         let includes = self.result.includes.len();
         self.idle = true;
@@ -55,7 +64,12 @@ impl Expander<'_> {
             self.reads.clear();
         }
         self.idle = false;
-        (self.result.complete, self.content_lost, self.include_missing, self.budget) = before;
+        (
+            self.result.complete,
+            self.content_lost,
+            self.include_missing,
+            self.budget,
+        ) = before;
         (self.stopped, self.unwinding) = (false, false);
         self.problems.list.truncate(known);
         self.result.messages.truncate(messages);
@@ -63,16 +77,30 @@ impl Expander<'_> {
     }
 
     fn probe_macro(&mut self, def: &Arc<MacroDef>, cx: Cx) {
-        let at = Origin { frame: cx.frame, ..def.origin };
-        let (scope, macros) = (self.scopes.push(cx.scope, false), self.macros.push(Some(cx.macros)));
-        let body_cx = Cx { scope, macros, frame: cx.frame };
+        let at = Origin {
+            frame: cx.frame,
+            ..def.origin
+        };
+        let (scope, macros) = (
+            self.scopes.push(cx.scope, false),
+            self.macros.push(Some(cx.macros)),
+        );
+        let body_cx = Cx {
+            scope,
+            macros,
+            frame: cx.frame,
+        };
         for param in def.params.iter() {
             self.bind_unknown(param, at, body_cx);
         }
         let content = self.container(at);
-        self.calls.push((Arc::as_ptr(def) as usize, self.conditions));
+        self.calls
+            .push((Arc::as_ptr(def) as usize, self.conditions));
         self.eval_body(def, content, body_cx);
         self.calls.pop();
-        self.result.probes.push(Probe { definition: def.definition, content });
+        self.result.probes.push(Probe {
+            definition: def.definition,
+            content,
+        });
     }
 }

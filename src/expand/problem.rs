@@ -198,7 +198,9 @@ impl Problems {
 
     /// Whether further calls that lead to a problem are of interest.
     pub fn wants_calls(&self, known: usize) -> bool {
-        self.list.get(known).is_some_and(|old| old.more_calls.len() < Self::MOST_CALLS)
+        self.list
+            .get(known)
+            .is_some_and(|old| old.more_calls.len() < Self::MOST_CALLS)
     }
 
     /// Note a further call that leads to a problem.
@@ -219,7 +221,10 @@ impl Problems {
         if let Some(known) = self.find(problem.kind, problem.place, &problem.message) {
             return self.add_call(known, problem.trace.into_iter().next());
         }
-        let here = self.seen.entry((problem.kind, problem.place.file, problem.place.range)).or_default();
+        let here = self
+            .seen
+            .entry((problem.kind, problem.place.file, problem.place.range))
+            .or_default();
         here.push(self.list.len());
         self.list.push(problem);
     }
@@ -229,14 +234,19 @@ impl Expansion {
     /// The absolute place of an origin.
     pub fn place(&self, origin: Origin) -> Option<Place> {
         let source = self.sources.get(origin.src.0 as usize)?;
-        Some(Place { file: source.file, range: origin.range.shift(source.base) })
+        Some(Place {
+            file: source.file,
+            range: origin.range.shift(source.base),
+        })
     }
 
     /// The frame of an origin and all frames around it, innermost first, without the root.
     pub fn frames_of(&self, origin: Origin) -> impl Iterator<Item = &Frame> {
         let frame = |origin: Origin| self.frames.get(origin.frame.0 as usize);
         let not_root = |frame: &&Frame| frame.kind != FrameKind::Root;
-        std::iter::successors(frame(origin).filter(not_root), move |f| frame(f.call).filter(not_root))
+        std::iter::successors(frame(origin).filter(not_root), move |f| {
+            frame(f.call).filter(not_root)
+        })
     }
 
     /// Whether the reference would have refused the file.

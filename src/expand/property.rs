@@ -33,10 +33,14 @@ impl Expander<'_> {
         };
         self.check_attrs(tag, &PROPERTY_ATTRS, cx);
         let name = self.eval_text(&name_text, name_place, cx.scope);
-        let Some(name) = self.property_name(&name, name_place, cx) else { return };
+        let Some(name) = self.property_name(&name, name_place, cx) else {
+            return;
+        };
         let mut value = self.attr(tag, "value", cx);
         let default = self.attr(tag, "default", cx);
-        let Some(remove) = self.flag(tag, "remove", false, cx) else { return };
+        let Some(remove) = self.flag(tag, "remove", false, cx) else {
+            return;
+        };
         if usize::from(value.is_some()) + usize::from(default.is_some()) + usize::from(remove) > 1 {
             return self.conflicting(tag, &name, cx);
         }
@@ -47,8 +51,10 @@ impl Expander<'_> {
         let scope = self.attr(tag, "scope", cx);
         if let Some((_, place)) = &default {
             if scope.is_some() {
-                let message = format!("`scope` of property `{name}` is ignored because it has a `default`");
-                let reference = format!("{name}: default property value can only be defined on local scope");
+                let message =
+                    format!("`scope` of property `{name}` is ignored because it has a `default`");
+                let reference =
+                    format!("{name}: default property value can only be defined on local scope");
                 let at = scope.as_ref().map_or(place.origin, |(_, p)| p.origin);
                 self.warn(ProblemKind::DefaultWithScope, at, message, reference);
             }
@@ -60,7 +66,9 @@ impl Expander<'_> {
         if value.is_none() && self.has_misspelled_value(tag) {
             return self.bind_lost(name, name_place.origin, cx);
         }
-        let Some(lazy) = self.flag(tag, "lazy_eval", true, cx) else { return };
+        let Some(lazy) = self.flag(tag, "lazy_eval", true, cx) else {
+            return;
+        };
         self.store(tag, &name, name_place, value, scope, lazy, cx);
     }
 
@@ -82,13 +90,24 @@ impl Expander<'_> {
             Some("parent") => (target, at_once) = (self.parent_scope(cx.scope), true),
             _ => {}
         }
-        let kind = if value.is_some() { SymbolKind::Property } else { SymbolKind::BlockProperty };
+        let kind = if value.is_some() {
+            SymbolKind::Property
+        } else {
+            SymbolKind::BlockProperty
+        };
         let definition = self.define(kind, name, name_place.origin);
         let (key, state, origin) = match value {
             None => {
                 let at = self.tag_origin(tag, cx);
-                let block = Block::Source(SrcRef { src: tag.src, node: tag.node.id() });
-                (EcoString::from(format!("**{name}")), State::Block(block), at)
+                let block = Block::Source(SrcRef {
+                    src: tag.src,
+                    node: tag.node.id(),
+                });
+                (
+                    EcoString::from(format!("**{name}")),
+                    State::Block(block),
+                    at,
+                )
             }
             Some((text, place)) if at_once => {
                 let mark = self.reads.len();
@@ -96,9 +115,17 @@ impl Expander<'_> {
                 let reads = self.take_reads(mark);
                 let info = BindingInfo {
                     reads,
-                    ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin).of(definition)
+                    ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin)
+                        .of(definition)
                 };
-                return self.put(target, name.clone(), State::Ready(value), info, name_place.origin, scope);
+                return self.put(
+                    target,
+                    name.clone(),
+                    State::Ready(value),
+                    info,
+                    name_place.origin,
+                    scope,
+                );
             }
             Some((text, place)) => (name.clone(), lazy_state(&text, place), place.origin),
         };
@@ -117,7 +144,10 @@ impl Expander<'_> {
     ) {
         let Some(target) = target else {
             let at = scope.map_or(at, |(_, place)| place.origin);
-            let message = format!("property `{}` has scope=\"parent\" outside a macro", info.name);
+            let message = format!(
+                "property `{}` has scope=\"parent\" outside a macro",
+                info.name
+            );
             let problem = self
                 .problem(ProblemKind::ParentScopeAtTop, at, message)
                 .says("'dict' object has no attribute '_setitem'")
@@ -125,20 +155,34 @@ impl Expander<'_> {
             return self.push(problem);
         };
         let is_value = !matches!(state, State::Block(_));
-        let state =
-            match is_value && self.unknown_conditions > 0 && self.scopes.holder(target, &key).is_some() {
-                // the branch may not be taken: then the value before holds
-                true => State::Ready(Value::Unknown),
-                false => state,
-            };
+        let state = match is_value
+            && self.unknown_conditions > 0
+            && self.scopes.holder(target, &key).is_some()
+        {
+            // the branch may not be taken: then the value before holds
+            true => State::Ready(Value::Unknown),
+            false => state,
+        };
         self.bind(target, key, state, info, at);
     }
 
     /// Put a binding into a scope.
-    pub fn bind(&mut self, scope: ScopeId, key: EcoString, state: State, mut info: BindingInfo, at: Origin) {
+    pub fn bind(
+        &mut self,
+        scope: ScopeId,
+        key: EcoString,
+        state: State,
+        mut info: BindingInfo,
+        at: Origin,
+    ) {
         if is_global_symbol(&key) {
             let message = format!("property `{key}` shadows the built-in symbol `{key}`");
-            self.warn(ProblemKind::ShadowedBuiltin, at, message, format!("redefining global symbol: {key}"));
+            self.warn(
+                ProblemKind::ShadowedBuiltin,
+                at,
+                message,
+                format!("redefining global symbol: {key}"),
+            );
         }
         self.defined(super::late::NameKind::Property, &key, scope, at);
         if let State::Ready(value) = &state {
@@ -146,7 +190,10 @@ impl Expander<'_> {
         }
         let info = self.add_binding(info);
         self.scopes.note_change(scope);
-        self.scopes.get_mut(scope).vars.insert(key, Binding { state, info });
+        self.scopes
+            .get_mut(scope)
+            .vars
+            .insert(key, Binding { state, info });
     }
 
     /// The scope `scope="parent"` means; none at the top.
@@ -167,7 +214,12 @@ impl Expander<'_> {
             if let Some(shown) = display::to_str(name) {
                 let message = format!("invalid property name `{shown}`");
                 let reference = format!("Property names must be valid python identifiers: {shown}");
-                self.error(ProblemKind::InvalidPropertyName, place.origin, message, reference);
+                self.error(
+                    ProblemKind::InvalidPropertyName,
+                    place.origin,
+                    message,
+                    reference,
+                );
             }
             return None;
         };
@@ -180,23 +232,38 @@ impl Expander<'_> {
         };
         let lookup = normalized(name);
         let (message, help) = if name.starts_with("__") {
-            (format!("property name `{name}` starts with two underscores"), None)
+            (
+                format!("property name `{name}` starts with two underscores"),
+                None,
+            )
         } else if is_identifier(&lookup) {
-            let message = format!("property `{name}` is never found: expressions look for `{lookup}`");
-            (message, Some(format!("write `{lookup}`, the NFKC form of the same name")))
+            let message =
+                format!("property `{name}` is never found: expressions look for `{lookup}`");
+            (
+                message,
+                Some(format!("write `{lookup}`, the NFKC form of the same name")),
+            )
         } else {
             (format!("invalid property name `{name}`"), None)
         };
-        let general = "use letters, digits and `_`; do not start with a digit or use a Python keyword";
+        let general =
+            "use letters, digits and `_`; do not start with a digit or use a Python keyword";
         let help = help.unwrap_or_else(|| general.to_owned());
-        let problem =
-            self.problem(ProblemKind::InvalidPropertyName, place.origin, message).says(reference).help(help);
+        let problem = self
+            .problem(ProblemKind::InvalidPropertyName, place.origin, message)
+            .says(reference)
+            .help(help);
         self.push(problem);
         // what reads the name that was meant is a consequence
-        let words = name.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| is_identifier(word));
+        let words = name
+            .split(|c: char| !c.is_alphanumeric() && c != '_')
+            .filter(|word| is_identifier(word));
         let words: Vec<EcoString> = words.take(MOST_WORDS).map(EcoString::from).collect();
         let joined = EcoString::from(words.join("_"));
-        for meant in words.into_iter().chain(Some(joined).filter(|joined| is_identifier(joined))) {
+        for meant in words
+            .into_iter()
+            .chain(Some(joined).filter(|joined| is_identifier(joined)))
+        {
             if self.scopes.holder(cx.scope, &meant).is_none() && !is_global_symbol(&meant) {
                 self.bind_lost(meant, place.origin, cx);
             }
@@ -207,17 +274,26 @@ impl Expander<'_> {
     /// A property without a name: `<xacro:property width="0.1"/>` was meant to define `width`.
     fn nameless_property(&mut self, tag: Tag<'_>, cx: Cx) {
         let is_name = |name: &str| is_identifier(name) && !PROPERTY_ATTRS.contains(&name);
-        let names: Vec<_> = tag.attrs().filter(|attr| is_name(attr.name())).take(MOST_WORDS).collect();
+        let names: Vec<_> = tag
+            .attrs()
+            .filter(|attr| is_name(attr.name()))
+            .take(MOST_WORDS)
+            .collect();
         for attr in names {
-            let at = Origin { src: tag.src, range: attr.name_range(), frame: cx.frame };
+            let at = Origin {
+                src: tag.src,
+                range: attr.name_range(),
+                frame: cx.frame,
+            };
             self.bind_lost(attr.name().into(), at, cx);
         }
     }
 
     /// Whether an attribute that was reported was meant to be `value`, and nothing else gives one.
     fn has_misspelled_value(&self, tag: Tag<'_>) -> bool {
-        let is_value =
-            |name: &str| !PROPERTY_ATTRS.contains(&name) && meant::by_attribute(name, &["value"]).is_some();
+        let is_value = |name: &str| {
+            !PROPERTY_ATTRS.contains(&name) && meant::by_attribute(name, &["value"]).is_some()
+        };
         tag.node.child_elements().next().is_none() && tag.attrs().any(|attr| is_value(attr.name()))
     }
 
@@ -241,18 +317,29 @@ impl Expander<'_> {
     }
 
     fn conflicting(&mut self, tag: Tag<'_>, name: &EcoString, cx: Cx) {
-        let given: Vec<_> =
-            tag.attrs().filter(|a| matches!(a.name(), "value" | "default" | "remove")).collect();
+        let given: Vec<_> = tag
+            .attrs()
+            .filter(|a| matches!(a.name(), "value" | "default" | "remove"))
+            .collect();
         let names: Vec<String> = given.iter().map(|a| format!("`{}`", a.name())).collect();
         let range = given.last().map_or(tag.node.name_range(), |a| a.range());
-        let at = Origin { src: tag.src, range, frame: cx.frame };
+        let at = Origin {
+            src: tag.src,
+            range,
+            frame: cx.frame,
+        };
         let problem = self
             .problem(
                 ProblemKind::ConflictingPropertyAttributes,
                 at,
-                format!("property `{name}` has more than one of {}", names.join(" and ")),
+                format!(
+                    "property `{name}` has more than one of {}",
+                    names.join(" and ")
+                ),
             )
-            .says(format!("Property attributes default, value, and remove are mutually exclusive: {name}"));
+            .says(format!(
+                "Property attributes default, value, and remove are mutually exclusive: {name}"
+            ));
         self.push(problem);
         self.bind_lost(name.clone(), at, cx);
     }

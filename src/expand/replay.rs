@@ -27,13 +27,24 @@ impl<'w> Before<'w> {
     /// An earlier expansion, when it was asked for in the same way.
     pub fn of(expansion: Option<&'w Expansion>, request: &Request) -> Option<Self> {
         let expansion = expansion?;
-        let memo = expansion.memo.as_deref().filter(|memo| memo.request.is_same(request))?;
-        Some(Self { expansion, memo, same_frames: 0 })
+        let memo = expansion
+            .memo
+            .as_deref()
+            .filter(|memo| memo.request.is_same(request))?;
+        Some(Self {
+            expansion,
+            memo,
+            same_frames: 0,
+        })
     }
 
     fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w Kept> {
         let steps = &self.memo.steps;
-        steps.get(steps.binary_search_by_key(&call, |kept| kept.step.call).ok()?)
+        steps.get(
+            steps
+                .binary_search_by_key(&call, |kept| kept.step.call)
+                .ok()?,
+        )
     }
 }
 
@@ -42,8 +53,12 @@ impl Expander<'_> {
     // not in the frame of a call, of which there are many in a deep document
     #[inline(never)]
     pub(super) fn replay(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) -> bool {
-        let Some(mut before) = self.before else { return false };
-        let Some(kept) = before.step((tag.src, tag.node.id())) else { return false };
+        let Some(mut before) = self.before else {
+            return false;
+        };
+        let Some(kept) = before.step((tag.src, tag.node.id())) else {
+            return false;
+        };
         let holds = self.has_room(&kept.step)
             && self.stands_alike(&mut before, &kept.step)
             && self.reads_alike(before.expansion, &kept.step.reads)
@@ -58,7 +73,9 @@ impl Expander<'_> {
             let at = self.tag_origin(tag, cx);
             let body = self.container(at);
             let made = self.result.tree.len();
-            self.result.tree.graft(&before.expansion.tree, kept.content, body);
+            self.result
+                .tree
+                .graft(&before.expansion.tree, kept.content, body);
             let first = self.result.tree.first_child(body);
             // the container is one of the nodes that the step made
             self.nodes_left_out += kept.step.nodes - 1 - (self.result.tree.len() - made);
@@ -67,7 +84,11 @@ impl Expander<'_> {
             }
             self.place_body(body, has_next, out, cx);
             if let Some(first) = first {
-                self.steps.push(Kept { step: Arc::clone(&kept.step), content: (first, first), evaluations });
+                self.steps.push(Kept {
+                    step: Arc::clone(&kept.step),
+                    content: (first, first),
+                    evaluations,
+                });
             }
         }
         holds
@@ -85,24 +106,42 @@ impl Expander<'_> {
     /// Whether what the step adds gets the same numbers as before, and the ways that led there are the same.
     fn stands_alike(&self, before: &mut Before<'_>, step: &StepMemo) -> bool {
         let result = &self.result;
-        let (frames, bindings, reads) = (result.frames.len(), result.bindings.len(), result.reads.len());
-        if (frames, bindings, reads) != (step.frames.start, step.bindings.start, step.read_list.start) {
+        let (frames, bindings, reads) = (
+            result.frames.len(),
+            result.bindings.len(),
+            result.reads.len(),
+        );
+        if (frames, bindings, reads)
+            != (step.frames.start, step.bindings.start, step.read_list.start)
+        {
             return false;
         }
         let unknown = before.same_frames..frames;
         let known = part(&before.expansion.frames, &unknown);
-        let same = known.iter().zip(part(&result.frames, &unknown)).take_while(|(a, b)| is_same_frame(a, b));
+        let same = known
+            .iter()
+            .zip(part(&result.frames, &unknown))
+            .take_while(|(a, b)| is_same_frame(a, b));
         before.same_frames += same.count();
         before.same_frames == frames
     }
 
     /// Whether what the step reads says the same as before.
     fn reads_alike(&self, before: &Expansion, reads: &StepReads) -> bool {
-        let StepReads { names, macros, args, packages, sources } = reads;
+        let StepReads {
+            names,
+            macros,
+            args,
+            packages,
+            sources,
+        } = reads;
         let same_source = |src: &SrcId| self.is_same_source(before, *src);
         sources.iter().all(same_source)
             && names.iter().all(|(name, then)| {
-                let now = self.scopes.find(Scopes::TOP, name).map(|(_, binding)| binding);
+                let now = self
+                    .scopes
+                    .find(Scopes::TOP, name)
+                    .map(|(_, binding)| binding);
                 match (then, now) {
                     (None, None) => true,
                     (Some(then), Some(now)) => self.is_same_binding(before, then, now),
@@ -110,12 +149,20 @@ impl Expander<'_> {
                 }
             })
             && macros.iter().all(|(name, then)| {
-                let now = self.macros.find(super::scope::Macros::TOP, name).map(|def| def.body);
+                let now = self
+                    .macros
+                    .find(super::scope::Macros::TOP, name)
+                    .map(|def| def.body);
                 now == *then && then.is_none_or(|body| same_source(&body.src))
             })
-            && args.iter().all(|(name, then)| self.args.get(name) == then.as_ref())
+            && args
+                .iter()
+                .all(|(name, then)| self.args.get(name) == then.as_ref())
             && packages.iter().all(|(name, from, folder)| {
-                self.world.packages.find(name, from).is_ok_and(|now| now.path == *folder)
+                self.world
+                    .packages
+                    .find(name, from)
+                    .is_ok_and(|now| now.path == *folder)
             })
     }
 
@@ -123,16 +170,18 @@ impl Expander<'_> {
     fn refers_alike(&self, before: &Expansion, step: &StepMemo) -> bool {
         let (now, then) = (&self.result.symbols, &before.symbols);
         let is_same = |id: DefinitionId| {
-            now.get(id).zip(then.get(id)).is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
+            now.get(id)
+                .zip(then.get(id))
+                .is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
         };
         let given = &step.symbols.definitions;
         let mut next = now.definitions.len() as u32;
         let mut is_given_alike =
             |(definition, id): &(Definition, DefinitionId)| match now.number_of(definition) {
                 Some(known) => known == *id,
-                None if id.0 < next => {
-                    given.iter().any(|(other, same)| same == id && other.place == definition.place)
-                }
+                None if id.0 < next => given
+                    .iter()
+                    .any(|(other, same)| same == id && other.place == definition.place),
                 None => {
                     next += 1;
                     id.0 + 1 == next
@@ -141,8 +190,15 @@ impl Expander<'_> {
         let is_named_alike = |id| is_same(id) || given.iter().any(|(_, given)| *given == id);
         let bindings = part(&before.bindings, &step.bindings);
         given.iter().all(&mut is_given_alike)
-            && step.symbols.uses.iter().all(|(used, _)| is_named_alike(used.definition))
-            && bindings.iter().filter_map(|info| info.definition).all(is_named_alike)
+            && step
+                .symbols
+                .uses
+                .iter()
+                .all(|(used, _)| is_named_alike(used.definition))
+            && bindings
+                .iter()
+                .filter_map(|info| info.definition)
+                .all(is_named_alike)
     }
 
     /// Whether the marker comes to stand behind the content of a call.
@@ -157,7 +213,11 @@ impl Expander<'_> {
             let source = expansion.sources.get(src.0 as usize)?;
             let file = expansion.files.get(source.file.0 as usize)?;
             let header = expansion.sources.get(file.first_source.0 as usize)?;
-            Some((Arc::as_ptr(&source.item), Arc::as_ptr(&header.item), file.source.path.clone()))
+            Some((
+                Arc::as_ptr(&source.item),
+                Arc::as_ptr(&header.item),
+                file.source.path.clone(),
+            ))
         };
         seen(&self.result).is_some_and(|now| seen(before) == Some(now))
     }
@@ -181,12 +241,19 @@ impl Expander<'_> {
     fn add_lists(&mut self, before: &Expansion, kept: &Kept) {
         let step = &kept.step;
         let result = &mut self.result;
-        result.frames.extend_from_slice(part(&before.frames, &step.frames));
-        result.bindings.extend_from_slice(part(&before.bindings, &step.bindings));
-        result.reads.extend_from_slice(part(&before.reads, &step.read_list));
         result
-            .evaluations
-            .extend_from(&before.evaluations, kept.evaluations..kept.evaluations + step.evaluations);
+            .frames
+            .extend_from_slice(part(&before.frames, &step.frames));
+        result
+            .bindings
+            .extend_from_slice(part(&before.bindings, &step.bindings));
+        result
+            .reads
+            .extend_from_slice(part(&before.reads, &step.read_list));
+        result.evaluations.extend_from(
+            &before.evaluations,
+            kept.evaluations..kept.evaluations + step.evaluations,
+        );
         for (definition, _) in &step.symbols.definitions {
             result.symbols.add(definition.clone());
         }
@@ -222,5 +289,6 @@ fn part<'l, T>(list: &'l [T], range: &Range<usize>) -> &'l [T] {
 }
 
 fn is_same_frame(a: &Frame, b: &Frame) -> bool {
-    (a.kind, a.call, a.definition, a.depth) == (b.kind, b.call, b.definition, b.depth) && a.name == b.name
+    (a.kind, a.call, a.definition, a.depth) == (b.kind, b.call, b.definition, b.depth)
+        && a.name == b.name
 }

@@ -1,5 +1,10 @@
 //! Expansions after edits, against expansions from scratch: `expand_again` compares the two itself in builds for tests.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::disallowed_methods, clippy::print_stdout)] // a test may fail loudly
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods,
+    clippy::print_stdout
+)] // a test may fail loudly
 
 use super::{Expansion, Request, World, expand_again};
 use base::TextRange;
@@ -64,7 +69,11 @@ const PART: &str = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
 
 const VALUES: &str = "width: 0.25\nnames: [a, b]\n";
 
-const FILES: [(&str, &str); 3] = [("robot.xacro", ROBOT), ("part.xacro", PART), ("values.yaml", VALUES)];
+const FILES: [(&str, &str); 3] = [
+    ("robot.xacro", ROBOT),
+    ("part.xacro", PART),
+    ("values.yaml", VALUES),
+];
 
 /// Items and texts that are put in between lines.
 const LINES: [&str; 14] = [
@@ -84,14 +93,30 @@ const LINES: [&str; 14] = [
     "  text <![CDATA[x]]>\n",
 ];
 
-const LETTERS: [&str; 12] = ["", "x", "0", " ", "${", "}", "<", "\"", "-->", "$(arg side)", "1", "\n"];
+const LETTERS: [&str; 12] = [
+    "",
+    "x",
+    "0",
+    " ",
+    "${",
+    "}",
+    "<",
+    "\"",
+    "-->",
+    "$(arg side)",
+    "1",
+    "\n",
+];
 
 /// Numbers that look random and are the same in every run.
 struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, below: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         ((self.0 >> 33) % below.max(1) as u64) as usize
     }
 }
@@ -111,23 +136,36 @@ impl Session {
         let env = tree.environment(&[]);
         let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
         let texts = FILES.map(|(_, text)| text.to_owned());
-        let session = Self { tree, env, packages, texts, last: None };
+        let session = Self {
+            tree,
+            env,
+            packages,
+            texts,
+            last: None,
+        };
         for (name, text) in FILES {
             session.tree.write(name, text);
-            session.tree.vfs().set_buffer(&session.tree.path(name), Some(text.to_owned()));
+            session
+                .tree
+                .vfs()
+                .set_buffer(&session.tree.path(name), Some(text.to_owned()));
         }
         session
     }
 
     fn set(&mut self, file: usize, text: &str) {
         self.texts[file] = text.to_owned();
-        self.tree.vfs().set_buffer(&self.tree.path(FILES[file].0), Some(text.to_owned()));
+        self.tree
+            .vfs()
+            .set_buffer(&self.tree.path(FILES[file].0), Some(text.to_owned()));
     }
 
     fn replace(&mut self, file: usize, (start, end): (usize, usize), new: &str) {
         self.texts[file].replace_range(start..end, new);
         let range = TextRange::new(start as u32, end as u32);
-        self.tree.vfs().edit_buffer(&self.tree.path(FILES[file].0), range, new);
+        self.tree
+            .vfs()
+            .edit_buffer(&self.tree.path(FILES[file].0), range, new);
     }
 
     /// Replace the first occurrence of a text in the robot.
@@ -138,9 +176,19 @@ impl Session {
 
     /// Expand again; how many calls were taken over.
     fn expand(&mut self) -> usize {
-        let world = World { vfs: self.tree.vfs(), packages: &self.packages, env: &self.env };
+        let world = World {
+            vfs: self.tree.vfs(),
+            packages: &self.packages,
+            env: &self.env,
+        };
         let file = self.tree.path(FILES[0].0).display().to_string();
-        let request = Request { file, probe: true, keep: true, ros_shell: true, ..Request::default() };
+        let request = Request {
+            file,
+            probe: true,
+            keep: true,
+            ros_shell: true,
+            ..Request::default()
+        };
         let made = expand_again(world, &request, self.last.as_ref());
         let taken_over = made.taken_over();
         self.last = Some(made);
@@ -151,10 +199,14 @@ impl Session {
     fn random_edit(&mut self, dice: &mut Dice) {
         let file = [0, 0, 0, 0, 1, 1, 2][dice.roll(7)];
         let text = self.texts[file].clone();
-        let lines: Vec<usize> =
-            std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        let lines: Vec<usize> = std::iter::once(0)
+            .chain(text.match_indices('\n').map(|(at, _)| at + 1))
+            .collect();
         let line = dice.roll(lines.len());
-        let (start, end) = (lines[line], lines.get(line + 1).copied().unwrap_or(text.len()));
+        let (start, end) = (
+            lines[line],
+            lines.get(line + 1).copied().unwrap_or(text.len()),
+        );
         match dice.roll(8) {
             0 => self.replace(file, (start, start), LINES[dice.roll(LINES.len())]),
             1 => self.replace(file, (start, end), ""),
@@ -165,8 +217,10 @@ impl Session {
                 self.replace(file, (at, end), LETTERS[dice.roll(LETTERS.len())]);
             }
             _ => {
-                let digits: Vec<usize> =
-                    text.match_indices(|c: char| c.is_ascii_digit()).map(|(at, _)| at).collect();
+                let digits: Vec<usize> = text
+                    .match_indices(|c: char| c.is_ascii_digit())
+                    .map(|(at, _)| at)
+                    .collect();
                 if !digits.is_empty() {
                     let at = digits[dice.roll(digits.len())];
                     self.replace(file, (at, at + 1), &dice.roll(10).to_string());
@@ -187,19 +241,31 @@ fn calls_are_taken_over_that_an_edit_does_not_reach() {
     assert!(beside >= 6 && beside < all, "{beside} of {all}");
     session.change("name=\"mass\" value=\"2.5\"", "name=\"mass\" value=\"2.6\"");
     let left = session.expand();
-    assert!(left < all / 2, "{left} of {all}: what reads the mass is evaluated again");
+    assert!(
+        left < all / 2,
+        "{left} of {all}: what reads the mass is evaluated again"
+    );
     session.change("<!-- settings -->", "<!-- SETTINGS -->");
     assert_eq!(session.expand(), all);
 }
 
 #[test]
 fn an_expansion_after_random_edits_is_one_from_scratch() {
-    let edits = std::env::var("XACRO_EDITS").ok().and_then(|text| text.parse().ok()).unwrap_or(600);
-    let seed = std::env::var("XACRO_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(1);
+    let edits = std::env::var("XACRO_EDITS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(600);
+    let seed = std::env::var("XACRO_SEED")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(1);
     let (mut session, mut dice, mut taken_over) = (Session::new(), Dice(seed), 0);
     for number in 0..edits {
         if number % 12 == 0 {
-            FILES.iter().enumerate().for_each(|(file, (_, text))| session.set(file, text));
+            FILES
+                .iter()
+                .enumerate()
+                .for_each(|(file, (_, text))| session.set(file, text));
             session.expand();
         }
         session.random_edit(&mut dice);

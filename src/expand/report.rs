@@ -9,8 +9,10 @@ use base::{FastSet, TextRange};
 impl Expander<'_> {
     /// A problem at `at`, with the way that led there.
     pub fn problem(&self, kind: ProblemKind, at: Origin, message: impl Into<String>) -> Problem {
-        let place =
-            self.result.place(at).unwrap_or(ProblemPlace { file: FileIdx(0), range: TextRange::default() });
+        let place = self.result.place(at).unwrap_or(ProblemPlace {
+            file: FileIdx(0),
+            range: TextRange::default(),
+        });
         Problem::new(kind, place, message).via(self.trace(at, Self::TRACE_STEPS))
     }
 
@@ -47,15 +49,22 @@ impl Expander<'_> {
             if steps.len() >= most {
                 break;
             }
-            let outside: FastSet<*const Frame> =
-                self.result.frames_of(used.at).map(std::ptr::from_ref).collect();
+            let outside: FastSet<*const Frame> = self
+                .result
+                .frames_of(used.at)
+                .map(std::ptr::from_ref)
+                .collect();
             let own = self
                 .result
                 .frames_of(from)
                 .take_while(|&frame| !outside.contains(&std::ptr::from_ref(frame)));
             self.add_steps(own, most, &mut steps);
             let message = format!("property `{}` is evaluated here", used.name);
-            steps.extend(self.result.place(used.at).map(|place| Step { place, message }));
+            steps.extend(
+                self.result
+                    .place(used.at)
+                    .map(|place| Step { place, message }),
+            );
             from = used.at;
         }
         self.add_steps(self.result.frames_of(from), most, &mut steps);
@@ -63,9 +72,17 @@ impl Expander<'_> {
         steps
     }
 
-    fn add_steps<'f>(&self, frames: impl Iterator<Item = &'f Frame>, most: usize, steps: &mut Vec<Step>) {
+    fn add_steps<'f>(
+        &self,
+        frames: impl Iterator<Item = &'f Frame>,
+        most: usize,
+        steps: &mut Vec<Step>,
+    ) {
         let placed = frames.filter_map(|frame| {
-            Some(Step { place: self.result.place(frame.call)?, message: step_message(frame) })
+            Some(Step {
+                place: self.result.place(frame.call)?,
+                message: step_message(frame),
+            })
         });
         let left = most.saturating_sub(steps.len());
         steps.extend(placed.take(left));
@@ -75,7 +92,11 @@ impl Expander<'_> {
     pub fn location_lines(&self, at: Origin) -> Vec<String> {
         let mut lines = Vec::new();
         let mut lead = "when instantiating macro:";
-        for frame in self.result.frames_of(at).filter(|f| f.kind == FrameKind::Macro) {
+        for frame in self
+            .result
+            .frames_of(at)
+            .filter(|f| f.kind == FrameKind::Macro)
+        {
             let file = frame
                 .definition
                 .and_then(|origin| self.result.place(origin))
@@ -84,7 +105,11 @@ impl Expander<'_> {
             lines.push(format!("{lead} {} ({file})", frame.name));
             lead = "instantiated from:";
         }
-        let mut lead = if lines.is_empty() { "when processing file:" } else { "in file:" };
+        let mut lead = if lines.is_empty() {
+            "when processing file:"
+        } else {
+            "in file:"
+        };
         for file in self.open_files.iter().rev() {
             lines.push(format!("{lead} {}", file.name));
             lead = "included from:";

@@ -52,12 +52,26 @@ impl BindingInfo {
     pub fn given(name: &str, value: Value) -> Self {
         let (origin, definition, reads) = (None, None, TextRange::default());
         let value = Some(value);
-        Self { name: name.into(), kind: BindingKind::Argument, origin, definition, reads, value }
+        Self {
+            name: name.into(),
+            kind: BindingKind::Argument,
+            origin,
+            definition,
+            reads,
+            value,
+        }
     }
 
     /// Something given by source text.
     pub fn new(name: EcoString, kind: BindingKind, origin: Origin) -> Self {
-        Self { name, kind, origin: Some(origin), definition: None, reads: TextRange::default(), value: None }
+        Self {
+            name,
+            kind,
+            origin: Some(origin),
+            definition: None,
+            reads: TextRange::default(),
+            value: None,
+        }
     }
 
     /// As an instance of a definition.
@@ -104,8 +118,10 @@ impl Expander<'_> {
     /// Evaluate a lazy property for good.
     fn force(&mut self, holder: ScopeId, name: &str, at: Origin) -> Value {
         let scope = self.scopes.get_mut(holder);
-        let Some((name, State::Lazy(text, place), info)) =
-            scope.vars.get(name).map(|(n, b)| (n.clone(), b.state.clone(), b.info))
+        let Some((name, State::Lazy(text, place), info)) = scope
+            .vars
+            .get(name)
+            .map(|(n, b)| (n.clone(), b.state.clone(), b.info))
         else {
             return Value::Unknown;
         };
@@ -113,13 +129,22 @@ impl Expander<'_> {
             return self.circular(holder, &name, at);
         }
         if self.lazy_uses.len() >= LAZY_DEPTH {
-            let message = format!("properties depend on each other more than {LAZY_DEPTH} levels deep");
-            self.error(ProblemKind::ExpressionError, at, message, "maximum recursion depth exceeded");
+            let message =
+                format!("properties depend on each other more than {LAZY_DEPTH} levels deep");
+            self.error(
+                ProblemKind::ExpressionError,
+                at,
+                message,
+                "maximum recursion depth exceeded",
+            );
             return Value::Unknown;
         }
         scope.resolving.push(name.clone());
         self.note_source(place.origin.src);
-        self.lazy_uses.push(LazyUse { name: name.clone(), at });
+        self.lazy_uses.push(LazyUse {
+            name: name.clone(),
+            at,
+        });
         let mark = self.reads.len();
         let value = with_stack(|| self.eval_text(&text, place, holder));
         self.lazy_uses.pop();
@@ -129,7 +154,12 @@ impl Expander<'_> {
         };
         let reads = self.take_reads(mark);
         if holder == Scopes::TOP {
-            self.note_forced(|| Forced { name: name.clone(), info, value: value.clone(), reads });
+            self.note_forced(|| Forced {
+                name: name.clone(),
+                info,
+                value: value.clone(),
+                reads,
+            });
         }
         if let Some(info) = self.result.bindings.get_mut(info as usize) {
             info.reads = reads;
@@ -145,22 +175,39 @@ impl Expander<'_> {
 
     fn circular(&mut self, holder: ScopeId, name: &EcoString, at: Origin) -> Value {
         let resolving = self.scopes.get(holder).resolving.clone();
-        let chain = resolving.iter().chain([name]).map(EcoString::as_str).collect::<Vec<_>>().join(" -> ");
+        let chain = resolving
+            .iter()
+            .chain([name])
+            .map(EcoString::as_str)
+            .collect::<Vec<_>>()
+            .join(" -> ");
         let start = resolving.iter().position(|n| n == name).unwrap_or(0);
         let mut cycle: Vec<(&EcoString, Origin)> = resolving
             .iter()
             .skip(start)
             .map(|name| {
-                let binding = self.scopes.find(holder, name).map(|(_, binding)| binding.info as usize);
+                let binding = self
+                    .scopes
+                    .find(holder, name)
+                    .map(|(_, binding)| binding.info as usize);
                 let info = binding.and_then(|info| self.result.bindings.get(info));
                 (name, info.and_then(|info| info.origin).unwrap_or(at))
             })
             .collect();
         // the first property of the cycle is to blame, wherever the cycle was entered
-        let place = |origin: Origin| self.result.place(origin).map(|place| (place.file, place.range.start));
-        let first = (0..cycle.len()).min_by_key(|&i| cycle.get(i).and_then(|&(_, origin)| place(origin)));
+        let place = |origin: Origin| {
+            self.result
+                .place(origin)
+                .map(|place| (place.file, place.range.start))
+        };
+        let first =
+            (0..cycle.len()).min_by_key(|&i| cycle.get(i).and_then(|&(_, origin)| place(origin)));
         cycle.rotate_left(first.unwrap_or(0));
-        let names: Vec<&str> = cycle.iter().chain(cycle.first()).map(|(name, _)| name.as_str()).collect();
+        let names: Vec<&str> = cycle
+            .iter()
+            .chain(cycle.first())
+            .map(|(name, _)| name.as_str())
+            .collect();
         let reference = format!(
             "circular variable definition: {chain}\nConsider disabling lazy evaluation via lazy_eval=\"false\""
         );
@@ -188,31 +235,43 @@ impl Expander<'_> {
         if self.is_repeated(ProblemKind::UndefinedProperty, at, &message) {
             return;
         }
-        let Some(missing) =
-            self.missing_name(NameKind::Property, name, |machine| machine.scopes.visible_names(scope))
-        else {
+        let Some(missing) = self.missing_name(NameKind::Property, name, |machine| {
+            machine.scopes.visible_names(scope)
+        }) else {
             return;
         };
         let is_block = self.holds_block(scope, name);
-        let missing = Missing { is_misspelled: missing.is_misspelled || is_block, ..missing };
+        let missing = Missing {
+            is_misspelled: missing.is_misspelled || is_block,
+            ..missing
+        };
         let mut problem = self
             .problem(ProblemKind::UndefinedProperty, at, message)
-            .says(format!("name '{name}' is not defined \nwhen evaluating expression '{code}'"));
+            .says(format!(
+                "name '{name}' is not defined \nwhen evaluating expression '{code}'"
+            ));
         if let Some(meant) = meant::by_name(name) {
             problem = meant.said_of(problem);
         } else if let Some(value) = self.text_of_block(scope, name) {
-            problem = problem.help(format!("write <xacro:property name=\"{name}\" value=\"{value}\"/>"));
+            problem = problem.help(format!(
+                "write <xacro:property name=\"{name}\" value=\"{value}\"/>"
+            ));
         } else if is_block {
             problem = problem.help(format!(
                 "write <xacro:insert_block name=\"{name}\"/> where an element is allowed; `{name}` is a block"
             ));
         } else if let Some(call) = self.call_of(name) {
-            problem = problem.help(format!("write {call} where an element is allowed; `{name}` is a macro"));
+            problem = problem.help(format!(
+                "write {call} where an element is allowed; `{name}` is a macro"
+            ));
         } else if let Some(near) = &missing.near {
-            problem = problem.help(format!("did you mean `{near}`?")).replace_with(near);
+            problem = problem
+                .help(format!("did you mean `{near}`?"))
+                .replace_with(near);
         } else if let Some(text) = meant::by_comparison(name, code) {
-            problem =
-                problem.help(format!("quote the string: `${{{text}}}`")).replace_with(format!("'{name}'"));
+            problem = problem
+                .help(format!("quote the string: `${{{text}}}`"))
+                .replace_with(format!("'{name}'"));
         } else if self.args.contains_key(name) {
             problem = problem.help(format!("write `$(arg {name})`; `{name}` is an argument"));
         } else {
@@ -234,8 +293,15 @@ impl Expander<'_> {
     fn text_of_block(&self, scope: ScopeId, name: &str) -> Option<String> {
         const LONGEST: usize = 60;
         let (_, binding) = self.scopes.find(scope, &format!("**{name}"))?;
-        let State::Block(Block::Source(at)) = binding.state else { return None };
-        let node = self.result.sources.get(at.src.0 as usize)?.item.node(at.node);
+        let State::Block(Block::Source(at)) = binding.state else {
+            return None;
+        };
+        let node = self
+            .result
+            .sources
+            .get(at.src.0 as usize)?
+            .item
+            .node(at.node);
         let text = node
             .first_child()
             .filter(|text| text.next_sibling().is_none() && text.kind() == NodeKind::Text)?;
@@ -247,15 +313,21 @@ impl Expander<'_> {
     /// How a macro of that name is called, if there is one.
     fn call_of(&self, name: &str) -> Option<String> {
         let def = self.macros.find(Macros::TOP, name)?;
-        let own = def.params.iter().filter(|param| !param.is_block() && param.default.is_none());
-        let given: String = own.map(|param| format!(" {}=\"...\"", param.name)).collect();
+        let own = def
+            .params
+            .iter()
+            .filter(|param| !param.is_block() && param.default.is_none());
+        let given: String = own
+            .map(|param| format!(" {}=\"...\"", param.name))
+            .collect();
         Some(format!("<xacro:{name}{given}/>"))
     }
 
     /// An argument that was read since `mark` for what is evaluated now and that is empty by default: whoever expands the
     /// file is to give it.
     pub fn empty_argument(&self, mark: usize) -> Option<EcoString> {
-        self.result.empty_argument_of(self.reads.get(mark..).unwrap_or(&[]))
+        self.result
+            .empty_argument_of(self.reads.get(mark..).unwrap_or(&[]))
     }
 
     /// What may give another value to what is evaluated now, which read the names behind `mark`: nothing when it read
@@ -273,7 +345,11 @@ impl Expander<'_> {
             return;
         };
         let mut problem = self
-            .problem(ProblemKind::UndefinedArg, at, format!("argument `{name}` is not defined"))
+            .problem(
+                ProblemKind::UndefinedArg,
+                at,
+                format!("argument `{name}` is not defined"),
+            )
             .says(said);
         problem = match &missing.near {
             Some(near) => problem.help(format!("did you mean `{near}`?")).replace_with(near),

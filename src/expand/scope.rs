@@ -89,7 +89,10 @@ impl Vars {
         if !self.many.is_empty() {
             return self.many.get_key_value(name);
         }
-        self.few.iter().find(|(known, _)| known == name).map(|(name, binding)| (name, binding))
+        self.few
+            .iter()
+            .find(|(known, _)| known == name)
+            .map(|(name, binding)| (name, binding))
     }
 
     /// How many there are.
@@ -101,7 +104,10 @@ impl Vars {
         if !self.many.is_empty() {
             return self.many.get_mut(name);
         }
-        self.few.iter_mut().find(|(known, _)| known == name).map(|(_, binding)| binding)
+        self.few
+            .iter_mut()
+            .find(|(known, _)| known == name)
+            .map(|(_, binding)| binding)
     }
 
     pub fn insert(&mut self, name: EcoString, binding: Binding) {
@@ -122,7 +128,10 @@ impl Vars {
 
     /// In the order in which they were first defined.
     pub(super) fn iter(&self) -> impl Iterator<Item = (&EcoString, &Binding)> {
-        self.few.iter().map(|(name, binding)| (name, binding)).chain(&self.many)
+        self.few
+            .iter()
+            .map(|(name, binding)| (name, binding))
+            .chain(&self.many)
     }
 }
 
@@ -137,7 +146,10 @@ impl Scopes {
     pub const TOP: ScopeId = ScopeId(0);
 
     pub fn new() -> Self {
-        Self { list: vec![Scope::default()], watch: None }
+        Self {
+            list: vec![Scope::default()],
+            watch: None,
+        }
     }
 
     /// How many there are.
@@ -147,7 +159,11 @@ impl Scopes {
 
     pub fn push(&mut self, parent: ScopeId, is_namespace: bool) -> ScopeId {
         let id = ScopeId(self.list.len() as u32);
-        self.list.push(Scope { parent: Some(parent), is_namespace, ..Scope::default() });
+        self.list.push(Scope {
+            parent: Some(parent),
+            is_namespace,
+            ..Scope::default()
+        });
         id
     }
 
@@ -193,7 +209,10 @@ impl Scopes {
     /// The binding of `name` visible from `id`, and the scope that holds it.
     pub fn find(&self, id: ScopeId, name: &str) -> Option<(ScopeId, &Binding)> {
         let holder = self.holder(id, name)?;
-        self.get(holder).vars.get(name).map(|(_, binding)| (holder, binding))
+        self.get(holder)
+            .vars
+            .get(name)
+            .map(|(_, binding)| (holder, binding))
     }
 
     /// What a scope holds itself, as the dict that it is in the reference: properties without a value yet as text.
@@ -205,10 +224,16 @@ impl Scopes {
             State::Ready(value) => value.clone(),
             State::Block(_) => Value::Unknown,
         };
-        let mut entries: Vec<_> =
-            scope.vars.iter().map(|(name, binding)| (name.clone(), value(binding))).collect();
+        let mut entries: Vec<_> = scope
+            .vars
+            .iter()
+            .map(|(name, binding)| (name.clone(), value(binding)))
+            .collect();
         if let Some(place) = scope.evaluated {
-            entries.insert(place.min(entries.len()), ("__builtins__".into(), Value::dict_from([], false)));
+            entries.insert(
+                place.min(entries.len()),
+                ("__builtins__".into(), Value::dict_from([], false)),
+            );
         }
         entries
     }
@@ -254,14 +279,25 @@ impl Scopes {
 
     /// The names of all blocks seen from a scope, without their stars, sorted.
     pub fn visible_blocks(&self, id: ScopeId) -> Vec<&str> {
-        self.visible(id, |name| name.strip_prefix("**").or_else(|| name.strip_prefix('*')))
+        self.visible(id, |name| {
+            name.strip_prefix("**").or_else(|| name.strip_prefix('*'))
+        })
     }
 
-    fn visible<'a>(&'a self, id: ScopeId, shown: impl Fn(&'a str) -> Option<&'a str>) -> Vec<&'a str> {
+    fn visible<'a>(
+        &'a self,
+        id: ScopeId,
+        shown: impl Fn(&'a str) -> Option<&'a str>,
+    ) -> Vec<&'a str> {
         let mut names: Vec<&str> = Vec::new();
         let mut at = Some(id);
         while let Some(id) = at {
-            names.extend(self.get(id).vars.iter().filter_map(|(name, _)| shown(name.as_str())));
+            names.extend(
+                self.get(id)
+                    .vars
+                    .iter()
+                    .filter_map(|(name, _)| shown(name.as_str())),
+            );
             at = self.get(id).parent;
         }
         names.sort_unstable();
@@ -318,7 +354,14 @@ impl Param {
     /// A parameter without default that no list names.
     pub(super) fn named(name: EcoString) -> Self {
         let range = TextRange::default();
-        Self { name, range, definition: None, forward: false, default: None, default_at: None }
+        Self {
+            name,
+            range,
+            definition: None,
+            forward: false,
+            default: None,
+            default_at: None,
+        }
     }
 
     /// One of the names in a name that is none, with the default if it is the last one. The places stay inside the whole.
@@ -329,7 +372,15 @@ impl Param {
             range: TextRange::new(start, start + name.len() as u32),
             ..self.clone()
         };
-        if is_last { part } else { Self { default: None, forward: false, ..part } }
+        if is_last {
+            part
+        } else {
+            Self {
+                default: None,
+                forward: false,
+                ..part
+            }
+        }
     }
 
     /// Whether a call gives it as a child element.
@@ -357,7 +408,11 @@ impl Params {
                 fallback.insert(param.name.clone(), index);
             }
         }
-        Self { list, first, fallback }
+        Self {
+            list,
+            first,
+            fallback,
+        }
     }
 
     pub fn iter(&self) -> std::slice::Iter<'_, Param> {
@@ -378,7 +433,10 @@ pub(super) struct Open<'p> {
 
 impl<'p> Open<'p> {
     pub fn new(params: &'p Params) -> Self {
-        Self { params, given: vec![false; params.list.len()] }
+        Self {
+            params,
+            given: vec![false; params.list.len()],
+        }
     }
 
     /// Give the first one of that name.
@@ -392,7 +450,11 @@ impl<'p> Open<'p> {
 
     /// Those that are left, in order.
     pub fn left(self) -> Vec<&'p Param> {
-        let left = self.params.iter().zip(self.given).filter(|(_, given)| !given);
+        let left = self
+            .params
+            .iter()
+            .zip(self.given)
+            .filter(|(_, given)| !given);
         left.map(|(param, _)| param).collect()
     }
 }
@@ -408,7 +470,10 @@ impl Macros {
     pub const TOP: MacrosId = MacrosId(0);
 
     pub fn new() -> Self {
-        Self { list: vec![MacroTable::default()], watch: None }
+        Self {
+            list: vec![MacroTable::default()],
+            watch: None,
+        }
     }
 
     /// How many there are.
@@ -418,20 +483,27 @@ impl Macros {
 
     pub fn push(&mut self, parent: Option<MacrosId>) -> MacrosId {
         let id = MacrosId(self.list.len() as u32);
-        self.list.push(MacroTable { parent, ..MacroTable::default() });
+        self.list.push(MacroTable {
+            parent,
+            ..MacroTable::default()
+        });
         id
     }
 
     pub fn define(&mut self, at: MacrosId, def: MacroDef) -> Arc<MacroDef> {
         self.note_change(at);
         let def = Arc::new(def);
-        self.list[at.0 as usize].entries.insert(def.name.clone(), MacroEntry::Macro(def.clone()));
+        self.list[at.0 as usize]
+            .entries
+            .insert(def.name.clone(), MacroEntry::Macro(def.clone()));
         def
     }
 
     pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {
         self.note_change(at);
-        self.list[at.0 as usize].entries.insert(name, MacroEntry::Namespace(table));
+        self.list[at.0 as usize]
+            .entries
+            .insert(name, MacroEntry::Namespace(table));
     }
 
     fn entry(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {
@@ -474,7 +546,9 @@ impl Macros {
     /// table at hand and the whole name where the part before is no namespace.
     pub fn inside<'n>(&self, at: MacrosId, name: &'n str) -> (MacrosId, &'n str, &'n str) {
         let split = name.rfind('.').map(|dot| name.split_at(dot + 1));
-        let Some((path, own)) = split else { return (at, "", name) };
+        let Some((path, own)) = split else {
+            return (at, "", name);
+        };
         let mut steps = path.trim_end_matches('.').split('.');
         match steps.try_fold(at, |table, step| self.namespace(table, step)) {
             Some(table) => (table, path, own),
@@ -488,10 +562,15 @@ impl Macros {
         let mut at = Some(at);
         while let Some(id) = at {
             let table = &self.list[id.0 as usize];
-            names.extend(table.entries.iter().filter_map(|(name, entry)| match entry {
-                MacroEntry::Macro(_) => Some(name.as_str()),
-                MacroEntry::Namespace(_) => None,
-            }));
+            names.extend(
+                table
+                    .entries
+                    .iter()
+                    .filter_map(|(name, entry)| match entry {
+                        MacroEntry::Macro(_) => Some(name.as_str()),
+                        MacroEntry::Namespace(_) => None,
+                    }),
+            );
             at = table.parent;
         }
         names.sort_unstable();

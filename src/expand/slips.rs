@@ -27,7 +27,9 @@ pub fn meant_number(text: &str) -> Option<(String, &'static str)> {
     let text = text.trim();
     let is_number = |text: &str| {
         text.bytes().any(|byte| byte.is_ascii_digit())
-            && text.bytes().all(|byte| byte.is_ascii_digit() || b".+-eE".contains(&byte))
+            && text
+                .bytes()
+                .all(|byte| byte.is_ascii_digit() || b".+-eE".contains(&byte))
             && text.parse::<f64>().is_ok_and(f64::is_finite)
     };
     if is_number(text) {
@@ -41,8 +43,8 @@ pub fn meant_number(text: &str) -> Option<(String, &'static str)> {
     if is_number(&pointed) && !text.contains('.') {
         return Some((pointed, "use a decimal point"));
     }
-    let number =
-        text.trim_end_matches(|c: char| c.is_alphabetic() || matches!(c, '/' | '^' | '²' | '³' | '°'));
+    let number = text
+        .trim_end_matches(|c: char| c.is_alphabetic() || matches!(c, '/' | '^' | '²' | '³' | '°'));
     let unit = text.get(number.len()..).unwrap_or_default();
     let number = number.trim_end();
     (is_number(number) && !unit.is_empty() && unit.chars().count() <= 6)
@@ -53,16 +55,27 @@ impl Expander<'_> {
     /// The value behind an expression that cannot be evaluated, when it is a number with a slip: what was read for the
     /// expression follows the first `mark` reads.
     pub(super) fn number_slip(&self, error: &EvalError, mark: usize) -> Option<Problem> {
-        let is_about_types = ["operand", "must be str", "real number", "could not convert", "bad operand"]
-            .iter()
-            .any(|words| error.message.contains(words));
+        let is_about_types = [
+            "operand",
+            "must be str",
+            "real number",
+            "could not convert",
+            "bad operand",
+        ]
+        .iter()
+        .any(|words| error.message.contains(words));
         if !is_about_types || !self.request.probe {
             return None;
         }
-        let (name, at, text) =
-            self.written_text(mark, |text| meant_number(text).is_some() || self.is_property(text))?;
-        let (number, help) = meant_number(&text)
-            .unwrap_or_else(|| (format!("${{{text}}}"), "put the name of the property in `${...}`"));
+        let (name, at, text) = self.written_text(mark, |text| {
+            meant_number(text).is_some() || self.is_property(text)
+        })?;
+        let (number, help) = meant_number(&text).unwrap_or_else(|| {
+            (
+                format!("${{{text}}}"),
+                "put the name of the property in `${...}`",
+            )
+        });
         let message = format!("`{text}`, the value of `{name}`, is not a number");
         Some(
             self.problem(ProblemKind::ExpressionError, at, message)
@@ -78,8 +91,18 @@ impl Expander<'_> {
 
     /// A file that is missing since an argument names a folder that is not there: what there is instead.
     pub(super) fn folder_slip(&self, error: &EvalError) -> Option<Problem> {
-        let path = Path::new(error.message.split('\'').nth(1).filter(|_| self.request.probe)?);
-        let missing = path.ancestors().skip(1).take_while(|folder| !self.world.vfs.is_dir(folder)).last()?;
+        let path = Path::new(
+            error
+                .message
+                .split('\'')
+                .nth(1)
+                .filter(|_| self.request.probe)?,
+        );
+        let missing = path
+            .ancestors()
+            .skip(1)
+            .take_while(|folder| !self.world.vfs.is_dir(folder))
+            .last()?;
         let (name, around) = (missing.file_name()?.to_str()?, missing.parent()?);
         let is_it = |binding: &&BindingInfo| {
             binding.kind == BindingKind::Argument
@@ -88,15 +111,31 @@ impl Expander<'_> {
         let argument = self.result.bindings.iter().find(is_it)?;
         let at = argument.origin?;
         let folders = self.world.vfs.list_dir(around);
-        let mut names: Vec<&str> =
-            folders.iter().filter(|entry| entry.is_dir).map(|entry| entry.name.as_str()).collect();
+        let mut names: Vec<&str> = folders
+            .iter()
+            .filter(|entry| entry.is_dir)
+            .map(|entry| entry.name.as_str())
+            .collect();
         names.sort_unstable();
-        let more = if names.len() > MOST_SHOWN { ", ..." } else { "" };
+        let more = if names.len() > MOST_SHOWN {
+            ", ..."
+        } else {
+            ""
+        };
         let given = &argument.name;
-        let list: Vec<String> = names.iter().take(MOST_SHOWN).map(|name| format!("`{name}`")).collect();
-        let message = format!("no folder `{name}` in `{}` for argument `{given}`", vfs::slashed(around));
+        let list: Vec<String> = names
+            .iter()
+            .take(MOST_SHOWN)
+            .map(|name| format!("`{name}`"))
+            .collect();
+        let message = format!(
+            "no folder `{name}` in `{}` for argument `{given}`",
+            vfs::slashed(around)
+        );
         let help = format!("pass {given}:=... with one of {}{more}", list.join(", "));
-        let problem = self.problem(ProblemKind::ExpressionError, at, message).depends_on(Outside::File);
+        let problem = self
+            .problem(ProblemKind::ExpressionError, at, message)
+            .depends_on(Outside::File);
         (!list.is_empty()).then(|| problem.help(help))
     }
 
@@ -107,8 +146,12 @@ impl Expander<'_> {
         if !self.request.probe || self.result.place(at)?.file == here {
             return None;
         }
-        let message = format!("`{text}`, the value of `{name}`, is used as a condition and is not a boolean");
-        Some(self.problem(ProblemKind::InvalidCondition, at, message).help("write `true` or `false`"))
+        let message =
+            format!("`{text}`, the value of `{name}`, is used as a condition and is not a boolean");
+        Some(
+            self.problem(ProblemKind::InvalidCondition, at, message)
+                .help("write `true` or `false`"),
+        )
     }
 
     /// What to write for an include that leads nowhere, where one file of that name is near: relative to the file with the
@@ -120,7 +163,13 @@ impl Expander<'_> {
         if !self.request.probe || !is_written {
             return None;
         }
-        let from = self.result.files.get(self.result.place(at)?.file.0 as usize)?.source.path.clone();
+        let from = self
+            .result
+            .files
+            .get(self.result.place(at)?.file.0 as usize)?
+            .source
+            .path
+            .clone();
         let found = self.world.packages.namesake(missing, None, &from)?;
         let folder = from.parent()?;
         let text = match found.strip_prefix(folder) {
@@ -139,44 +188,91 @@ impl Expander<'_> {
         if !self.request.probe || tag.attr("params").is_some() {
             return Vec::new();
         }
-        let body = self.text_of(Origin { src: tag.src, range: tag.node.range(), frame: cx.frame });
+        let body = self.text_of(Origin {
+            src: tag.src,
+            range: tag.node.range(),
+            frame: cx.frame,
+        });
         let is_read = |name: &str| {
-            let mut codes = body.split("${").skip(1).filter_map(|rest| rest.split('}').next());
-            codes.any(|code| code.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name))
+            let mut codes = body
+                .split("${")
+                .skip(1)
+                .filter_map(|rest| rest.split('}').next());
+            codes.any(|code| {
+                code.split(|c: char| !c.is_alphanumeric() && c != '_')
+                    .any(|word| word == name)
+            })
         };
-        let others: Vec<_> = tag.attrs().filter(|attr| !["name", "params"].contains(&attr.name())).collect();
-        if others.is_empty() || !others.iter().all(|attr| is_identifier(attr.name()) && is_read(attr.name()))
+        let others: Vec<_> = tag
+            .attrs()
+            .filter(|attr| !["name", "params"].contains(&attr.name()))
+            .collect();
+        if others.is_empty()
+            || !others
+                .iter()
+                .all(|attr| is_identifier(attr.name()) && is_read(attr.name()))
         {
             return Vec::new();
         }
-        let (Some(first), Some(last)) = (others.first(), others.last()) else { return Vec::new() };
+        let (Some(first), Some(last)) = (others.first(), others.last()) else {
+            return Vec::new();
+        };
         let names: Vec<EcoString> = others.iter().map(|attr| attr.name().into()).collect();
         let list = format!("params=\"{}\"", names.join(" "));
         let range = TextRange::new(first.range().start, last.range().end);
-        let in_a_row = tag.attrs().filter(|attr| range.contains_range(attr.range())).count() == others.len();
-        let at =
-            Origin { src: tag.src, range: if in_a_row { range } else { first.range() }, frame: cx.frame };
-        let what = if names.len() == 1 { "parameter" } else { "parameters" };
-        let message = format!("{what} `{}` of `xacro:macro` given as attributes", names.join("`, `"));
+        let in_a_row = tag
+            .attrs()
+            .filter(|attr| range.contains_range(attr.range()))
+            .count()
+            == others.len();
+        let at = Origin {
+            src: tag.src,
+            range: if in_a_row { range } else { first.range() },
+            frame: cx.frame,
+        };
+        let what = if names.len() == 1 {
+            "parameter"
+        } else {
+            "parameters"
+        };
+        let message = format!(
+            "{what} `{}` of `xacro:macro` given as attributes",
+            names.join("`, `")
+        );
         let unknown = format!("{}: unknown attribute(s): {}", tag.name, names.join(", "));
         let problem = self
             .problem(ProblemKind::MissingXacroAttribute, at, message)
             .says(unknown)
             .help(format!("write {list}"));
-        self.push(if in_a_row { problem.replace_with(list) } else { problem });
+        self.push(if in_a_row {
+            problem.replace_with(list)
+        } else {
+            problem
+        });
         names.into_iter().map(Param::named).collect()
     }
 
     /// The name, the place and the text of a value that is written in the source and is of a kind.
-    fn written_text(&self, mark: usize, is_it: impl Fn(&str) -> bool) -> Option<(String, Origin, String)> {
+    fn written_text(
+        &self,
+        mark: usize,
+        is_it: impl Fn(&str) -> bool,
+    ) -> Option<(String, Origin, String)> {
         let mut open: Vec<u32> = self.reads.get(mark..)?.to_vec();
         let mut seen = FastSet::default();
         while let Some(read) = open.pop().filter(|_| seen.len() < MOST) {
-            let Some(binding) = self.result.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+            let Some(binding) = self
+                .result
+                .bindings
+                .get(read as usize)
+                .filter(|_| seen.insert(read))
+            else {
                 continue;
             };
             open.extend(self.result.read_in(binding.reads));
-            let (Some(Value::Str(text)), Some(at)) = (&binding.value, binding.origin) else { continue };
+            let (Some(Value::Str(text)), Some(at)) = (&binding.value, binding.origin) else {
+                continue;
+            };
             if self.text_of(at) == text.as_str() && is_it(text) {
                 return Some((binding.name.to_string(), at, text.to_string()));
             }
@@ -191,7 +287,11 @@ mod tests {
 
     #[test]
     fn numbers_with_a_slip() {
-        let meant = |text| meant_number(text).map(|(number, _)| number).unwrap_or_default();
+        let meant = |text| {
+            meant_number(text)
+                .map(|(number, _)| number)
+                .unwrap_or_default()
+        };
         let cases = [
             ("7,0", "7.0"),
             ("7.0kg", "7.0"),

@@ -53,7 +53,13 @@ impl Recorder {
 
     pub fn add(&mut self, start: usize, end: usize, node: XId, kind: MapKind, origin: Origin) {
         let out = TextRange::new(start as u32, end as u32);
-        self.entries.push(MapEntry { out, kind, node, origin, reads: TextRange::default() });
+        self.entries.push(MapEntry {
+            out,
+            kind,
+            node,
+            origin,
+            reads: TextRange::default(),
+        });
     }
 
     /// An element begins; its start tag with it.
@@ -95,15 +101,40 @@ impl Recorder {
         let (mut at, mut source) = (0, attr.origin.range.start);
         for piece in &attr.pieces {
             let range = TextRange::new(source, piece.source.range.start.max(source));
-            self.part(node, slice(at, piece.out.start), Origin { range, ..attr.origin }, out);
-            self.part(node, slice(piece.out.start, piece.out.end), piece.source, out);
-            if let Some(last) = self.entries.last_mut().filter(|_| piece.out.start < piece.out.end) {
+            self.part(
+                node,
+                slice(at, piece.out.start),
+                Origin {
+                    range,
+                    ..attr.origin
+                },
+                out,
+            );
+            self.part(
+                node,
+                slice(piece.out.start, piece.out.end),
+                piece.source,
+                out,
+            );
+            if let Some(last) = self
+                .entries
+                .last_mut()
+                .filter(|_| piece.out.start < piece.out.end)
+            {
                 last.reads = piece.reads;
             }
             (at, source) = (piece.out.end, piece.source.range.end);
         }
         let range = TextRange::new(source, attr.origin.range.end.max(source));
-        self.part(node, slice(at, attr.value.len() as u32), Origin { range, ..attr.origin }, out);
+        self.part(
+            node,
+            slice(at, attr.value.len() as u32),
+            Origin {
+                range,
+                ..attr.origin
+            },
+            out,
+        );
     }
 
     fn part(&mut self, node: XId, text: &str, origin: Origin, out: &mut String) {

@@ -40,7 +40,11 @@ fn here() -> usize {
 /// Run something here where the stack is good for it, else on a new thread with a large one; here all the same where
 /// the system gives none.
 pub(super) fn with_stack<T: Send>(work: impl FnOnce() -> T + Send) -> T {
-    if is_short() { on_large_stack(work) } else { work() }
+    if is_short() {
+        on_large_stack(work)
+    } else {
+        work()
+    }
 }
 
 #[cold]
@@ -52,9 +56,13 @@ fn on_large_stack<T: Send, W: FnOnce() -> T + Send>(work: W) -> T {
             FLOOR.set(0);
             given.take().map(|work| work())
         };
-        let thread = std::thread::Builder::new().name("expand".into()).stack_size(SIZE);
+        let thread = std::thread::Builder::new()
+            .name("expand".into())
+            .stack_size(SIZE);
         let thread = thread.spawn_scoped(scope, run).ok()?;
-        thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        thread
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     });
     done.or_else(|| {
         // no thread: go on here, and do not ask again at each element
@@ -75,7 +83,9 @@ pub fn spawn_on_large_stack(name: &str, work: impl FnOnce() + Send + 'static) ->
     let start = |size: Option<usize>| {
         let work = work.clone();
         let builder = std::thread::Builder::new().name(name.to_owned());
-        let builder = size.into_iter().fold(builder, std::thread::Builder::stack_size);
+        let builder = size
+            .into_iter()
+            .fold(builder, std::thread::Builder::stack_size);
         let run = move || {
             FLOOR.set(if size.is_some() { 0 } else { usize::MAX });
             let work = work.lock().unwrap_or_else(PoisonError::into_inner).take();
@@ -101,7 +111,11 @@ mod tests {
     /// The threads that work comes to at each of some levels of nesting.
     fn threads(levels: usize) -> Vec<ThreadId> {
         let room = std::hint::black_box([0u8; 16 << 10]);
-        let mut below = if levels == 0 { Vec::new() } else { with_stack(|| threads(levels - 1)) };
+        let mut below = if levels == 0 {
+            Vec::new()
+        } else {
+            with_stack(|| threads(levels - 1))
+        };
         below.push(thread::current().id());
         std::hint::black_box(room);
         below
@@ -120,7 +134,10 @@ mod tests {
         let run = || {
             let own = thread::current().id();
             on_first_thread(USUAL - 1);
-            assert!(!with_stack(|| threads(0)).contains(&own), "a small one is left at once");
+            assert!(
+                !with_stack(|| threads(0)).contains(&own),
+                "a small one is left at once"
+            );
             on_first_thread(USUAL);
             assert_eq!(threads(20), [own; 21]);
             let mut seen = threads(500);
@@ -128,7 +145,12 @@ mod tests {
             assert_eq!(seen.len(), 2);
             assert_eq!(seen.last(), Some(&own));
         };
-        thread::Builder::new().stack_size(USUAL).spawn(run).unwrap().join().unwrap();
+        thread::Builder::new()
+            .stack_size(USUAL)
+            .spawn(run)
+            .unwrap()
+            .join()
+            .unwrap();
     }
 
     #[test]

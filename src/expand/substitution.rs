@@ -14,8 +14,8 @@ use super::text::TextSite;
 use base::TextRange;
 use base::paths::HERE;
 use expr::{
-    self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError, Value,
-    display, literal,
+    self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError,
+    Value, display, literal,
 };
 use vfs::slashed;
 use workspace::RosVariable;
@@ -55,7 +55,12 @@ impl Expander<'_> {
         site: TextSite<'_>,
         (scope, mark): (ScopeId, usize),
     ) -> Value {
-        let here = Here { inner, whole, start: static_inner.map(|range| range.start), site };
+        let here = Here {
+            inner,
+            whole,
+            start: static_inner.map(|range| range.start),
+            site,
+        };
         match expr::resolve_substitution(inner, |subst| self.substitution_text(subst, here)) {
             Ok(text) => Value::Str(text),
             Err(Failure::Reported) => Value::Unknown,
@@ -95,8 +100,14 @@ impl Expander<'_> {
             Some((None, _)) => Err(Failure::Reported),
             None => {
                 let at = self.word_origin(name, here);
-                self.result.record.add(Read::Arg(name.text.to_string(), None));
-                self.undefined_arg(&name.text, at, format!("Undefined substitution argument {}", name.text));
+                self.result
+                    .record
+                    .add(Read::Arg(name.text.to_string(), None));
+                self.undefined_arg(
+                    &name.text,
+                    at,
+                    format!("Undefined substitution argument {}", name.text),
+                );
                 Err(Failure::Reported)
             }
         }
@@ -109,23 +120,41 @@ impl Expander<'_> {
             .sources
             .get(at.src.0 as usize)
             .and_then(|s| self.result.files.get(s.file.0 as usize))
-            .map_or_else(|| self.world.env.cwd.clone(), |f| f.source.path.to_path_buf());
+            .map_or_else(
+                || self.world.env.cwd.clone(),
+                |f| f.source.path.to_path_buf(),
+            );
         match self.world.packages.find(&name.text, &from) {
             Ok(found) => {
                 self.note_package(&name.text, &from, &found.path);
-                self.result.record.add(Read::Package(name.text.to_string(), Some(found.path.clone())));
+                self.result.record.add(Read::Package(
+                    name.text.to_string(),
+                    Some(found.path.clone()),
+                ));
                 Ok(slashed(&found.path).into())
             }
             Err(missing) => {
-                self.result.record.add(Read::Package(name.text.to_string(), None));
-                let places: Vec<String> =
-                    missing.tried.iter().map(|(_, p)| format!("'{}'", slashed(p))).collect();
-                let text =
-                    format!("\"package '{}' not found, searching: [{}]\"", name.text, places.join(", "));
-                let reference =
-                    format!("<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}");
-                let message =
-                    format!("package `{}` not found (searched {} folders)", name.text, places.len());
+                self.result
+                    .record
+                    .add(Read::Package(name.text.to_string(), None));
+                let places: Vec<String> = missing
+                    .tried
+                    .iter()
+                    .map(|(_, p)| format!("'{}'", slashed(p)))
+                    .collect();
+                let text = format!(
+                    "\"package '{}' not found, searching: [{}]\"",
+                    name.text,
+                    places.join(", ")
+                );
+                let reference = format!(
+                    "<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}"
+                );
+                let message = format!(
+                    "package `{}` not found (searched {} folders)",
+                    name.text,
+                    places.len()
+                );
                 let mut problem = self
                     .problem(ProblemKind::PackageNotFound, at, message)
                     .says(reference)
@@ -146,7 +175,11 @@ impl Expander<'_> {
 
     /// The value of an environment variable that must be set.
     fn environment(&mut self, name: &str) -> Result<EcoString, Failure> {
-        match self.env_var(name).map(Some).or_else(|| self.ros_variable(name)) {
+        match self
+            .env_var(name)
+            .map(Some)
+            .or_else(|| self.ros_variable(name))
+        {
             Some(value) => value.ok_or(Failure::Reported),
             None => {
                 let message = format!("environment variable '{name}' is not set");
@@ -157,7 +190,10 @@ impl Expander<'_> {
 
     fn env_var(&mut self, name: &str) -> Option<EcoString> {
         let value = self.world.env.var(name).map(EcoString::from);
-        self.result.record.add(Read::Env(name.to_owned(), value.as_ref().map(EcoString::to_string)));
+        self.result.record.add(Read::Env(
+            name.to_owned(),
+            value.as_ref().map(EcoString::to_string),
+        ));
         value
     }
 
@@ -181,11 +217,19 @@ impl Expander<'_> {
     fn eval_substitution(&mut self, code: &str, here: Here<'_>) -> Result<EcoString, Failure> {
         let parsed = expr::parse(code);
         if let Some(error) = parsed.errors.first() {
-            let error = SubstError { class: "SyntaxError", message: error.reference.clone() };
+            let error = SubstError {
+                class: "SyntaxError",
+                message: error.reference.clone(),
+            };
             return Err(Failure::Error(error));
         }
         let mut budget = self.budget.clone();
-        let mut host = ArgHost { machine: self, here, undefined: None, failed: None };
+        let mut host = ArgHost {
+            machine: self,
+            here,
+            undefined: None,
+            failed: None,
+        };
         let value = expr::evaluate(&parsed.expr, &mut host, &mut budget);
         let (undefined, failed) = (host.undefined.take(), host.failed.take());
         self.budget.steps = self.budget.steps.min(budget.steps);
@@ -195,22 +239,36 @@ impl Expander<'_> {
         }
         if let Some(name) = undefined {
             let message = format!("name '{name}' is not defined");
-            return Err(Failure::Error(SubstError { class: "NameError", message }));
+            return Err(Failure::Error(SubstError {
+                class: "NameError",
+                message,
+            }));
         }
         match value {
             Ok(value) => display::to_str(&value).ok_or(Failure::Reported),
-            Err(error) => Err(Failure::Error(SubstError { class: class_of(&error), message: error.message })),
+            Err(error) => Err(Failure::Error(SubstError {
+                class: class_of(&error),
+                message: error.message,
+            })),
         }
     }
 
-    fn bad_substitution(&mut self, error: &SubstError, here: Here<'_>, (scope, mark): (ScopeId, usize)) {
+    fn bad_substitution(
+        &mut self,
+        error: &SubstError,
+        here: Here<'_>,
+        (scope, mark): (ScopeId, usize),
+    ) {
         let at = self.origin_in(here.site, here.whole);
         let SubstError { class, message } = error;
         let inner = here.inner.trim();
         let is_unknown = message.starts_with("Unknown substitution command");
         let said = match inner.split_whitespace().next().filter(|_| is_unknown) {
             Some(word) => format!("unknown substitution command `{word}` in `$({inner})`"),
-            None => format!("cannot evaluate `$({inner})`: {}", message.trim_end_matches('.')),
+            None => format!(
+                "cannot evaluate `$({inner})`: {}",
+                message.trim_end_matches('.')
+            ),
         };
         let mut problem = self
             .problem(ProblemKind::ExpressionError, at, said)
@@ -223,11 +281,14 @@ impl Expander<'_> {
         if let Some(package) = inner.strip_prefix("find-pkg-share ") {
             let find = format!("$(find {})", package.trim());
             problem = problem
-                .help(format!("write `{find}`; `find-pkg-share` works only in launch files"))
+                .help(format!(
+                    "write `{find}`; `find-pkg-share` works only in launch files"
+                ))
                 .replace_with(find);
         } else if inner == "dirname" {
-            problem = problem
-                .help("remove `$(dirname)/`; relative paths are relative to the file that contains them");
+            problem = problem.help(
+                "remove `$(dirname)/`; relative paths are relative to the file that contains them",
+            );
         } else if is_unknown {
             let is_property = self.scopes.find(scope, inner).is_some();
             problem = match meant::by_round_brackets(inner, is_property, self.args.contains_key(inner)) {
@@ -239,7 +300,9 @@ impl Expander<'_> {
     }
 
     fn word_origin(&self, word: &SubstArg, here: Here<'_>) -> Origin {
-        let inside = here.start.filter(|_| word.range.slice(here.inner) == word.text);
+        let inside = here
+            .start
+            .filter(|_| word.range.slice(here.inner) == word.text);
         let range = inside.map_or(here.whole, |start| word.range.shift(start));
         self.origin_in(here.site, range)
     }
@@ -287,11 +350,16 @@ impl ArgHost<'_, '_, '_> {
         args: &[Value],
         keywords: &[(EcoString, Value)],
     ) -> Result<Result<Value, Failure>, EvalError> {
-        let word = |text: EcoString| SubstArg { text, range: TextRange::default() };
+        let word = |text: EcoString| SubstArg {
+            text,
+            range: TextRange::default(),
+        };
         Ok(match function {
             HostFn::Arg => {
                 let name = text_argument("_eval_arg_context", "name", args, keywords)?;
-                self.machine.argument(&word(name), self.here).map(|text| converted(&text))
+                self.machine
+                    .argument(&word(name), self.here)
+                    .map(|text| converted(&text))
             }
             HostFn::Env => {
                 let name = text_argument("_eval_env", "name", args, keywords)?;
@@ -299,12 +367,24 @@ impl ArgHost<'_, '_, '_> {
             }
             HostFn::OptEnv => {
                 let is_default = |(keyword, _): &&(EcoString, Value)| keyword == "default";
-                let default = args.get(1).or(keywords.iter().find(is_default).map(|(_, value)| value));
-                let others: Vec<_> = keywords.iter().filter(|pair| !is_default(pair)).cloned().collect();
-                let first = if args.len() > 2 { args } else { args.get(..1).unwrap_or_default() };
+                let default = args
+                    .get(1)
+                    .or(keywords.iter().find(is_default).map(|(_, value)| value));
+                let others: Vec<_> = keywords
+                    .iter()
+                    .filter(|pair| !is_default(pair))
+                    .cloned()
+                    .collect();
+                let first = if args.len() > 2 {
+                    args
+                } else {
+                    args.get(..1).unwrap_or_default()
+                };
                 let name = text_argument("_eval_optenv", "name", first, &others)?;
                 let value = self.machine.env_var(&name).map(Value::Str);
-                Ok(value.or_else(|| default.cloned()).unwrap_or_else(|| Value::Str(EcoString::new())))
+                Ok(value
+                    .or_else(|| default.cloned())
+                    .unwrap_or_else(|| Value::Str(EcoString::new())))
             }
             HostFn::Find => {
                 let name = text_argument("_eval_find", "pkg", args, keywords)?;
@@ -370,7 +450,11 @@ impl Host for ArgHost<'_, '_, '_> {
 
 /// With a dot a float, else an integer, else a boolean, else text.
 fn converted(text: &str) -> Value {
-    let number = if text.contains('.') { literal::float(text) } else { literal::int(text) };
+    let number = if text.contains('.') {
+        literal::float(text)
+    } else {
+        literal::int(text)
+    };
     number.unwrap_or_else(|| match text.to_lowercase().as_str() {
         "true" => Value::Bool(true),
         "false" => Value::Bool(false),

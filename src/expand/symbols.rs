@@ -40,7 +40,10 @@ pub struct SourceRange {
 
 impl From<Origin> for SourceRange {
     fn from(origin: Origin) -> Self {
-        Self { src: origin.src, range: origin.range }
+        Self {
+            src: origin.src,
+            range: origin.range,
+        }
     }
 }
 
@@ -120,7 +123,9 @@ impl Symbols {
 
     /// The uses of a definition.
     pub fn uses_of(&self, definition: DefinitionId) -> impl Iterator<Item = &Use> {
-        self.uses.iter().filter(move |used| used.definition == definition)
+        self.uses
+            .iter()
+            .filter(move |used| used.definition == definition)
     }
 
     /// All uses, also those by properties that nothing reads.
@@ -145,12 +150,17 @@ impl Symbols {
 
     /// The number of a definition that was met.
     pub(super) fn number_of(&self, definition: &Definition) -> Option<DefinitionId> {
-        self.known.get(&(definition.place, definition.name.clone())).copied()
+        self.known
+            .get(&(definition.place, definition.name.clone()))
+            .copied()
     }
 
     pub(super) fn add(&mut self, definition: Definition) -> DefinitionId {
         let next = DefinitionId(self.definitions.len() as u32);
-        let id = *self.known.entry((definition.place, definition.name.clone())).or_insert(next);
+        let id = *self
+            .known
+            .entry((definition.place, definition.name.clone()))
+            .or_insert(next);
         if let Some(log) = &mut self.log {
             log.definitions.push((definition.clone(), id));
         }
@@ -169,7 +179,11 @@ impl Symbols {
             log.uses.push((used, idle));
         }
         if self.seen.insert(used) {
-            let list = if idle { &mut self.idle_uses } else { &mut self.uses };
+            let list = if idle {
+                &mut self.idle_uses
+            } else {
+                &mut self.uses
+            };
             list.push(used);
         }
     }
@@ -190,7 +204,14 @@ impl Expander<'_> {
         of: Option<DefinitionId>,
     ) -> DefinitionId {
         let (conditional, in_macro) = (self.conditions > 0, !self.calls.is_empty());
-        let definition = Definition { kind, name: name.clone(), place: at.into(), of, conditional, in_macro };
+        let definition = Definition {
+            kind,
+            name: name.clone(),
+            place: at.into(),
+            of,
+            conditional,
+            in_macro,
+        };
         self.result.symbols.add(definition)
     }
 
@@ -200,7 +221,14 @@ impl Expander<'_> {
             return;
         }
         if let Some(definition) = definition {
-            self.result.symbols.add_use(Use { place: at.into(), definition, kind }, self.idle);
+            self.result.symbols.add_use(
+                Use {
+                    place: at.into(),
+                    definition,
+                    kind,
+                },
+                self.idle,
+            );
         }
     }
 
@@ -209,7 +237,11 @@ impl Expander<'_> {
         if !self.request.probe {
             return;
         }
-        let definition = self.result.bindings.get(binding as usize).and_then(|info| info.definition);
+        let definition = self
+            .result
+            .bindings
+            .get(binding as usize)
+            .and_then(|info| info.definition);
         self.note_use(at, definition, kind);
     }
 }

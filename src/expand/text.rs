@@ -18,7 +18,8 @@ use base::TextRange;
 use base::paths::HERE;
 use expr::ast::ExprKind;
 use expr::{
-    self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value, display,
+    self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value,
+    display,
 };
 
 /// A text, split and parsed.
@@ -30,7 +31,10 @@ pub(super) struct SplitText {
 
 impl SplitText {
     fn of(text: &str) -> Arc<Self> {
-        Arc::new(Self { text: text.into(), template: expr::split(text) })
+        Arc::new(Self {
+            text: text.into(),
+            template: expr::split(text),
+        })
     }
 }
 
@@ -54,7 +58,10 @@ impl Expander<'_> {
             return Value::Str(text.into());
         }
         let cached = self.split(text);
-        let site = TextSite { text: &cached.text, place };
+        let site = TextSite {
+            text: &cached.text,
+            place,
+        };
         match cached.template.tokens.as_slice() {
             [] => Value::Str(EcoString::new()),
             [token] => self.eval_token(token, site, scope).0,
@@ -70,7 +77,11 @@ impl Expander<'_> {
                         _ => known = false,
                     }
                 }
-                if known { Value::Str(out) } else { Value::Unknown }
+                if known {
+                    Value::Str(out)
+                } else {
+                    Value::Unknown
+                }
             }
         }
     }
@@ -82,7 +93,10 @@ impl Expander<'_> {
             return (text.into(), Box::default());
         }
         let cached = self.split(text);
-        let site = TextSite { text: &cached.text, place };
+        let site = TextSite {
+            text: &cached.text,
+            place,
+        };
         let mut out = EcoString::new();
         let mut pieces = Vec::new();
         for token in &cached.template.tokens {
@@ -97,11 +111,17 @@ impl Expander<'_> {
             out.push_str(HERE.joint(&out, shown));
             let start = out.len() as u32;
             out.push_str(shown);
-            if let Token::Expr { range, .. } | Token::Subst { range, .. } | Token::Invalid { range, .. } =
-                token
+            if let Token::Expr { range, .. }
+            | Token::Subst { range, .. }
+            | Token::Invalid { range, .. } = token
             {
                 let source = self.origin_in(site, *range);
-                pieces.push(Piece { out: TextRange::new(start, out.len() as u32), source, reads, unknown });
+                pieces.push(Piece {
+                    out: TextRange::new(start, out.len() as u32),
+                    source,
+                    reads,
+                    unknown,
+                });
             }
         }
         (out, pieces.into())
@@ -110,7 +130,9 @@ impl Expander<'_> {
     /// A built-in function as text is no value: a property of that name was meant. The reference writes the text that
     /// Python shows of it.
     fn without_function(&mut self, value: Value, token: &Token, site: TextSite<'_>) -> Value {
-        let (Value::Builtin(_) | Value::Type(_), Token::Expr { range, inner, .. }) = (&value, token) else {
+        let (Value::Builtin(_) | Value::Type(_), Token::Expr { range, inner, .. }) =
+            (&value, token)
+        else {
             return value;
         };
         if !self.request.probe {
@@ -118,8 +140,13 @@ impl Expander<'_> {
         }
         let name = inner.slice(site.text).trim();
         let message = format!("property `{name}` is not defined; `{name}` is a Python function");
-        let problem = self.problem(ProblemKind::UndefinedProperty, self.origin_in(site, *range), message);
-        let help = format!("add <xacro:property name=\"{name}\" value=\"...\"/> before this expression");
+        let problem = self.problem(
+            ProblemKind::UndefinedProperty,
+            self.origin_in(site, *range),
+            message,
+        );
+        let help =
+            format!("add <xacro:property name=\"{name}\" value=\"...\"/> before this expression");
         self.push(problem.help(help).depends_on(Outside::Includer));
         Value::Unknown
     }
@@ -156,7 +183,12 @@ impl Expander<'_> {
     }
 
     /// The value of a token and what was read for it.
-    fn eval_token(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> (Value, TextRange) {
+    fn eval_token(
+        &mut self,
+        token: &Token,
+        site: TextSite<'_>,
+        scope: ScopeId,
+    ) -> (Value, TextRange) {
         let mark = self.reads.len();
         let value = self.token_value(token, site, scope);
         let reads = match token {
@@ -172,7 +204,11 @@ impl Expander<'_> {
         match token {
             Token::Text(range) | Token::Escape(range) => Value::Str(range.slice(site.text).into()),
             Token::Expr { range, inner, code } => self.eval_code(code, *range, *inner, site, scope),
-            Token::Subst { range, inner, nested } => {
+            Token::Subst {
+                range,
+                inner,
+                nested,
+            } => {
                 let mark = self.reads.len();
                 let text = match nested {
                     None => Cow::Borrowed(inner.slice(site.text)),
@@ -181,7 +217,13 @@ impl Expander<'_> {
                         None => return Value::Unknown,
                     },
                 };
-                self.substitute(&text, *range, nested.is_none().then_some(*inner), site, (scope, mark))
+                self.substitute(
+                    &text,
+                    *range,
+                    nested.is_none().then_some(*inner),
+                    site,
+                    (scope, mark),
+                )
             }
             Token::Invalid { range, unclosed } => self.invalid_text(*range, *unclosed, site),
         }
@@ -225,7 +267,12 @@ impl Expander<'_> {
     }
 
     /// A text inside a token, evaluated to a string; `None` when it cannot be computed.
-    fn eval_nested(&mut self, nested: &Template, site: TextSite<'_>, scope: ScopeId) -> Option<EcoString> {
+    fn eval_nested(
+        &mut self,
+        nested: &Template,
+        site: TextSite<'_>,
+        scope: ScopeId,
+    ) -> Option<EcoString> {
         let mut out = EcoString::new();
         let mut known = true;
         for token in &nested.tokens {
@@ -248,20 +295,38 @@ impl Expander<'_> {
         let mark = self.reads.len();
         match code {
             Code::Static(parsed) => {
-                let at = CodeSite { whole, start: Some(inner.start), code: inner.slice(site.text), site };
+                let at = CodeSite {
+                    whole,
+                    start: Some(inner.start),
+                    code: inner.slice(site.text),
+                    site,
+                };
                 self.eval_parsed(parsed, at, scope, mark)
             }
             Code::Dynamic(nested) => {
-                let Some(text) = self.eval_nested(nested, site, scope) else { return Value::Unknown };
+                let Some(text) = self.eval_nested(nested, site, scope) else {
+                    return Value::Unknown;
+                };
                 let parsed = expr::parse(&text);
-                let at = CodeSite { whole, start: None, code: inner.slice(site.text), site };
+                let at = CodeSite {
+                    whole,
+                    start: None,
+                    code: inner.slice(site.text),
+                    site,
+                };
                 self.eval_parsed(&parsed, at, scope, mark)
             }
         }
     }
 
     /// The value of an expression; what was read for it follows the first `mark` reads.
-    fn eval_parsed(&mut self, parsed: &Parsed, at: CodeSite<'_>, scope: ScopeId, mark: usize) -> Value {
+    fn eval_parsed(
+        &mut self,
+        parsed: &Parsed,
+        at: CodeSite<'_>,
+        scope: ScopeId,
+        mark: usize,
+    ) -> Value {
         if let Some(error) = parsed.errors.first() {
             return self.syntax_error(error, at);
         }
@@ -273,7 +338,15 @@ impl Expander<'_> {
             return value;
         }
         let mut budget = self.budget.clone();
-        let result = expr::evaluate(&parsed.expr, &mut ExprHost { machine: self, scope, at }, &mut budget);
+        let result = expr::evaluate(
+            &parsed.expr,
+            &mut ExprHost {
+                machine: self,
+                scope,
+                at,
+            },
+            &mut budget,
+        );
         self.budget.steps = self.budget.steps.min(budget.steps);
         self.budget.bytes = self.budget.bytes.min(budget.bytes);
         match result {
@@ -287,15 +360,24 @@ impl Expander<'_> {
 
     fn syntax_error(&mut self, error: &expr::ExprError, at: CodeSite<'_>) -> Value {
         let whole = self.origin_in(at.site, at.whole);
-        let reference = format!("{} \nwhen evaluating expression '{}'", error.reference, at.code);
+        let reference = format!(
+            "{} \nwhen evaluating expression '{}'",
+            error.reference, at.code
+        );
         let code = at.code.trim();
         let mut problem = match error.kind {
             ExprErrorKind::ForbiddenName => {
                 self.problem(ProblemKind::InvalidExpression, whole, error.message.clone())
             }
-            _ if code.is_empty() => self.problem(ProblemKind::InvalidExpression, whole, "empty expression"),
+            _ if code.is_empty() => {
+                self.problem(ProblemKind::InvalidExpression, whole, "empty expression")
+            }
             _ => {
-                let message = format!("invalid expression `{}`: {}", shortened(code), error.message);
+                let message = format!(
+                    "invalid expression `{}`: {}",
+                    shortened(code),
+                    error.message
+                );
                 self.problem(ProblemKind::InvalidExpression, whole, message)
             }
         }
@@ -315,18 +397,32 @@ impl Expander<'_> {
         if let Some(problem) = slip {
             return self.push(problem);
         }
-        let reference = format!("{} \nwhen evaluating expression '{}'", error.message, at.code);
+        let reference = format!(
+            "{} \nwhen evaluating expression '{}'",
+            error.message, at.code
+        );
         let (kind, place) = match error.kind {
             ErrorKind::Reported => return,
-            ErrorKind::YamlKey => (ProblemKind::UndefinedProperty, self.origin_of(at, error.range)),
-            ErrorKind::Syntax | ErrorKind::ForbiddenName => {
-                (ProblemKind::InvalidExpression, self.origin_in(at.site, at.whole))
-            }
-            _ => (ProblemKind::ExpressionError, self.origin_in(at.site, at.whole)),
+            ErrorKind::YamlKey => (
+                ProblemKind::UndefinedProperty,
+                self.origin_of(at, error.range),
+            ),
+            ErrorKind::Syntax | ErrorKind::ForbiddenName => (
+                ProblemKind::InvalidExpression,
+                self.origin_in(at.site, at.whole),
+            ),
+            _ => (
+                ProblemKind::ExpressionError,
+                self.origin_in(at.site, at.whole),
+            ),
         };
         let message = match kind {
             ProblemKind::UndefinedProperty => advice::headline(error),
-            _ => format!("cannot evaluate `{}`: {}", shortened(at.code.trim()), advice::headline(error)),
+            _ => format!(
+                "cannot evaluate `{}`: {}",
+                shortened(at.code.trim()),
+                advice::headline(error)
+            ),
         };
         let mut problem = self.problem(kind, place, message).says(reference);
         if kind == ProblemKind::ExpressionError {
@@ -348,7 +444,10 @@ impl Expander<'_> {
     pub fn origin_in(&self, site: TextSite<'_>, range: TextRange) -> Origin {
         let origin = site.place.origin;
         match self.is_raw(site) {
-            true => Origin { range: range.shift(origin.range.start), ..origin },
+            true => Origin {
+                range: range.shift(origin.range.start),
+                ..origin
+            },
             false => self.origins_in(site)(range),
         }
     }
@@ -373,10 +472,16 @@ impl Expander<'_> {
         move |range| {
             let mapped = match &mut offsets {
                 _ if is_same => range,
-                Some(map) => TextRange::new(map(range.start as usize) as u32, map(range.end as usize) as u32),
+                Some(map) => TextRange::new(
+                    map(range.start as usize) as u32,
+                    map(range.end as usize) as u32,
+                ),
                 None => return origin,
             };
-            Origin { range: mapped.shift(origin.range.start), ..origin }
+            Origin {
+                range: mapped.shift(origin.range.start),
+                ..origin
+            }
         }
     }
 
@@ -403,7 +508,8 @@ pub(super) struct CodeSite<'t> {
 
 /// The dollar signs a text starts with.
 fn lead(text: &str) -> &str {
-    text.get(..text.len() - text.trim_start_matches('$').len()).unwrap_or("")
+    text.get(..text.len() - text.trim_start_matches('$').len())
+        .unwrap_or("")
 }
 
 /// An expression as messages name it: the reason behind a long one is what matters.
@@ -412,5 +518,9 @@ fn shortened(code: &str) -> Cow<'_, str> {
     if code.len() <= MOST {
         return Cow::Borrowed(code);
     }
-    Cow::Owned(format!("{}...", code.get(..code.floor_char_boundary(MOST)).unwrap_or_default()))
+    Cow::Owned(format!(
+        "{}...",
+        code.get(..code.floor_char_boundary(MOST))
+            .unwrap_or_default()
+    ))
 }

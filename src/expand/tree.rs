@@ -86,7 +86,10 @@ impl Attrs {
     /// The attributes as a model shares them, and the place of one among them.
     pub fn find(&self, name: &str) -> Option<(Arc<[XAttr]>, usize)> {
         let attrs = self.0.as_ref()?;
-        Some((attrs.clone(), attrs.iter().position(|attr| attr.name == name)?))
+        Some((
+            attrs.clone(),
+            attrs.iter().position(|attr| attr.name == name)?,
+        ))
     }
 }
 
@@ -152,7 +155,10 @@ pub struct XTree {
 
 impl Default for XTree {
     fn default() -> Self {
-        let mut tree = Self { nodes: Vec::with_capacity(256), set_with_prefix: FastSet::default() };
+        let mut tree = Self {
+            nodes: Vec::with_capacity(256),
+            set_with_prefix: FastSet::default(),
+        };
         tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
         tree
     }
@@ -250,7 +256,8 @@ impl XTree {
     /// The child elements in order.
     #[inline]
     pub fn elements(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
-        self.children(id).filter(|&c| self.get(c).kind == XKind::Element)
+        self.children(id)
+            .filter(|&c| self.get(c).kind == XKind::Element)
     }
 
     /// All nodes below a node, in document order.
@@ -291,7 +298,9 @@ impl XTree {
                 true => !self.set_with_prefix.contains(&(id, name.clone())),
                 false => name == "xmlns",
             };
-            all.retain(|old| local_name(&old.name) != local_name(&attr.name) || has_namespace(&old.name));
+            all.retain(|old| {
+                local_name(&old.name) != local_name(&attr.name) || has_namespace(&old.name)
+            });
             if attr.name.contains(':') {
                 self.set_with_prefix.insert((id, attr.name.clone()));
             }
@@ -321,16 +330,23 @@ impl XTree {
     pub(super) fn graft(&mut self, from: &Self, (first, end): (XId, XId), parent: XId) {
         let start = self.nodes.len() as u32;
         let inside = |id: XId| (first.0..end.0).contains(&id.0);
-        let moved = |id: XId| if inside(id) { XId(id.0 - first.0 + start) } else { XId::NIL };
+        let moved = |id: XId| {
+            if inside(id) {
+                XId(id.0 - first.0 + start)
+            } else {
+                XId::NIL
+            }
+        };
         let range = first.index()..end.index();
-        self.nodes.extend(from.nodes[range.clone()].iter().map(|node| XNode {
-            parent: moved(node.parent),
-            first: moved(node.first),
-            last: moved(node.last),
-            prev: moved(node.prev),
-            next: moved(node.next),
-            ..node.clone()
-        }));
+        self.nodes
+            .extend(from.nodes[range.clone()].iter().map(|node| XNode {
+                parent: moved(node.parent),
+                first: moved(node.first),
+                last: moved(node.last),
+                prev: moved(node.prev),
+                next: moved(node.next),
+                ..node.clone()
+            }));
         for (id, node) in (start..).map(XId).zip(&from.nodes[range]) {
             if !inside(node.parent) {
                 self.append(parent, id);

@@ -10,10 +10,22 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     list("frame", &made.frames, &fresh.frames);
     list("binding", &made.bindings, &fresh.bindings);
     list("read", &made.reads, &fresh.reads);
-    list("evaluation", made.evaluations.all(), fresh.evaluations.all());
-    list("definition", &made.symbols.definitions, &fresh.symbols.definitions);
+    list(
+        "evaluation",
+        made.evaluations.all(),
+        fresh.evaluations.all(),
+    );
+    list(
+        "definition",
+        &made.symbols.definitions,
+        &fresh.symbols.definitions,
+    );
     list("use", &made.symbols.uses, &fresh.symbols.uses);
-    list("idle use", &made.symbols.idle_uses, &fresh.symbols.idle_uses);
+    list(
+        "idle use",
+        &made.symbols.idle_uses,
+        &fresh.symbols.idle_uses,
+    );
     list("problem", &made.problems, &fresh.problems);
     list("doubtful problem", &made.doubtful, &fresh.doubtful);
     list("message", &made.messages, &fresh.messages);
@@ -22,7 +34,11 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     list("include", &made.includes, &fresh.includes);
     list("probe", &made.probes, &fresh.probes);
     list("argument", &made.arguments, &fresh.arguments);
-    assert_eq!((made.complete, made.whole), (fresh.complete, fresh.whole), "complete and whole");
+    assert_eq!(
+        (made.complete, made.whole),
+        (fresh.complete, fresh.whole),
+        "complete and whole"
+    );
 }
 
 fn list<T: Debug>(what: &str, made: &[T], fresh: &[T]) {

@@ -6,7 +6,9 @@ use std::cell::RefCell;
 use ecow::EcoString;
 
 use super::memo::NamesRead;
-use super::scope::{Binding, MacroEntry, MacroTable, Macros, MacrosId, Scope, Scopes, SrcRef, State};
+use super::scope::{
+    Binding, MacroEntry, MacroTable, Macros, MacrosId, Scope, Scopes, SrcRef, State,
+};
 use expr::{ScopeId, Value};
 
 /// What is looked up outside of a step.
@@ -33,13 +35,19 @@ impl Watch {
 impl Scopes {
     /// Count scopes that were not made.
     pub fn skip(&mut self, count: usize) {
-        self.list.resize_with(self.list.len() + count, Scope::default);
+        self.list
+            .resize_with(self.list.len() + count, Scope::default);
     }
 
     /// Write down from now on what scopes that are there say to new ones.
     pub fn watch(&mut self) {
         let floor = self.list.len() as u32;
-        self.watch = Some(RefCell::new(Watch { floor, names: Vec::new(), evaluated: false, unclear: false }));
+        self.watch = Some(RefCell::new(Watch {
+            floor,
+            names: Vec::new(),
+            evaluated: false,
+            unclear: false,
+        }));
     }
 
     /// What was read of the scope of the document since then, and whether an expression was evaluated there; none when
@@ -58,7 +66,11 @@ impl Scopes {
 
     /// Note that a scope is changed.
     pub fn note_change(&self, id: ScopeId) {
-        if self.watch.as_ref().is_some_and(|watch| id.0 < watch.borrow().floor) {
+        if self
+            .watch
+            .as_ref()
+            .is_some_and(|watch| id.0 < watch.borrow().floor)
+        {
             self.note_unclear();
         }
     }
@@ -70,7 +82,13 @@ impl Scopes {
         scopes.any(|scope| scope.vars.iter().any(|(_, binding)| is_lazy(binding)))
     }
 
-    pub fn note_lookup(&self, watch: &RefCell<Watch>, from: ScopeId, name: &str, found: Option<ScopeId>) {
+    pub fn note_lookup(
+        &self,
+        watch: &RefCell<Watch>,
+        from: ScopeId,
+        name: &str,
+        found: Option<ScopeId>,
+    ) {
         let mut watch = watch.borrow_mut();
         if found.is_some_and(|id| id.0 >= watch.floor) {
             return;
@@ -82,8 +100,10 @@ impl Scopes {
             return;
         }
         let known = found.and_then(|id| self.get(id).vars.get(name));
-        let (name, binding) =
-            known.map_or_else(|| (name.into(), None), |(n, b)| (n.clone(), Some(b.clone())));
+        let (name, binding) = known.map_or_else(
+            || (name.into(), None),
+            |(n, b)| (n.clone(), Some(b.clone())),
+        );
         watch.names.push((name, binding));
     }
 }
@@ -102,13 +122,18 @@ pub(super) struct MacroWatch {
 impl Macros {
     /// Count tables that were not made.
     pub fn skip(&mut self, count: usize) {
-        self.list.resize_with(self.list.len() + count, MacroTable::default);
+        self.list
+            .resize_with(self.list.len() + count, MacroTable::default);
     }
 
     /// Write down from now on what tables that are there say to new ones.
     pub fn watch(&mut self) {
         let floor = self.list.len() as u32;
-        self.watch = Some(RefCell::new(MacroWatch { floor, names: Vec::new(), unclear: false }));
+        self.watch = Some(RefCell::new(MacroWatch {
+            floor,
+            names: Vec::new(),
+            unclear: false,
+        }));
     }
 
     /// What was read since then; none when that is not all.

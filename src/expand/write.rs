@@ -48,10 +48,21 @@ fn written(tree: &XTree, input: &str, map: Option<Recorder>) -> Written {
     let mut text = String::with_capacity(tree.len() * 32);
     text.push_str("<?xml version=\"1.0\" ?>\n");
     text.push_str(&banner(input));
-    let mut writer = Writer { tree, text, lines: vec![None; 5], line: 5, seen: 0, map };
+    let mut writer = Writer {
+        tree,
+        text,
+        lines: vec![None; 5],
+        line: 5,
+        seen: 0,
+        map,
+    };
     writer.seen = writer.text.len();
     writer.nodes(XId::DOCUMENT, 0);
-    Written { text: writer.text, lines: writer.lines, map: writer.map.map_or(Vec::new(), Recorder::finish) }
+    Written {
+        text: writer.text,
+        lines: writer.lines,
+        map: writer.map.map_or(Vec::new(), Recorder::finish),
+    }
 }
 
 struct Writer<'t> {
@@ -115,7 +126,15 @@ impl Writer<'_> {
             XKind::Doctype => self.text.push_str(&node.text),
             XKind::CData | XKind::Container => {}
         }
-        self.record(start, id, if node.kind == XKind::Comment { MapKind::Comment } else { MapKind::Text });
+        self.record(
+            start,
+            id,
+            if node.kind == XKind::Comment {
+                MapKind::Comment
+            } else {
+                MapKind::Text
+            },
+        );
         self.text.push('\n');
         None
     }
@@ -134,8 +153,9 @@ impl Writer<'_> {
             map.start_tag(tag_end);
         }
         let first = self.tree.first_child(id);
-        let only_text = first
-            .is_some_and(|c| self.tree.get(c).kind == XKind::Text && self.tree.next_sibling(c).is_none());
+        let only_text = first.is_some_and(|c| {
+            self.tree.get(c).kind == XKind::Text && self.tree.next_sibling(c).is_none()
+        });
         match first {
             None => {
                 self.text.push_str("/>");

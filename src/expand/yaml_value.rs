@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use base::TextRange;
 use expr::{
-    self, Budget, DateValue, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Str, Value, literal,
+    self, Budget, DateValue, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Str, Value,
+    literal,
 };
 use yaml::{Kind, Node, Unit};
 
@@ -19,13 +20,18 @@ pub fn file_value(node: &Node, budget: &mut Budget) -> Result<Value, EvalError> 
 
 fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalError> {
     let list = |items: &[Node], budget: &mut Budget| -> Result<Vec<Value>, EvalError> {
-        items.iter().map(|item| convert(item, false, budget)).collect()
+        items
+            .iter()
+            .map(|item| convert(item, false, budget))
+            .collect()
     };
-    let pairs = |items: &[(Node, Node)], budget: &mut Budget| -> Result<Vec<(Value, Value)>, EvalError> {
-        let pair =
-            |(key, value): &(Node, Node)| Ok((convert(key, false, budget)?, convert(value, false, budget)?));
-        items.iter().map(pair).collect()
-    };
+    let pairs =
+        |items: &[(Node, Node)], budget: &mut Budget| -> Result<Vec<(Value, Value)>, EvalError> {
+            let pair = |(key, value): &(Node, Node)| {
+                Ok((convert(key, false, budget)?, convert(value, false, budget)?))
+            };
+            items.iter().map(pair).collect()
+        };
     Ok(match &node.kind {
         Kind::Null => Value::None,
         Kind::Bool(value) => Value::Bool(*value),
@@ -39,7 +45,12 @@ fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalErr
         Kind::Set(items) => Value::set_from(list(items, budget)?),
         Kind::Pairs(items) => {
             let pairs = pairs(items, budget)?;
-            Value::list_from(pairs.into_iter().map(|(key, value)| Value::tuple_from([key, value])), top)
+            Value::list_from(
+                pairs
+                    .into_iter()
+                    .map(|(key, value)| Value::tuple_from([key, value])),
+                top,
+            )
         }
         Kind::Tagged { unit, text } => Value::Float(measure(text, budget)? * factor(*unit)),
     })
@@ -68,29 +79,50 @@ fn measure(text: &str, budget: &mut Budget) -> Result<f64, EvalError> {
     let mut host = GlobalsOnly { missing: None };
     let value = expr::evaluate(&parsed.expr, &mut host, budget)?;
     if let Some(name) = host.missing {
-        return Err(EvalError::new(ErrorKind::Name, format!("name '{name}' is not defined")));
+        return Err(EvalError::new(
+            ErrorKind::Name,
+            format!("name '{name}' is not defined"),
+        ));
     }
     literal::float_of(&value)
 }
 
 /// A date from the text Python prints for it.
 fn date(text: &str) -> Value {
-    let mut numbers = text.split(|c: char| !c.is_ascii_digit()).map(|part| part.parse::<u32>().unwrap_or(0));
+    let mut numbers = text
+        .split(|c: char| !c.is_ascii_digit())
+        .map(|part| part.parse::<u32>().unwrap_or(0));
     let mut next = || numbers.next().unwrap_or(0);
     let date = (next() as i32, next(), next());
     let Some((_, clock)) = text.split_once(' ') else {
-        return Value::Date(Arc::new(DateValue { date, time: None, utc_offset: None }));
+        return Value::Date(Arc::new(DateValue {
+            date,
+            time: None,
+            utc_offset: None,
+        }));
     };
     let (hour, minute, second) = (next(), next(), next());
     let micro = if clock.contains('.') { next() } else { 0 };
     let zone = clock.rfind(['+', '-']).and_then(|at| clock.get(at..));
     let utc_offset = zone.map(|zone| {
-        let mut parts = zone.get(1..).unwrap_or("").split(':').map(|part| part.parse::<i32>().unwrap_or(0));
+        let mut parts = zone
+            .get(1..)
+            .unwrap_or("")
+            .split(':')
+            .map(|part| part.parse::<i32>().unwrap_or(0));
         let mut part = || parts.next().unwrap_or(0);
         let seconds = part() * 3600 + part() * 60 + part();
-        if zone.starts_with('-') { -seconds } else { seconds }
+        if zone.starts_with('-') {
+            -seconds
+        } else {
+            seconds
+        }
     });
-    Value::Date(Arc::new(DateValue { date, time: Some((hour, minute, second, micro)), utc_offset }))
+    Value::Date(Arc::new(DateValue {
+        date,
+        time: Some((hour, minute, second, micro)),
+        utc_offset,
+    }))
 }
 
 /// No property is visible.
@@ -107,8 +139,17 @@ impl Host for GlobalsOnly {
         Lookup::Missing
     }
 
-    fn call(&mut self, _: HostFn, _: &[Value], _: &[(Str, Value)], _: TextRange) -> Result<Value, EvalError> {
-        Err(EvalError::new(ErrorKind::Xacro, "xacro functions are not allowed in a YAML value with a unit"))
+    fn call(
+        &mut self,
+        _: HostFn,
+        _: &[Value],
+        _: &[(Str, Value)],
+        _: TextRange,
+    ) -> Result<Value, EvalError> {
+        Err(EvalError::new(
+            ErrorKind::Xacro,
+            "xacro functions are not allowed in a YAML value with a unit",
+        ))
     }
 
     fn deprecated(&mut self, _: &str, _: &str, _: TextRange) {}

@@ -18,7 +18,8 @@ impl Args {
     }
 
     pub(crate) fn has_unknown(&self) -> bool {
-        self.pos.iter().any(Value::is_unknown) || self.named.iter().any(|(_, value)| value.is_unknown())
+        self.pos.iter().any(Value::is_unknown)
+            || self.named.iter().any(|(_, value)| value.is_unknown())
     }
 
     /// The argument at `place`, if it was given.
@@ -34,7 +35,10 @@ impl Args {
 
     /// A named argument that [`Arity::Any`] left in place.
     pub(crate) fn named(&self, name: &str) -> Option<&Value> {
-        self.named.iter().find(|(given, _)| given == name).map(|(_, value)| value)
+        self.named
+            .iter()
+            .find(|(given, _)| given == name)
+            .map(|(_, value)| value)
     }
 }
 
@@ -48,7 +52,11 @@ pub(crate) enum Arity {
     /// So many, by position.
     Range(usize, usize),
     /// By position or name; the first `required` must be given, the first `positional` may be given by position.
-    Named { names: &'static [&'static str], required: usize, positional: usize },
+    Named {
+        names: &'static [&'static str],
+        required: usize,
+        positional: usize,
+    },
     /// The function sees for itself.
     Any,
     /// Any number by position, none by name.
@@ -60,7 +68,11 @@ pub(crate) fn bind(function: &Function, receiver: &Value, args: Args) -> Eval<Ar
     let given = args.len();
     match function.arity {
         Arity::Any => return Ok(args),
-        Arity::Named { names, required, positional } => {
+        Arity::Named {
+            names,
+            required,
+            positional,
+        } => {
             return bind_named(function.name, names, required, positional, args);
         }
         _ if !args.named.is_empty() => {
@@ -69,11 +81,15 @@ pub(crate) fn bind(function: &Function, receiver: &Value, args: Args) -> Eval<Ar
         }
         Arity::Zero if given != 0 => {
             let name = function.qualified_name(receiver);
-            Err(Stop::typ(format!("{name} takes no arguments ({given} given)")))
+            Err(Stop::typ(format!(
+                "{name} takes no arguments ({given} given)"
+            )))
         }
         Arity::One if given != 1 => {
             let name = function.qualified_name(receiver);
-            Err(Stop::typ(format!("{name} takes exactly one argument ({given} given)")))
+            Err(Stop::typ(format!(
+                "{name} takes exactly one argument ({given} given)"
+            )))
         }
         Arity::Range(min, max) => check_count(function.name, given, min, max),
         Arity::Zero | Arity::One | Arity::Positional => Ok(()),
@@ -92,7 +108,9 @@ pub(crate) fn check_count(name: &str, given: usize, min: usize, max: usize) -> E
         () => (max, "at most "),
     };
     let plural = if bound == 1 { "" } else { "s" };
-    Err(Stop::typ(format!("{name} expected {how}{bound} argument{plural}, got {given}")))
+    Err(Stop::typ(format!(
+        "{name} expected {how}{bound} argument{plural}, got {given}"
+    )))
 }
 
 /// Arguments by position or name; a parameter without a name is taken by position only.
@@ -132,20 +150,37 @@ pub(crate) fn bind_named(
     }
     let missing = pos.iter().take(required).position(Value::is_unknown);
     if let Some((place, name)) = missing.and_then(|place| Some((place + 1, names.get(place)?))) {
-        return Err(Stop::typ(format!("{function}() missing required argument '{name}' (pos {place})")));
+        return Err(Stop::typ(format!(
+            "{function}() missing required argument '{name}' (pos {place})"
+        )));
     }
     match wrong {
-        Some(name) => Err(Stop::typ(format!("'{name}' is an invalid keyword argument for {function}()"))),
-        None => Ok(Args { pos, named: Vec::new() }),
+        Some(name) => Err(Stop::typ(format!(
+            "'{name}' is an invalid keyword argument for {function}()"
+        ))),
+        None => Ok(Args {
+            pos,
+            named: Vec::new(),
+        }),
     }
 }
 
 /// Whether the numbers of arguments fit, in total and by position.
-fn check_counts(function: &str, names: &[&str], required: usize, positional: usize, args: &Args) -> Eval<()> {
+fn check_counts(
+    function: &str,
+    names: &[&str],
+    required: usize,
+    positional: usize,
+    args: &Args,
+) -> Eval<()> {
     let plural = |count: usize| if count == 1 { "" } else { "s" };
     let (by_position, given) = (args.len(), args.len() + args.named.len());
     if given > names.len() {
-        let how = if required == names.len() { "exactly" } else { "at most" };
+        let how = if required == names.len() {
+            "exactly"
+        } else {
+            "at most"
+        };
         let keyword = if by_position == 0 { "keyword " } else { "" };
         let (most, s) = (names.len(), plural(names.len()));
         return Err(Stop::typ(format!(
@@ -154,17 +189,31 @@ fn check_counts(function: &str, names: &[&str], required: usize, positional: usi
     }
     if by_position > positional {
         if positional == 0 {
-            return Err(Stop::typ(format!("{function}() takes no positional arguments")));
+            return Err(Stop::typ(format!(
+                "{function}() takes no positional arguments"
+            )));
         }
-        let how = if required >= positional { "exactly" } else { "at most" };
+        let how = if required >= positional {
+            "exactly"
+        } else {
+            "at most"
+        };
         let s = plural(positional);
         return Err(Stop::typ(format!(
             "{function}() takes {how} {positional} positional argument{s} ({by_position} given)"
         )));
     }
-    let unnamed = names.iter().take(required).take_while(|name| name.is_empty()).count();
+    let unnamed = names
+        .iter()
+        .take(required)
+        .take_while(|name| name.is_empty())
+        .count();
     if by_position < unnamed {
-        let how = if unnamed < positional { "at least" } else { "exactly" };
+        let how = if unnamed < positional {
+            "at least"
+        } else {
+            "exactly"
+        };
         let s = plural(unnamed);
         return Err(Stop::typ(format!(
             "{function}() takes {how} {unnamed} positional argument{s} ({by_position} given)"

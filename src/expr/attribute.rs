@@ -35,19 +35,30 @@ impl Interp<'_> {
             }
             // Not everything they have is known here.
             Value::Date(date) => {
-                return date_part(date, name).or_else(|| date_method(value, name)).ok_or(Stop::Unknown);
+                return date_part(date, name)
+                    .or_else(|| date_method(value, name))
+                    .ok_or(Stop::Unknown);
             }
             _ => {}
         }
         if let Some(function) = methods::find(value, name) {
             let unbound = false;
-            return Ok(Value::Method(Arc::new(Bound { receiver: value.clone(), function, unbound })));
+            return Ok(Value::Method(Arc::new(Bound {
+                receiver: value.clone(),
+                function,
+                unbound,
+            })));
         }
         data(value, name).map_or_else(|| missing(value, name), Ok)
     }
 
     /// What a namespace holds under a name.
-    pub(crate) fn member(&mut self, namespace: &Value, name: &str, place: TextRange) -> Option<Value> {
+    pub(crate) fn member(
+        &mut self,
+        namespace: &Value,
+        name: &str,
+        place: TextRange,
+    ) -> Option<Value> {
         match namespace {
             Value::Module(module) => builtins::attribute(*module, name),
             Value::Scope(scope) => match self.host.scope_attribute(*scope, name, place) {
@@ -64,12 +75,17 @@ impl Interp<'_> {
             Value::Module(module) => {
                 let names = builtins::names(*module).iter();
                 names
-                    .filter_map(|name| Some((Key::text(*name), builtins::attribute(*module, name)?)))
+                    .filter_map(|name| {
+                        Some((Key::text(*name), builtins::attribute(*module, name)?))
+                    })
                     .collect()
             }
             Value::Scope(scope) => {
                 let entries = self.host.scope_entries(*scope).ok_or(Stop::Unknown)?;
-                entries.into_iter().map(|(name, value)| (Key::text(name), value)).collect()
+                entries
+                    .into_iter()
+                    .map(|(name, value)| (Key::text(name), value))
+                    .collect()
             }
             _ => return Err(Stop::Unknown),
         };
@@ -105,8 +121,10 @@ impl Interp<'_> {
 /// The reference's namespaces are dicts with attributes of their own: `ns.depth` is not the property `depth`.
 /// The value of such an attribute is unknown here.
 pub fn is_namespace_attribute(name: &str) -> bool {
-    matches!(name, "depth" | "parent" | "recursive" | "root" | "top" | "unevaluated")
-        || methods::of_type(Type::Dict, name).is_some()
+    matches!(
+        name,
+        "depth" | "parent" | "recursive" | "root" | "top" | "unevaluated"
+    ) || methods::of_type(Type::Dict, name).is_some()
         || name == "fromkeys"
 }
 
@@ -122,7 +140,11 @@ fn data(value: &Value, name: &str) -> Option<Value> {
         (Value::Slice(slice), "step") => Some(slice.step.clone()),
         (Value::Type(kind), _) => {
             let function = methods::of_type(*kind, name)?;
-            Some(Value::Method(Arc::new(Bound { receiver: value.clone(), function, unbound: true })))
+            Some(Value::Method(Arc::new(Bound {
+                receiver: value.clone(),
+                function,
+                unbound: true,
+            })))
         }
         _ => number_part(Num::of(value)?, value, name),
     }
@@ -161,25 +183,37 @@ fn date_part(date: &super::value::DateValue, name: &str) -> Option<Value> {
 
 fn date_method(value: &Value, name: &str) -> Option<Value> {
     let function = methods::find(value, name)?;
-    Some(Value::Method(Arc::new(Bound { receiver: value.clone(), function, unbound: false })))
+    Some(Value::Method(Arc::new(Bound {
+        receiver: value.clone(),
+        function,
+        unbound: false,
+    })))
 }
 
 fn missing(value: &Value, name: &str) -> Eval {
     Err(match value {
         // Most methods of strings exist for bytes too, only not here: better an error than a guess.
-        Value::Bytes(_) if methods::of_type(Type::Str, name).is_some() => {
-            Stop::new(ErrorKind::Attribute, format!("the method '{name}' of bytes is not supported here"))
-        }
-        Value::Dict(dict) if dict.is_yaml() => {
-            Stop::new(ErrorKind::YamlKey, format!("The yaml dictionary has no key '{name}'"))
-        }
+        Value::Bytes(_) if methods::of_type(Type::Str, name).is_some() => Stop::new(
+            ErrorKind::Attribute,
+            format!("the method '{name}' of bytes is not supported here"),
+        ),
+        Value::Dict(dict) if dict.is_yaml() => Stop::new(
+            ErrorKind::YamlKey,
+            format!("The yaml dictionary has no key '{name}'"),
+        ),
         Value::Type(kind) => {
             let kind = kind.name();
-            Stop::new(ErrorKind::Attribute, format!("type object '{kind}' has no attribute '{name}'"))
+            Stop::new(
+                ErrorKind::Attribute,
+                format!("type object '{kind}' has no attribute '{name}'"),
+            )
         }
         other => {
             let kind = other.type_name();
-            Stop::new(ErrorKind::Attribute, format!("'{kind}' object has no attribute '{name}'"))
+            Stop::new(
+                ErrorKind::Attribute,
+                format!("'{kind}' object has no attribute '{name}'"),
+            )
         }
     })
 }

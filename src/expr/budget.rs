@@ -30,7 +30,13 @@ impl Budget {
     ///
     /// 600 levels fit a thread stack of 2 MB; a level is one node inside another, and a call is about four of them.
     pub fn new(steps: u64, bytes: u64, depth: u32) -> Self {
-        Self { steps, bytes, depth, total_steps: steps, total_bytes: bytes }
+        Self {
+            steps,
+            bytes,
+            depth,
+            total_steps: steps,
+            total_bytes: bytes,
+        }
     }
 
     /// Spend one step.
@@ -75,7 +81,9 @@ impl Budget {
     pub(crate) fn int_bits(&mut self, bits: u128) -> Eval<()> {
         if bits > u128::from(INTEGER_BITS) {
             let limit = INTEGER_BITS;
-            return Err(Stop::budget(format!("value has {bits} bits; the limit is {limit} bits")));
+            return Err(Stop::budget(format!(
+                "value has {bits} bits; the limit is {limit} bits"
+            )));
         }
         self.spend(bits / 8, bits, "bits")
     }
@@ -89,7 +97,9 @@ impl Budget {
     pub(crate) fn grown(&self, len: usize) -> Eval<()> {
         if len as u64 > EVAL_VALUE_BYTES {
             let limit = EVAL_VALUE_BYTES >> 20;
-            return Err(Stop::budget(format!("value has {len} characters; the limit is {limit} MB")));
+            return Err(Stop::budget(format!(
+                "value has {len} characters; the limit is {limit} MB"
+            )));
         }
         Ok(())
     }
@@ -97,7 +107,9 @@ impl Budget {
     fn spend(&mut self, bytes: u128, count: u128, unit: &str) -> Eval<()> {
         if bytes > u128::from(EVAL_VALUE_BYTES) {
             let limit = EVAL_VALUE_BYTES >> 20;
-            return Err(Stop::budget(format!("value has {count} {unit}; the limit is {limit} MB")));
+            return Err(Stop::budget(format!(
+                "value has {count} {unit}; the limit is {limit} MB"
+            )));
         }
         let bytes = u64::try_from(bytes).unwrap_or(u64::MAX);
         // A step per 256 bytes keeps long texts from being walked for free.
@@ -116,6 +128,9 @@ impl Budget {
 
     fn out_of_steps(&mut self) -> Stop {
         self.steps = 0;
-        Stop::budget(format!("evaluation takes more than the limit of {} steps", self.total_steps))
+        Stop::budget(format!(
+            "evaluation takes more than the limit of {} steps",
+            self.total_steps
+        ))
     }
 }

@@ -38,7 +38,12 @@ impl Interp<'_> {
 
     /// The attribute node `func`, whose object is evaluated already.
     fn attribute_of(&mut self, func: &Expr, object: &Value) -> Eval {
-        let ExprKind::Attribute { name, name_range, .. } = &func.kind else { return Ok(Value::Unknown) };
+        let ExprKind::Attribute {
+            name, name_range, ..
+        } = &func.kind
+        else {
+            return Ok(Value::Unknown);
+        };
         let place = self.place(*name_range);
         match self.attribute(object, name, place) {
             Err(Stop::Unknown) => Ok(Value::Unknown),
@@ -60,7 +65,10 @@ impl Interp<'_> {
     }
 
     fn arguments(&mut self, func: &Expr, exprs: &[Expr], keywords: &[Keyword]) -> Eval<Args> {
-        let mut args = Args { pos: Vec::with_capacity(exprs.len()), named: Vec::new() };
+        let mut args = Args {
+            pos: Vec::with_capacity(exprs.len()),
+            named: Vec::new(),
+        };
         for expr in exprs {
             match &expr.kind {
                 ExprKind::Starred(inner) => self.star_argument(func, inner, &mut args)?,
@@ -81,7 +89,9 @@ impl Interp<'_> {
         let value = self.eval(inner)?.known()?;
         if self.iter(&value).is_err() {
             let (what, kind) = (callee_name(func), value.type_name());
-            return Err(Stop::typ(format!("{what} argument after * must be an iterable, not {kind}")));
+            return Err(Stop::typ(format!(
+                "{what} argument after * must be an iterable, not {kind}"
+            )));
         }
         args.pos.extend(self.collect(&value)?);
         Ok(())
@@ -93,7 +103,9 @@ impl Interp<'_> {
                 return Err(Stop::Unknown);
             }
             let (what, kind) = (callee_name(func), value.type_name());
-            return Err(Stop::typ(format!("{what} argument after ** must be a mapping, not {kind}")));
+            return Err(Stop::typ(format!(
+                "{what} argument after ** must be a mapping, not {kind}"
+            )));
         };
         for (key, value) in dict.entries() {
             match key {
@@ -106,7 +118,13 @@ impl Interp<'_> {
 
     /// Call `callee` with positional arguments.
     pub(crate) fn apply(&mut self, callee: &Value, args: Vec<Value>) -> Eval {
-        self.apply_args(callee, Args { pos: args, named: Vec::new() })
+        self.apply_args(
+            callee,
+            Args {
+                pos: args,
+                named: Vec::new(),
+            },
+        )
     }
 
     /// Call `callee`.
@@ -116,7 +134,8 @@ impl Interp<'_> {
             Value::Lambda(closure) => self.call_lambda(closure, args),
             Value::Builtin(builtin) => {
                 if let Some(namespace) = builtin.deprecated {
-                    self.host.deprecated(builtin.function.name, namespace, self.at);
+                    self.host
+                        .deprecated(builtin.function.name, namespace, self.at);
                 }
                 self.invoke(builtin.function, &Value::None, args)
             }
@@ -130,7 +149,10 @@ impl Interp<'_> {
                 }
                 types::construct(self, *kind, args)
             }
-            other => Err(Stop::typ(format!("'{}' object is not callable", other.type_name()))),
+            other => Err(Stop::typ(format!(
+                "'{}' object is not callable",
+                other.type_name()
+            ))),
         }
     }
 
@@ -144,11 +166,17 @@ impl Interp<'_> {
 
     /// `str.upper(s)`
     fn call_unbound(&mut self, bound: &Bound, mut args: Args) -> Eval {
-        let Bound { receiver, function, .. } = bound;
-        let Value::Type(kind) = receiver else { return Err(Stop::Unknown) };
+        let Bound {
+            receiver, function, ..
+        } = bound;
+        let Value::Type(kind) = receiver else {
+            return Err(Stop::Unknown);
+        };
         let (name, owner) = (function.name, kind.name());
         if args.pos.is_empty() {
-            return Err(Stop::typ(format!("unbound method {owner}.{name}() needs an argument")));
+            return Err(Stop::typ(format!(
+                "unbound method {owner}.{name}() needs an argument"
+            )));
         }
         let object = args.pos.remove(0).known()?;
         if !Type::of(&object).is_subclass(*kind) {
@@ -195,7 +223,9 @@ fn callee_name(func: &Expr) -> String {
 fn add_named(args: &mut Args, func: &Expr, name: Str, value: Value) -> Eval<()> {
     if args.named.iter().any(|(given, _)| *given == name) {
         let what = callee_name(func);
-        return Err(Stop::typ(format!("{what} got multiple values for keyword argument '{name}'")));
+        return Err(Stop::typ(format!(
+            "{what} got multiple values for keyword argument '{name}'"
+        )));
     }
     args.named.push((name, value));
     Ok(())

@@ -71,7 +71,11 @@ fn repr_of(value: &Value, limit: u64) -> Eval<Str> {
         let _ = write!(out, "{int}");
         return Ok(out);
     }
-    let mut writer = Writer { out: String::new(), limit, active: Vec::new() };
+    let mut writer = Writer {
+        out: String::new(),
+        limit,
+        active: Vec::new(),
+    };
     writer.value(value)?;
     Ok(writer.out.into())
 }
@@ -88,7 +92,9 @@ impl Writer {
     fn value(&mut self, value: &Value) -> Eval<()> {
         if self.out.len() as u64 > self.limit {
             let limit = self.limit;
-            return Err(Stop::budget(format!("text of a value is longer than the limit of {limit} bytes")));
+            return Err(Stop::budget(format!(
+                "text of a value is longer than the limit of {limit} bytes"
+            )));
         }
         match value {
             Value::Unknown | Value::Scope(_) | Value::Module(_) => return Err(Stop::Unknown),
@@ -103,7 +109,10 @@ impl Writer {
             Value::Str(text) => quote(&mut self.out, text),
             Value::Bytes(bytes) => quote_bytes(&mut self.out, bytes),
             Value::Date(date) => self.out.push_str(&date_repr(date)),
-            Value::Type(kind) => push(&mut self.out, format_args!("<class '{}'>", kind.qualified_name())),
+            Value::Type(kind) => push(
+                &mut self.out,
+                format_args!("<class '{}'>", kind.qualified_name()),
+            ),
             _ => return self.object(value),
         }
         Ok(())
@@ -118,10 +127,19 @@ impl Writer {
             }
             Value::Dict(dict) => self.within(value, "{...}", |w| w.entries(&dict.entries())),
             Value::Set(set) => self.set(value, set.is_frozen(), &set.ordered()),
-            Value::View(view) => self.within(value, "...", |w| w.view(view.kind, &view.dict.entries())),
+            Value::View(view) => {
+                self.within(value, "...", |w| w.view(view.kind, &view.dict.entries()))
+            }
             Value::Range(range) => {
-                let step = if range.step == 1 { String::new() } else { format!(", {}", range.step) };
-                push(&mut self.out, format_args!("range({}, {}{step})", range.start, range.stop));
+                let step = if range.step == 1 {
+                    String::new()
+                } else {
+                    format!(", {}", range.step)
+                };
+                push(
+                    &mut self.out,
+                    format_args!("range({}, {}{step})", range.start, range.stop),
+                );
                 Ok(())
             }
             Value::Slice(slice) => {
@@ -136,7 +154,12 @@ impl Writer {
     }
 
     /// Run `body` unless `value` is being written already, in which case `instead` stands for it.
-    fn within(&mut self, value: &Value, instead: &str, body: impl FnOnce(&mut Self) -> Eval<()>) -> Eval<()> {
+    fn within(
+        &mut self,
+        value: &Value,
+        instead: &str,
+        body: impl FnOnce(&mut Self) -> Eval<()>,
+    ) -> Eval<()> {
         let address = value.address().unwrap_or(0);
         if self.active.contains(&address) {
             self.out.push_str(instead);
@@ -153,7 +176,9 @@ impl Writer {
 
     fn nested(&mut self, value: &Value, open: &str, items: &[Value], close: &str) -> Eval<()> {
         let round = open == "(";
-        self.within(value, if round { "(...)" } else { "[...]" }, |w| w.sequence(open, items, close))
+        self.within(value, if round { "(...)" } else { "[...]" }, |w| {
+            w.sequence(open, items, close)
+        })
     }
 
     fn sequence(&mut self, open: &str, items: &[Value], close: &str) -> Eval<()> {
@@ -226,7 +251,11 @@ pub(crate) fn big_text(big: &num_bigint::BigInt) -> Eval<String> {
         return Err(too_long());
     }
     let text = big.to_string();
-    if text.trim_start_matches('-').len() > INTEGER_DIGITS { Err(too_long()) } else { Ok(text) }
+    if text.trim_start_matches('-').len() > INTEGER_DIGITS {
+        Err(too_long())
+    } else {
+        Ok(text)
+    }
 }
 
 /// The qualified name of a function written in Python.
@@ -253,11 +282,17 @@ fn function_text(value: &Value) -> String {
             format!("<function {name} at {ADDRESS}>")
         }
         Value::Method(method) if method.unbound => {
-            format!("<method '{}' of '{}' objects>", method.function.name, method.function.owner)
+            format!(
+                "<method '{}' of '{}' objects>",
+                method.function.name, method.function.owner
+            )
         }
         Value::Method(method) => {
             let owner = method.receiver.type_name();
-            format!("<built-in method {} of {owner} object at {ADDRESS}>", method.function.name)
+            format!(
+                "<built-in method {} of {owner} object at {ADDRESS}>",
+                method.function.name
+            )
         }
         Value::Lambda(_) => format!("<function <lambda> at {ADDRESS}>"),
         Value::Iter(_) if Type::of(value) == Type::Generator => {
@@ -278,6 +313,10 @@ pub(crate) fn complex_text(re: f64, im: f64) -> String {
     if re == 0.0 && re.is_sign_positive() {
         return format!("{}j", short_float(im));
     }
-    let sign = if im.is_nan() || im.is_sign_positive() { "+" } else { "" };
+    let sign = if im.is_nan() || im.is_sign_positive() {
+        "+"
+    } else {
+        ""
+    };
     format!("({}{sign}{}j)", short_float(re), short_float(im))
 }

@@ -80,7 +80,11 @@ impl Dumper {
             }
             ExprKind::Subscript { value, index } => self.all("(index", [&**value, index]),
             ExprKind::Slice { lower, upper, step } => self.slice([lower, upper, step]),
-            ExprKind::Call { func, args, keywords } => self.call(func, args, keywords),
+            ExprKind::Call {
+                func,
+                args,
+                keywords,
+            } => self.call(func, args, keywords),
             ExprKind::NamedExpr { name, value, .. } => {
                 let _ = write!(self.out, "(:= {name} ");
                 self.node(value);
@@ -113,7 +117,12 @@ impl Dumper {
             self.put(" ");
             match part {
                 FPart::Text(text) => self.put(&quoted(text)),
-                FPart::Field { value, conversion, spec, debug } => {
+                FPart::Field {
+                    value,
+                    conversion,
+                    spec,
+                    debug,
+                } => {
                     // CPython makes text of the `value=` in front of a field.
                     if let Some(debug) = debug {
                         let _ = write!(self.out, "{} ", quoted(debug));
@@ -140,7 +149,12 @@ impl Dumper {
                 ParamKind::KeywordOnly => "kw",
                 ParamKind::VarKeywords => "stars",
             };
-            let _ = write!(self.out, "{}{kind}:{}", if i == 0 { "" } else { " " }, param.name);
+            let _ = write!(
+                self.out,
+                "{}{kind}:{}",
+                if i == 0 { "" } else { " " },
+                param.name
+            );
             if let Some(default) = &param.default {
                 self.put("=");
                 self.node(default);

@@ -46,22 +46,38 @@ elementary! {
 
 /// `x` to the power of `y`.
 pub fn pow(x: f64, y: f64) -> f64 {
-    if IS_REFERENCE { x.powf(y) } else { portable_pow(x, y) }
+    if IS_REFERENCE {
+        x.powf(y)
+    } else {
+        portable_pow(x, y)
+    }
 }
 
 /// The angle of the point (`x`, `y`).
 pub fn atan2(y: f64, x: f64) -> f64 {
-    if IS_REFERENCE { y.atan2(x) } else { pxfm::f_atan2(y, x) }
+    if IS_REFERENCE {
+        y.atan2(x)
+    } else {
+        pxfm::f_atan2(y, x)
+    }
 }
 
 /// The length of a vector.
 pub fn hypot(x: f64, y: f64) -> f64 {
-    if IS_REFERENCE { x.hypot(y) } else { pxfm::f_hypot(x, y) }
+    if IS_REFERENCE {
+        x.hypot(y)
+    } else {
+        pxfm::f_hypot(x, y)
+    }
 }
 
 fn portable_pow(x: f64, y: f64) -> f64 {
     // one to any power is one, and so is anything to the power of zero, NaN included
-    if x == 1.0 || y == 0.0 { 1.0 } else { pxfm::f_pow(x, y) }
+    if x == 1.0 || y == 0.0 {
+        1.0
+    } else {
+        pxfm::f_pow(x, y)
+    }
 }
 
 /// From the natural logarithm of the mantissa and the exponent, for which the logarithm of two has two parts.
@@ -75,7 +91,8 @@ fn portable_log10(x: f64) -> f64 {
     let exponent = (bits >> 52).cast_signed() - bias;
     // below one the mantissa is taken from one half on, so that both terms have the same sign
     let is_small = i64::from(exponent < 0);
-    let mantissa = f64::from_bits((bits & ((1 << 52) - 1)) | ((bias - is_small).cast_unsigned() << 52));
+    let mantissa =
+        f64::from_bits((bits & ((1 << 52) - 1)) | ((bias - is_small).cast_unsigned() << 52));
     let whole = (exponent + is_small) as f64;
     let low = whole * TWO_LOW + std::f64::consts::LOG10_E * pxfm::f_log(mantissa);
     low + whole * TWO_HIGH
@@ -122,9 +139,16 @@ mod tests {
 
     impl Numbers {
         fn next(&mut self) -> f64 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            self.0 = self
+                .0
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             let number = (self.0 >> 11) as f64 / (1u64 << 53) as f64;
-            if self.0.is_multiple_of(3) { (number * 1000.0).round() / 1000.0 } else { number }
+            if self.0.is_multiple_of(3) {
+                (number * 1000.0).round() / 1000.0
+            } else {
+                number
+            }
         }
 
         fn between(&mut self, low: f64, high: f64) -> f64 {
@@ -143,7 +167,11 @@ mod tests {
 
     /// Whether two floats are equal or next to each other.
     fn are_near(a: f64, b: f64) -> bool {
-        a.to_bits().cast_signed().abs_diff(b.to_bits().cast_signed()) <= 1 || a.is_nan() && b.is_nan()
+        a.to_bits()
+            .cast_signed()
+            .abs_diff(b.to_bits().cast_signed())
+            <= 1
+            || a.is_nan() && b.is_nan()
     }
 
     const COUNT: usize = 20_000;
@@ -163,7 +191,10 @@ mod tests {
                 assert!(are_near(a, b), "{name}({x}): {a} and {b}");
                 different += usize::from(a.to_bits() != b.to_bits());
             }
-            assert!(different * 100_000 <= MOST_DIFFERENT * COUNT, "{name}: {different} of {COUNT}");
+            assert!(
+                different * 100_000 <= MOST_DIFFERENT * COUNT,
+                "{name}: {different} of {COUNT}"
+            );
         }
         let mut different = [0; 2];
         for _ in 0..COUNT {
@@ -171,14 +202,39 @@ mod tests {
             different[0] += usize::from(x.powf(y).to_bits() != portable_pow(x, y).to_bits());
             different[1] += usize::from(y.atan2(x).to_bits() != pxfm::f_atan2(y, x).to_bits());
         }
-        assert!(different.iter().all(|count| count * 100_000 <= MOST_DIFFERENT * COUNT), "{different:?}");
+        assert!(
+            different
+                .iter()
+                .all(|count| count * 100_000 <= MOST_DIFFERENT * COUNT),
+            "{different:?}"
+        );
     }
 
     #[test]
     fn ends_of_the_range() {
-        let ends =
-            [0.0, -0.0, 1.0, -1.0, 5e-324, 1e-310, f64::MAX, f64::MIN, f64::INFINITY, f64::NEG_INFINITY];
-        let also = [f64::NAN, 700.0, 709.7, 710.4, -745.0, 1e300, 1e-300, 22.0, 0.5];
+        let ends = [
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            5e-324,
+            1e-310,
+            f64::MAX,
+            f64::MIN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+        ];
+        let also = [
+            f64::NAN,
+            700.0,
+            709.7,
+            710.4,
+            -745.0,
+            1e300,
+            1e-300,
+            22.0,
+            0.5,
+        ];
         let all: Vec<f64> = ends.into_iter().chain(also).collect();
         for (name, system, portable) in PAIRS {
             for &x in &all {

@@ -21,8 +21,12 @@ pub(super) struct Decoded {
 
 /// Decode the escapes of a string; stops at the first error.
 pub(super) fn decode_str(source: &str) -> Decoded {
-    let mut decoder =
-        Decoder { source, chars: source.char_indices().peekable(), position: 0, out: Decoded::default() };
+    let mut decoder = Decoder {
+        source,
+        chars: source.char_indices().peekable(),
+        position: 0,
+        out: Decoded::default(),
+    };
     while let Some((at, c)) = decoder.chars.next() {
         if c != '\\' {
             decoder.out.text.push(c);
@@ -112,7 +116,11 @@ impl Decoder<'_> {
         };
         match inner.find('}') {
             None | Some(0) => {
-                let len = if inner.starts_with('}') { 3 } else { 3 + inner.len() };
+                let len = if inner.starts_with('}') {
+                    3
+                } else {
+                    3 + inner.len()
+                };
                 self.fail(len, message, "malformed \\N character escape")
             }
             Some(len) => {
@@ -133,7 +141,10 @@ impl Decoder<'_> {
         let reference = format!(
             "(unicode error) 'unicodeescape' codec can't decode bytes in position {first}-{last}: {what}"
         );
-        self.out.error = Some(EscapeError { message: message.to_owned(), reference });
+        self.out.error = Some(EscapeError {
+            message: message.to_owned(),
+            reference,
+        });
         false
     }
 }
@@ -190,8 +201,13 @@ fn hex_pair(bytes: &[u8]) -> Option<u8> {
 
 /// Up to three octal digits: value and count.
 fn octal(bytes: &[u8]) -> (u32, usize) {
-    let digits = bytes.iter().take(3).take_while(|b| (b'0'..=b'7').contains(b));
-    digits.fold((0, 0), |(value, len), b| (value << 3 | u32::from(b - b'0'), len + 1))
+    let digits = bytes
+        .iter()
+        .take(3)
+        .take_while(|b| (b'0'..=b'7').contains(b));
+    digits.fold((0, 0), |(value, len), b| {
+        (value << 3 | u32::from(b - b'0'), len + 1)
+    })
 }
 
 /// One-character escapes: outer `None` if it is none, inner `None` for a line continuation.

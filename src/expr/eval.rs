@@ -36,17 +36,30 @@ impl Interp<'_> {
     fn node(&mut self, expr: &Expr) -> Eval {
         match &expr.kind {
             ExprKind::Binary(op, left, right) => self.binary(*op, left, right),
-            ExprKind::Attribute { value, name, name_range } => {
+            ExprKind::Attribute {
+                value,
+                name,
+                name_range,
+            } => {
                 let value = self.eval(value)?;
                 let place = self.place(*name_range);
-                self.attribute(&value, name, place).map_err(|stop| stop.at(place))
+                self.attribute(&value, name, place)
+                    .map_err(|stop| stop.at(place))
             }
-            ExprKind::Call { func, args, keywords } => self.call(expr.range, func, args, keywords),
+            ExprKind::Call {
+                func,
+                args,
+                keywords,
+            } => self.call(expr.range, func, args, keywords),
             ExprKind::Subscript { value, index } => self.subscript(value, index),
             ExprKind::Compare(first, rest) => self.compare(first, rest),
             ExprKind::IfElse { test, body, orelse } => {
                 let test = self.eval(test)?;
-                if self.truth(&test)? { self.eval(body) } else { self.eval(orelse) }
+                if self.truth(&test)? {
+                    self.eval(body)
+                } else {
+                    self.eval(orelse)
+                }
             }
             ExprKind::And(items) => self.short_circuit(items, false),
             ExprKind::Or(items) => self.short_circuit(items, true),
@@ -74,9 +87,10 @@ impl Interp<'_> {
                 self.bind(name, value.clone());
                 Ok(value)
             }
-            _ => {
-                Err(Stop::new(ErrorKind::Syntax, "can't use starred expression here (<expression>, line 1)"))
-            }
+            _ => Err(Stop::new(
+                ErrorKind::Syntax,
+                "can't use starred expression here (<expression>, line 1)",
+            )),
         }
     }
 
@@ -133,7 +147,10 @@ impl Interp<'_> {
         let result = ops::subscript(self, &object, &key);
         result.map_err(|stop| match stop {
             Stop::Raise(error)
-                if matches!(error.kind, ErrorKind::Index | ErrorKind::Key | ErrorKind::YamlKey) =>
+                if matches!(
+                    error.kind,
+                    ErrorKind::Index | ErrorKind::Key | ErrorKind::YamlKey
+                ) =>
             {
                 Stop::Raise(error).at(self.place(index.range))
             }
@@ -198,7 +215,12 @@ impl Interp<'_> {
                         let message = format!("'{}' object is not a mapping", other.type_name());
                         return Err(Stop::typ(message));
                     };
-                    map.extend(entries.snapshot().iter().map(|(k, v)| (k.clone(), v.clone())));
+                    map.extend(
+                        entries
+                            .snapshot()
+                            .iter()
+                            .map(|(k, v)| (k.clone(), v.clone())),
+                    );
                 }
             }
         }
@@ -216,7 +238,11 @@ impl Interp<'_> {
             Some(expr) => self.eval(expr)?.known(),
             None => Ok(Value::None),
         };
-        let slice = Slice { start: part(lower)?, stop: part(upper)?, step: part(step)? };
+        let slice = Slice {
+            start: part(lower)?,
+            stop: part(upper)?,
+            step: part(step)?,
+        };
         Ok(Value::Slice(Arc::new(slice)))
     }
 

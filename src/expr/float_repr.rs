@@ -43,7 +43,10 @@ pub(crate) fn scientific(digits: &str, point: i32, letter: char) -> String {
 /// Digits and decimal point of Rust's `1.25e-7`.
 fn split_scientific(text: &str) -> (String, i32) {
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-    (mantissa.replace('.', ""), exponent.parse::<i32>().unwrap_or(0) + 1)
+    (
+        mantissa.replace('.', ""),
+        exponent.parse::<i32>().unwrap_or(0) + 1,
+    )
 }
 
 /// Precision behind which the digits of every double are zeros.

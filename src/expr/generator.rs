@@ -22,16 +22,27 @@ pub(crate) struct Generator {
 impl Interp<'_> {
     /// A comprehension; a generator only gets ready.
     pub(crate) fn comprehension(&mut self, comprehension: &Arc<Comprehension>) -> Eval {
-        let Some(first) = comprehension.clauses.first() else { return Ok(Value::Unknown) };
+        let Some(first) = comprehension.clauses.first() else {
+            return Ok(Value::Unknown);
+        };
         let source = self.eval(&first.iter)?;
-        let cursor = self.iter(&source).map_err(|stop| stop.at(self.place(first.iter.range)))?;
+        let cursor = self
+            .iter(&source)
+            .map_err(|stop| stop.at(self.place(first.iter.range)))?;
         // About the size of the variables and the result.
         self.budget.items(6)?;
         let frame = Arc::new(Frame::new(self.env.clone(), true, Vec::new()));
         if comprehension.kind == CompKind::Generator {
-            let context = Context { env: Some(frame), ..self.context() };
+            let context = Context {
+                env: Some(frame),
+                ..self.context()
+            };
             let comprehension = Arc::clone(comprehension);
-            let generator = Generator { comprehension, context, cursors: vec![cursor] };
+            let generator = Generator {
+                comprehension,
+                context,
+                cursors: vec![cursor],
+            };
             let cursor = Cursor::Generator(Box::new(generator));
             return Ok(Value::Iter(Iter::new(IterKind::Generator, cursor)));
         }
@@ -74,14 +85,21 @@ impl Interp<'_> {
                 continue;
             };
             let depth = cursors.len();
-            let Some(clause) = comprehension.clauses.get(depth - 1) else { return Ok(false) };
-            self.assign(&clause.target, item).map_err(|stop| stop.at(self.place(clause.target.range)))?;
+            let Some(clause) = comprehension.clauses.get(depth - 1) else {
+                return Ok(false);
+            };
+            self.assign(&clause.target, item)
+                .map_err(|stop| stop.at(self.place(clause.target.range)))?;
             if !self.all_hold(&clause.conditions)? {
                 continue;
             }
-            let Some(inner) = comprehension.clauses.get(depth) else { return Ok(true) };
+            let Some(inner) = comprehension.clauses.get(depth) else {
+                return Ok(true);
+            };
             let source = self.eval(&inner.iter)?;
-            let cursor = self.iter(&source).map_err(|stop| stop.at(self.place(inner.iter.range)))?;
+            let cursor = self
+                .iter(&source)
+                .map_err(|stop| stop.at(self.place(inner.iter.range)))?;
             cursors.push(cursor);
         }
         Ok(false)
@@ -98,7 +116,11 @@ impl Interp<'_> {
     }
 
     pub(super) fn next_generated(&mut self, generator: &mut Generator) -> Eval<Option<Value>> {
-        let Generator { comprehension, context, cursors } = generator;
+        let Generator {
+            comprehension,
+            context,
+            cursors,
+        } = generator;
         self.inside(context.clone(), |interp| {
             if interp.advance(comprehension, cursors)? {
                 interp.eval(&comprehension.element).map(Some)
@@ -121,7 +143,9 @@ impl Interp<'_> {
             ExprKind::Starred(inner) => return self.assign(inner, value),
             _ => return Ok(()),
         };
-        let star = targets.iter().position(|target| matches!(target.kind, ExprKind::Starred(_)));
+        let star = targets
+            .iter()
+            .position(|target| matches!(target.kind, ExprKind::Starred(_)));
         let items = self.unpacked(&value, targets.len(), star)?;
         let mut items = items.into_iter();
         let spare = items.len().saturating_sub(targets.len() - 1);
@@ -140,17 +164,26 @@ impl Interp<'_> {
     fn unpacked(&mut self, value: &Value, count: usize, star: Option<usize>) -> Eval<Vec<Value>> {
         let mut cursor = self.iter(value).map_err(|stop| match stop {
             Stop::Unknown => Stop::Unknown,
-            _ => Stop::typ(format!("cannot unpack non-iterable {} object", value.type_name())),
+            _ => Stop::typ(format!(
+                "cannot unpack non-iterable {} object",
+                value.type_name()
+            )),
         })?;
         let mut items = Vec::new();
         while let Some(item) = self.next(&mut cursor)? {
             if star.is_none() && items.len() == count {
-                return Err(Stop::value(format!("too many values to unpack (expected {count})")));
+                return Err(Stop::value(format!(
+                    "too many values to unpack (expected {count})"
+                )));
             }
             self.budget.items(1)?;
             items.push(item);
         }
-        let (needed, at_least) = if star.is_some() { (count - 1, "at least ") } else { (count, "") };
+        let (needed, at_least) = if star.is_some() {
+            (count - 1, "at least ")
+        } else {
+            (count, "")
+        };
         if items.len() < needed {
             let got = items.len();
             return Err(Stop::value(format!(

@@ -110,7 +110,11 @@ pub struct EvalError {
 impl EvalError {
     /// An error without a place yet; the evaluator fills in the range of the failing node.
     pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
-        Self { kind, message: message.into(), range: TextRange::default() }
+        Self {
+            kind,
+            message: message.into(),
+            range: TextRange::default(),
+        }
     }
 
     /// The same error at `range`, unless it has a place already.

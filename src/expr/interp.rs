@@ -21,8 +21,16 @@ use base::TextRange;
 /// The exception Python would raise, placed at the narrowest part of the expression to blame, or
 /// [`ErrorKind::Budget`](super::ErrorKind::Budget) when `budget` is used up.
 pub fn evaluate(expr: &Expr, host: &mut dyn Host, budget: &mut Budget) -> Result<Value, EvalError> {
-    let mut interp =
-        Interp { host, budget, env: None, top: None, scope: None, home: 0, elsewhere: None, at: expr.range };
+    let mut interp = Interp {
+        host,
+        budget,
+        env: None,
+        top: None,
+        scope: None,
+        home: 0,
+        elsewhere: None,
+        at: expr.range,
+    };
     match interp.eval(expr) {
         Ok(value) => Ok(value),
         Err(Stop::Unknown) => Ok(Value::Unknown),
@@ -92,13 +100,25 @@ impl Interp<'_> {
             self.home = NEXT.fetch_add(1, Ordering::Relaxed);
         }
         let scope = self.scope.or_else(|| self.host.current_scope());
-        Context { env: self.env.clone(), scope, home: self.home }
+        Context {
+            env: self.env.clone(),
+            scope,
+            home: self.home,
+        }
     }
 
     /// Run `body` with the names of `context`.
     pub(crate) fn inside<T>(&mut self, context: Context, body: impl FnOnce(&mut Self) -> T) -> T {
-        let elsewhere = if context.home == self.home { self.elsewhere } else { Some(self.place(self.at)) };
-        let scope = if context.home == self.home { self.scope } else { context.scope };
+        let elsewhere = if context.home == self.home {
+            self.elsewhere
+        } else {
+            Some(self.place(self.at))
+        };
+        let scope = if context.home == self.home {
+            self.scope
+        } else {
+            context.scope
+        };
         let at = self.at;
         let env = std::mem::replace(&mut self.env, context.env);
         let scope = std::mem::replace(&mut self.scope, scope);
@@ -149,7 +169,9 @@ impl Interp<'_> {
         match frame {
             Some(frame) => frame.set(name, value),
             None => {
-                let top = self.top.get_or_insert_with(|| Arc::new(Frame::new(None, false, Vec::new())));
+                let top = self
+                    .top
+                    .get_or_insert_with(|| Arc::new(Frame::new(None, false, Vec::new())));
                 top.set(name, value);
             }
         }
@@ -158,6 +180,10 @@ impl Interp<'_> {
     /// The context in which the body of `closure` runs, with its own variables.
     pub(crate) fn closure_context(closure: &Closure, vars: Vec<(Str, Value)>) -> Context {
         let frame = Frame::new(closure.env.clone(), false, vars);
-        Context { env: Some(Arc::new(frame)), scope: closure.scope, home: closure.home }
+        Context {
+            env: Some(Arc::new(frame)),
+            scope: closure.scope,
+            home: closure.home,
+        }
     }
 }

@@ -43,13 +43,19 @@ impl Drop for IterObject {
 
 impl IterObject {
     fn take(&self) -> Option<Cursor> {
-        self.cursor.lock().unwrap_or_else(PoisonError::into_inner).take()
+        self.cursor
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take()
     }
 }
 
 impl Iter {
     pub(crate) fn new(kind: IterKind, cursor: Cursor) -> Self {
-        Self(Arc::new(IterObject { kind, cursor: Mutex::new(Some(cursor)) }))
+        Self(Arc::new(IterObject {
+            kind,
+            cursor: Mutex::new(Some(cursor)),
+        }))
     }
 
     pub(crate) fn kind(&self) -> IterKind {
@@ -116,12 +122,21 @@ impl Interp<'_> {
             Value::Tuple(tuple) => Cursor::Items(tuple.snapshot(), 0),
             Value::Str(text) => Cursor::Chars(text.clone(), 0),
             Value::Bytes(bytes) => Cursor::Bytes(bytes.clone(), 0),
-            Value::Range(range) => Cursor::Range { next: range.start, step: range.step, left: range.len() },
+            Value::Range(range) => Cursor::Range {
+                next: range.start,
+                step: range.step,
+                left: range.len(),
+            },
             Value::Dict(dict) => entries(dict, ViewKind::Keys),
             Value::View(view) => entries(&view.dict, view.kind),
             Value::Set(set) => Cursor::Items(set.ordered().into_iter().collect(), 0),
             Value::Iter(iter) => Cursor::Shared(iter.clone()),
-            other => return Err(Stop::typ(format!("'{}' object is not iterable", other.type_name()))),
+            other => {
+                return Err(Stop::typ(format!(
+                    "'{}' object is not iterable",
+                    other.type_name()
+                )));
+            }
         })
     }
 
@@ -144,7 +159,9 @@ impl Interp<'_> {
                 *at += c.map_or(0, char::len_utf8);
                 c.map(|c| Value::Str(c.into()))
             }
-            Cursor::Bytes(bytes, at) => advance(at, |i| bytes.get(i).map(|&b| Value::Int(i64::from(b)))),
+            Cursor::Bytes(bytes, at) => {
+                advance(at, |i| bytes.get(i).map(|&b| Value::Int(i64::from(b))))
+            }
             Cursor::Range { next, step, left } => {
                 if *left == 0 {
                     return Ok(None);
@@ -154,7 +171,12 @@ impl Interp<'_> {
                 *next = next.saturating_add(*step);
                 Some(Value::wide(item))
             }
-            Cursor::Entries { dict, kind, index, len } => {
+            Cursor::Entries {
+                dict,
+                kind,
+                index,
+                len,
+            } => {
                 if dict.len() != *len {
                     let message = "dictionary changed size during iteration";
                     return Err(Stop::new(ErrorKind::Runtime, message));
@@ -180,7 +202,9 @@ impl Interp<'_> {
             _ => Ok(None),
         };
         self.up();
-        if !matches!(result, Ok(Some(_))) && !matches!(cursor, Cursor::Shared(_) | Cursor::Map { .. }) {
+        if !matches!(result, Ok(Some(_)))
+            && !matches!(cursor, Cursor::Shared(_) | Cursor::Map { .. })
+        {
             *cursor = Cursor::Done;
         }
         result
@@ -229,7 +253,9 @@ impl Interp<'_> {
     }
 
     fn next_counted(&mut self, count: &mut Value, source: &mut Cursor) -> Eval<Option<Value>> {
-        let Some(item) = self.next(source)? else { return Ok(None) };
+        let Some(item) = self.next(source)? else {
+            return Ok(None);
+        };
         let next = ops::binary(self, super::ast::BinOp::Add, count, &Value::Int(1))?;
         let index = std::mem::replace(count, next);
         Ok(Some(Value::tuple_from([index, item])))
@@ -272,12 +298,21 @@ fn advance<T>(at: &mut usize, get: impl FnOnce(usize) -> Option<T>) -> Option<T>
 }
 
 fn uneven(i: usize, how: &str) -> Stop {
-    let others = if i == 1 { "argument 1".to_owned() } else { format!("arguments 1-{i}") };
+    let others = if i == 1 {
+        "argument 1".to_owned()
+    } else {
+        format!("arguments 1-{i}")
+    };
     Stop::value(format!("zip() argument {} is {how} than {others}", i + 1))
 }
 
 fn entries(dict: &Dict, kind: ViewKind) -> Cursor {
-    Cursor::Entries { dict: dict.clone(), kind, index: 0, len: dict.len() }
+    Cursor::Entries {
+        dict: dict.clone(),
+        kind,
+        index: 0,
+        len: dict.len(),
+    }
 }
 
 fn entry(dict: &Dict, kind: ViewKind, index: usize) -> Option<Value> {

@@ -8,7 +8,10 @@ use super::value::{Closure, Dict, DictMap, Key, Str, Tuple, Value};
 /// The parameters of a lambda with their values, or the message of a call that does not fit.
 pub(super) fn bind_lambda(closure: &Closure, args: Args) -> Eval<Vec<(Str, Value)>> {
     let params = &closure.lambda.params;
-    let mut binder = Binder { params, slots: vec![None; params.len()] };
+    let mut binder = Binder {
+        params,
+        slots: vec![None; params.len()],
+    };
     let rest = binder.positional(args.pos, closure)?;
     let extra = binder.named(args.named)?;
     binder.check_missing(closure)?;
@@ -17,10 +20,15 @@ pub(super) fn bind_lambda(closure: &Closure, args: Args) -> Eval<Vec<(Str, Value
     let mut extra = Some(extra);
     for ((param, slot), default) in params.iter().zip(binder.slots).zip(&closure.defaults) {
         let value = match param.kind {
-            ParamKind::VarArgs => Value::Tuple(Tuple::new(rest.take().into_iter().flatten().collect())),
+            ParamKind::VarArgs => {
+                Value::Tuple(Tuple::new(rest.take().into_iter().flatten().collect()))
+            }
             ParamKind::VarKeywords => {
-                let entries =
-                    extra.take().into_iter().flatten().map(|(name, value)| (Key::text(name), value));
+                let entries = extra
+                    .take()
+                    .into_iter()
+                    .flatten()
+                    .map(|(name, value)| (Key::text(name), value));
                 Value::Dict(Dict::new(entries.collect::<DictMap>(), false))
             }
             _ => slot.or_else(|| default.clone()).unwrap_or_default(),
@@ -44,14 +52,24 @@ impl Binder<'_> {
 
     /// Fill the positional parameters; gives what `*args` takes.
     fn positional(&mut self, mut given: Vec<Value>, closure: &Closure) -> Eval<Vec<Value>> {
-        let count = self.params.iter().filter(|param| Self::is_positional(param)).count();
-        let takes_rest =
-            self.params.iter().any(|param| param.kind == ParamKind::VarArgs && !param.name.is_empty());
+        let count = self
+            .params
+            .iter()
+            .filter(|param| Self::is_positional(param))
+            .count();
+        let takes_rest = self
+            .params
+            .iter()
+            .any(|param| param.kind == ParamKind::VarArgs && !param.name.is_empty());
         if given.len() > count && !takes_rest {
             return Err(self.too_many(given.len(), count, closure));
         }
         let rest = given.split_off(count.min(given.len()));
-        let places = self.params.iter().zip(&mut self.slots).filter(|(param, _)| Self::is_positional(param));
+        let places = self
+            .params
+            .iter()
+            .zip(&mut self.slots)
+            .filter(|(param, _)| Self::is_positional(param));
         for ((_, slot), value) in places.zip(given) {
             *slot = Some(value);
         }
@@ -65,21 +83,30 @@ impl Binder<'_> {
             .zip(&closure.defaults)
             .filter(|(param, default)| Self::is_positional(param) && default.is_some())
             .count();
-        let takes =
-            if defaults > 0 { format!("from {} to {count}", count - defaults) } else { count.to_string() };
+        let takes = if defaults > 0 {
+            format!("from {} to {count}", count - defaults)
+        } else {
+            count.to_string()
+        };
         let plural = if count == 1 && defaults == 0 { "" } else { "s" };
         let was = if given == 1 { "was" } else { "were" };
-        Stop::typ(format!("<lambda>() takes {takes} positional argument{plural} but {given} {was} given"))
+        Stop::typ(format!(
+            "<lambda>() takes {takes} positional argument{plural} but {given} {was} given"
+        ))
     }
 
     /// Fill parameters by name; gives what `**kwargs` takes.
     fn named(&mut self, named: Vec<(Str, Value)>) -> Eval<Vec<(Str, Value)>> {
-        let takes_rest = self.params.iter().any(|param| param.kind == ParamKind::VarKeywords);
+        let takes_rest = self
+            .params
+            .iter()
+            .any(|param| param.kind == ParamKind::VarKeywords);
         let mut extra = Vec::new();
         let mut wrong = Vec::new();
         for (name, value) in named {
             let place = self.params.iter().position(|param| {
-                param.name == name && matches!(param.kind, ParamKind::Normal | ParamKind::KeywordOnly)
+                param.name == name
+                    && matches!(param.kind, ParamKind::Normal | ParamKind::KeywordOnly)
             });
             let Some(slot) = place.and_then(|place| self.slots.get_mut(place)) else {
                 if takes_rest {
@@ -90,7 +117,9 @@ impl Binder<'_> {
                 continue;
             };
             if slot.replace(value).is_some() {
-                return Err(Stop::typ(format!("<lambda>() got multiple values for argument '{name}'")));
+                return Err(Stop::typ(format!(
+                    "<lambda>() got multiple values for argument '{name}'"
+                )));
             }
         }
         match wrong.first() {
@@ -101,11 +130,19 @@ impl Binder<'_> {
 
     fn unexpected(&self, name: &Str, wrong: &[Str]) -> Stop {
         let positional_only = |name: &&Str| {
-            self.params.iter().any(|param| param.kind == ParamKind::PositionalOnly && param.name == **name)
+            self.params
+                .iter()
+                .any(|param| param.kind == ParamKind::PositionalOnly && param.name == **name)
         };
-        let clashing: Vec<&str> = wrong.iter().filter(positional_only).map(Str::as_str).collect();
+        let clashing: Vec<&str> = wrong
+            .iter()
+            .filter(positional_only)
+            .map(Str::as_str)
+            .collect();
         if clashing.is_empty() {
-            return Stop::typ(format!("<lambda>() got an unexpected keyword argument '{name}'"));
+            return Stop::typ(format!(
+                "<lambda>() got an unexpected keyword argument '{name}'"
+            ));
         }
         let names = clashing.join(", ");
         Stop::typ(format!(
@@ -128,7 +165,10 @@ impl Binder<'_> {
                 .map(|((param, _), _)| format!("'{}'", param.name))
                 .collect::<Vec<_>>()
         };
-        for (names, kind) in [(missing(false), "positional"), (missing(true), "keyword-only")] {
+        for (names, kind) in [
+            (missing(false), "positional"),
+            (missing(true), "keyword-only"),
+        ] {
             if !names.is_empty() {
                 let plural = if names.len() == 1 { "" } else { "s" };
                 let (count, names) = (names.len(), enumeration(&names));

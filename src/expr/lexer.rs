@@ -112,7 +112,11 @@ impl Lexer<'_, '_, '_> {
                 self.pos += 1;
                 let range = self.range_from(start);
                 let message = "`\\` is allowed only at the end of a line";
-                self.error(range, message, "unexpected character after line continuation character");
+                self.error(
+                    range,
+                    message,
+                    "unexpected character after line continuation character",
+                );
             }
         }
     }
@@ -173,7 +177,11 @@ impl Lexer<'_, '_, '_> {
         let mut piece = range.start;
         for (i, c) in word.char_indices() {
             let at = range.start + i as u32;
-            let good = if at == piece { is_name_start(c) } else { is_name_continue(c) };
+            let good = if at == piece {
+                is_name_start(c)
+            } else {
+                is_name_continue(c)
+            };
             if good {
                 continue;
             }
@@ -197,7 +205,11 @@ impl Lexer<'_, '_, '_> {
             self.error(range, format!("unexpected character `{c}`"), &reference);
         } else {
             let message = format!("unexpected invisible character U+{code:04X}");
-            self.error(range, message, &format!("invalid non-printable character U+{code:04X}"));
+            self.error(
+                range,
+                message,
+                &format!("invalid non-printable character U+{code:04X}"),
+            );
         }
     }
 
@@ -234,21 +246,33 @@ impl Lexer<'_, '_, '_> {
         }
         let message = format!("string has no closing `{}`", char::from(quote));
         let detected = self.report.line(range.end);
-        let kind = if triple { "triple-quoted string" } else { "string" };
-        self.error(range, message, &format!("unterminated {kind} literal (detected at line {detected})"));
+        let kind = if triple {
+            "triple-quoted string"
+        } else {
+            "string"
+        };
+        self.error(
+            range,
+            message,
+            &format!("unterminated {kind} literal (detected at line {detected})"),
+        );
     }
 
     /// Move behind the closing quote; false if there is none.
     fn string_body(&mut self, quote: u8, triple: bool) -> bool {
         while let Some(b) = self.byte(0) {
-            if b == quote && (!triple || (self.byte(1) == Some(quote) && self.byte(2) == Some(quote))) {
+            if b == quote
+                && (!triple || (self.byte(1) == Some(quote) && self.byte(2) == Some(quote)))
+            {
                 self.pos += if triple { 3 } else { 1 };
                 return true;
             }
             match b {
                 b'\\' if self.byte(1).is_some() => {
                     self.pos += 2;
-                    if self.byte(0) == Some(b'\n') && self.text.as_bytes().get(self.pos - 1) == Some(&b'\r') {
+                    if self.byte(0) == Some(b'\n')
+                        && self.text.as_bytes().get(self.pos - 1) == Some(&b'\r')
+                    {
                         self.pos += 1;
                     }
                 }
@@ -284,7 +308,11 @@ impl Lexer<'_, '_, '_> {
         match self.stack.last().copied() {
             Some((open, _)) if open == bracket => {}
             None => {
-                self.error(at, format!("unmatched `{found}`"), &format!("unmatched '{found}'"));
+                self.error(
+                    at,
+                    format!("unmatched `{found}`"),
+                    &format!("unmatched '{found}'"),
+                );
                 self.pos += 1;
                 return;
             }
@@ -307,10 +335,19 @@ impl Lexer<'_, '_, '_> {
 
     fn mismatch(&mut self, at: TextRange, found: char, open: char, open_at: u32) {
         let (line, open_line) = (self.report.line(at.start), self.report.line(open_at));
-        let place = if line == open_line { String::new() } else { format!(" on line {open_line}") };
-        let reference =
-            format!("closing parenthesis '{found}' does not match opening parenthesis '{open}'{place}");
-        self.error(at, format!("`{found}` does not close the `{open}` before it"), &reference);
+        let place = if line == open_line {
+            String::new()
+        } else {
+            format!(" on line {open_line}")
+        };
+        let reference = format!(
+            "closing parenthesis '{found}' does not match opening parenthesis '{open}'{place}"
+        );
+        self.error(
+            at,
+            format!("`{found}` does not close the `{open}` before it"),
+            &reference,
+        );
     }
 
     fn operator(&mut self, b: u8) {
@@ -322,7 +359,10 @@ impl Lexer<'_, '_, '_> {
     fn finish(&mut self, outer_end: usize) {
         let end = TextRange::empty(outer_end as u32);
         if let Some(&(open, at)) = self.stack.last() {
-            self.report.unclosed = Some(Unclosed { open: open.open(), at });
+            self.report.unclosed = Some(Unclosed {
+                open: open.open(),
+                at,
+            });
         }
         while let Some((open, at)) = self.stack.pop() {
             self.push(Tok::Close(open), end);

@@ -40,17 +40,21 @@ mod words;
 pub use attribute::is_namespace_attribute;
 pub use budget::Budget;
 pub use builtins::{
-    GlobalSymbol, SymbolKind, eval_symbol, global_symbol, global_symbols, is_global_symbol, module_symbol,
+    GlobalSymbol, SymbolKind, eval_symbol, global_symbol, global_symbols, is_global_symbol,
+    module_symbol,
 };
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
 pub use interp::evaluate;
 pub use methods::method_names;
 pub use substitution::{Subst, SubstArg, SubstError, parse_substitution, resolve_substitution};
 pub use syntax::{
-    ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, normalized, parse,
+    ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, normalized,
+    parse,
 };
 pub use template::{Code, Template, Token, split};
-pub use value::{DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind};
+pub use value::{
+    DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind,
+};
 
 pub use words::{WordKind, words};
 

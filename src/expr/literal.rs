@@ -9,7 +9,10 @@ use super::{EvalError, Value};
 /// One pair of single quotes makes a string; text with an underscore is a string; then integer, float, boolean are
 /// tried, and what is left is a string.
 pub fn from_text(text: &str) -> Value {
-    if let Some(inner) = text.strip_prefix('\'').and_then(|rest| rest.strip_suffix('\'')) {
+    if let Some(inner) = text
+        .strip_prefix('\'')
+        .and_then(|rest| rest.strip_suffix('\''))
+    {
         return Value::from(inner);
     }
     if !may_be_literal(text) {
@@ -55,7 +58,10 @@ pub fn float_of(value: &Value) -> Result<f64, EvalError> {
 
 /// A quick look that sends most names and formulas away.
 fn may_be_literal(text: &str) -> bool {
-    let first = text.trim_start_matches(super::numeric::is_space).chars().next();
+    let first = text
+        .trim_start_matches(super::numeric::is_space)
+        .chars()
+        .next();
     let hopeful = |c: char| c.is_ascii_digit() || !c.is_ascii() || "+-.iInNtTfF".contains(c);
     first.is_some_and(hopeful) && !text.contains('_')
 }
@@ -64,7 +70,9 @@ fn may_be_literal(text: &str) -> bool {
 ///
 /// Strings are `true`, `True`, `false`, `False` or an integer; any other value has its Python truth.
 pub fn boolean(value: &Value) -> Option<bool> {
-    let Value::Str(text) = value else { return truth(value) };
+    let Value::Str(text) = value else {
+        return truth(value);
+    };
     match text.as_str() {
         "true" | "True" => Some(true),
         "false" | "False" => Some(false),
@@ -103,7 +111,9 @@ mod tests {
     fn texts_are_read_as_by_the_reference() {
         for line in include_str!("testdata/literals.txt").lines() {
             let columns: Vec<&str> = line.split('\t').collect();
-            let [text, literal, expected] = columns[..] else { panic!("{line}") };
+            let [text, literal, expected] = columns[..] else {
+                panic!("{line}")
+            };
             let text: String = serde_json::from_str(text).unwrap();
             let value = from_text(&text);
             let shown = match &value {

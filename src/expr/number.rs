@@ -18,11 +18,21 @@ pub(super) struct Scanned {
 pub(super) fn scan(bytes: &[u8]) -> Scanned {
     let mut cursor = Cursor { bytes, pos: 0 };
     match cursor.literal() {
-        Ok(()) => Scanned { len: cursor.pos, error: None },
+        Ok(()) => Scanned {
+            len: cursor.pos,
+            error: None,
+        },
         Err(error) => {
             let glued = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_';
-            cursor.pos += bytes.iter().skip(cursor.pos).take_while(|b| glued(b)).count();
-            Scanned { len: cursor.pos, error: Some(error) }
+            cursor.pos += bytes
+                .iter()
+                .skip(cursor.pos)
+                .take_while(|b| glued(b))
+                .count();
+            Scanned {
+                len: cursor.pos,
+                error: Some(error),
+            }
         }
     }
 }
@@ -38,7 +48,8 @@ impl Cursor<'_> {
     }
 
     fn at(&self, lower: u8) -> bool {
-        self.peek(0).is_some_and(|b| b.to_ascii_lowercase() == lower)
+        self.peek(0)
+            .is_some_and(|b| b.to_ascii_lowercase() == lower)
     }
 
     fn at_digit(&self) -> bool {
@@ -72,9 +83,11 @@ impl Cursor<'_> {
             return self.ends("imaginary");
         }
         if octal_looking && self.pos == whole_end && !exponent {
-            return Err("leading zeros in decimal integer literals are not permitted; \
+            return Err(
+                "leading zeros in decimal integer literals are not permitted; \
                  use an 0o prefix for octal integers"
-                .into());
+                    .into(),
+            );
         }
         self.ends("decimal")
     }
@@ -131,7 +144,10 @@ impl Cursor<'_> {
             }
             match self.peek(0) {
                 Some(b) if b.is_ascii_digit() => {
-                    return Err(format!("invalid digit '{}' in {name} literal", char::from(b)));
+                    return Err(format!(
+                        "invalid digit '{}' in {name} literal",
+                        char::from(b)
+                    ));
                 }
                 _ if self.pos == start => return Err(format!("invalid {name} literal")),
                 Some(b'_') => {}
@@ -148,12 +164,16 @@ impl Cursor<'_> {
         let whole: [&[u8]; 5] = [b"and", b"else", b"for", b"or", b"not"];
         let starts: [&[u8]; 3] = [b"if", b"in", b"is"];
         if starts.iter().any(|k| rest.starts_with(k))
-            || whole.iter().any(|k| rest.starts_with(k) && !rest.get(k.len()).is_some_and(in_word))
+            || whole
+                .iter()
+                .any(|k| rest.starts_with(k) && !rest.get(k.len()).is_some_and(in_word))
         {
             return Ok(());
         }
         match rest.first() {
-            Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => Err(format!("invalid {name} literal")),
+            Some(b) if b.is_ascii_alphanumeric() || *b == b'_' => {
+                Err(format!("invalid {name} literal"))
+            }
             _ => Ok(()),
         }
     }

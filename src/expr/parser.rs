@@ -40,12 +40,22 @@ mod power {
 /// Parse a whole expression.
 pub(super) fn parse(text: &str) -> Parsed {
     // Ranges are 32 bits wide; no description comes near.
-    let text = if u32::try_from(text.len()).is_ok() { text } else { "" };
+    let text = if u32::try_from(text.len()).is_ok() {
+        text
+    } else {
+        ""
+    };
     let trimmed = text.trim_start_matches(is_python_space);
     let start = text.len() - trimmed.len();
     let end = start + trimmed.trim_end_matches(is_python_space).len();
     let mut report = Report::new(text, start as u32);
-    let source = Source { text, start, end, outer_end: text.len(), bracketed: false };
+    let source = Source {
+        text,
+        start,
+        end,
+        outer_end: text.len(),
+        bracketed: false,
+    };
     let tokens = lex(&source, &mut report);
     let mut parser = Parser::new(text, tokens, report, start as u32);
     let expr = parser.whole();
@@ -55,7 +65,10 @@ pub(super) fn parse(text: &str) -> Parsed {
         walrus::check(&expr, &mut report);
     }
     report_forbidden(&expr, text, &mut report);
-    Parsed { expr, errors: report.finish() }
+    Parsed {
+        expr,
+        errors: report.finish(),
+    }
 }
 
 fn report_forbidden(expr: &Expr, text: &str, report: &mut Report<'_>) {
@@ -63,12 +76,20 @@ fn report_forbidden(expr: &Expr, text: &str, report: &mut Report<'_>) {
         return;
     }
     let names = forbidden_names(expr);
-    let Some((_, range)) = names.first() else { return };
+    let Some((_, range)) = names.first() else {
+        return;
+    };
     let list: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
     let list = list.join(", ");
     let message = format!("names that start with `__` are not allowed: {list}");
     let reference = format!("Use of invalid name(s):  {list}");
-    report.push(Stage::Name, ExprErrorKind::ForbiddenName, *range, message, reference);
+    report.push(
+        Stage::Name,
+        ExprErrorKind::ForbiddenName,
+        *range,
+        message,
+        reference,
+    );
 }
 
 struct Parser<'t> {
@@ -103,15 +124,24 @@ impl Parser<'_> {
         if self.tokens.len() == 1 {
             let line = usize::from(!self.text.trim_matches(is_python_space).is_empty());
             let message = "expected an expression";
-            self.report.add_at_line(Stage::Grammar, self.gap(), message, "invalid syntax", line);
+            self.report
+                .add_at_line(Stage::Grammar, self.gap(), message, "invalid syntax", line);
             return self.missing();
         }
         let first = self.expression();
         let start = start.min(first.range.start);
-        let expr = if self.at(Tok::Comma) { self.bare_tuple(start, first) } else { first };
+        let expr = if self.at(Tok::Comma) {
+            self.bare_tuple(start, first)
+        } else {
+            first
+        };
         let same_line = !self.at(Tok::Newline);
         while self.eat(Tok::Newline) {}
-        if self.at(Tok::End) { expr } else { self.leftovers(start, expr, same_line) }
+        if self.at(Tok::End) {
+            expr
+        } else {
+            self.leftovers(start, expr, same_line)
+        }
     }
 
     fn bare_tuple(&mut self, start: u32, first: Expr) -> Expr {
@@ -122,7 +152,10 @@ impl Parser<'_> {
             }
             items.push(self.expression());
         }
-        Expr { kind: ExprKind::Tuple(items), range: self.range_from(start) }
+        Expr {
+            kind: ExprKind::Tuple(items),
+            range: self.range_from(start),
+        }
     }
 
     /// Run `f` one level deeper, or give up with a hole when that is too deep.
@@ -155,7 +188,10 @@ impl Parser<'_> {
 
     fn give_up(&mut self) -> Expr {
         let reference = "maximum recursion depth exceeded during compilation";
-        let hole = Expr { kind: ExprKind::Missing, range: TextRange::empty(self.prev_end) };
+        let hole = Expr {
+            kind: ExprKind::Missing,
+            range: TextRange::empty(self.prev_end),
+        };
         if !self.too_deep {
             let (range, kind) = (self.token().range, ExprErrorKind::Syntax);
             self.report.push(
@@ -181,7 +217,11 @@ impl Parser<'_> {
             let body = p.operand_here(power::OR);
             let start = start.min(body.range.start);
             p.operand_start = Some(index);
-            if p.at(Tok::If) { p.conditional(start, body) } else { body }
+            if p.at(Tok::If) {
+                p.conditional(start, body)
+            } else {
+                body
+            }
         })
     }
 
@@ -200,14 +240,27 @@ impl Parser<'_> {
             self.expression()
         } else {
             if !hole {
-                let reference = if self.at(Tok::Colon) { "invalid syntax" } else { no_else };
-                self.error_from(start, self.gap(), "expected `else` and a value after `if`", reference);
+                let reference = if self.at(Tok::Colon) {
+                    "invalid syntax"
+                } else {
+                    no_else
+                };
+                self.error_from(
+                    start,
+                    self.gap(),
+                    "expected `else` and a value after `if`",
+                    reference,
+                );
             }
             self.missing()
         };
         self.grow();
         let range = self.range_from(start);
-        let kind = ExprKind::IfElse { test: Box::new(test), body: Box::new(body), orelse: Box::new(orelse) };
+        let kind = ExprKind::IfElse {
+            test: Box::new(test),
+            body: Box::new(body),
+            orelse: Box::new(orelse),
+        };
         Expr { kind, range }
     }
 
@@ -240,8 +293,14 @@ impl Parser<'_> {
                 return Err(left);
             }
             self.bump();
-            let right = self.operand(if bind == power::POW { power::UNARY } else { bind + 1 });
-            return Ok(self.node(start, right, |right| ExprKind::Binary(op, Box::new(left), right)));
+            let right = self.operand(if bind == power::POW {
+                power::UNARY
+            } else {
+                bind + 1
+            });
+            return Ok(self.node(start, right, |right| {
+                ExprKind::Binary(op, Box::new(left), right)
+            }));
         }
         match kind {
             Tok::And if min <= power::AND => Ok(self.chain(Tok::And, power::AND, left, start)),
@@ -255,7 +314,10 @@ impl Parser<'_> {
 
     /// A node that starts at `start` and ends with `last`, which may be a hole.
     fn node(&self, start: u32, last: Expr, kind: impl FnOnce(Box<Expr>) -> ExprKind) -> Expr {
-        Expr { kind: kind(Box::new(last)), range: self.range_from(start) }
+        Expr {
+            kind: kind(Box::new(last)),
+            range: self.range_from(start),
+        }
     }
 
     fn chain(&mut self, word: Tok, bind: u8, left: Expr, start: u32) -> Expr {
@@ -263,8 +325,15 @@ impl Parser<'_> {
         while self.eat(word) {
             items.push(self.operand(bind + 1));
         }
-        let kind = if word == Tok::And { ExprKind::And(items) } else { ExprKind::Or(items) };
-        Expr { kind, range: self.range_from(start) }
+        let kind = if word == Tok::And {
+            ExprKind::And(items)
+        } else {
+            ExprKind::Or(items)
+        };
+        Expr {
+            kind,
+            range: self.range_from(start),
+        }
     }
 
     fn comparison(&mut self, first: Expr, start: u32) -> Expr {
@@ -275,7 +344,10 @@ impl Parser<'_> {
             }
             rest.push((op, self.operand(power::COMPARE + 1)));
         }
-        Expr { kind: ExprKind::Compare(Box::new(first), rest), range: self.range_from(start) }
+        Expr {
+            kind: ExprKind::Compare(Box::new(first), rest),
+            range: self.range_from(start),
+        }
     }
 
     /// The comparison operator that starts here, and of how many tokens it consists.
@@ -309,7 +381,11 @@ impl Parser<'_> {
             self.unexpected("`not` must be in parentheses here");
         }
         self.bump();
-        let value = self.operand(if op == UnaryOp::Not { power::NOT } else { power::UNARY });
+        let value = self.operand(if op == UnaryOp::Not {
+            power::NOT
+        } else {
+            power::UNARY
+        });
         self.grow();
         self.node(start, value, |value| ExprKind::Unary(op, value))
     }

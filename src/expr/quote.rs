@@ -51,7 +51,10 @@ pub(crate) fn is_printable(c: char) -> bool {
     if let Some(rest) = buffer.get_mut(1..) {
         c.encode_utf8(rest);
     }
-    let text = buffer.get(..len).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or("");
+    let text = buffer
+        .get(..len)
+        .and_then(|bytes| std::str::from_utf8(bytes).ok())
+        .unwrap_or("");
     text.escape_debug().nth(1) == Some(c)
 }
 

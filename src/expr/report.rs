@@ -45,7 +45,12 @@ pub(super) struct Report<'t> {
 
 impl<'t> Report<'t> {
     pub(super) fn new(text: &'t str, start: u32) -> Self {
-        Self { text, start, errors: Vec::new(), unclosed: None }
+        Self {
+            text,
+            start,
+            errors: Vec::new(),
+            unclosed: None,
+        }
     }
 
     /// Where the stripped expression starts.
@@ -56,8 +61,13 @@ impl<'t> Report<'t> {
     /// Line of an offset in the stripped expression, from 1.
     pub(super) fn line(&self, at: u32) -> usize {
         let before = TextRange::new(self.start, at).slice(self.text).as_bytes();
-        let newline = |(i, &b): (usize, &u8)| b == b'\n' || (b == b'\r' && before.get(i + 1) != Some(&b'\n'));
-        1 + before.iter().enumerate().filter(|&pair| newline(pair)).count()
+        let newline =
+            |(i, &b): (usize, &u8)| b == b'\n' || (b == b'\r' && before.get(i + 1) != Some(&b'\n'));
+        1 + before
+            .iter()
+            .enumerate()
+            .filter(|&pair| newline(pair))
+            .count()
     }
 
     /// An error of the given stage; `reference` is CPython's text without the place.
@@ -89,12 +99,27 @@ impl<'t> Report<'t> {
     }
 
     /// Something Python allows and we do not.
-    pub(super) fn not_supported(&mut self, stage: Stage, range: TextRange, message: &str, reference: &str) {
+    pub(super) fn not_supported(
+        &mut self,
+        stage: Stage,
+        range: TextRange,
+        message: &str,
+        reference: &str,
+    ) {
         if self.is_full() {
             return;
         }
-        let reference = format!("{reference} (<expression>, line {})", self.line(range.start));
-        self.push(stage, ExprErrorKind::NotSupported, range, message, reference);
+        let reference = format!(
+            "{reference} (<expression>, line {})",
+            self.line(range.start)
+        );
+        self.push(
+            stage,
+            ExprErrorKind::NotSupported,
+            range,
+            message,
+            reference,
+        );
     }
 
     pub(super) fn push(
@@ -106,13 +131,22 @@ impl<'t> Report<'t> {
         reference: String,
     ) {
         if !self.is_full() {
-            self.errors.push((stage, ExprError { message: message.into(), reference, range, kind }));
+            self.errors.push((
+                stage,
+                ExprError {
+                    message: message.into(),
+                    reference,
+                    range,
+                    kind,
+                },
+            ));
         }
     }
 
     /// CPython's text for the bracket left open, with its place.
     pub(super) fn never_closed(&self) -> Option<(String, usize)> {
-        self.unclosed.map(|u| (format!("'{}' was never closed", u.open), self.line(u.at)))
+        self.unclosed
+            .map(|u| (format!("'{}' was never closed", u.open), self.line(u.at)))
     }
 
     /// How many errors there are.
@@ -125,7 +159,11 @@ impl<'t> Report<'t> {
         let plain = |(stage, error): &(Stage, ExprError)| {
             *stage == Stage::Grammar && error.reference.starts_with("invalid syntax (")
         };
-        self.errors.iter().skip(mark).position(plain).map(|i| mark + i)
+        self.errors
+            .iter()
+            .skip(mark)
+            .position(plain)
+            .map(|i| mark + i)
     }
 
     /// Change what CPython says to an error that was reported before.

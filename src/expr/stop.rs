@@ -53,7 +53,10 @@ impl Stop {
 
     /// Too deeply nested data or calls.
     pub(crate) fn recursion(what: &str) -> Self {
-        Self::new(ErrorKind::Recursion, format!("maximum recursion depth exceeded{what}"))
+        Self::new(
+            ErrorKind::Recursion,
+            format!("maximum recursion depth exceeded{what}"),
+        )
     }
 
     /// The same, placed at `range` if it has no place yet.

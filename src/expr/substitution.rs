@@ -63,7 +63,10 @@ pub struct SubstError {
 impl SubstError {
     /// An error of the reference's own class.
     pub fn new(message: impl Into<String>) -> Self {
-        Self { class: "xacro.substitution_args.SubstitutionException", message: message.into() }
+        Self {
+            class: "xacro.substitution_args.SubstitutionException",
+            message: message.into(),
+        }
     }
 }
 
@@ -77,9 +80,13 @@ pub fn parse_substitution(inner: &str) -> Subst {
     }
     if let Some(code) = inner.strip_prefix("eval ") {
         if code.contains("__") {
-            return Subst::Bad(SubstError::new("$(eval ...) may not contain double underscore expressions"));
+            return Subst::Bad(SubstError::new(
+                "$(eval ...) may not contain double underscore expressions",
+            ));
         }
-        return Subst::Eval { code: TextRange::new(5, inner.len() as u32) };
+        return Subst::Eval {
+            code: TextRange::new(5, inner.len() as u32),
+        };
     }
     let whole = format!("$({inner})");
     match collect(&whole) {
@@ -152,7 +159,10 @@ fn first_word(content: &str) -> Option<&str> {
 }
 
 fn no_command() -> SubstError {
-    SubstError { class: "IndexError", message: "list index out of range".into() }
+    SubstError {
+        class: "IndexError",
+        message: "list index out of range".into(),
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -171,13 +181,15 @@ fn collect(text: &str) -> Result<Vec<TextRange>, SubstError> {
         state = match (c, state) {
             ('$', State::Out | State::Dollar) => State::Dollar,
             ('$', _) => {
-                let message = format!("Dollar signs \"$\" cannot be inside of substitution args [{text}]");
+                let message =
+                    format!("Dollar signs \"$\" cannot be inside of substitution args [{text}]");
                 return Err(SubstError::new(message));
             }
             ('(', State::Dollar) => State::Open,
             ('(', State::Out) => State::Out,
             ('(', _) => {
-                let message = format!("Invalid left parenthesis \"(\" in substitution args [{text}]");
+                let message =
+                    format!("Invalid left parenthesis \"(\" in substitution args [{text}]");
                 return Err(SubstError::new(message));
             }
             (')', State::In(start)) => {
@@ -195,22 +207,28 @@ fn collect(text: &str) -> Result<Vec<TextRange>, SubstError> {
 /// Understand the content of one substitution, which starts at `base`.
 fn command(content: &str, base: u32) -> Subst {
     let mut words = words(content, base);
-    let Some(command) = words.next() else { return Subst::Bad(no_command()) };
+    let Some(command) = words.next() else {
+        return Subst::Bad(no_command());
+    };
     let mut args: Vec<SubstArg> = words.collect();
     match command.text.as_str() {
         "arg" => match args.len() {
-            0 => Subst::Bad(SubstError::new(format!("$(arg var) must specify a variable name [{content}]"))),
+            0 => Subst::Bad(SubstError::new(format!(
+                "$(arg var) must specify a variable name [{content}]"
+            ))),
             1 => Subst::Arg(args.remove(0)),
-            _ => Subst::Bad(SubstError::new(format!("$(arg var) may only specify one arg [{content}]"))),
+            _ => Subst::Bad(SubstError::new(format!(
+                "$(arg var) may only specify one arg [{content}]"
+            ))),
         },
         "find" if args.len() == 1 => Subst::Find(args.remove(0)),
-        "find" => {
-            Subst::Bad(SubstError::new(format!("$(find pkg) accepts exactly one argument [{content}]")))
-        }
+        "find" => Subst::Bad(SubstError::new(format!(
+            "$(find pkg) accepts exactly one argument [{content}]"
+        ))),
         "env" if args.len() == 1 => Subst::Env(args.remove(0)),
-        "env" => {
-            Subst::Bad(SubstError::new(format!("$(env var) command only accepts one argument [{content}]")))
-        }
+        "env" => Subst::Bad(SubstError::new(format!(
+            "$(env var) command only accepts one argument [{content}]"
+        ))),
         "optenv" if args.is_empty() => {
             let message = format!("$(optenv var) must specify an environment variable [{content}]");
             Subst::Bad(SubstError::new(message))
@@ -218,14 +236,21 @@ fn command(content: &str, base: u32) -> Subst {
         "optenv" => {
             let name = args.remove(0);
             let words: Vec<&str> = args.iter().map(|arg| arg.text.as_str()).collect();
-            Subst::OptEnv { name, default: words.join(" ").into() }
+            Subst::OptEnv {
+                name,
+                default: words.join(" ").into(),
+            }
         }
         "dirname" => Subst::Dirname(SubstError::new(
             "Cannot substitute $(dirname),no file/directory information available.",
         )),
         _ => {
-            let message = format!("Unknown substitution command [{content}]. Valid commands are {COMMANDS}");
-            Subst::Unknown { command, error: SubstError::new(message) }
+            let message =
+                format!("Unknown substitution command [{content}]. Valid commands are {COMMANDS}");
+            Subst::Unknown {
+                command,
+                error: SubstError::new(message),
+            }
         }
     }
 }
@@ -237,7 +262,10 @@ fn words(content: &str, base: u32) -> impl Iterator<Item = SubstArg> + '_ {
         let start = at;
         at += word.len() as u32 + 1;
         let range = TextRange::new(start, start + word.len() as u32).shift(base);
-        (!word.is_empty()).then(|| SubstArg { text: word.into(), range })
+        (!word.is_empty()).then(|| SubstArg {
+            text: word.into(),
+            range,
+        })
     })
 }
 
@@ -247,7 +275,10 @@ mod tests {
 
     /// The world of `tests/oracle/text_tables.py`.
     fn value(subst: &Subst) -> Result<EcoString, SubstError> {
-        let undefined = |name: &str| SubstError { class: "undefined", message: name.into() };
+        let undefined = |name: &str| SubstError {
+            class: "undefined",
+            message: name.into(),
+        };
         let env = |name: &str| (name == "A").then_some("env-a");
         match subst {
             Subst::Arg(arg) => Ok(match arg.text.as_str() {
@@ -264,10 +295,12 @@ mod tests {
                 other => return Err(undefined(other)),
             }),
             Subst::Find(package) => Ok(format!("<find {}>", package.text).into()),
-            Subst::Env(name) => env(&name.text)
-                .map(EcoString::from)
-                .ok_or_else(|| SubstError::new(format!("environment variable '{}' is not set", name.text))),
-            Subst::OptEnv { name, default } => Ok(env(&name.text).map_or(default.clone(), EcoString::from)),
+            Subst::Env(name) => env(&name.text).map(EcoString::from).ok_or_else(|| {
+                SubstError::new(format!("environment variable '{}' is not set", name.text))
+            }),
+            Subst::OptEnv { name, default } => {
+                Ok(env(&name.text).map_or(default.clone(), EcoString::from))
+            }
             Subst::Cwd => Ok("<cwd>".into()),
             other => panic!("{other:?} has no value"),
         }
@@ -287,20 +320,31 @@ mod tests {
 
     #[test]
     fn arguments_have_places() {
-        for (inner, want) in [("arg  a", "a"), ("find my_pkg", "my_pkg"), ("env  A ", "A"), ("é x", "é")] {
+        for (inner, want) in [
+            ("arg  a", "a"),
+            ("find my_pkg", "my_pkg"),
+            ("env  A ", "A"),
+            ("é x", "é"),
+        ] {
             let arg = match parse_substitution(inner) {
                 Subst::Arg(arg) | Subst::Find(arg) | Subst::Env(arg) => arg,
                 Subst::Unknown { command, .. } => command,
                 other => panic!("{other:?}"),
             };
-            assert_eq!((arg.text.as_str(), arg.range.slice(inner)), (want, want), "{inner}");
+            assert_eq!(
+                (arg.text.as_str(), arg.range.slice(inner)),
+                (want, want),
+                "{inner}"
+            );
         }
     }
 
     #[test]
     fn eval_is_taken_as_it_stands() {
         let inner = "eval 1 + x";
-        let Subst::Eval { code } = parse_substitution(inner) else { panic!() };
+        let Subst::Eval { code } = parse_substitution(inner) else {
+            panic!()
+        };
         assert_eq!(code.slice(inner), "1 + x");
         let bad = SubstError::new("$(eval ...) may not contain double underscore expressions");
         assert_eq!(parse_substitution("eval a.__b"), Subst::Bad(bad));

@@ -67,7 +67,11 @@ pub fn is_identifier(name: &str) -> bool {
 
 /// The NFKC form of a name: the one under which Python looks it up.
 pub fn normalized(name: &str) -> Cow<'_, str> {
-    if name.is_ascii() || is_nfkc(name) { Cow::Borrowed(name) } else { Cow::Owned(name.nfkc().collect()) }
+    if name.is_ascii() || is_nfkc(name) {
+        Cow::Borrowed(name)
+    } else {
+        Cow::Owned(name.nfkc().collect())
+    }
 }
 
 /// Whether an identifier may start with `c`.
@@ -113,7 +117,12 @@ fn collect_forbidden<'e>(expr: &'e Expr, add: &mut dyn FnMut(&'e str, TextRange)
     visit::children(expr, &mut |child| collect_forbidden(child, add));
     match &expr.kind {
         ExprKind::Name(name) => add(name, expr.range),
-        ExprKind::Attribute { name, name_range, .. } | ExprKind::NamedExpr { name, name_range, .. } => {
+        ExprKind::Attribute {
+            name, name_range, ..
+        }
+        | ExprKind::NamedExpr {
+            name, name_range, ..
+        } => {
             add(name, *name_range);
         }
         _ => {}
@@ -126,7 +135,9 @@ mod tests {
 
     #[test]
     fn identifiers() {
-        for name in ["a", "_", "_1", "été", "名", "match", "case", "type", "print", "__x", "grö", "a٣"] {
+        for name in [
+            "a", "_", "_1", "été", "名", "match", "case", "type", "print", "__x", "grö", "a٣",
+        ] {
             assert!(is_identifier(name), "{name}");
         }
         for name in [
@@ -195,9 +206,15 @@ mod tests {
             ("f'{__a}'", "__a"),
             ("(__a := 1)", "__a"),
         ] {
-            let [error] = &*parse(text).errors else { panic!("{text}") };
+            let [error] = &*parse(text).errors else {
+                panic!("{text}")
+            };
             assert_eq!(error.kind, ExprErrorKind::ForbiddenName);
-            assert_eq!(error.reference, format!("Use of invalid name(s):  {want}"), "{text}");
+            assert_eq!(
+                error.reference,
+                format!("Use of invalid name(s):  {want}"),
+                "{text}"
+            );
         }
         for text in ["'__a'", "f(__k=1)", "a__b", "_a", "a._b"] {
             assert_eq!(parse(text).errors, [], "{text}");

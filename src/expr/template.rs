@@ -64,7 +64,9 @@ pub enum Code {
 impl Template {
     /// Whether evaluating gives the text itself.
     pub fn is_verbatim(&self) -> bool {
-        self.tokens.iter().all(|token| matches!(token, Token::Text(_)))
+        self.tokens
+            .iter()
+            .all(|token| matches!(token, Token::Text(_)))
     }
 }
 
@@ -84,7 +86,13 @@ pub fn split(text: &str) -> Template {
     if u32::try_from(text.len()).is_err() {
         return Template { tokens: Vec::new() };
     }
-    Splitter { text, end: text.len(), pos: 0, tokens: Vec::new() }.run()
+    Splitter {
+        text,
+        end: text.len(),
+        pos: 0,
+        tokens: Vec::new(),
+    }
+    .run()
 }
 
 /// Works on `text[pos..end]`; brackets are looked for within that only.
@@ -100,11 +108,17 @@ impl Splitter<'_> {
         while self.pos < self.end {
             self.token();
         }
-        Template { tokens: self.tokens }
+        Template {
+            tokens: self.tokens,
+        }
     }
 
     fn byte(&self, ahead: usize) -> Option<u8> {
-        self.text.as_bytes().get(self.pos + ahead..self.end)?.first().copied()
+        self.text
+            .as_bytes()
+            .get(self.pos + ahead..self.end)?
+            .first()
+            .copied()
     }
 
     /// Offset of the next `byte` from `from` on.
@@ -145,7 +159,10 @@ impl Splitter<'_> {
         match self.byte(count) {
             Some(b'{' | b'(') => {
                 self.pos = start + count + 1;
-                self.tokens.push(Token::Escape(TextRange::new(start as u32 + 1, self.pos as u32)));
+                self.tokens.push(Token::Escape(TextRange::new(
+                    start as u32 + 1,
+                    self.pos as u32,
+                )));
             }
             _ => self.invalid(None),
         }
@@ -158,7 +175,9 @@ impl Splitter<'_> {
     }
 
     fn bracket(&mut self, close: u8, open: &'static str) {
-        let Some(close) = self.find(close, self.pos + 2) else { return self.invalid(Some(open)) };
+        let Some(close) = self.find(close, self.pos + 2) else {
+            return self.invalid(Some(open));
+        };
         let range = TextRange::new(self.pos as u32, close as u32 + 1);
         let inner = TextRange::new(self.pos as u32 + 2, close as u32);
         let nested = self.nested(inner);
@@ -169,7 +188,11 @@ impl Splitter<'_> {
             };
             Token::Expr { range, inner, code }
         } else {
-            Token::Subst { range, inner, nested: nested.filter(|template| !template.is_verbatim()) }
+            Token::Subst {
+                range,
+                inner,
+                nested: nested.filter(|template| !template.is_verbatim()),
+            }
         });
         self.pos = close + 1;
     }
@@ -179,7 +202,15 @@ impl Splitter<'_> {
     fn nested(&self, inner: TextRange) -> Option<Box<Template>> {
         let (pos, end) = (inner.start as usize, inner.end as usize);
         memchr(b'$', self.text.as_bytes().get(pos..end)?)?;
-        Some(Box::new(Splitter { text: self.text, end, pos, tokens: Vec::new() }.run()))
+        Some(Box::new(
+            Splitter {
+                text: self.text,
+                end,
+                pos,
+                tokens: Vec::new(),
+            }
+            .run(),
+        ))
     }
 }
 
@@ -205,7 +236,8 @@ mod tests {
                         "expr",
                         match code {
                             Code::Dynamic(nested) => tokens(text, nested, *inner),
-                            Code::Static(_) if inner_text.contains('$') => json!([["text", inner_text]]),
+                            Code::Static(_) if inner_text.contains('$') =>
+                                json!([["text", inner_text]]),
                             Code::Static(_) => json!(inner_text),
                         }
                     ])
@@ -241,7 +273,9 @@ mod tests {
     fn unclosed_brackets_are_named() {
         for (text, want) in [("a ${b", Some("${")), ("$(a", Some("$(")), ("a $$ b", None)] {
             let template = split(text);
-            let Some(Token::Invalid { unclosed, .. }) = template.tokens.last() else { panic!("{text}") };
+            let Some(Token::Invalid { unclosed, .. }) = template.tokens.last() else {
+                panic!("{text}")
+            };
             assert_eq!(*unclosed, want, "{text}");
         }
     }
@@ -250,7 +284,12 @@ mod tests {
     fn expressions_count_from_their_start() {
         let text = "x ${ a+1}";
         let template = split(text);
-        let Some(Token::Expr { inner, code: Code::Static(parsed), .. }) = template.tokens.last() else {
+        let Some(Token::Expr {
+            inner,
+            code: Code::Static(parsed),
+            ..
+        }) = template.tokens.last()
+        else {
             panic!()
         };
         assert_eq!(parsed.expr.range.shift(inner.start).slice(text), "a+1");

@@ -98,7 +98,17 @@ impl Tok {
         use Tok::*;
         matches!(
             self,
-            Name | Number | BadNumber | Str | OpenStr | None | True | False | Not | Lambda | Tilde | Ellipsis
+            Name | Number
+                | BadNumber
+                | Str
+                | OpenStr
+                | None
+                | True
+                | False
+                | Not
+                | Lambda
+                | Tilde
+                | Ellipsis
         ) || self == Open(Bracket::Curly)
     }
 
@@ -178,9 +188,9 @@ pub(super) fn keyword(name: &str) -> Option<Tok> {
         "async" => Tok::Async,
         "await" => Tok::Await,
         "yield" => Tok::Yield,
-        "as" | "assert" | "break" | "class" | "continue" | "def" | "del" | "elif" | "except" | "finally"
-        | "from" | "global" | "import" | "nonlocal" | "pass" | "raise" | "return" | "try" | "while"
-        | "with" => Tok::Keyword,
+        "as" | "assert" | "break" | "class" | "continue" | "def" | "del" | "elif" | "except"
+        | "finally" | "from" | "global" | "import" | "nonlocal" | "pass" | "raise" | "return"
+        | "try" | "while" | "with" => Tok::Keyword,
         _ => return None,
     })
 }
@@ -188,8 +198,13 @@ pub(super) fn keyword(name: &str) -> Option<Tok> {
 /// Whether a quote behind `name` belongs to it.
 pub(super) fn is_string_prefix(name: &str) -> bool {
     let mut lower = [0; 2];
-    let Some(lower) = lower.get_mut(..name.len()) else { return false };
+    let Some(lower) = lower.get_mut(..name.len()) else {
+        return false;
+    };
     lower.copy_from_slice(name.as_bytes());
     lower.make_ascii_lowercase();
-    matches!(&*lower, b"r" | b"u" | b"b" | b"f" | b"br" | b"rb" | b"fr" | b"rf")
+    matches!(
+        &*lower,
+        b"r" | b"u" | b"b" | b"f" | b"br" | b"rb" | b"fr" | b"rf"
+    )
 }

@@ -31,7 +31,11 @@ pub fn children<'e>(expr: &'e Expr, f: &mut dyn FnMut(&'e Expr)) {
             f(orelse);
         }
         ExprKind::Lambda(lambda) => {
-            lambda.params.iter().filter_map(|p| p.default.as_ref()).for_each(&mut *f);
+            lambda
+                .params
+                .iter()
+                .filter_map(|p| p.default.as_ref())
+                .for_each(&mut *f);
             f(&lambda.body);
         }
         ExprKind::Dict(pairs) => pairs.iter().for_each(|(key, value)| {
@@ -44,9 +48,16 @@ pub fn children<'e>(expr: &'e Expr, f: &mut dyn FnMut(&'e Expr)) {
             f(index);
         }
         ExprKind::Slice { lower, upper, step } => {
-            [lower, upper, step].into_iter().flatten().for_each(|bound| f(bound));
+            [lower, upper, step]
+                .into_iter()
+                .flatten()
+                .for_each(|bound| f(bound));
         }
-        ExprKind::Call { func, args, keywords } => {
+        ExprKind::Call {
+            func,
+            args,
+            keywords,
+        } => {
             f(func);
             args.iter().for_each(&mut *f);
             keywords.iter().for_each(|k| f(&k.value));
@@ -75,7 +86,11 @@ fn comprehension<'e>(comp: &'e Comprehension, f: &mut dyn FnMut(&'e Expr)) {
 
 /// Collect the names that `expr` does not bind itself.
 pub(super) fn free_names<'e>(expr: &'e Expr, found: &mut Vec<NameUse<'e>>) {
-    Scopes { bound: Vec::new(), found }.visit(expr);
+    Scopes {
+        bound: Vec::new(),
+        found,
+    }
+    .visit(expr);
 }
 
 /// The names bound so far, innermost last; a scope ends by truncating to its mark.
@@ -89,7 +104,10 @@ impl<'e> Scopes<'e, '_> {
         match &expr.kind {
             ExprKind::Name(name) => {
                 if !self.bound.contains(&name.as_str()) {
-                    self.found.push(NameUse { name, range: expr.range });
+                    self.found.push(NameUse {
+                        name,
+                        range: expr.range,
+                    });
                 }
             }
             ExprKind::Lambda(lambda) => self.lambda(lambda),
@@ -103,9 +121,19 @@ impl<'e> Scopes<'e, '_> {
     }
 
     fn lambda(&mut self, lambda: &'e Lambda) {
-        lambda.params.iter().filter_map(|p| p.default.as_ref()).for_each(|d| self.visit(d));
+        lambda
+            .params
+            .iter()
+            .filter_map(|p| p.default.as_ref())
+            .for_each(|d| self.visit(d));
         let mark = self.bound.len();
-        self.bound.extend(lambda.params.iter().map(|p| p.name.as_str()).filter(|n| !n.is_empty()));
+        self.bound.extend(
+            lambda
+                .params
+                .iter()
+                .map(|p| p.name.as_str())
+                .filter(|n| !n.is_empty()),
+        );
         self.visit(&lambda.body);
         self.bound.truncate(mark);
     }
@@ -115,7 +143,9 @@ impl<'e> Scopes<'e, '_> {
         let mut iters = comp.clauses.iter().map(|c| &c.iter);
         iters.next().into_iter().for_each(|first| self.visit(first));
         let mark = self.bound.len();
-        comp.clauses.iter().for_each(|c| self.bind_target(&c.target));
+        comp.clauses
+            .iter()
+            .for_each(|c| self.bind_target(&c.target));
         for (i, clause) in comp.clauses.iter().enumerate() {
             if i > 0 {
                 self.visit(&clause.iter);
@@ -136,7 +166,9 @@ impl<'e> Scopes<'e, '_> {
     fn visit_target(&mut self, target: &'e Expr) {
         match &target.kind {
             ExprKind::Name(_) => {}
-            ExprKind::Tuple(items) | ExprKind::List(items) => items.iter().for_each(|t| self.visit_target(t)),
+            ExprKind::Tuple(items) | ExprKind::List(items) => {
+                items.iter().for_each(|t| self.visit_target(t))
+            }
             ExprKind::Starred(inner) => self.visit_target(inner),
             _ => self.visit(target),
         }
@@ -147,7 +179,9 @@ impl<'e> Scopes<'e, '_> {
 pub(super) fn target_names<'e>(target: &'e Expr, f: &mut dyn FnMut(&'e EcoString)) {
     match &target.kind {
         ExprKind::Name(name) => f(name),
-        ExprKind::Tuple(items) | ExprKind::List(items) => items.iter().for_each(|t| target_names(t, f)),
+        ExprKind::Tuple(items) | ExprKind::List(items) => {
+            items.iter().for_each(|t| target_names(t, f))
+        }
         ExprKind::Starred(inner) => target_names(inner, f),
         _ => {}
     }

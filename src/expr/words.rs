@@ -26,9 +26,19 @@ pub fn words(text: &str) -> Vec<(TextRange, WordKind)> {
         return Vec::new();
     }
     let mut report = Report::new(text, 0);
-    let source = Source { text, start: 0, end: text.len(), outer_end: text.len(), bracketed: true };
-    let tokens = lex(&source, &mut report).into_iter().filter(|token| !token.range.is_empty());
-    tokens.filter_map(|token| Some((token.range, kind(token.kind)?))).collect()
+    let source = Source {
+        text,
+        start: 0,
+        end: text.len(),
+        outer_end: text.len(),
+        bracketed: true,
+    };
+    let tokens = lex(&source, &mut report)
+        .into_iter()
+        .filter(|token| !token.range.is_empty());
+    tokens
+        .filter_map(|token| Some((token.range, kind(token.kind)?)))
+        .collect()
 }
 
 fn kind(token: Tok) -> Option<WordKind> {
@@ -38,8 +48,8 @@ fn kind(token: Tok) -> Option<WordKind> {
         Name => WordKind::Name,
         Number | BadNumber => WordKind::Number,
         Str | OpenStr => WordKind::String,
-        None | True | False | And | Or | Not | In | Is | If | Else | For | Lambda | Async | Await | Yield
-        | Keyword => WordKind::Keyword,
+        None | True | False | And | Or | Not | In | Is | If | Else | For | Lambda | Async
+        | Await | Yield | Keyword => WordKind::Keyword,
         _ => WordKind::Operator,
     })
 }
@@ -51,8 +61,19 @@ mod tests {
     #[test]
     fn half_typed_text_has_words() {
         let text = "a.b['k'] if x > 1.5 else (";
-        let found: Vec<&str> = words(text).iter().map(|(range, _)| range.slice(text)).collect();
-        assert_eq!(found, ["a", ".", "b", "[", "'k'", "]", "if", "x", ">", "1.5", "else", "("]);
-        assert_eq!(words("'open").first().map(|(_, kind)| *kind), Some(WordKind::String));
+        let found: Vec<&str> = words(text)
+            .iter()
+            .map(|(range, _)| range.slice(text))
+            .collect();
+        assert_eq!(
+            found,
+            [
+                "a", ".", "b", "[", "'k'", "]", "if", "x", ">", "1.5", "else", "("
+            ]
+        );
+        assert_eq!(
+            words("'open").first().map(|(_, kind)| *kind),
+            Some(WordKind::String)
+        );
     }
 }

@@ -30,12 +30,23 @@ pub fn is_keyword(name: &str) -> bool {
 /// The facts of an item; read once, kept with it.
 pub fn facts_of(item: &Arc<Item>) -> FactsOf<'_> {
     /// Most items of a file with a million of them have none.
-    static NONE: LazyLock<Arc<Facts>> =
-        LazyLock::new(|| Arc::new(Facts { named: Vec::new(), sites: Vec::new().into() }));
+    static NONE: LazyLock<Arc<Facts>> = LazyLock::new(|| {
+        Arc::new(Facts {
+            named: Vec::new(),
+            sites: Vec::new().into(),
+        })
+    });
     let facts = item.cached(|item| {
         let named = named(item);
         let is_plain = named.is_empty() && !item.text().contains('$');
-        if is_plain { NONE.clone() } else { Arc::new(Facts { named, ..Facts::default() }) }
+        if is_plain {
+            NONE.clone()
+        } else {
+            Arc::new(Facts {
+                named,
+                ..Facts::default()
+            })
+        }
     });
     FactsOf { item, facts }
 }
@@ -44,7 +55,10 @@ fn named(item: &Item) -> Vec<Fact> {
     let mut named = Vec::new();
     // the end of the macro around the current node; macros nest, so the outermost one counts
     let mut macro_end = 0;
-    for node in item.all_nodes().filter(|node| node.kind() == NodeKind::Element) {
+    for node in item
+        .all_nodes()
+        .filter(|node| node.kind() == NodeKind::Element)
+    {
         let in_macro = node.range().start < macro_end;
         named.extend(fact(node, in_macro));
         if node.name() == "xacro:macro" {
@@ -60,7 +74,11 @@ pub(super) fn sites(item: &Item) -> Vec<Site> {
     for node in item.all_nodes() {
         match node.kind() {
             NodeKind::Element => {
-                sites.extend(node.attrs().filter(|attr| attr.has_dollar()).filter_map(attribute_site));
+                sites.extend(
+                    node.attrs()
+                        .filter(|attr| attr.has_dollar())
+                        .filter_map(attribute_site),
+                );
             }
             NodeKind::Text if node.has_dollar() => {
                 sites.extend(site(node.raw(), node.raw_range(), false));
@@ -89,12 +107,26 @@ fn fact(node: Node<'_>, in_macro: bool) -> Option<Fact> {
     };
     let attr = node.attr(attr)?;
     let name = attr.value(&Entities::default()).as_ref().into();
-    Some(Fact { kind, name, range: attr.value_range(), node: node.id(), in_macro })
+    Some(Fact {
+        kind,
+        name,
+        range: attr.value_range(),
+        node: node.id(),
+        in_macro,
+    })
 }
 
 fn call(node: Node<'_>, name: &str, in_macro: bool) -> Option<Fact> {
-    let called = name.strip_prefix("xacro:").filter(|called| !is_keyword(called))?;
+    let called = name
+        .strip_prefix("xacro:")
+        .filter(|called| !is_keyword(called))?;
     let end = node.name_range().end;
     let range = TextRange::new(end - called.len() as u32, end);
-    Some(Fact { kind: FactKind::Call, name: called.into(), range, node: node.id(), in_macro })
+    Some(Fact {
+        kind: FactKind::Call,
+        name: called.into(),
+        range,
+        node: node.id(),
+        in_macro,
+    })
 }

@@ -61,13 +61,21 @@ pub(super) fn site(raw: &str, range: TextRange, is_attr: bool) -> Option<Site> {
         let own = mention.range;
         mention.range = TextRange::new(at(own.start), at(own.end)).shift(range.start);
     }
-    Some(Site { range, is_attr, mentions: found })
+    Some(Site {
+        range,
+        is_attr,
+        mentions: found,
+    })
 }
 
 fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
     for token in &template.tokens {
         match token {
-            Token::Expr { inner, code: Code::Dynamic(nested), .. } => {
+            Token::Expr {
+                inner,
+                code: Code::Dynamic(nested),
+                ..
+            } => {
                 collect(nested, text, found);
                 // what is replaced first mostly stands in quotes, and the rest is an expression as it is
                 let parsed = expr::parse(inner.slice(text));
@@ -75,11 +83,22 @@ fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
                     names(&parsed.expr, inner.start, MentionKind::Name, found);
                 }
             }
-            Token::Subst { nested: Some(nested), .. } => collect(nested, text, found),
-            Token::Expr { inner, code: Code::Static(parsed), .. } => {
+            Token::Subst {
+                nested: Some(nested),
+                ..
+            } => collect(nested, text, found),
+            Token::Expr {
+                inner,
+                code: Code::Static(parsed),
+                ..
+            } => {
                 names(&parsed.expr, inner.start, MentionKind::Name, found);
             }
-            Token::Subst { inner, nested: None, .. } => substitution(inner.slice(text), inner.start, found),
+            Token::Subst {
+                inner,
+                nested: None,
+                ..
+            } => substitution(inner.slice(text), inner.start, found),
             _ => {}
         }
     }
@@ -87,8 +106,11 @@ fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
 
 /// The free names of an expression that begins at `start`, and their members.
 fn names(expr: &Expr, start: u32, kind: MentionKind, found: &mut Vec<Mention>) {
-    let mention =
-        |kind, name: &str, range: TextRange| Mention { kind, name: name.into(), range: range.shift(start) };
+    let mention = |kind, name: &str, range: TextRange| Mention {
+        kind,
+        name: name.into(),
+        range: range.shift(start),
+    };
     let free = expr::names(expr);
     let first = found.len();
     found.extend(free.iter().map(|used| mention(kind, used.name, used.range)));
@@ -106,7 +128,13 @@ fn names(expr: &Expr, start: u32, kind: MentionKind, found: &mut Vec<Mention>) {
 
 /// The members of names, `b` and `c` of `a.b.c`, with the place of the name in front.
 fn members<'e>(expr: &'e Expr, found: &mut dyn FnMut(TextRange, &'e str, TextRange)) {
-    if let (ExprKind::Attribute { name, name_range, .. }, Some(root)) = (&expr.kind, root_name(expr)) {
+    if let (
+        ExprKind::Attribute {
+            name, name_range, ..
+        },
+        Some(root),
+    ) = (&expr.kind, root_name(expr))
+    {
         found(root, name, *name_range);
     }
     expr::visit::children(expr, &mut |child| members(child, found));
@@ -128,9 +156,18 @@ fn substitution(inner: &str, start: u32, found: &mut Vec<Mention>) {
         Subst::Eval { code } => {
             // arguments are the variables of `$(eval)`
             let parsed = expr::parse(code.slice(inner));
-            return names(&parsed.expr, start + code.start, MentionKind::Argument, found);
+            return names(
+                &parsed.expr,
+                start + code.start,
+                MentionKind::Argument,
+                found,
+            );
         }
         _ => return,
     };
-    found.push(Mention { kind, name: word.text, range: word.range.shift(start) });
+    found.push(Mention {
+        kind,
+        name: word.text,
+        range: word.range.shift(start),
+    });
 }

@@ -14,7 +14,10 @@ fn check(text: &str, expected: &[&str]) {
             found.push(format!("{:?} {}{inside}", fact.kind, fact.name));
         }
         for mention in facts.mentions() {
-            assert_eq!(document.slice(mention.range.shift(base)), mention.name.as_str());
+            assert_eq!(
+                document.slice(mention.range.shift(base)),
+                mention.name.as_str()
+            );
             found.push(format!("  {:?} {}", mention.kind, mention.name));
         }
     }

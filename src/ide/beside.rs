@@ -37,9 +37,14 @@ impl From<Kind> for NameKind {
 
 /// The names in an SRDF; `cx` is about its own expansion.
 pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
-    let named = srdf.names().into_iter().filter(|(text, ..)| text.is_known());
+    let named = srdf
+        .names()
+        .into_iter()
+        .filter(|(text, ..)| text.is_known());
     let content = |kind: Kind, is_definition: bool, name: &str| {
-        let group = srdf.group(name).filter(|_| kind == Kind::Group && is_definition);
+        let group = srdf
+            .group(name)
+            .filter(|_| kind == Kind::Group && is_definition);
         group.map(project::Group::in_short).unwrap_or_default()
     };
     named
@@ -63,7 +68,10 @@ pub fn names_in_settings(file: FileId, text: &str, settings: &Settings) -> Vec<B
         let written = named.range.slice(text);
         let before = written.find(named.name.as_str())? as u32;
         let start = named.range.start + before;
-        let place = Span { file, range: TextRange::new(start, start + named.name.len() as u32) };
+        let place = Span {
+            file,
+            range: TextRange::new(start, start + named.name.len() as u32),
+        };
         let of = TextRange::new(0, named.name.len() as u32);
         let parts = vec![NamePart { of, written: place }];
         Some(BesideName {

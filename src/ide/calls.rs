@@ -30,7 +30,10 @@ pub fn macro_at(cx: &Cx<'_>, offset: u32) -> Option<DefinitionId> {
 }
 
 fn is_macro(cx: &Cx<'_>, id: DefinitionId) -> bool {
-    cx.expansion.symbols.get(id).is_some_and(|given| given.kind == SymbolKind::Macro)
+    cx.expansion
+        .symbols
+        .get(id)
+        .is_some_and(|given| given.kind == SymbolKind::Macro)
 }
 
 /// Who calls a macro.
@@ -57,7 +60,10 @@ pub fn outgoing(cx: &Cx<'_>, from: &Caller) -> Vec<Calls> {
 
 /// All calls of a macro: the names in them.
 pub fn calls_of(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
-    calls(cx).filter(|used| used.definition == id).filter_map(|used| cx.span(used.place)).collect()
+    calls(cx)
+        .filter(|used| used.definition == id)
+        .filter_map(|used| cx.span(used.place))
+        .collect()
 }
 
 /// Where a caller stands.
@@ -66,28 +72,53 @@ pub fn caller_target(cx: &Cx<'_>, caller: &Caller) -> Option<Target> {
         Caller::Macro(id) => definition_of(cx, *id),
         Caller::File(file) => {
             let document = &cx.file_of(*file)?.document;
-            let whole = Span { file: *file, range: TextRange::new(0, document.len()) };
-            let name = document.root().map_or(TextRange::default(), |root| root.name_range());
-            Some(Target { whole, name: Span { file: *file, range: name } })
+            let whole = Span {
+                file: *file,
+                range: TextRange::new(0, document.len()),
+            };
+            let name = document
+                .root()
+                .map_or(TextRange::default(), |root| root.name_range());
+            Some(Target {
+                whole,
+                name: Span {
+                    file: *file,
+                    range: name,
+                },
+            })
         }
     }
 }
 
 /// The macros that the file defines.
 pub fn macros_of(cx: &Cx<'_>) -> Vec<(DefinitionId, TextRange)> {
-    let given = cx.expansion.symbols.iter().filter(|(_, given)| given.kind == SymbolKind::Macro);
+    let given = cx
+        .expansion
+        .symbols
+        .iter()
+        .filter(|(_, given)| given.kind == SymbolKind::Macro);
     let placed = given.filter_map(|(id, given)| Some((id, cx.span(given.place)?)));
-    placed.filter(|(_, span)| span.file == cx.source.id).map(|(id, span)| (id, span.range)).collect()
+    placed
+        .filter(|(_, span)| span.file == cx.source.id)
+        .map(|(id, span)| (id, span.range))
+        .collect()
 }
 
 fn calls<'a>(cx: &Cx<'a>) -> impl Iterator<Item = &'a Use> {
-    cx.expansion.symbols.uses.iter().filter(|used| used.kind == UseKind::Call)
+    cx.expansion
+        .symbols
+        .uses
+        .iter()
+        .filter(|used| used.kind == UseKind::Call)
 }
 
 fn add(found: &mut Vec<Calls>, other: Caller, span: Span) {
     match found.iter_mut().find(|known| known.other == other) {
         Some(known) => known.at.push(span),
-        None => found.push(Calls { other, at: vec![span] }),
+        None => found.push(Calls {
+            other,
+            at: vec![span],
+        }),
     }
 }
 
@@ -95,15 +126,25 @@ fn add(found: &mut Vec<Calls>, other: Caller, span: Span) {
 fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
     let source = cx.expansion.sources.get(place.src.0 as usize)?;
     let holds = |range: TextRange| range.contains_range(place.range);
-    let nodes = source.item.all_nodes().filter(|node| node.name() == "xacro:macro" && holds(node.range()));
+    let nodes = source
+        .item
+        .all_nodes()
+        .filter(|node| node.name() == "xacro:macro" && holds(node.range()));
     let around = nodes.filter_map(|node| node.attr("name")).last();
     let defined = around.and_then(|name| {
-        let name = SourceRange { src: place.src, range: name.value_range() };
+        let name = SourceRange {
+            src: place.src,
+            range: name.value_range(),
+        };
         let mut given = cx.expansion.symbols.iter();
-        given.find(|(_, given)| given.kind == SymbolKind::Macro && given.place == name).map(|(id, _)| id)
+        given
+            .find(|(_, given)| given.kind == SymbolKind::Macro && given.place == name)
+            .map(|(id, _)| id)
     });
     match defined {
         Some(id) => Some(Caller::Macro(id)),
-        None => Some(Caller::File(cx.expansion.files.get(source.file.0 as usize)?.source.id)),
+        None => Some(Caller::File(
+            cx.expansion.files.get(source.file.0 as usize)?.source.id,
+        )),
     }
 }

@@ -17,7 +17,11 @@ pub(super) fn hole(text: &str) -> Option<Hole> {
     loop {
         let rest = text.get(pos..)?;
         let dollar = pos + rest.find('$')?;
-        let dollars = text.get(dollar..)?.bytes().take_while(|b| *b == b'$').count();
+        let dollars = text
+            .get(dollar..)?
+            .bytes()
+            .take_while(|b| *b == b'$')
+            .count();
         let behind = dollar + dollars;
         let open = text.get(behind..)?.chars().next();
         let (close, make): (char, fn(usize) -> Hole) = match open {
@@ -34,7 +38,11 @@ pub(super) fn hole(text: &str) -> Option<Hole> {
         match text.get(start..)?.find(close) {
             Some(end) => pos = start + end + 1,
             // what is open inside is what is typed: `${xacro.load_yaml('$(find `
-            None => return hole(text.get(start..)?).map(|inner| inner.shifted(start)).or(Some(make(start))),
+            None => {
+                return hole(text.get(start..)?)
+                    .map(|inner| inner.shifted(start))
+                    .or(Some(make(start)));
+            }
         }
     }
 }
@@ -67,10 +75,16 @@ pub(super) fn cursor(code: &str) -> Cursor<'_> {
     if let Some(start) = open_text(code) {
         return Cursor::Text { start };
     }
-    let start = code
-        .rfind(|c: char| !is_word(c))
-        .map_or(0, |at| at + code.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8));
-    let (before, word) = (code.get(..start).unwrap_or(""), code.get(start..).unwrap_or(""));
+    let start = code.rfind(|c: char| !is_word(c)).map_or(0, |at| {
+        at + code
+            .get(at..)
+            .and_then(|rest| rest.chars().next())
+            .map_or(1, char::len_utf8)
+    });
+    let (before, word) = (
+        code.get(..start).unwrap_or(""),
+        code.get(start..).unwrap_or(""),
+    );
     if word.starts_with(|c: char| c.is_ascii_digit()) {
         return Cursor::Nowhere;
     }
@@ -210,8 +224,20 @@ mod tests {
             ("2 * m", Cursor::Name { start: 4 }),
             ("1.5", Cursor::Nowhere),
             ("12", Cursor::Nowhere),
-            ("cam.ma", Cursor::Member { object: "cam", start: 4 }),
-            ("2*cam['a.b'].", Cursor::Member { object: "cam['a.b']", start: 13 }),
+            (
+                "cam.ma",
+                Cursor::Member {
+                    object: "cam",
+                    start: 4,
+                },
+            ),
+            (
+                "2*cam['a.b'].",
+                Cursor::Member {
+                    object: "cam['a.b']",
+                    start: 13,
+                },
+            ),
             ("cam['", Cursor::Text { start: 5 }),
             ("cam['a']", Cursor::Nowhere),
         ] {

@@ -26,7 +26,8 @@ pub fn colors(cx: &Cx<'_>) -> Vec<Color> {
                 false => parsed(&attr.value(document.entities())),
                 true => {
                     let known = computed.get_or_insert_with(|| evaluated(cx));
-                    cx.source_range(range).and_then(|place| known.get(&place).copied().flatten())
+                    cx.source_range(range)
+                        .and_then(|place| known.get(&place).copied().flatten())
                 }
             };
             found.extend(rgba.map(|rgba| Color { range, rgba }));
@@ -51,7 +52,10 @@ fn parsed(text: &str) -> Option<[f64; 4]> {
 fn evaluated(cx: &Cx<'_>) -> FastMap<SourceRange, Option<[f64; 4]>> {
     let tree = &cx.expansion.tree;
     let mut found: FastMap<SourceRange, Option<[f64; 4]>> = FastMap::default();
-    for attr in tree.below(XId::DOCUMENT).filter_map(|id| tree.attr(id, "rgba")) {
+    for attr in tree
+        .below(XId::DOCUMENT)
+        .filter_map(|id| tree.attr(id, "rgba"))
+    {
         let rgba = parsed(&attr.value).filter(|_| !attr.pieces.iter().any(|piece| piece.unknown));
         let known = found.entry(attr.origin.into()).or_insert(rgba);
         if *known != rgba {
@@ -78,7 +82,11 @@ mod tests {
     fn colors_are_three_or_four_numbers() {
         assert_eq!(parsed("1 0 .5"), Some([1.0, 0.0, 0.5, 1.0]));
         assert_eq!(parsed("1 0 0.5 0.25"), Some([1.0, 0.0, 0.5, 0.25]));
-        assert!(["1 0", "1 0 0 0 0", "1 0 x 1", "2 0 0 1", ""].iter().all(|text| parsed(text).is_none()));
+        assert!(
+            ["1 0", "1 0 0 0 0", "1 0 x 1", "2 0 0 1", ""]
+                .iter()
+                .all(|text| parsed(text).is_none())
+        );
         assert_eq!(color_text([1.0, 0.0, 1.0 / 3.0, 0.5]), "1 0 0.333 0.5");
     }
 }

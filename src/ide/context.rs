@@ -27,7 +27,11 @@ impl<'a> Cx<'a> {
     /// The file's number in the expansion; none when it takes no part.
     pub fn file(&self) -> Option<FileIdx> {
         let own = |file: &expand::FileUse| file.source.id == self.source.id;
-        self.expansion.files.iter().position(own).map(|index| FileIdx(index as u32))
+        self.expansion
+            .files
+            .iter()
+            .position(own)
+            .map(|index| FileIdx(index as u32))
     }
 
     /// The text of the expansion that stands at `range` of the file.
@@ -39,14 +43,20 @@ impl<'a> Cx<'a> {
             return None;
         }
         let src = SrcId(first + index as u32);
-        Some(SourceRange { src, range: TextRange::new(range.start - source.base, range.end - source.base) })
+        Some(SourceRange {
+            src,
+            range: TextRange::new(range.start - source.base, range.end - source.base),
+        })
     }
 
     /// Where a text of the expansion stands.
     pub fn span(&self, place: SourceRange) -> Option<Span> {
         let source = self.expansion.sources.get(place.src.0 as usize)?;
         let file = self.expansion.files.get(source.file.0 as usize)?.source.id;
-        Some(Span { file, range: place.range.shift(source.base) })
+        Some(Span {
+            file,
+            range: place.range.shift(source.base),
+        })
     }
 
     /// The source texts of the file in order, and the number of the first.
@@ -61,7 +71,10 @@ impl<'a> Cx<'a> {
     /// Where the source texts of the file begin.
     pub fn bases(&self) -> FastMap<SrcId, u32> {
         let (first, sources) = self.own_sources().unwrap_or((0, &[]));
-        (first..).map(SrcId).zip(sources.iter().map(|source| source.base)).collect()
+        (first..)
+            .map(SrcId)
+            .zip(sources.iter().map(|source| source.base))
+            .collect()
     }
 
     /// The source texts of the file, with their numbers.
@@ -75,19 +88,30 @@ impl<'a> Cx<'a> {
         let symbols = &self.expansion.symbols;
         for src in self.sources() {
             let source = self.expansion.sources.get(src.0 as usize)?;
-            let Some(inside) = offset.checked_sub(source.base).filter(|&inside| inside <= source.item.len())
+            let Some(inside) = offset
+                .checked_sub(source.base)
+                .filter(|&inside| inside <= source.item.len())
             else {
                 continue;
             };
             let here = |place: SourceRange| {
                 place.src == src && place.range.start <= inside && inside <= place.range.end
             };
-            let used =
-                symbols.all_uses().filter(|used| here(used.place)).min_by_key(|used| used.place.range.len());
-            let given = symbols.iter().find(|(_, definition)| here(definition.place));
+            let used = symbols
+                .all_uses()
+                .filter(|used| here(used.place))
+                .min_by_key(|used| used.place.range.len());
+            let given = symbols
+                .iter()
+                .find(|(_, definition)| here(definition.place));
             let found = match (used, given) {
                 (_, Some((id, definition))) => Some((id, definition.place)),
-                (Some(Use { place, definition, .. }), None) => Some((*definition, *place)),
+                (
+                    Some(Use {
+                        place, definition, ..
+                    }),
+                    None,
+                ) => Some((*definition, *place)),
                 (None, None) => None,
             };
             if let Some((id, place)) = found {
@@ -99,7 +123,11 @@ impl<'a> Cx<'a> {
 
     /// The file of the expansion with this number.
     pub fn file_of(&self, id: FileId) -> Option<&'a SourceFile> {
-        let file = self.expansion.files.iter().find(|file| file.source.id == id)?;
+        let file = self
+            .expansion
+            .files
+            .iter()
+            .find(|file| file.source.id == id)?;
         Some(&file.source)
     }
 }

@@ -36,12 +36,20 @@ struct Found {
 
 /// What the place at an offset expands to on the way with the number `instance`; without one, on the way that was
 /// picked, else on the first.
-pub fn expand_at(cx: &Cx<'_>, written: &Written, offset: u32, instance: Option<usize>) -> Option<ExpandedAt> {
+pub fn expand_at(
+    cx: &Cx<'_>,
+    written: &Written,
+    offset: u32,
+    instance: Option<usize>,
+) -> Option<ExpandedAt> {
     let at = locate(&cx.source.document, offset);
     let found = expression(cx, &at).or_else(|| element(cx, written, &at))?;
     let picked = || {
         let pin = cx.pinned?;
-        found.results.iter().position(|(frame, _)| is_within(cx.expansion, *frame, pin))
+        found
+            .results
+            .iter()
+            .position(|(frame, _)| is_within(cx.expansion, *frame, pin))
     };
     let index = instance.or_else(picked).unwrap_or(0);
     let result = found.results.get(index);
@@ -70,9 +78,17 @@ fn expression(cx: &Cx<'_>, at: &At<'_>) -> Option<Found> {
     let token = text_here.token_at(at.offset)?;
     let range = text_here.range(token.range());
     let all = values::all_instances(cx, range);
-    let results = all.iter().map(|instance| (instance.frame, text(&instance.value))).collect();
+    let results = all
+        .iter()
+        .map(|instance| (instance.frame, text(&instance.value)))
+        .collect();
     let title = format!("`{}`", cx.source.document.slice(range));
-    Some(Found { kind: "expression", title, range, results })
+    Some(Found {
+        kind: "expression",
+        title,
+        range,
+        results,
+    })
 }
 
 /// The element around a place that expands to something.
@@ -98,35 +114,69 @@ fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Op
     };
     let of_tag = || all(frames_of_tag(cx, at.shift(node.start_tag_range())));
     let (kind, title, results) = match tag {
-        "property" => ("property", format!("property `{}`", named("name")), property(cx, written, at, node)),
-        "include" => ("include", format!("include `{}`", named("filename")), of_tag()),
+        "property" => (
+            "property",
+            format!("property `{}`", named("name")),
+            property(cx, written, at, node),
+        ),
+        "include" => (
+            "include",
+            format!("include `{}`", named("filename")),
+            of_tag(),
+        ),
         "insert_block" => ("block", format!("block `{}`", named("name")), of_tag()),
         "macro" => {
             let frames = macro_of(cx, at.base, node).map(|id| frames_of_macro(cx.expansion, id));
-            ("macro", format!("macro `{}`", named("name")), all(frames.unwrap_or_default()))
+            (
+                "macro",
+                format!("macro `{}`", named("name")),
+                all(frames.unwrap_or_default()),
+            )
         }
         "if" | "unless" => {
             let title = format!("`xacro:{tag}` of `{}`", named("value"));
             ("condition", title, condition(cx, written, at, node))
         }
         "arg" | "element" | "attribute" => return None,
-        _ => ("macro", format!("call of `{}`", if tag == "call" { named("macro") } else { tag }), of_tag()),
+        _ => (
+            "macro",
+            format!(
+                "call of `{}`",
+                if tag == "call" { named("macro") } else { tag }
+            ),
+            of_tag(),
+        ),
     };
-    Some(Found { kind, title, range, results })
+    Some(Found {
+        kind,
+        title,
+        range,
+        results,
+    })
 }
 
 /// What the content of a condition gave, for each way that led there.
-fn condition(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<(FrameId, String)> {
+fn condition(
+    cx: &Cx<'_>,
+    written: &Written,
+    at: &At<'_>,
+    node: Node<'_>,
+) -> Vec<(FrameId, String)> {
     let expansion = cx.expansion;
-    let Some(content) = cx.source_range(at.shift(node.range())) else { return Vec::new() };
-    let holds = |origin: Origin| origin.src == content.src && content.range.contains_range(origin.range);
-    let steps =
-        |origin: Origin| std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call));
+    let Some(content) = cx.source_range(at.shift(node.range())) else {
+        return Vec::new();
+    };
+    let holds =
+        |origin: Origin| origin.src == content.src && content.range.contains_range(origin.range);
+    let steps = |origin: Origin| {
+        std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call))
+    };
     contexts(cx, at, node)
         .into_iter()
         .map(|frame| {
-            let from_here =
-                |origin: Origin| is_within(expansion, origin.frame, frame) && steps(origin).any(holds);
+            let from_here = |origin: Origin| {
+                is_within(expansion, origin.frame, frame) && steps(origin).any(holds)
+            };
             (frame, made(expansion, written, from_here).join("\n"))
         })
         .collect()
@@ -138,7 +188,9 @@ fn contexts(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Vec<FrameId> {
     while let Some(around) = outer {
         if around.name() == "xacro:macro" {
             let id = macro_of(cx, at.base, around);
-            return id.map(|id| frames_of_macro(cx.expansion, id)).unwrap_or_default();
+            return id
+                .map(|id| frames_of_macro(cx.expansion, id))
+                .unwrap_or_default();
         }
         outer = around.parent();
     }
@@ -160,10 +212,20 @@ fn contexts(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Vec<FrameId> {
 /// The values that a property had, or what its block gave where it was put in.
 fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<(FrameId, String)> {
     let expansion = cx.expansion;
-    let name = node.attr("name").and_then(|name| cx.source_range(at.shift(name.value_range())));
-    let given = expansion.symbols.iter().find(|(_, given)| Some(given.place) == name);
-    let Some((id, _)) = given else { return Vec::new() };
-    let bindings = expansion.bindings.iter().filter(|info| info.definition == Some(id));
+    let name = node
+        .attr("name")
+        .and_then(|name| cx.source_range(at.shift(name.value_range())));
+    let given = expansion
+        .symbols
+        .iter()
+        .find(|(_, given)| Some(given.place) == name);
+    let Some((id, _)) = given else {
+        return Vec::new();
+    };
+    let bindings = expansion
+        .bindings
+        .iter()
+        .filter(|info| info.definition == Some(id));
     let frame = |info: &BindingInfo| info.origin.map_or(FrameId::ROOT, |origin| origin.frame);
     let mut results: Vec<(FrameId, String)> = Vec::new();
     for info in bindings {
@@ -171,14 +233,18 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
         results.extend(result.filter(|result| !results.contains(result)));
     }
     if results.is_empty()
-        && let Some(whole) = cx.source_range(at.shift(node.range())).filter(|_| node.attr("value").is_none())
+        && let Some(whole) = cx
+            .source_range(at.shift(node.range()))
+            .filter(|_| node.attr("value").is_none())
     {
         let own = |frame: &Frame| {
             let holds = |at: Origin| at.src == whole.src && whole.range.contains_range(at.range);
             frame.kind == FrameKind::Block && frame.definition.is_some_and(holds)
         };
         let blocks = numbered(expansion).filter(|(_, frame)| own(frame));
-        results.extend(blocks.map(|(frame, _)| (frame, made_in(expansion, written, frame).join("\n"))));
+        results.extend(
+            blocks.map(|(frame, _)| (frame, made_in(expansion, written, frame).join("\n"))),
+        );
     }
     if results.is_empty()
         && let Some(value) = node.attr("value").filter(|value| !value.has_dollar())
@@ -193,10 +259,13 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
 pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) -> Vec<String> {
     let inside = numbered(expansion).filter(|(id, _)| is_within(expansion, *id, frame));
     let blocks = inside.filter(|(_, frame)| frame.kind == FrameKind::Block);
-    let given: Vec<Origin> =
-        blocks.filter_map(|(_, block)| element_of(expansion, block.definition?)).collect();
+    let given: Vec<Origin> = blocks
+        .filter_map(|(_, block)| element_of(expansion, block.definition?))
+        .collect();
     let held = |origin: Origin, block: &Origin| {
-        block.src == origin.src && block.frame == origin.frame && block.range.contains_range(origin.range)
+        block.src == origin.src
+            && block.frame == origin.frame
+            && block.range.contains_range(origin.range)
     };
     made(expansion, written, |origin| {
         is_within(expansion, origin.frame, frame) || given.iter().any(|block| held(origin, block))
@@ -207,16 +276,26 @@ pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) 
 fn element_of(expansion: &Expansion, tag: Origin) -> Option<Origin> {
     let source = expansion.sources.get(tag.src.0 as usize)?;
     let mut nodes = source.item.all_nodes();
-    let node =
-        nodes.find(|node| node.kind() == NodeKind::Element && node.range().start == tag.range.start)?;
-    Some(Origin { range: node.range(), ..tag })
+    let node = nodes
+        .find(|node| node.kind() == NodeKind::Element && node.range().start == tag.range.start)?;
+    Some(Origin {
+        range: node.range(),
+        ..tag
+    })
 }
 
 /// The texts of the outermost elements, comments and words whose origin fits, each indented from its own start.
-pub(super) fn made(expansion: &Expansion, written: &Written, fits: impl Fn(Origin) -> bool) -> Vec<String> {
+pub(super) fn made(
+    expansion: &Expansion,
+    written: &Written,
+    fits: impl Fn(Origin) -> bool,
+) -> Vec<String> {
     let tree = &expansion.tree;
     let whole = |entry: &MapEntry| {
-        matches!(tree.get(entry.node).kind, XKind::Element | XKind::Comment | XKind::Text | XKind::CData)
+        matches!(
+            tree.get(entry.node).kind,
+            XKind::Element | XKind::Comment | XKind::Text | XKind::CData
+        )
     };
     let mut end = 0;
     let mut found = Vec::new();

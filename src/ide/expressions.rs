@@ -24,12 +24,22 @@ pub struct ExprText<'a> {
 impl<'a> ExprText<'a> {
     /// The value of an attribute of an item that begins at `base`.
     pub fn of_attr(document: &'a Document, base: u32, attr: Attr<'a>) -> Self {
-        Self::new(attr.raw(), attr.value_range().start + base, true, document.entities())
+        Self::new(
+            attr.raw(),
+            attr.value_range().start + base,
+            true,
+            document.entities(),
+        )
     }
 
     /// Character data of an item that begins at `base`.
     pub fn of_text(document: &'a Document, base: u32, node: Node<'a>) -> Self {
-        Self::new(node.raw(), node.raw_range().start + base, false, document.entities())
+        Self::new(
+            node.raw(),
+            node.raw_range().start + base,
+            false,
+            document.entities(),
+        )
     }
 
     /// The text that stands at a place, if it is one that may hold expressions.
@@ -44,7 +54,14 @@ impl<'a> ExprText<'a> {
     fn new(raw: &'a str, start: u32, is_attr: bool, entities: &'a Entities) -> Self {
         let text = decode_text(raw, entities, is_attr);
         let template = expr::split(&text);
-        Self { raw, start, is_attr, entities, text, template }
+        Self {
+            raw,
+            start,
+            is_attr,
+            entities,
+            text,
+            template,
+        }
     }
 
     /// A range of the decoded text as a range of the file.
@@ -73,7 +90,11 @@ impl<'a> ExprText<'a> {
         let (mut low, mut high) = (0, self.text.len() as u32);
         while low < high {
             let middle = (low + high).div_ceil(2);
-            if self.source(middle) <= inside { low = middle } else { high = middle - 1 }
+            if self.source(middle) <= inside {
+                low = middle
+            } else {
+                high = middle - 1
+            }
         }
         low
     }
@@ -82,7 +103,8 @@ impl<'a> ExprText<'a> {
     pub fn token_at(&self, offset: u32) -> Option<&Token> {
         let inside = self.offset(offset);
         let holds = |token: &&Token| {
-            matches!(token, Token::Expr { .. } | Token::Subst { .. }) && token.range().touches(inside)
+            matches!(token, Token::Expr { .. } | Token::Subst { .. })
+                && token.range().touches(inside)
         };
         // between two expressions, the one behind
         self.template.tokens.iter().rfind(holds)
@@ -93,9 +115,11 @@ impl<'a> ExprText<'a> {
 /// that is put together when it is evaluated.
 pub fn parsed(token: &Token) -> Option<(&Expr, u32)> {
     match token {
-        Token::Expr { inner, code: Code::Static(parsed), .. } if parsed.errors.is_empty() => {
-            Some((&parsed.expr, inner.start))
-        }
+        Token::Expr {
+            inner,
+            code: Code::Static(parsed),
+            ..
+        } if parsed.errors.is_empty() => Some((&parsed.expr, inner.start)),
         _ => None,
     }
 }

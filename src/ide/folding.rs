@@ -31,7 +31,12 @@ pub enum FoldKind {
 pub fn folds(document: &Document) -> Vec<Fold> {
     let mut found = Vec::new();
     if let (Some(root), Some(end)) = (document.root(), document.root_end_tag()) {
-        add(document, TextRange::new(root.start_tag_range().start, end.start), FoldKind::Element, &mut found);
+        add(
+            document,
+            TextRange::new(root.start_tag_range().start, end.start),
+            FoldKind::Element,
+            &mut found,
+        );
     }
     let mut regions: Vec<u32> = Vec::new();
     let mut run: Option<(&str, TextRange)> = None;
@@ -47,7 +52,12 @@ pub fn folds(document: &Document) -> Vec<Fold> {
                     if Some(range.start) != document.root().map(|root| root.start_tag_range().start)
                         || base > 0
                     {
-                        add(document, TextRange::new(range.start, content), FoldKind::Element, &mut found);
+                        add(
+                            document,
+                            TextRange::new(range.start, content),
+                            FoldKind::Element,
+                            &mut found,
+                        );
                     }
                 }
                 NodeKind::Comment => region(document, node, range, &mut regions, &mut found),
@@ -80,29 +90,49 @@ fn extended<'a>(
     found: &mut Vec<Fold>,
 ) -> Option<(&'a str, TextRange)> {
     match run {
-        Some((name, before)) if name == node.name() => Some((name, TextRange::new(before.start, range.end))),
+        Some((name, before)) if name == node.name() => {
+            Some((name, TextRange::new(before.start, range.end)))
+        }
         _ => {
             flush(document, run, found);
-            matches!(node.name(), "xacro:property" | "xacro:include" | "xacro:arg")
-                .then(|| (node.name(), range))
+            matches!(
+                node.name(),
+                "xacro:property" | "xacro:include" | "xacro:arg"
+            )
+            .then(|| (node.name(), range))
         }
     }
 }
 
 fn flush(document: &Document, run: Option<(&str, TextRange)>, found: &mut Vec<Fold>) {
     if let Some((name, range)) = run {
-        let kind = if name == "xacro:include" { FoldKind::Includes } else { FoldKind::Element };
+        let kind = if name == "xacro:include" {
+            FoldKind::Includes
+        } else {
+            FoldKind::Element
+        };
         add(document, range, kind, found);
     }
 }
 
-fn region(document: &Document, node: Node<'_>, range: TextRange, open: &mut Vec<u32>, found: &mut Vec<Fold>) {
+fn region(
+    document: &Document,
+    node: Node<'_>,
+    range: TextRange,
+    open: &mut Vec<u32>,
+    found: &mut Vec<Fold>,
+) {
     let text = node.raw().trim();
     if text == "region" || text.starts_with("region ") {
         open.push(range.start);
     } else if text == "endregion" || text.starts_with("endregion ") {
         if let Some(start) = open.pop() {
-            add(document, TextRange::new(start, range.end), FoldKind::Region, found);
+            add(
+                document,
+                TextRange::new(start, range.end),
+                FoldKind::Region,
+                found,
+            );
         }
     } else {
         add(document, range, FoldKind::Comment, found);
@@ -111,9 +141,16 @@ fn region(document: &Document, node: Node<'_>, range: TextRange, open: &mut Vec<
 
 fn add(document: &Document, range: TextRange, kind: FoldKind, found: &mut Vec<Fold>) {
     let line = |offset| document.line_col(offset, Encoding::Utf8).line;
-    let (start, last) = (line(range.start), document.line_col(range.end, Encoding::Utf8));
+    let (start, last) = (
+        line(range.start),
+        document.line_col(range.end, Encoding::Utf8),
+    );
     // an end tag on a line of its own stays visible
-    let end = if kind == FoldKind::Element && last.line > start + 1 { last.line - 1 } else { last.line };
+    let end = if kind == FoldKind::Element && last.line > start + 1 {
+        last.line - 1
+    } else {
+        last.line
+    };
     if end > start {
         found.push(Fold { start, end, kind });
     }

@@ -40,12 +40,19 @@ pub(super) fn is_within(expansion: &Expansion, frame: FrameId, outer: FrameId) -
 
 /// The frames that a definition of a macro was expanded in.
 pub(super) fn frames_of_macro(expansion: &Expansion, id: DefinitionId) -> Vec<FrameId> {
-    let Some(definition) = expansion.symbols.get(id) else { return Vec::new() };
+    let Some(definition) = expansion.symbols.get(id) else {
+        return Vec::new();
+    };
     let own = |frame: &Frame| {
         frame.kind == FrameKind::Macro
-            && frame.definition.is_some_and(|at| SourceRange::from(at) == definition.place)
+            && frame
+                .definition
+                .is_some_and(|at| SourceRange::from(at) == definition.place)
     };
-    numbered(expansion).filter(|(_, frame)| own(frame)).map(|(id, _)| id).collect()
+    numbered(expansion)
+        .filter(|(_, frame)| own(frame))
+        .map(|(id, _)| id)
+        .collect()
 }
 
 /// The frames that were made by the tag at a range of the file.
@@ -63,7 +70,9 @@ pub(super) fn macro_of(cx: &Cx<'_>, base: u32, node: Node<'_>) -> Option<Definit
     let name = cx.source_range(node.attr("name")?.value_range().shift(base))?;
     let given = |kind| kind == SymbolKind::Macro;
     let mut known = cx.expansion.symbols.iter();
-    known.find(|(_, known)| given(known.kind) && known.place == name).map(|(id, _)| id)
+    known
+        .find(|(_, known)| given(known.kind) && known.place == name)
+        .map(|(id, _)| id)
 }
 
 /// The calls to choose from at an offset: those of the macro around it, or what the call at it made.
@@ -93,14 +102,29 @@ fn choices(cx: &Cx<'_>, offset: u32) -> Vec<FrameId> {
 /// How many there are to choose from.
 pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<Pin, usize> {
     let choices = choices(cx, offset);
-    let Some(&chosen) = choices.get(index) else { return Err(choices.len()) };
+    let Some(&chosen) = choices.get(index) else {
+        return Err(choices.len());
+    };
     let made = || {
         let frame = cx.expansion.frames.get(chosen.0 as usize)?;
         let place = cx.expansion.place(frame.definition?)?;
-        let file = cx.expansion.files.get(place.file.0 as usize)?.source.path.to_path_buf();
+        let file = cx
+            .expansion
+            .files
+            .get(place.file.0 as usize)?
+            .source
+            .path
+            .to_path_buf();
         let id = definition_of(cx.expansion, frame)?;
-        let index = frames_of_macro(cx.expansion, id).iter().position(|known| *known == chosen)?;
-        Some(Pin { name: frame.name.clone(), file, index, tags: tags(cx.expansion, chosen) })
+        let index = frames_of_macro(cx.expansion, id)
+            .iter()
+            .position(|known| *known == chosen)?;
+        Some(Pin {
+            name: frame.name.clone(),
+            file,
+            index,
+            tags: tags(cx.expansion, chosen),
+        })
     };
     made().ok_or(choices.len())
 }
@@ -108,19 +132,30 @@ pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<Pin, usize> {
 fn definition_of(expansion: &Expansion, frame: &Frame) -> Option<DefinitionId> {
     let place = SourceRange::from(frame.definition?);
     let mut known = expansion.symbols.iter();
-    known.find(|(_, known)| known.kind == SymbolKind::Macro && known.place == place).map(|(id, _)| id)
+    known
+        .find(|(_, known)| known.kind == SymbolKind::Macro && known.place == place)
+        .map(|(id, _)| id)
 }
 
 /// The texts of the tags that led to a frame, its own first.
 fn tags(expansion: &Expansion, frame: FrameId) -> Vec<String> {
-    let at = Origin { frame, ..Origin::NOWHERE };
+    let at = Origin {
+        frame,
+        ..Origin::NOWHERE
+    };
     let text = |frame: &Frame| {
         let source = expansion.sources.get(frame.call.src.0 as usize)?;
-        let mut nodes = source.item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
+        let mut nodes = source
+            .item
+            .all_nodes()
+            .filter(|node| node.kind() == NodeKind::Element);
         let node = nodes.find(|node| node.start_tag_range().contains_range(frame.call.range))?;
         Some(node.start_tag_range().slice(source.item.text()).to_owned())
     };
-    expansion.frames_of(at).map(|frame| text(frame).unwrap_or_default()).collect()
+    expansion
+        .frames_of(at)
+        .map(|frame| text(frame).unwrap_or_default())
+        .collect()
 }
 
 /// The frame of the call that was picked; none when it is gone.

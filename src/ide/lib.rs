@@ -41,15 +41,16 @@ mod typed;
 mod values;
 
 pub use actions::{
-    Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro, inlinable,
-    inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings, suggested,
+    Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro,
+    inlinable, inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
+    suggested,
 };
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colors::{Color, color_text, colors};
 pub use completion::{
-    BesideSources, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic, completions,
-    completions_in_settings, documentation, signature_help,
+    BesideSources, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic,
+    completions, completions_in_settings, documentation, signature_help,
 };
 pub use context::Cx;
 pub use expand_at::{ExpandedAt, expand_at};
@@ -61,7 +62,9 @@ pub use instances::{Pin, pin, pinned};
 pub use locate::{At, Part, locate};
 pub use moved::{Move, renamed_files};
 pub use names::{NameUse, Target, definition_of, definitions};
-pub use navigate::{FilePlace, declaration, file_definition, implementations, is_text, type_definition};
+pub use navigate::{
+    FilePlace, declaration, file_definition, implementations, is_text, type_definition,
+};
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
 pub use paths::{FileKind, FileName, FileTarget, file_names};
@@ -73,7 +76,8 @@ pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
 pub use text_names::{
-    Documents, Given, Meaning, NameText, TextNames, definitions_by_text, further_places, occurrences,
+    Documents, Given, Meaning, NameText, TextNames, definitions_by_text, further_places,
+    occurrences,
 };
 pub use tokens::{Modifiers, Token, TokenKind, tokens};
 pub use values::cut;

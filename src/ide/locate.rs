@@ -50,11 +50,18 @@ pub fn locate(document: &Document, offset: u32) -> At<'_> {
     // parents come before their children: the last one around the offset is the innermost
     let around = |node: &Node<'_>| {
         let range = node.range();
-        range.start < inside && inside < range.end || touches(range) && node.kind() == NodeKind::Text
+        range.start < inside && inside < range.end
+            || touches(range) && node.kind() == NodeKind::Text
     };
     let node = item.all_nodes().filter(around).last();
     let part = node.map_or(Part::Between, |node| part(node, inside));
-    At { offset, base, item, node, part }
+    At {
+        offset,
+        base,
+        item,
+        node,
+        part,
+    }
 }
 
 fn part(node: Node<'_>, inside: u32) -> Part<'_> {
@@ -80,7 +87,11 @@ fn part(node: Node<'_>, inside: u32) -> Part<'_> {
         }
     }
     let tag = node.start_tag_range();
-    if tag.start < inside && inside < tag.end { Part::InTag } else { Part::Between }
+    if tag.start < inside && inside < tag.end {
+        Part::InTag
+    } else {
+        Part::Between
+    }
 }
 
 impl At<'_> {

@@ -21,16 +21,29 @@ pub struct Move {
 fn moved(path: &Path, moves: &[Move]) -> PathBuf {
     let by = |each: &Move| {
         let rest = path.strip_prefix(&each.old).ok()?;
-        Some(if rest.as_os_str().is_empty() { each.new.clone() } else { each.new.join(rest) })
+        Some(if rest.as_os_str().is_empty() {
+            each.new.clone()
+        } else {
+            each.new.join(rest)
+        })
     };
-    moves.iter().find_map(by).unwrap_or_else(|| path.to_path_buf())
+    moves
+        .iter()
+        .find_map(by)
+        .unwrap_or_else(|| path.to_path_buf())
 }
 
 /// The texts of the file that name other files, as they have to read after the moves.
-pub fn renamed_files(cx: &Cx<'_>, world: Surroundings<'_>, moves: &[Move]) -> Vec<(TextRange, String)> {
+pub fn renamed_files(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    moves: &[Move],
+) -> Vec<(TextRange, String)> {
     let mut found = Vec::new();
     for name in file_names(cx, world) {
-        let FileTarget::Found(target) = name.target else { continue };
+        let FileTarget::Found(target) = name.target else {
+            continue;
+        };
         let text = cx.source.document.slice(name.range);
         let (head, tail) = split(&text);
         let new = moved(&target, moves);
@@ -41,24 +54,38 @@ pub fn renamed_files(cx: &Cx<'_>, world: Surroundings<'_>, moves: &[Move]) -> Ve
         };
         let Some(folder) = folder else { continue };
         let base = match head {
-            "" => moved(&cx.source.path, moves).parent().map(Path::to_path_buf),
+            "" => moved(&cx.source.path, moves)
+                .parent()
+                .map(Path::to_path_buf),
             _ => Some(moved(&folder, moves)),
         };
-        let Some(base) = base.filter(|base| new != target || *base != folder) else { continue };
-        let renamed = match (tail.starts_with('/') && head.is_empty(), new.strip_prefix(&base)) {
+        let Some(base) = base.filter(|base| new != target || *base != folder) else {
+            continue;
+        };
+        let renamed = match (
+            tail.starts_with('/') && head.is_empty(),
+            new.strip_prefix(&base),
+        ) {
             (true, _) => Some(slashed(&new)),
             (_, Ok(rest)) => Some(format!("{head}{}", slashed(rest))),
             _ if head.is_empty() => Some(slashed(&relative(&base, &new))),
             _ => in_package(world, head, &new),
         };
-        found.extend(renamed.filter(|renamed| *renamed != text).map(|renamed| (name.range, renamed)));
+        found.extend(
+            renamed
+                .filter(|renamed| *renamed != text)
+                .map(|renamed| (name.range, renamed)),
+        );
     }
     found
 }
 
 /// A name in what leads to a folder, with the slash behind it, and the path from there.
 fn split(text: &str) -> (&str, &str) {
-    let at = match text.strip_prefix("package://").and_then(|rest| rest.find('/')) {
+    let at = match text
+        .strip_prefix("package://")
+        .and_then(|rest| rest.find('/'))
+    {
         Some(end) => "package://".len() + end + 1,
         None if text.starts_with("file://") => "file://".len(),
         None => match text.rfind(['}', ')']) {
@@ -78,7 +105,11 @@ fn stripped(target: &Path, tail: &str) -> Option<PathBuf> {
         return Some(PathBuf::from("/"));
     }
     let mut folder = target.to_path_buf();
-    for part in tail.split('/').rev().filter(|part| !part.is_empty() && *part != ".") {
+    for part in tail
+        .split('/')
+        .rev()
+        .filter(|part| !part.is_empty() && *part != ".")
+    {
         if folder.file_name()?.to_str()? != part || !folder.pop() {
             return None;
         }
@@ -92,7 +123,8 @@ fn in_package(world: Surroundings<'_>, head: &str, path: &Path) -> Option<String
     if head.starts_with("package://") {
         return package.uri(path);
     }
-    let is_find = head.starts_with("$(find ") && head.ends_with(")/") && head.matches('$').count() == 1;
+    let is_find =
+        head.starts_with("$(find ") && head.ends_with(")/") && head.matches('$').count() == 1;
     let inside = package.inside(path).filter(|_| is_find)?;
     Some(format!("$(find {})/{inside}", package.name))
 }
@@ -120,7 +152,10 @@ mod tests {
 
     #[test]
     fn folders_in_front_of_a_path() {
-        assert_eq!(stripped(Path::new("/w/arm/m/a.stl"), "m/a.stl").unwrap(), Path::new("/w/arm"));
+        assert_eq!(
+            stripped(Path::new("/w/arm/m/a.stl"), "m/a.stl").unwrap(),
+            Path::new("/w/arm")
+        );
         assert_eq!(stripped(Path::new("/w/arm/m/a.stl"), "n/a.stl"), None);
     }
 }

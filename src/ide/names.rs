@@ -41,10 +41,14 @@ pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)>
     }
     // groups and virtual joints are given beside the robot
     if let Some(asked) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
-        let is_it =
-            |name: &&BesideName| name.is_definition && name.kind.is(asked.kind) && name.value == asked.value;
+        let is_it = |name: &&BesideName| {
+            name.is_definition && name.kind.is(asked.kind) && name.value == asked.value
+        };
         let given = cx.beside.iter().filter(is_it);
-        targets.extend(given.map(|name| Target { whole: name.place, name: name.place }));
+        targets.extend(given.map(|name| Target {
+            whole: name.place,
+            name: name.place,
+        }));
     }
     (!targets.is_empty()).then_some((range, targets))
 }
@@ -61,29 +65,49 @@ pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
     let element = around.filter(|node| !node.name().is_empty()).last();
     let whole = match (definition.kind, element) {
         (SymbolKind::Parameter | SymbolKind::BlockParameter, _) | (_, None) => name,
-        (_, Some(node)) => Span { range: node.range().shift(source.base), ..name },
+        (_, Some(node)) => Span {
+            range: node.range().shift(source.base),
+            ..name
+        },
     };
     Some(Target { whole, name })
 }
 
 /// A definition and its uses, as far as they were evaluated.
 pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
-    let given = cx.expansion.symbols.get(id).and_then(|definition| cx.span(definition.place));
-    let given = given.map(|span| NameUse { span, is_definition: true });
+    let given = cx
+        .expansion
+        .symbols
+        .get(id)
+        .and_then(|definition| cx.span(definition.place));
+    let given = given.map(|span| NameUse {
+        span,
+        is_definition: true,
+    });
     let uses = cx
         .expansion
         .symbols
         .all_uses()
         .filter(|used| used.definition == id)
-        .filter_map(|used| Some(NameUse { span: cx.span(used.place)?, is_definition: false }));
+        .filter_map(|used| {
+            Some(NameUse {
+                span: cx.span(used.place)?,
+                is_definition: false,
+            })
+        });
     given.into_iter().chain(uses).collect()
 }
 
 /// The text at an origin, then the calls that led there.
 fn made_by(cx: &Cx<'_>, origin: Origin) -> Vec<Target> {
     let own = place(cx, origin).map(|name| Target { whole: name, name });
-    let calls = cx.expansion.frames_of(origin).filter(|frame| frame.kind == expand::FrameKind::Macro);
-    let calls = calls.filter_map(|frame| place(cx, frame.call)).map(|name| Target { whole: name, name });
+    let calls = cx
+        .expansion
+        .frames_of(origin)
+        .filter(|frame| frame.kind == expand::FrameKind::Macro);
+    let calls = calls
+        .filter_map(|frame| place(cx, frame.call))
+        .map(|name| Target { whole: name, name });
     own.into_iter().chain(calls).collect()
 }
 

@@ -26,7 +26,10 @@ pub struct FilePlace {
 
 impl FilePlace {
     fn start(path: PathBuf) -> Self {
-        Self { path, range: TextRange::default() }
+        Self {
+            path,
+            range: TextRange::default(),
+        }
     }
 }
 
@@ -34,15 +37,23 @@ impl FilePlace {
 const MOST_STEPS: u32 = 8;
 
 /// The file, the manifest of a package, or the key of a YAML file that the text at an offset names.
-pub fn file_definition(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<(TextRange, FilePlace)> {
+pub fn file_definition(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    offset: u32,
+) -> Option<(TextRange, FilePlace)> {
     let at = locate(&cx.source.document, offset);
-    package(cx, world, &at).or_else(|| key(cx, world, &at)).or_else(|| {
-        let name = file_name_at(cx, world, &at)?;
-        match name.target {
-            FileTarget::Found(path) if world.vfs.is_file(&path) => Some((name.range, FilePlace::start(path))),
-            _ => None,
-        }
-    })
+    package(cx, world, &at)
+        .or_else(|| key(cx, world, &at))
+        .or_else(|| {
+            let name = file_name_at(cx, world, &at)?;
+            match name.target {
+                FileTarget::Found(path) if world.vfs.is_file(&path) => {
+                    Some((name.range, FilePlace::start(path)))
+                }
+                _ => None,
+            }
+        })
 }
 
 /// `$(find package)`
@@ -51,7 +62,10 @@ fn package(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRan
     let (range, name) = super::hover::package_at(&text, at.offset)?;
     let found = world.packages.find(name, &cx.source.path).ok()?;
     let manifest = world.vfs.absolute(&found.path).join("package.xml");
-    world.vfs.is_file(&manifest).then(|| (range, FilePlace::start(manifest)))
+    world
+        .vfs
+        .is_file(&manifest)
+        .then(|| (range, FilePlace::start(manifest)))
 }
 
 /// A key of a value that came from YAML: `cam['mass']`, `cam.mass`.
@@ -96,32 +110,60 @@ impl Loaded {
     /// The file that the only property of this name was read from.
     fn of_property(cx: &Cx<'_>, world: Surroundings<'_>, name: &str, steps: u32) -> Option<Self> {
         let own = |kind: SymbolKind| kind == SymbolKind::Property;
-        let mut given =
-            cx.expansion.symbols.iter().filter(|(_, given)| given.name == name && own(given.kind));
-        let ((id, _), None) = (given.next()?, given.next()) else { return None };
+        let mut given = cx
+            .expansion
+            .symbols
+            .iter()
+            .filter(|(_, given)| given.name == name && own(given.kind));
+        let ((id, _), None) = (given.next()?, given.next()) else {
+            return None;
+        };
         Self::of_definition(cx, world, id, steps)
     }
 
     /// The file that the value of a property was read from.
-    fn of_definition(cx: &Cx<'_>, world: Surroundings<'_>, id: DefinitionId, steps: u32) -> Option<Self> {
+    fn of_definition(
+        cx: &Cx<'_>,
+        world: Surroundings<'_>,
+        id: DefinitionId,
+        steps: u32,
+    ) -> Option<Self> {
         let target = definition_of(cx, id)?;
-        let inner = Cx { source: cx.file_of(target.whole.file)?, ..*cx };
+        let inner = Cx {
+            source: cx.file_of(target.whole.file)?,
+            ..*cx
+        };
         let names = file_names(&inner, world).into_iter();
-        let mut loaded =
-            names.filter(|name| name.kind == FileKind::Yaml && target.whole.range.contains_range(name.range));
+        let mut loaded = names.filter(|name| {
+            name.kind == FileKind::Yaml && target.whole.range.contains_range(name.range)
+        });
         let document = &inner.source.document;
         let place = document.item_at(target.whole.range.start);
         let is_it = |node: &xml::Node<'_>| node.range().shift(place.start) == target.whole.range;
         let node = place.item.all_nodes().find(is_it)?;
         let text = ExprText::of_attr(document, place.start, node.attr("value")?);
-        let [token] = text.template.tokens.as_slice() else { return None };
+        let [token] = text.template.tokens.as_slice() else {
+            return None;
+        };
         // with a package in it, the code is put together when it is evaluated
-        let Token::Expr { inner: range, .. } = token else { return None };
+        let Token::Expr { inner: range, .. } = token else {
+            return None;
+        };
         let code = range.slice(&text.text).trim();
-        let is_load = ["xacro.load_yaml(", "load_yaml("].iter().any(|call| code.starts_with(call));
-        if let Some(name) = loaded.next().filter(|_| is_load && code.ends_with(['\'', '"', ')'])) {
-            let FileTarget::Found(path) = name.target else { return None };
-            return Some(Self { path, keys: Vec::new() });
+        let is_load = ["xacro.load_yaml(", "load_yaml("]
+            .iter()
+            .any(|call| code.starts_with(call));
+        if let Some(name) = loaded
+            .next()
+            .filter(|_| is_load && code.ends_with(['\'', '"', ')']))
+        {
+            let FileTarget::Found(path) = name.target else {
+                return None;
+            };
+            return Some(Self {
+                path,
+                keys: Vec::new(),
+            });
         }
         let (expr, _) = parsed(token)?;
         Self::of(&inner, world, expr, steps.checked_sub(1)?)
@@ -133,19 +175,32 @@ impl Loaded {
         let mut node = file.value.as_ref().ok()?;
         let mut range = TextRange::default();
         for key in &self.keys {
-            let yaml::Kind::Map(entries) = &node.kind else { return None };
+            let yaml::Kind::Map(entries) = &node.kind else {
+                return None;
+            };
             let is_it = |(name, _): &&(yaml::Node, yaml::Node)| matches!(&name.kind, yaml::Kind::Str(name) if name == key);
             let (name, value) = entries.iter().find(is_it)?;
             (range, node) = (name.range, value);
         }
-        Some(FilePlace { path: self.path, range })
+        Some(FilePlace {
+            path: self.path,
+            range,
+        })
     }
 }
 
 /// What a value is made of: the file that a name leads to, or the YAML file behind a property.
-pub fn type_definition(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<(TextRange, FilePlace)> {
+pub fn type_definition(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    offset: u32,
+) -> Option<(TextRange, FilePlace)> {
     if let Some((id, range)) = cx.symbol_at(offset) {
-        let own = cx.expansion.symbols.get(id).filter(|given| given.kind == SymbolKind::Property);
+        let own = cx
+            .expansion
+            .symbols
+            .get(id)
+            .filter(|given| given.kind == SymbolKind::Property);
         let value = own.and_then(|_| Loaded::of_definition(cx, world, id, MOST_STEPS))?;
         return Some((range, value.place(world)?));
     }
@@ -162,17 +217,24 @@ pub fn declaration(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Target)> {
 }
 
 /// The elements in the expanded text that the macro at an offset makes, call by call.
-pub fn implementations(cx: &Cx<'_>, written: &Written, offset: u32) -> Option<(TextRange, Vec<TextRange>)> {
+pub fn implementations(
+    cx: &Cx<'_>,
+    written: &Written,
+    offset: u32,
+) -> Option<(TextRange, Vec<TextRange>)> {
     let (id, range) = cx.symbol_at(offset)?;
-    cx.expansion.symbols.get(id).filter(|given| given.kind == SymbolKind::Macro)?;
+    cx.expansion
+        .symbols
+        .get(id)
+        .filter(|given| given.kind == SymbolKind::Macro)?;
     let tree = &cx.expansion.tree;
     let mut found: Vec<TextRange> = Vec::new();
     for frame in frames_of_macro(cx.expansion, id) {
         let mut end = 0;
         for entry in &written.map {
             let node = tree.get(entry.node);
-            let own =
-                node.kind == expand::XKind::Element && is_within(cx.expansion, node.origin.frame, frame);
+            let own = node.kind == expand::XKind::Element
+                && is_within(cx.expansion, node.origin.frame, frame);
             if own && entry.out.start >= end {
                 end = entry.out.end;
                 found.push(entry.out);
@@ -184,6 +246,11 @@ pub fn implementations(cx: &Cx<'_>, written: &Written, offset: u32) -> Option<(T
 
 /// Whether the text of a file can be shown by lines.
 pub fn is_text(path: &Path) -> bool {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-    matches!(ending.as_deref(), Some("xacro" | "urdf" | "srdf" | "sdf" | "xml" | "yaml" | "yml"))
+    let ending = path
+        .extension()
+        .map(|ending| ending.to_string_lossy().to_lowercase());
+    matches!(
+        ending.as_deref(),
+        Some("xacro" | "urdf" | "srdf" | "sdf" | "xml" | "yaml" | "yml")
+    )
 }

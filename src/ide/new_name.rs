@@ -14,7 +14,9 @@ use xml::{Document, Node, NodeKind};
 /// That it is, for the user.
 pub(super) fn is_free(cx: &Cx<'_>, id: DefinitionId, new: &str) -> Result<(), String> {
     let symbols = &cx.expansion.symbols;
-    let Some(definition) = symbols.get(id) else { return Err("this name no longer exists".to_owned()) };
+    let Some(definition) = symbols.get(id) else {
+        return Err("this name no longer exists".to_owned());
+    };
     let clashes = |other: &&Definition| {
         other.name == new
             && class(other.kind) == class(definition.kind)
@@ -30,15 +32,30 @@ pub(super) fn is_free(cx: &Cx<'_>, id: DefinitionId, new: &str) -> Result<(), St
 ///
 /// # Errors
 /// Why not, for the user.
-pub(super) fn admit(cx: &Cx<'_>, id: DefinitionId, new: &str, places: &[Span]) -> Result<(), String> {
+pub(super) fn admit(
+    cx: &Cx<'_>,
+    id: DefinitionId,
+    new: &str,
+    places: &[Span],
+) -> Result<(), String> {
     let symbols = &cx.expansion.symbols;
-    let Some(definition) = symbols.get(id) else { return Err("this name no longer exists".to_owned()) };
+    let Some(definition) = symbols.get(id) else {
+        return Err("this name no longer exists".to_owned());
+    };
     // what a call gives is named after the parameter, whatever is around the call
-    let uses = symbols.all_uses().filter(|used| used.definition == id && used.kind == UseKind::Given);
+    let uses = symbols
+        .all_uses()
+        .filter(|used| used.definition == id && used.kind == UseKind::Given);
     let given: Vec<Span> = uses.filter_map(|used| cx.span(used.place)).collect();
-    let reads: Vec<Span> = places.iter().filter(|place| !given.contains(place)).copied().collect();
+    let reads: Vec<Span> = places
+        .iter()
+        .filter(|place| !given.contains(place))
+        .copied()
+        .collect();
     match hidden(cx, definition, new, &reads) || hides(cx, id, definition, new) {
-        true => Err(format!("`{new}` has another meaning where the name is used")),
+        true => Err(format!(
+            "`{new}` has another meaning where the name is used"
+        )),
         false => Ok(()),
     }
 }
@@ -61,10 +78,15 @@ pub(super) fn fits_kind(kind: SymbolKind, new: &str) -> Result<(), String> {
 
 /// Whether a name is good for what is called so.
 fn fits(kind: SymbolKind, new: &str) -> bool {
-    let all = |further: &[char]| new.chars().all(|c| c.is_alphanumeric() || further.contains(&c));
+    let all = |further: &[char]| {
+        new.chars()
+            .all(|c| c.is_alphanumeric() || further.contains(&c))
+    };
     match kind {
         // a part of the name of a tag; a dot would part it from a namespace
-        SymbolKind::Macro => new.starts_with(|c: char| c.is_alphabetic() || c == '_') && all(&['_', '-']),
+        SymbolKind::Macro => {
+            new.starts_with(|c: char| c.is_alphabetic() || c == '_') && all(&['_', '-'])
+        }
         SymbolKind::Argument => !new.is_empty() && all(&['_', '-', '.', '/']),
         _ => is_identifier(new) && !new.starts_with("__"),
     }
@@ -88,12 +110,18 @@ fn hidden(cx: &Cx<'_>, definition: &Definition, new: &str, reads: &[Span]) -> bo
     let is_block = class(definition.kind) == 1;
     let takes = |params: &str| {
         let params = parse_params(params).unwrap_or_default();
-        params.iter().any(|param| param.is_block() == is_block && param.name.trim_start_matches('*') == new)
+        params
+            .iter()
+            .any(|param| param.is_block() == is_block && param.name.trim_start_matches('*') == new)
     };
     reads.iter().any(|place| {
-        let Some(file) = cx.file_of(place.file) else { return false };
-        macros_around(&file.document, place.range)
-            .any(|(_, node)| node.attr("params").is_some_and(|params| takes(params.raw())))
+        let Some(file) = cx.file_of(place.file) else {
+            return false;
+        };
+        macros_around(&file.document, place.range).any(|(_, node)| {
+            node.attr("params")
+                .is_some_and(|params| takes(params.raw()))
+        })
     })
 }
 
@@ -103,7 +131,10 @@ fn hides(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, new: &str) -> b
         return false;
     }
     // a parameter is known in its macro only
-    let own = definition.of.and(definition_of(cx, id)).map(|target| target.name);
+    let own = definition
+        .of
+        .and(definition_of(cx, id))
+        .map(|target| target.name);
     let is_within = |span: Span| {
         let Some(own) = own else { return true };
         let file = cx.file_of(own.file).filter(|_| span.file == own.file);
@@ -115,18 +146,33 @@ fn hides(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, new: &str) -> b
     cx.expansion.files.iter().any(|file| {
         let of_file = facts(&file.source.document);
         let mut spans = of_file.flat_map(|(base, facts)| {
-            let named = facts.mentions().filter(|it| it.kind == MentionKind::Name && it.name == new);
-            named.map(|it| Span { file: file.source.id, range: it.range.shift(base) }).collect::<Vec<_>>()
+            let named = facts
+                .mentions()
+                .filter(|it| it.kind == MentionKind::Name && it.name == new);
+            named
+                .map(|it| Span {
+                    file: file.source.id,
+                    range: it.range.shift(base),
+                })
+                .collect::<Vec<_>>()
         });
         spans.any(is_within)
     })
 }
 
 /// The definitions of macros around a range, outermost first, and where they stand.
-fn macros_around(document: &Document, range: TextRange) -> impl Iterator<Item = (TextRange, Node<'_>)> {
+fn macros_around(
+    document: &Document,
+    range: TextRange,
+) -> impl Iterator<Item = (TextRange, Node<'_>)> {
     let place = document.item_at(range.start);
     let base = place.start;
-    let is_macro = |node: &Node<'_>| node.kind() == NodeKind::Element && node.name() == "xacro:macro";
-    let nodes = place.item.all_nodes().filter(is_macro).map(move |node| (node.range().shift(base), node));
+    let is_macro =
+        |node: &Node<'_>| node.kind() == NodeKind::Element && node.name() == "xacro:macro";
+    let nodes = place
+        .item
+        .all_nodes()
+        .filter(is_macro)
+        .map(move |node| (node.range().shift(base), node));
     nodes.filter(move |(around, _)| around.contains_range(range))
 }

@@ -28,37 +28,65 @@ pub fn on_type(document: &Document, offset: u32, character: char, unit: &str) ->
 
 /// Behind `>`: the end tag of the element, when it has none.
 fn end_tag(typed: &Typed) -> Option<Insertion> {
-    let is_here = typed.just_opened.is_some_and(|(_, end)| end == typed.offset);
+    let is_here = typed
+        .just_opened
+        .is_some_and(|(_, end)| end == typed.offset);
     let name = &typed.open.last().filter(|_| is_here)?.name;
     // elements of the same name around it may own the end tags that follow
     let same = typed.open.iter().filter(|open| open.name == *name).count();
     let mut reader = Reader::new(&typed.after).until_unmatched(same);
     reader.run();
-    let ends = reader.unmatched.iter().take_while(|end| *end == name).count();
-    (ends < same).then(|| Insertion { range: TextRange::empty(typed.offset), text: format!("</{name}>") })
+    let ends = reader
+        .unmatched
+        .iter()
+        .take_while(|end| *end == name)
+        .count();
+    (ends < same).then(|| Insertion {
+        range: TextRange::empty(typed.offset),
+        text: format!("</{name}>"),
+    })
 }
 
 /// Behind `</`: the name of the open element, and the `>`. Where its end tag follows already, somebody types by habit
 /// what was added: that end tag gives way to the one that is typed.
 fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
     let is_here = typed.what == Typing::EndTag && typed.before.is_empty();
-    let open = typed.open.last().filter(|_| is_here && !typed.after.starts_with(is_name_char))?;
+    let open = typed
+        .open
+        .last()
+        .filter(|_| is_here && !typed.after.starts_with(is_name_char))?;
     if let Some(length) = added_end_tag(typed, &open.name) {
         let range = TextRange::new(typed.offset, typed.offset + length);
-        return Some(Insertion { range, text: String::new() });
+        return Some(Insertion {
+            range,
+            text: String::new(),
+        });
     }
-    let end = if typed.after.starts_with('>') { "" } else { ">" };
-    Some(Insertion { range: TextRange::empty(typed.offset), text: format!("{}{end}", open.name) })
+    let end = if typed.after.starts_with('>') {
+        ""
+    } else {
+        ">"
+    };
+    Some(Insertion {
+        range: TextRange::empty(typed.offset),
+        text: format!("{}{end}", open.name),
+    })
 }
 
 /// The length of the end tag of the innermost open element, when nothing but blanks is in front of it.
 fn added_end_tag(typed: &Typed, name: &str) -> Option<u32> {
     let rest = typed.after.trim_start();
-    rest.strip_prefix("</")?.strip_prefix(name).filter(|rest| rest.starts_with('>'))?;
+    rest.strip_prefix("</")?
+        .strip_prefix(name)
+        .filter(|rest| rest.starts_with('>'))?;
     let same = typed.open.iter().filter(|open| open.name == name).count();
     let mut reader = Reader::new(&typed.after).until_unmatched(same);
     reader.run();
-    let ends = reader.unmatched.iter().take_while(|end| *end == name).count();
+    let ends = reader
+        .unmatched
+        .iter()
+        .take_while(|end| *end == name)
+        .count();
     let blanks = typed.after.len() - rest.len();
     (ends >= same).then_some((blanks + "</>".len() + name.len()) as u32)
 }
@@ -70,7 +98,10 @@ fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Vec<Ins
     }
     let line = document.line_col(typed.offset, Encoding::Utf8).line;
     let start = document.offset(LineCol { line, col: 0 }, Encoding::Utf8);
-    let closes = typed.after.trim_start_matches([' ', '\t']).starts_with("</");
+    let closes = typed
+        .after
+        .trim_start_matches([' ', '\t'])
+        .starts_with("</");
     let blanks = typed.rest_of_word(|c| matches!(c, ' ' | '\t'));
     let behind = TextRange::new(typed.offset, typed.offset + blanks);
     let (wanted, rest) = match typed.just_opened {
@@ -79,19 +110,31 @@ fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Vec<Ins
             let own_line = closes.then(|| {
                 // with the `<`: an editor moves the cursor behind what is inserted at it
                 let range = TextRange::new(behind.start, behind.end + 1);
-                Insertion { range, text: format!("{}{base}<", line_end(document, start)) }
+                Insertion {
+                    range,
+                    text: format!("{}{base}<", line_end(document, start)),
+                }
             });
             (format!("{base}{unit}"), own_line)
         }
         None => {
-            let before = (0..line).rev().take(100).map(|line| document.line_text(line));
+            let before = (0..line)
+                .rev()
+                .take(100)
+                .map(|line| document.line_text(line));
             let before = before.into_iter().find(|text| !text.trim().is_empty())?;
             let base = indent(&before);
             let wanted = match closes && !before.trim_start().starts_with("</") {
                 true => base.strip_suffix(unit).unwrap_or(&base).to_owned(),
                 false => base,
             };
-            (wanted, (!behind.is_empty()).then_some(Insertion { range: behind, text: String::new() }))
+            (
+                wanted,
+                (!behind.is_empty()).then_some(Insertion {
+                    range: behind,
+                    text: String::new(),
+                }),
+            )
         }
     };
     let range = TextRange::new(start, typed.offset);
@@ -99,14 +142,22 @@ fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Vec<Ins
     let own = match wanted.strip_suffix(&*there) {
         Some("") => None,
         // at the start of the line, so that the cursor moves along
-        Some(more) => Some(Insertion { range: TextRange::empty(start), text: more.to_owned() }),
-        None => Some(Insertion { range, text: wanted }),
+        Some(more) => Some(Insertion {
+            range: TextRange::empty(start),
+            text: more.to_owned(),
+        }),
+        None => Some(Insertion {
+            range,
+            text: wanted,
+        }),
     };
     Some(own.into_iter().chain(rest).collect())
 }
 
 fn indent(line: &str) -> String {
-    line.chars().take_while(|c| matches!(c, ' ' | '\t')).collect()
+    line.chars()
+        .take_while(|c| matches!(c, ' ' | '\t'))
+        .collect()
 }
 
 /// The line end in front of a line.
@@ -126,8 +177,14 @@ mod tests {
         let text = text.replacen('|', "", 1);
         let document = Document::parse(&text);
         let mut text = text;
-        for edit in on_type(&document, offset as u32, character, "  ").iter().rev() {
-            text.replace_range(edit.range.start as usize..edit.range.end as usize, &edit.text);
+        for edit in on_type(&document, offset as u32, character, "  ")
+            .iter()
+            .rev()
+        {
+            text.replace_range(
+                edit.range.start as usize..edit.range.end as usize,
+                &edit.text,
+            );
         }
         text
     }
@@ -135,9 +192,18 @@ mod tests {
     #[test]
     fn elements_are_closed_once() {
         for (text, expected) in [
-            ("<robot><link name=\"x\">|", "<robot><link name=\"x\"></link>"),
-            ("<robot><link name=\"x\">|</robot>", "<robot><link name=\"x\"></link></robot>"),
-            ("<robot><link>|</link></robot>", "<robot><link></link></robot>"),
+            (
+                "<robot><link name=\"x\">|",
+                "<robot><link name=\"x\"></link>",
+            ),
+            (
+                "<robot><link name=\"x\">|</robot>",
+                "<robot><link name=\"x\"></link></robot>",
+            ),
+            (
+                "<robot><link>|</link></robot>",
+                "<robot><link></link></robot>",
+            ),
             ("<a><b>|</b></a>", "<a><b></b></a>"),
             ("<a><a>|</a>", "<a><a></a></a>"),
             ("<a><b/>|</a>", "<a><b/></a>"),
@@ -159,7 +225,10 @@ mod tests {
             ("<a><b x=\"/|\"", "<a><b x=\"/\""),
             // typed by habit: the end tag that was added goes
             ("<a><b></|</b></a>", "<a><b></</a>"),
-            ("<a>\n  <b>\n    <c/>\n  </|\n  </b>\n</a>", "<a>\n  <b>\n    <c/>\n  </\n</a>"),
+            (
+                "<a>\n  <b>\n    <c/>\n  </|\n  </b>\n</a>",
+                "<a>\n  <b>\n    <c/>\n  </\n</a>",
+            ),
             ("<b><b></|</b>", "<b><b></b></b>"),
         ] {
             assert_eq!(edited(text, '/'), expected);
@@ -170,7 +239,10 @@ mod tests {
     fn new_lines_are_indented() {
         for (text, expected) in [
             ("<a>\n|", "<a>\n  "),
-            ("<a>\n  <b\n    x=\"1\">\n|", "<a>\n  <b\n    x=\"1\">\n    "),
+            (
+                "<a>\n  <b\n    x=\"1\">\n|",
+                "<a>\n  <b\n    x=\"1\">\n    ",
+            ),
             ("<a>\n  <b>\n|</b>", "<a>\n  <b>\n    \n  </b>"),
             ("<a>\r\n|</a>", "<a>\r\n  \r\n</a>"),
             ("<a>\n\t<b/>\n|\n</a>", "<a>\n\t<b/>\n\t\n</a>"),

@@ -48,7 +48,9 @@ pub fn outline(document: &Document) -> Vec<Outline> {
     }
     // of a file whose root is cut off, the footer holds what was typed last
     let base = document.footer_start();
-    let rest = document.footer_content().filter(|node| node.kind() == NodeKind::Element);
+    let rest = document
+        .footer_content()
+        .filter(|node| node.kind() == NodeKind::Element);
     found.extend(rest.flat_map(|node| symbols(node, base, entities)));
     found
 }
@@ -106,7 +108,11 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
         name if is_call(name) => (OutlineKind::Call, "name", ""),
         _ => return None,
     };
-    let text = |name: &str| node.attr(name).map(|attr| attr.value(entities).into_owned()).unwrap_or_default();
+    let text = |name: &str| {
+        node.attr(name)
+            .map(|attr| attr.value(entities).into_owned())
+            .unwrap_or_default()
+    };
     let named = node.attr(attr).filter(|attr| !attr.raw().is_empty());
     let tag = node.name().strip_prefix("xacro:").unwrap_or(node.name());
     let value = text(attr);
@@ -118,14 +124,25 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
         _ => tag.to_owned(),
     };
     // the protocol forbids symbols without a name
-    let name = Some(name).filter(|name| !name.trim().is_empty()).unwrap_or_else(|| node.name().to_owned());
-    let own =
-        matches!(kind, OutlineKind::Call | OutlineKind::Condition | OutlineKind::Block) || named.is_none();
-    let name_range =
-        if own { node.name_range() } else { named.map_or(node.name_range(), |a| a.value_range()) };
+    let name = Some(name)
+        .filter(|name| !name.trim().is_empty())
+        .unwrap_or_else(|| node.name().to_owned());
+    let own = matches!(
+        kind,
+        OutlineKind::Call | OutlineKind::Condition | OutlineKind::Block
+    ) || named.is_none();
+    let name_range = if own {
+        node.name_range()
+    } else {
+        named.map_or(node.name_range(), |a| a.value_range())
+    };
     Some(Outline {
         name,
-        detail: if detail.is_empty() { String::new() } else { text(detail) },
+        detail: if detail.is_empty() {
+            String::new()
+        } else {
+            text(detail)
+        },
         kind,
         range: node.range().shift(base),
         name_range: name_range.shift(base),
@@ -134,8 +151,15 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
 }
 
 fn is_call(name: &str) -> bool {
-    const OTHERS: &[&str] = &["attribute", "call", "element", "eval-comments", "insert_block"];
-    name.strip_prefix("xacro:").is_some_and(|called| !OTHERS.contains(&called))
+    const OTHERS: &[&str] = &[
+        "attribute",
+        "call",
+        "element",
+        "eval-comments",
+        "insert_block",
+    ];
+    name.strip_prefix("xacro:")
+        .is_some_and(|called| !OTHERS.contains(&called))
 }
 
 #[cfg(test)]
@@ -147,13 +171,23 @@ mod tests {
     fn every_symbol_has_a_name() {
         let text = "<!DOCTYPE robot [<!ENTITY none \"\">]><robot><xacro: a=\"1\"/><xacro:xacro:/><link/><link name=\"\"/>\
                     <link name=\"&none;\"/><joint name=\" \"/><xacro:if value=\"\"/><xacro:m/></robot>";
-        let names: Vec<String> =
-            outline(&Document::parse(text)).into_iter().map(|symbol| symbol.name).collect();
-        assert_eq!(names, ["xacro:", "xacro:", "link", "link", "link", "joint", "if ", "m"]);
+        let names: Vec<String> = outline(&Document::parse(text))
+            .into_iter()
+            .map(|symbol| symbol.name)
+            .collect();
+        assert_eq!(
+            names,
+            [
+                "xacro:", "xacro:", "link", "link", "link", "joint", "if ", "m"
+            ]
+        );
         // while it is typed, too
         for end in 0..text.len() {
             let symbols = outline(&Document::parse(text.get(..end).unwrap()));
-            assert!(symbols.iter().all(|symbol| !symbol.name.trim().is_empty()), "{end}: {symbols:?}");
+            assert!(
+                symbols.iter().all(|symbol| !symbol.name.trim().is_empty()),
+                "{end}: {symbols:?}"
+            );
         }
     }
 }

@@ -73,7 +73,11 @@ pub fn file_name_at(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     let node = at.node?;
     let names = match at.part {
         Part::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
-        Part::Text => of_text(cx, world, &ExprText::of_text(&cx.source.document, at.base, node)),
+        Part::Text => of_text(
+            cx,
+            world,
+            &ExprText::of_text(&cx.source.document, at.base, node),
+        ),
         _ => return None,
     };
     names.into_iter().find(|name| name.range.touches(at.offset))
@@ -83,24 +87,45 @@ fn may_name(raw: &str) -> bool {
     raw.contains("package://") || raw.contains("$(find ") || raw.contains("load_yaml")
 }
 
-fn of_attr(cx: &Cx<'_>, world: Surroundings<'_>, base: u32, node: Node<'_>, attr: Attr<'_>) -> Vec<FileName> {
+fn of_attr(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    base: u32,
+    node: Node<'_>,
+    attr: Attr<'_>,
+) -> Vec<FileName> {
     let text = || ExprText::of_attr(&cx.source.document, base, attr);
     match (node.name(), attr.name()) {
         ("xacro:include", "filename") => include(cx, world, &text()).into_iter().collect(),
-        ("mesh", "filename") => resource(cx, world, &text(), FileKind::Mesh).into_iter().collect(),
-        ("texture", "filename") => resource(cx, world, &text(), FileKind::Other).into_iter().collect(),
-        _ if may_name(attr.raw()) || attr.raw().starts_with("file://") => of_text(cx, world, &text()),
+        ("mesh", "filename") => resource(cx, world, &text(), FileKind::Mesh)
+            .into_iter()
+            .collect(),
+        ("texture", "filename") => resource(cx, world, &text(), FileKind::Other)
+            .into_iter()
+            .collect(),
+        _ if may_name(attr.raw()) || attr.raw().starts_with("file://") => {
+            of_text(cx, world, &text())
+        }
         _ => Vec::new(),
     }
 }
 
 /// Names in a text of any kind: what begins with a package, and what `load_yaml` reads.
 fn of_text(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Vec<FileName> {
-    let mut found: Vec<FileName> =
-        text.template.tokens.iter().filter_map(|token| yaml(cx, world, text, token)).collect();
+    let mut found: Vec<FileName> = text
+        .template
+        .tokens
+        .iter()
+        .filter_map(|token| yaml(cx, world, text, token))
+        .collect();
     let trimmed = text.text.trim();
-    let starts = ["package://", "file://", "$(find "].iter().any(|lead| trimmed.starts_with(lead));
-    if found.is_empty() && starts && !trimmed.contains(char::is_whitespace) | trimmed.starts_with("$(find ") {
+    let starts = ["package://", "file://", "$(find "]
+        .iter()
+        .any(|lead| trimmed.starts_with(lead));
+    if found.is_empty()
+        && starts
+        && !trimmed.contains(char::is_whitespace) | trimmed.starts_with("$(find ")
+    {
         found.extend(resource(cx, world, text, FileKind::Other));
     }
     found
@@ -110,7 +135,10 @@ fn of_text(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Vec<Fil
 fn trimmed(text: &ExprText<'_>) -> TextRange {
     let whole = text.text.as_ref();
     let start = whole.len() - whole.trim_start().len();
-    text.range(TextRange::new(start as u32, (start + whole.trim().len()) as u32))
+    text.range(TextRange::new(
+        start as u32,
+        (start + whole.trim().len()) as u32,
+    ))
 }
 
 fn include(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Option<FileName> {
@@ -118,13 +146,20 @@ fn include(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Option<
     if name.is_empty() || name.contains(['*', '?', '[']) {
         return None;
     }
-    Some(FileName { range: text.whole(), target: beside(cx, world, &name), kind: FileKind::Include })
+    Some(FileName {
+        range: text.whole(),
+        target: beside(cx, world, &name),
+        kind: FileKind::Include,
+    })
 }
 
 /// A path that counts from the folder of the file.
 fn beside(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> FileTarget {
     let folder = cx.source.path.parent().unwrap_or(Path::new(""));
-    existing(world, without_parents(&world.vfs.absolute(&folder.join(name))))
+    existing(
+        world,
+        without_parents(&world.vfs.absolute(&folder.join(name))),
+    )
 }
 
 fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
@@ -136,7 +171,12 @@ fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
     }
 }
 
-fn resource(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, kind: FileKind) -> Option<FileName> {
+fn resource(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    text: &ExprText<'_>,
+    kind: FileKind,
+) -> Option<FileName> {
     let name = folded(cx, world, text, TextRange::new(0, text.text.len() as u32))?;
     let name = name.trim();
     if name.is_empty() || name.contains('$') {
@@ -145,28 +185,54 @@ fn resource(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, kind: Fil
     let result = world.packages.resolve_uri(name, &cx.source.path);
     let target = match result.outcome {
         UriOutcome::Found(path) => FileTarget::Found(without_parents(&world.vfs.absolute(&path))),
-        UriOutcome::Missing(path) => FileTarget::Missing(vec![without_parents(&world.vfs.absolute(&path))]),
+        UriOutcome::Missing(path) => {
+            FileTarget::Missing(vec![without_parents(&world.vfs.absolute(&path))])
+        }
         UriOutcome::UnknownPackage(_) => FileTarget::Missing(result.tried),
         _ => return None,
     };
-    Some(FileName { range: trimmed(text), target, kind })
+    Some(FileName {
+        range: trimmed(text),
+        target,
+        kind,
+    })
 }
 
 /// The name that `load_yaml` reads in an expression.
-fn yaml(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, token: &Token) -> Option<FileName> {
-    let Token::Expr { inner, .. } = token else { return None };
+fn yaml(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    text: &ExprText<'_>,
+    token: &Token,
+) -> Option<FileName> {
+    let Token::Expr { inner, .. } = token else {
+        return None;
+    };
     let (before, call) = inner.slice(&text.text).split_once("load_yaml(")?;
     let open = call.len() - call.trim_start().len();
-    let quote = call.trim_start().chars().next().filter(|c| matches!(c, '\'' | '"'))?;
+    let quote = call
+        .trim_start()
+        .chars()
+        .next()
+        .filter(|c| matches!(c, '\'' | '"'))?;
     let name = call.get(open + 1..)?.split(quote).next()?;
     let start = inner.start + (before.len() + "load_yaml(".len() + open + 1) as u32;
     let range = TextRange::new(start, start + name.len() as u32);
     let path = folded(cx, world, text, range)?;
-    Some(FileName { range: text.range(range), target: beside(cx, world, &path), kind: FileKind::Yaml })
+    Some(FileName {
+        range: text.range(range),
+        target: beside(cx, world, &path),
+        kind: FileKind::Yaml,
+    })
 }
 
 /// What a part of a text reads once its expressions are evaluated; none when that is unknown or differs by call.
-fn folded(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, part: TextRange) -> Option<String> {
+fn folded(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    text: &ExprText<'_>,
+    part: TextRange,
+) -> Option<String> {
     let mut out = String::new();
     let template = expr::split(part.slice(&text.text));
     for token in &template.tokens {
@@ -177,7 +243,9 @@ fn folded(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, part: TextR
                 let values = instances(cx, text.range(range));
                 let values = distinct(values.iter().map(|instance| &instance.value));
                 match values.as_slice() {
-                    [value] if !matches!(value, Value::Unknown) => out.push_str(&display::to_str(value)?),
+                    [value] if !matches!(value, Value::Unknown) => {
+                        out.push_str(&display::to_str(value)?)
+                    }
                     // where nothing is evaluated, packages can be found all the same
                     [] | [Value::Unknown] => {
                         out.push_str(&found_package(cx, world, range.slice(&text.text))?)
@@ -193,7 +261,9 @@ fn folded(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>, part: TextR
 
 fn found_package(cx: &Cx<'_>, world: Surroundings<'_>, token: &str) -> Option<String> {
     let inner = token.strip_prefix("$(")?.strip_suffix(')')?;
-    let Subst::Find(package) = parse_substitution(inner) else { return None };
+    let Subst::Find(package) = parse_substitution(inner) else {
+        return None;
+    };
     let found = world.packages.find(&package.text, &cx.source.path).ok()?;
     Some(vfs::slashed(&world.vfs.absolute(&found.path)))
 }

@@ -39,10 +39,22 @@ pub(super) fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
         [piece] if piece.source == text.origin => split(cx, &text.value, whole, text.origin),
         _ => None,
     };
-    let pieces = || text.pieces.iter().map(|piece| (piece.out, piece.source)).collect();
+    let pieces = || {
+        text.pieces
+            .iter()
+            .map(|piece| (piece.out, piece.source))
+            .collect()
+    };
     let (origin, pieces) = made_by_one.unwrap_or_else(|| (text.origin, pieces()));
     let mut found = Vec::new();
-    add_parts(cx, &text.value, (whole, origin), &pieces, MOST_CALLS, &mut found);
+    add_parts(
+        cx,
+        &text.value,
+        (whole, origin),
+        &pieces,
+        MOST_CALLS,
+        &mut found,
+    );
     found
 }
 
@@ -69,22 +81,40 @@ fn add_parts(
             return;
         }
         let before = TextRange::new(at.0, out.start.max(at.0));
-        found.extend(part(cx, value, before, own(TextRange::new(at.1, source.range.start))));
+        found.extend(part(
+            cx,
+            value,
+            before,
+            own(TextRange::new(at.1, source.range.start)),
+        ));
         if let Some(given) = argument(cx.expansion, source) {
             add_given(cx, value, out, given, calls, found);
         }
         at = (out.end, source.range.end);
     }
     if at.0 <= end.0 && at.1 <= end.1 {
-        found.extend(part(cx, value, TextRange::new(at.0, end.0), own(TextRange::new(at.1, end.1))));
+        found.extend(part(
+            cx,
+            value,
+            TextRange::new(at.0, end.0),
+            own(TextRange::new(at.1, end.1)),
+        ));
     }
 }
 
 /// Add the parts of a slice of a value that a call passes.
-fn add_given(cx: &Cx<'_>, value: &str, of: TextRange, given: Origin, calls: u32, found: &mut Vec<NamePart>) {
+fn add_given(
+    cx: &Cx<'_>,
+    value: &str,
+    of: TextRange,
+    given: Origin,
+    calls: u32,
+    found: &mut Vec<NamePart>,
+) {
     if let Some(part) = part(cx, value, of, given) {
         found.push(part);
-    } else if let (Some((origin, pieces)), Some(calls)) = (split(cx, value, of, given), calls.checked_sub(1))
+    } else if let (Some((origin, pieces)), Some(calls)) =
+        (split(cx, value, of, given), calls.checked_sub(1))
     {
         add_parts(cx, value, (of, origin), &pieces, calls, found);
     }
@@ -106,14 +136,24 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
     let mut pieces = Pieces::new();
     let (mut at, mut open) = (of.start, None);
     let piece = |from, to, source: TextRange| {
-        (TextRange::new(from, to), Origin { range: source.shift(start), ..origin })
+        (
+            TextRange::new(from, to),
+            Origin {
+                range: source.shift(start),
+                ..origin
+            },
+        )
     };
     for (number, token) in tokens.iter().enumerate() {
         match token {
             Token::Text(literal) => {
                 let (literal, rest) = (literal.slice(raw), value.get(at as usize..)?);
                 let is_last = number + 1 == tokens.len();
-                let found = if is_last { rest.strip_suffix(literal)?.len() } else { rest.find(literal)? };
+                let found = if is_last {
+                    rest.strip_suffix(literal)?.len()
+                } else {
+                    rest.find(literal)?
+                };
                 let is_first = open.is_none() && found != 0;
                 if is_first || !is_last && rest.rfind(literal) != Some(found) {
                     return None;
@@ -124,7 +164,9 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
                 at += literal.len() as u32;
             }
             // where one expression follows another, nothing says where it begins
-            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => open = Some(token.range()),
+            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
+                open = Some(token.range())
+            }
             _ => return None,
         }
     }
@@ -135,7 +177,10 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
 /// A part that is not empty, when the text says it letter by letter.
 fn part(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<NamePart> {
     let source = cx.expansion.sources.get(origin.src.0 as usize)?;
-    let same = source.item.text().get(origin.range.start as usize..origin.range.end as usize)
+    let same = source
+        .item
+        .text()
+        .get(origin.range.start as usize..origin.range.end as usize)
         == value.get(of.start as usize..of.end as usize);
     let written = cx.span(SourceRange::from(origin))?;
     (same && !of.is_empty()).then_some(NamePart { of, written })
@@ -147,33 +192,65 @@ fn asked(cx: &Cx<'_>, all: &[(Name, Vec<NamePart>)], offset: u32) -> Option<Span
         let range = part.written.range;
         part.written.file == cx.source.id && range.start <= offset && offset <= range.end
     };
-    let mut found = all.iter().filter_map(|(name, parts)| Some((name, parts.iter().find(here)?)));
+    let mut found = all
+        .iter()
+        .filter_map(|(name, parts)| Some((name, parts.iter().find(here)?)));
     let (name, part) = found.next()?;
     let given = all.iter().find(|(other, _)| {
-        other.is_definition && other.kind.is(name.kind) && other.value == name.value && name.origin.is_none()
+        other.is_definition
+            && other.kind.is(name.kind)
+            && other.value == name.value
+            && name.origin.is_none()
     });
-    Some(given.and_then(|(_, parts)| narrowed(part, parts, offset)).unwrap_or(part.written))
+    Some(
+        given
+            .and_then(|(_, parts)| narrowed(part, parts, offset))
+            .unwrap_or(part.written),
+    )
 }
 
 /// The text beside the robot that stands for the same part of the name as where the name is given.
 fn narrowed(part: &NamePart, given: &[NamePart], offset: u32) -> Option<Span> {
     let Span { file, range } = part.written;
     let at = part.of.start + (offset - range.start);
-    let own = given.iter().rfind(|own| part.of.contains_range(own.of) && own.of.touches(at))?;
+    let own = given
+        .iter()
+        .rfind(|own| part.of.contains_range(own.of) && own.of.touches(at))?;
     let start = range.start + (own.of.start - part.of.start);
-    Some(Span { file, range: TextRange::new(start, start + own.of.len()) })
+    Some(Span {
+        file,
+        range: TextRange::new(start, start + own.of.len()),
+    })
 }
 
 fn with_parts(cx: &Cx<'_>) -> Vec<(Name, Vec<NamePart>)> {
-    let known = all_names(cx).into_iter().filter(|name| name.text.is_known());
+    let known = all_names(cx)
+        .into_iter()
+        .filter(|name| name.text.is_known());
     let own = known.map(|name| {
         let (value, origin) = (name.text.value.clone(), Some(name.text.origin));
         let parts = parts(cx, &name.text);
-        (Name { value, kind: name.kind, is_definition: name.is_definition, origin }, parts)
+        (
+            Name {
+                value,
+                kind: name.kind,
+                is_definition: name.is_definition,
+                origin,
+            },
+            parts,
+        )
     });
     let beside = cx.beside.iter().map(|name| {
         let (value, kind, is_definition) = (name.value.clone(), name.kind, name.is_definition);
-        (Name { value, kind, is_definition, origin: None }, name.parts.clone())
+        (
+            Name {
+                value,
+                kind,
+                is_definition,
+                origin: None,
+            },
+            name.parts.clone(),
+        )
     });
     own.chain(beside).collect()
 }
@@ -189,7 +266,8 @@ pub fn renameable(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, String)> {
 /// # Errors
 /// Why it cannot be renamed, for the user.
 pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> {
-    let is_plain = |c: char| !c.is_whitespace() && !matches!(c, '<' | '&' | '"' | '\'' | '$' | '{' | '}');
+    let is_plain =
+        |c: char| !c.is_whitespace() && !matches!(c, '<' | '&' | '"' | '\'' | '$' | '{' | '}');
     if new.is_empty() || !new.chars().all(is_plain) {
         return Err(format!("invalid link or joint name `{new}`"));
     }
@@ -229,20 +307,38 @@ impl Written {
         for (number, (_, parts)) in all.iter().enumerate() {
             for part in parts {
                 let Span { file, range } = part.written;
-                places.entry((file, range.start, range.end)).or_default().push((number, *part));
+                places
+                    .entry((file, range.start, range.end))
+                    .or_default()
+                    .push((number, *part));
             }
         }
-        let span = |(file, start, end)| Span { file, range: TextRange::new(start, end) };
-        Self { places: places.into_iter().map(|(place, parts)| (span(place), parts)).collect() }
+        let span = |(file, start, end)| Span {
+            file,
+            range: TextRange::new(start, end),
+        };
+        Self {
+            places: places
+                .into_iter()
+                .map(|(place, parts)| (span(place), parts))
+                .collect(),
+        }
     }
 
     /// The parts whose text a span is, or is in.
     fn around(&self, span: Span) -> &[(usize, NamePart)] {
         let key = |place: &Span| (place.file, place.range.start);
-        let after = self.places.partition_point(|(place, _)| key(place) <= key(&span));
-        let place = after.checked_sub(1).and_then(|index| self.places.get(index));
-        let holds = |place: &Span| place.file == span.file && place.range.contains_range(span.range);
-        place.filter(|(place, _)| holds(place)).map_or(&[], |(_, parts)| parts)
+        let after = self
+            .places
+            .partition_point(|(place, _)| key(place) <= key(&span));
+        let place = after
+            .checked_sub(1)
+            .and_then(|index| self.places.get(index));
+        let holds =
+            |place: &Span| place.file == span.file && place.range.contains_range(span.range);
+        place
+            .filter(|(place, _)| holds(place))
+            .map_or(&[], |(_, parts)| parts)
     }
 }
 
@@ -258,11 +354,17 @@ impl Work<'_, '_> {
         while let Some(&span) = self.spans.get(next) {
             next += 1;
             for &(number, part) in written.around(span) {
-                let Some((name, _)) = self.all.get(number) else { continue };
+                let Some((name, _)) = self.all.get(number) else {
+                    continue;
+                };
                 let start = part.of.start + (span.range.start - part.written.range.start);
                 let range = TextRange::new(start, start + span.range.len());
                 for &other in by_value.get(name.value.as_str()).into_iter().flatten() {
-                    if self.all.get(other).is_some_and(|(other, _)| other.kind.is(name.kind)) {
+                    if self
+                        .all
+                        .get(other)
+                        .is_some_and(|(other, _)| other.kind.is(name.kind))
+                    {
                         self.change(other, range)?;
                     }
                 }
@@ -270,8 +372,7 @@ impl Work<'_, '_> {
         }
         let mut sorted = self.spans.clone();
         sorted.sort_unstable_by_key(|span| (span.file, span.range.start));
-        let overlap =
-            |pair: &[Span]| matches!(pair, [a, b] if a.file == b.file && b.range.start < a.range.end);
+        let overlap = |pair: &[Span]| matches!(pair, [a, b] if a.file == b.file && b.range.start < a.range.end);
         match sorted.windows(2).any(overlap) {
             true => Err("cannot rename: parts of this name overlap in the source".to_owned()),
             false => Ok(()),
@@ -284,15 +385,25 @@ impl Work<'_, '_> {
         if known.contains(&range) {
             return Ok(());
         }
-        if known.iter().any(|known| known.start < range.end && range.start < known.end) {
+        if known
+            .iter()
+            .any(|known| known.start < range.end && range.start < known.end)
+        {
             return Err(self.refusal(number));
         }
         known.push(range);
-        let Some((_, parts)) = self.all.get(number) else { return Ok(()) };
+        let Some((_, parts)) = self.all.get(number) else {
+            return Ok(());
+        };
         let whole = parts.iter().find(|part| part.of.contains_range(range));
-        let Some(part) = whole else { return Err(self.refusal(number)) };
+        let Some(part) = whole else {
+            return Err(self.refusal(number));
+        };
         let start = part.written.range.start + (range.start - part.of.start);
-        let span = Span { range: TextRange::new(start, start + range.len()), ..part.written };
+        let span = Span {
+            range: TextRange::new(start, start + range.len()),
+            ..part.written
+        };
         if self.seen.insert(span) {
             self.spans.push(span);
         }
@@ -306,16 +417,28 @@ impl Work<'_, '_> {
         };
         let cx = self.cx;
         let Some(origin) = name.origin else {
-            return format!("`{}` is put together in a file beside the robot", name.value);
+            return format!(
+                "`{}` is put together in a file beside the robot",
+                name.value
+            );
         };
-        let mut calls = cx.expansion.frames_of(origin).filter(|frame| frame.kind == FrameKind::Macro);
+        let mut calls = cx
+            .expansion
+            .frames_of(origin)
+            .filter(|frame| frame.kind == FrameKind::Macro);
         let span = cx.span(SourceRange::from(origin));
         let file = span.and_then(|span| Some((span, cx.file_of(span.file)?)));
         let line = |(span, file): (Span, &SourceFile)| {
-            file.document.line_col(span.range.start, Encoding::Utf8).line + 1
+            file.document
+                .line_col(span.range.start, Encoding::Utf8)
+                .line
+                + 1
         };
         let raw = |(span, file): (Span, &SourceFile)| file.document.slice(span.range);
-        let maker = calls.next().map(|frame| frame.name.to_string()).or_else(|| file.map(raw));
+        let maker = calls
+            .next()
+            .map(|frame| frame.name.to_string())
+            .or_else(|| file.map(raw));
         format!(
             "`{}` comes from `{}` on line {}: rename the suffix there or change the argument",
             name.value,
@@ -326,21 +449,34 @@ impl Work<'_, '_> {
 
     /// Whether the new names are free.
     fn admit(&self, new: &str) -> Result<(), String> {
-        let defined = self.all.iter().enumerate().filter(|(_, (name, _))| name.is_definition);
+        let defined = self
+            .all
+            .iter()
+            .enumerate()
+            .filter(|(_, (name, _))| name.is_definition);
         let staying: FastMap<&str, NameKind> = defined
             .filter(|(number, _)| !self.changed.contains_key(number))
             .map(|(_, (name, _))| (name.value.as_str(), name.kind))
             .collect();
         for (number, ranges) in &self.changed {
-            let Some((name, _)) = self.all.get(*number) else { continue };
+            let Some((name, _)) = self.all.get(*number) else {
+                continue;
+            };
             let mut changed = name.value.to_string();
             let mut ranges = ranges.clone();
             ranges.sort_unstable_by_key(|range| std::cmp::Reverse(range.start));
-            let fits = |range: &TextRange| name.value.get(range.start as usize..range.end as usize).is_some();
+            let fits = |range: &TextRange| {
+                name.value
+                    .get(range.start as usize..range.end as usize)
+                    .is_some()
+            };
             for range in ranges.into_iter().filter(fits) {
                 changed.replace_range(range.start as usize..range.end as usize, new);
             }
-            if staying.get(changed.as_str()).is_some_and(|kind| kind.is(name.kind)) {
+            if staying
+                .get(changed.as_str())
+                .is_some_and(|kind| kind.is(name.kind))
+            {
                 return Err(format!("`{changed}` is already defined"));
             }
         }

@@ -18,7 +18,10 @@ pub struct RobotThing {
 /// The link, joint, material or group that the text at an offset names.
 pub fn robot_name_at(cx: &Cx<'_>, offset: u32) -> Option<RobotThing> {
     if let Some(beside) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
-        return Some(RobotThing { name: beside.value.to_string(), kind: beside.kind });
+        return Some(RobotThing {
+            name: beside.value.to_string(),
+            kind: beside.kind,
+        });
     }
     let (_, names, kind) = named(cx, offset)?;
     let name = names.first()?.name()?.to_string();
@@ -28,17 +31,30 @@ pub fn robot_name_at(cx: &Cx<'_>, offset: u32) -> Option<RobotThing> {
 /// All places that give or use a name of the robot.
 pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
     let mut found: Vec<NameUse> = Vec::new();
-    for other in all_names(cx).into_iter().filter(|other| other.kind.is(thing.kind)) {
+    for other in all_names(cx)
+        .into_iter()
+        .filter(|other| other.kind.is(thing.kind))
+    {
         let same = other.text.name().is_some_and(|name| *name == *thing.name);
         let span = written(cx, &other.text).filter(|_| same);
         if let Some(span) = span
             && !found.iter().any(|used| used.span == span)
         {
-            found.push(NameUse { span, is_definition: other.is_definition });
+            found.push(NameUse {
+                span,
+                is_definition: other.is_definition,
+            });
         }
     }
-    for other in cx.beside.iter().filter(|other| other.kind.is(thing.kind) && *other.value == *thing.name) {
-        let used = NameUse { span: other.place, is_definition: other.is_definition };
+    for other in cx
+        .beside
+        .iter()
+        .filter(|other| other.kind.is(thing.kind) && *other.value == *thing.name)
+    {
+        let used = NameUse {
+            span: other.place,
+            is_definition: other.is_definition,
+        };
         if !found.iter().any(|known| known.span == used.span) {
             found.push(used);
         }
@@ -86,7 +102,11 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
         let is_it = |name: &&RobotName| {
             name.is_definition && name.kind.is(beside.kind) && name.text.value == beside.value
         };
-        let given = all.iter().filter(is_it).map(|name| name.text.clone()).collect();
+        let given = all
+            .iter()
+            .filter(is_it)
+            .map(|name| name.text.clone())
+            .collect();
         return Some((beside.place.range, given, beside.kind));
     }
     let here = |span: Option<Span>| {
@@ -101,38 +121,63 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
         asked.extend(own.map(|span| (name, span.range)));
     }
     let &(first, range) = asked.first()?;
-    let picked =
-        |name: &RobotName| cx.pinned.is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin));
+    let picked = |name: &RobotName| {
+        cx.pinned
+            .is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin))
+    };
     if asked.iter().any(|(name, _)| picked(name)) {
         asked.retain(|(name, _)| picked(name));
     }
-    let given = all.iter().filter(|name| name.is_definition && name.kind.is(first.kind));
-    let is_asked = |text: &Text| asked.iter().any(|(asked, _)| asked.text.value == text.value);
-    let names: Vec<Text> = given.map(|name| &name.text).filter(|text| is_asked(text)).cloned().collect();
-    let names =
-        if names.is_empty() { asked.iter().map(|(name, _)| name.text.clone()).collect() } else { names };
+    let given = all
+        .iter()
+        .filter(|name| name.is_definition && name.kind.is(first.kind));
+    let is_asked = |text: &Text| {
+        asked
+            .iter()
+            .any(|(asked, _)| asked.text.value == text.value)
+    };
+    let names: Vec<Text> = given
+        .map(|name| &name.text)
+        .filter(|text| is_asked(text))
+        .cloned()
+        .collect();
+    let names = if names.is_empty() {
+        asked.iter().map(|(name, _)| name.text.clone()).collect()
+    } else {
+        names
+    };
     Some((range, names, first.kind))
 }
 
 /// The names of links and joints, and the texts that refer to them; true: it is given there.
 pub(super) fn robot_names(cx: &Cx<'_>) -> Vec<(Text, bool)> {
-    let names = all_names(cx).into_iter().filter(|name| name.kind != NameKind::Material);
+    let names = all_names(cx)
+        .into_iter()
+        .filter(|name| name.kind != NameKind::Material);
     names.map(|name| (name.text, name.is_definition)).collect()
 }
 
 /// All names of links, joints and materials, and the texts that refer to them.
 pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
     use NameKind::{Joint, Link, LinkOrJoint, Material};
-    let Some(robot) = cx.robot else { return Vec::new() };
+    let Some(robot) = cx.robot else {
+        return Vec::new();
+    };
     let tree = &cx.expansion.tree;
     let mut found: Vec<RobotName> = Vec::new();
     let mut add = |text: &Option<Text>, is_definition: bool, kind: NameKind| {
-        found.extend(text.iter().map(|text| RobotName { text: text.clone(), is_definition, kind }));
+        found.extend(text.iter().map(|text| RobotName {
+            text: text.clone(),
+            is_definition,
+            kind,
+        }));
     };
     for link in &robot.links {
         add(&link.name, true, Link);
         for material in materials(tree, link.element) {
-            let is_given = tree.children(material).any(|child| tree.get(child).kind == XKind::Element);
+            let is_given = tree
+                .children(material)
+                .any(|child| tree.get(child).kind == XKind::Element);
             add(&Text::attr(tree, material, "name"), is_given, Material);
         }
     }
@@ -140,7 +185,10 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
         add(&joint.name, true, Joint);
         add(&joint.parent, false, Link);
         add(&joint.child, false, Link);
-        joint.mimic.iter().for_each(|mimic| add(&mimic.joint, false, Joint));
+        joint
+            .mimic
+            .iter()
+            .for_each(|mimic| add(&mimic.joint, false, Joint));
     }
     for gazebo in &robot.gazebo {
         add(&gazebo.reference, false, LinkOrJoint);
@@ -149,17 +197,25 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
     }
     let controlled = robot.controls.iter().flat_map(|control| &control.joints);
     controlled.for_each(|joint| add(&joint.name, false, Joint));
-    for (_, name) in robot.transmissions.iter().flat_map(|transmission| &transmission.joints) {
+    for (_, name) in robot
+        .transmissions
+        .iter()
+        .flat_map(|transmission| &transmission.joints)
+    {
         add(name, false, Joint);
     }
-    robot.materials.iter().for_each(|material| add(&material.name, true, Material));
+    robot
+        .materials
+        .iter()
+        .for_each(|material| add(&material.name, true, Material));
     found
 }
 
 /// The materials in what one sees of a link, and in what it collides with.
 fn materials(tree: &XTree, link: XId) -> impl Iterator<Item = XId> + '_ {
     let named = move |of: XId, names: &'static [&str]| {
-        tree.children(of).filter(move |child| names.contains(&tree.get(*child).text.as_str()))
+        tree.children(of)
+            .filter(move |child| names.contains(&tree.get(*child).text.as_str()))
     };
     named(link, &["visual", "collision"]).flat_map(move |shape| named(shape, &["material"]))
 }
@@ -169,8 +225,13 @@ fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
     let mut found = Vec::new();
     let mut open = vec![gazebo];
     while let Some(element) = open.pop() {
-        open.extend(tree.children(element).filter(|child| tree.get(*child).kind == XKind::Element));
-        let Some(kind) = meant_by(&tree.get(element).text) else { continue };
+        open.extend(
+            tree.children(element)
+                .filter(|child| tree.get(*child).kind == XKind::Element),
+        );
+        let Some(kind) = meant_by(&tree.get(element).text) else {
+            continue;
+        };
         found.extend(Text::content(tree, element).map(|text| (text, kind)));
     }
     found
@@ -179,7 +240,9 @@ fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
 /// What the content of an element in a plugin names, as its tag says.
 fn meant_by(tag: &str) -> Option<NameKind> {
     let tag = tag.to_lowercase();
-    let is_link = ["frame", "body", "link"].iter().any(|word| tag.contains(word));
+    let is_link = ["frame", "body", "link"]
+        .iter()
+        .any(|word| tag.contains(word));
     match tag.contains("joint") {
         true => Some(NameKind::Joint),
         false => is_link.then_some(NameKind::Link),
@@ -188,5 +251,8 @@ fn meant_by(tag: &str) -> Option<NameKind> {
 
 /// Where a name is written: in the text itself, or, when that is a parameter of a macro, in the call.
 fn written(cx: &Cx<'_>, text: &Text) -> Option<Span> {
-    place(cx, argument(cx.expansion, text.origin).unwrap_or(text.origin))
+    place(
+        cx,
+        argument(cx.expansion, text.origin).unwrap_or(text.origin),
+    )
 }

@@ -20,28 +20,40 @@ pub fn element_below(root: &'static ElementSpec, node: Node<'_>) -> Vec<&'static
         Around::Unknown if root.key != robot().key => return Vec::new(),
         Around::Unknown => return elements().filter(|spec| spec.name == name).collect(),
     };
-    let mut found: Vec<&ElementSpec> = parents.iter().filter_map(|parent| parent.child(name)).collect();
+    let mut found: Vec<&ElementSpec> = parents
+        .iter()
+        .filter_map(|parent| parent.child(name))
+        .collect();
     found.dedup_by_key(|spec| spec.key);
     found
 }
 
 /// The entry of an attribute.
 pub fn attribute(node: Node<'_>, name: &str) -> Option<&'static AttributeSpec> {
-    element(node).into_iter().find_map(|spec| spec.attribute(name))
+    element(node)
+        .into_iter()
+        .find_map(|spec| spec.attribute(name))
 }
 
 /// Whether an attribute holds angles in radians.
 pub fn is_angle(node: Node<'_>, name: &str) -> bool {
     let joint = |node: Node<'_>| {
-        let kind = node.parent().and_then(|joint| joint.attr("type")).map(|kind| kind.raw().to_owned());
+        let kind = node
+            .parent()
+            .and_then(|joint| joint.attr("type"))
+            .map(|kind| kind.raw().to_owned());
         !matches!(kind.as_deref(), Some("prismatic" | "fixed" | "floating"))
     };
     if matches!(node.name(), "limit" | "safety_controller" | "calibration") && !joint(node) {
         return false;
     }
     let specs = element(node);
-    let own = specs.iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.name == name);
-    own.into_iter().any(|attribute| matches!(attribute.unit, Some("rad" | "rad or m")))
+    let own = specs
+        .iter()
+        .flat_map(|spec| spec.attributes)
+        .filter(|attribute| attribute.name == name);
+    own.into_iter()
+        .any(|attribute| matches!(attribute.unit, Some("rad" | "rad or m")))
 }
 
 enum Around<'a> {
@@ -66,5 +78,9 @@ fn around<'a>(root: &ElementSpec, node: Node<'a>) -> Around<'a> {
 }
 
 fn top<'a>(root: &ElementSpec, node: Node<'a>) -> Around<'a> {
-    if root.child(node.name()).is_some() { Around::Robot } else { Around::Unknown }
+    if root.child(node.name()).is_some() {
+        Around::Robot
+    } else {
+        Around::Unknown
+    }
 }

@@ -27,8 +27,14 @@ pub fn search(document: &Document, query: &str) -> Vec<Hit> {
     for (base, facts) in facts(document) {
         for fact in facts.named.iter().filter(is_named) {
             if let Some(cost) = fit(query, &fact.name) {
-                let (name, kind, range) = (fact.name.to_string(), fact.kind, fact.range.shift(base));
-                found.push(Hit { name, kind, range, cost });
+                let (name, kind, range) =
+                    (fact.name.to_string(), fact.kind, fact.range.shift(base));
+                found.push(Hit {
+                    name,
+                    kind,
+                    range,
+                    cost,
+                });
             }
         }
     }
@@ -38,7 +44,11 @@ pub fn search(document: &Document, query: &str) -> Vec<Hit> {
 /// How badly a name fits: none when it does not hold the letters in order. What is skipped costs, the more so
 /// inside of a word; letter cases do not count.
 pub fn fit(query: &str, name: &str) -> Option<u32> {
-    let mut letters = query.chars().filter(|c| !c.is_whitespace()).flat_map(char::to_lowercase).peekable();
+    let mut letters = query
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .flat_map(char::to_lowercase)
+        .peekable();
     let (mut cost, mut skipped, mut matched) = (0, 0, false);
     let mut before = '_';
     for c in name.chars() {
@@ -49,8 +59,13 @@ pub fn fit(query: &str, name: &str) -> Option<u32> {
         };
         if c.to_lowercase().eq(std::iter::once(wanted)) {
             letters.next();
-            let starts_word = !before.is_alphanumeric() || c.is_uppercase() && before.is_lowercase();
-            cost += if skipped == 0 { 0 } else { 10 + skipped + if starts_word { 0 } else { 20 } };
+            let starts_word =
+                !before.is_alphanumeric() || c.is_uppercase() && before.is_lowercase();
+            cost += if skipped == 0 {
+                0
+            } else {
+                10 + skipped + if starts_word { 0 } else { 20 }
+            };
             (skipped, matched) = (0, true);
         } else {
             skipped += if matched { 2 } else { 1 };

@@ -49,8 +49,9 @@ pub fn selection(document: &Document, offset: u32) -> Vec<TextRange> {
 fn nested(ranges: Vec<TextRange>, offset: u32) -> Vec<TextRange> {
     let mut kept: Vec<TextRange> = Vec::new();
     for range in ranges {
-        let holds =
-            |inner: &TextRange| range.start <= inner.start && inner.end <= range.end && range != *inner;
+        let holds = |inner: &TextRange| {
+            range.start <= inner.start && inner.end <= range.end && range != *inner
+        };
         let here = range.start <= offset && offset <= range.end;
         if here && kept.last().is_none_or(holds) {
             kept.push(range);
@@ -61,13 +62,24 @@ fn nested(ranges: Vec<TextRange>, offset: u32) -> Vec<TextRange> {
 
 /// The parts of the expression at `inside`, the smallest first. `raw` begins at `start`.
 fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
-    let Some(offset) = inside.checked_sub(start) else { return };
-    let template = expr::split(raw);
-    let holds = |range: TextRange| range.start <= offset && offset <= range.end;
-    let Some(token) = template.tokens.iter().find(|token| holds(token.range()) && !is_text(token)) else {
+    let Some(offset) = inside.checked_sub(start) else {
         return;
     };
-    if let Token::Expr { inner, code: expr::Code::Static(parsed), .. } = token {
+    let template = expr::split(raw);
+    let holds = |range: TextRange| range.start <= offset && offset <= range.end;
+    let Some(token) = template
+        .tokens
+        .iter()
+        .find(|token| holds(token.range()) && !is_text(token))
+    else {
+        return;
+    };
+    if let Token::Expr {
+        inner,
+        code: expr::Code::Static(parsed),
+        ..
+    } = token
+    {
         let mut path = vec![&parsed.expr];
         while let Some(outer) = path.last().copied() {
             let mut next = None;
@@ -81,7 +93,11 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
                 None => break,
             }
         }
-        ranges.extend(path.iter().rev().map(|part| part.range.shift(inner.start).shift(start)));
+        ranges.extend(
+            path.iter()
+                .rev()
+                .map(|part| part.range.shift(inner.start).shift(start)),
+        );
         ranges.push(inner.shift(start));
     }
     ranges.push(token.range().shift(start));

@@ -19,7 +19,9 @@ pub struct Open {
 impl Open {
     /// An element of a tree.
     pub fn of(node: Node<'_>) -> Self {
-        let attrs = node.attrs().map(|attr| (attr.name().to_owned(), attr.raw().to_owned()));
+        let attrs = node
+            .attrs()
+            .map(|attr| (attr.name().to_owned(), attr.raw().to_owned()));
         Self {
             start: node.range().start as usize,
             name: node.name().to_owned(),
@@ -117,12 +119,20 @@ impl<'t> Reader<'t> {
         }
         for (begin, end) in [("<![CDATA[", "]]>"), ("<?", "?>"), ("<!", ">")] {
             if rest.starts_with(begin) {
-                let subset = begin == "<!" && rest.split('>').next().is_some_and(|head| head.contains('['));
+                let subset = begin == "<!"
+                    && rest
+                        .split('>')
+                        .next()
+                        .is_some_and(|head| head.contains('['));
                 let end = if subset { "]>" } else { end };
                 return (!self.skip_past(end, begin.len())).then_some(State::Nothing);
             }
         }
-        if rest.starts_with("</") { self.end_tag() } else { self.start_tag() }
+        if rest.starts_with("</") {
+            self.end_tag()
+        } else {
+            self.start_tag()
+        }
     }
 
     /// Go behind the next `end`; false when there is none.
@@ -158,7 +168,9 @@ impl<'t> Reader<'t> {
             None => self.unmatched.push(name.to_owned()),
         }
         let end = self.rest().find(['<', '>']);
-        let Some(end) = end else { return Some(State::Nothing) };
+        let Some(end) = end else {
+            return Some(State::Nothing);
+        };
         self.pos += end + usize::from(self.rest().as_bytes().get(end) == Some(&b'>'));
         None
     }
@@ -174,7 +186,11 @@ impl<'t> Reader<'t> {
         if name.is_empty() {
             return None;
         }
-        let mut tag = Open { start: begin, name: name.to_owned(), ..Open::default() };
+        let mut tag = Open {
+            start: begin,
+            name: name.to_owned(),
+            ..Open::default()
+        };
         let ending = self.attributes(&mut tag);
         if let Ending::Cut(state) = ending {
             return Some(state);
@@ -194,7 +210,11 @@ impl<'t> Reader<'t> {
         loop {
             let blank = self.blanks();
             let Some(next) = self.rest().chars().next() else {
-                let state = if blank { State::Attribute(tag.clone(), self.pos) } else { State::Nothing };
+                let state = if blank {
+                    State::Attribute(tag.clone(), self.pos)
+                } else {
+                    State::Nothing
+                };
                 return Ending::Cut(state);
             };
             match next {
@@ -231,7 +251,11 @@ impl<'t> Reader<'t> {
         }
         self.pos += 1;
         self.blanks();
-        let quote = self.rest().chars().next().filter(|c| matches!(c, '"' | '\''));
+        let quote = self
+            .rest()
+            .chars()
+            .next()
+            .filter(|c| matches!(c, '"' | '\''));
         let Some(quote) = quote else {
             if self.is_at_end() {
                 return Some(Ending::Cut(State::Nothing));
@@ -239,16 +263,22 @@ impl<'t> Reader<'t> {
             let rest = self.rest();
             let end = rest.find(|c: char| c.is_whitespace() || matches!(c, '<' | '>' | '/'));
             let end = end.unwrap_or(rest.len());
-            tag.attrs.push((name.to_owned(), rest.get(..end).unwrap_or("").to_owned()));
+            tag.attrs
+                .push((name.to_owned(), rest.get(..end).unwrap_or("").to_owned()));
             self.pos += end;
             return None;
         };
         self.pos += 1;
         let (start, rest) = (self.pos, self.rest());
         let Some(end) = rest.find([quote, '<']) else {
-            return Some(Ending::Cut(State::Value(tag.clone(), name.to_owned(), start)));
+            return Some(Ending::Cut(State::Value(
+                tag.clone(),
+                name.to_owned(),
+                start,
+            )));
         };
-        tag.attrs.push((name.to_owned(), rest.get(..end).unwrap_or("").to_owned()));
+        tag.attrs
+            .push((name.to_owned(), rest.get(..end).unwrap_or("").to_owned()));
         self.pos += end;
         if rest.get(end..).is_some_and(|rest| rest.starts_with('<')) {
             // no value holds a `<`: the tag was left half-typed
@@ -261,7 +291,9 @@ impl<'t> Reader<'t> {
     /// Skip blanks; whether there were any.
     fn blanks(&mut self) -> bool {
         let rest = self.rest();
-        let end = rest.find(|c: char| !c.is_whitespace()).unwrap_or(rest.len());
+        let end = rest
+            .find(|c: char| !c.is_whitespace())
+            .unwrap_or(rest.len());
         self.pos += end;
         end > 0
     }
@@ -276,8 +308,14 @@ impl<'t> Reader<'t> {
         }
         let ending = self.attributes(&mut tag);
         let ends = match ending {
-            Ending::Open => self.text.get(..self.pos).is_some_and(|read| read.ends_with('>')),
-            Ending::Closed => self.text.get(..self.pos).is_some_and(|read| read.ends_with("/>")),
+            Ending::Open => self
+                .text
+                .get(..self.pos)
+                .is_some_and(|read| read.ends_with('>')),
+            Ending::Closed => self
+                .text
+                .get(..self.pos)
+                .is_some_and(|read| read.ends_with("/>")),
             Ending::Cut(_) => false,
         };
         (tag.attrs.into_iter().map(|(name, _)| name).collect(), ends)
@@ -285,7 +323,11 @@ impl<'t> Reader<'t> {
 
     fn skip_value(&mut self) -> Option<()> {
         self.blanks();
-        let quote = self.rest().chars().next().filter(|c| matches!(c, '"' | '\''))?;
+        let quote = self
+            .rest()
+            .chars()
+            .next()
+            .filter(|c| matches!(c, '"' | '\''))?;
         let end = self.rest().get(1..)?.find([quote, '<'])?;
         self.pos += 1 + end + usize::from(self.rest().as_bytes().get(1 + end) != Some(&b'<'));
         Some(())
@@ -324,7 +366,10 @@ mod tests {
             ("<a><b x=\"half\n<c y=\"", "a | c.y "),
             ("<a><!-- <b ", "a | comment  <b "),
             ("<a><![CDATA[ <b ", "a | nothing"),
-            ("<?xml version='1.0'?><!DOCTYPE a [<!ENTITY x 'y'>]><a ", " | attribute of a "),
+            (
+                "<?xml version='1.0'?><!DOCTYPE a [<!ENTITY x 'y'>]><a ",
+                " | attribute of a ",
+            ),
             ("<a><b><c></b>", "a | content "),
             ("a < b <c", " | tag c"),
         ] {

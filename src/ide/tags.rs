@@ -15,11 +15,18 @@ pub fn same_tag_names(document: &Document, offset: u32) -> Option<[TextRange; 2]
 /// The names in the start tag and the end tag of the element whose tag name stands at an offset.
 pub fn matching_tags(document: &Document, offset: u32) -> Option<[TextRange; 2]> {
     let at = locate(document, offset);
-    if let Some(root) = root_tags(document).filter(|tags| tags.iter().any(|tag| holds(*tag, offset))) {
+    if let Some(root) =
+        root_tags(document).filter(|tags| tags.iter().any(|tag| holds(*tag, offset)))
+    {
         return Some(root);
     }
-    let node = at.node.filter(|_| matches!(at.part, Part::StartName | Part::EndName))?;
-    Some([at.shift(node.name_range()), at.shift(node.end_name_range()?)])
+    let node = at
+        .node
+        .filter(|_| matches!(at.part, Part::StartName | Part::EndName))?;
+    Some([
+        at.shift(node.name_range()),
+        at.shift(node.end_name_range()?),
+    ])
 }
 
 /// The root element's tags stand in two parts of the document.

@@ -78,13 +78,25 @@ pub fn typed(document: &Document, offset: u32) -> Typed {
     let inner = opened.zip(reader.open.last());
     let inner = inner.map(|(end, open)| (begin + open.start as u32, begin + end as u32));
     // the root's start tag is a part of its own
-    let root = document.root().filter(|_| reader.open.len() == 1 && state_start == Some(0));
-    let root = root.map(Node::start_tag_range).filter(|tag| tag.end == begin);
+    let root = document
+        .root()
+        .filter(|_| reader.open.len() == 1 && state_start == Some(0));
+    let root = root
+        .map(Node::start_tag_range)
+        .filter(|tag| tag.end == begin);
     let just_opened = inner.or(root.map(|tag| (tag.start, tag.end)));
     let end = document.len().min(offset.saturating_add(MOST_BEHIND));
     let after = document.slice(TextRange::new(offset, end));
     let open = reader.open;
-    Typed { what, open, before, text_before: text, just_opened, after, offset }
+    Typed {
+        what,
+        open,
+        before,
+        text_before: text,
+        just_opened,
+        after,
+        offset,
+    }
 }
 
 /// Where to begin reading: with the item around `offset`, or in front of it when a tag was left open there.
@@ -102,13 +114,20 @@ fn beginning(document: &Document, offset: u32) -> u32 {
         }
         (index, start) = (index - 1, before);
     }
-    if document.header().text().ends_with('>') { start } else { 0 }
+    if document.header().text().ends_with('>') {
+        start
+    } else {
+        0
+    }
 }
 
 impl Typed {
     /// How much of the text behind the offset belongs to the word that is typed, in bytes.
     pub fn rest_of_word(&self, belongs: impl Fn(char) -> bool) -> u32 {
-        let end = self.after.find(|c: char| !belongs(c)).unwrap_or(self.after.len());
+        let end = self
+            .after
+            .find(|c: char| !belongs(c))
+            .unwrap_or(self.after.len());
         end as u32
     }
 
@@ -117,7 +136,14 @@ impl Typed {
     pub fn rest_of_value(&self) -> u32 {
         let stop = |c: char| matches!(c, '"' | '<' | '\n' | '\r');
         match self.after.find(stop) {
-            Some(end) if self.after.get(end..).is_some_and(|rest| rest.starts_with('"')) => end as u32,
+            Some(end)
+                if self
+                    .after
+                    .get(end..)
+                    .is_some_and(|rest| rest.starts_with('"')) =>
+            {
+                end as u32
+            }
             _ => 0,
         }
     }
@@ -134,12 +160,23 @@ impl Typed {
 
     /// The names of the elements beside what is typed: those in front of it and those behind.
     pub fn siblings(&self) -> Vec<String> {
-        let mut names = self.open.last().map(|open| open.children.clone()).unwrap_or_default();
+        let mut names = self
+            .open
+            .last()
+            .map(|open| open.children.clone())
+            .unwrap_or_default();
         let from = self.rest_of_word(is_name_char) as usize;
         let mut reader = Reader::new(self.after.get(from..).unwrap_or("")).until_unmatched(1);
         reader.open.push(Open::default());
         reader.run();
-        names.extend(reader.open.into_iter().next().map(|open| open.children).unwrap_or_default());
+        names.extend(
+            reader
+                .open
+                .into_iter()
+                .next()
+                .map(|open| open.children)
+                .unwrap_or_default(),
+        );
         names
     }
 

@@ -47,7 +47,12 @@ pub fn part_values(cx: &Cx<'_>, range: TextRange, whole: &Expr, part: &Expr) -> 
     if std::ptr::eq(whole, part) {
         return instances(cx, range);
     }
-    of_picked(cx, part_instances(cx, range, |cx, evaluation| part_value(cx, evaluation, whole, part)))
+    of_picked(
+        cx,
+        part_instances(cx, range, |cx, evaluation| {
+            part_value(cx, evaluation, whole, part)
+        }),
+    )
 }
 
 fn part_instances(
@@ -55,10 +60,15 @@ fn part_instances(
     range: TextRange,
     value: impl Fn(&Cx<'_>, &Evaluation) -> Value,
 ) -> Vec<Instance> {
-    let Some(place) = cx.source_range(range) else { return Vec::new() };
+    let Some(place) = cx.source_range(range) else {
+        return Vec::new();
+    };
     let mut found: Vec<Instance> = Vec::new();
     for evaluation in cx.expansion.evaluations.at(place) {
-        let instance = Instance { frame: evaluation.at.frame, value: value(cx, evaluation) };
+        let instance = Instance {
+            frame: evaluation.at.frame,
+            value: value(cx, evaluation),
+        };
         match found.iter_mut().find(|known| known.frame == instance.frame) {
             // a condition that holds is evaluated twice
             Some(known) if same(&known.value, &instance.value) => {}
@@ -92,14 +102,23 @@ pub fn distinct<'v>(values: impl IntoIterator<Item = &'v Value>) -> Vec<&'v Valu
 /// The value of a part of an expression, from what was read when the whole was evaluated.
 fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -> Value {
     // a variable of a comprehension has no one value
-    let free: FastSet<TextRange> = expr::names(whole).into_iter().map(|name| name.range).collect();
-    if !expr::names(part).iter().all(|name| free.contains(&name.range)) {
+    let free: FastSet<TextRange> = expr::names(whole)
+        .into_iter()
+        .map(|name| name.range)
+        .collect();
+    if !expr::names(part)
+        .iter()
+        .all(|name| free.contains(&name.range))
+    {
         return Value::Unknown;
     }
     if changes_something(part) {
         return Value::Unknown;
     }
-    let mut known = Known { cx, reads: cx.expansion.read_in(evaluation.reads) };
+    let mut known = Known {
+        cx,
+        reads: cx.expansion.read_in(evaluation.reads),
+    };
     host::evaluate(part, &mut known, 200)
 }
 
@@ -135,7 +154,10 @@ struct Known<'a> {
 
 impl Known<'_> {
     fn value(&self, name: &str, of: impl Fn(BindingKind) -> bool) -> Option<Value> {
-        let bindings = self.reads.iter().filter_map(|&read| self.cx.expansion.bindings.get(read as usize));
+        let bindings = self
+            .reads
+            .iter()
+            .filter_map(|&read| self.cx.expansion.bindings.get(read as usize));
         let mut named = bindings.filter(|info| info.name == name && of(info.kind));
         let first = named.next()?.value.as_ref()?;
         // names of several namespaces may be spelled alike
@@ -145,8 +167,13 @@ impl Known<'_> {
 
     fn named(&self, name: &str) -> Lookup {
         let is_name = |kind| kind != BindingKind::Argument;
-        let defined =
-            || self.cx.expansion.bindings.iter().any(|info| info.name == name && is_name(info.kind));
+        let defined = || {
+            self.cx
+                .expansion
+                .bindings
+                .iter()
+                .any(|info| info.name == name && is_name(info.kind))
+        };
         match self.value(name, is_name) {
             // looking at it would use it up
             Some(Value::Iter(_)) => Lookup::Found(Value::Unknown),
@@ -167,7 +194,8 @@ impl Names for Known<'_> {
     }
 
     fn argument_value(&mut self, name: &str) -> Value {
-        self.value(name, |kind| kind == BindingKind::Argument).unwrap_or_default()
+        self.value(name, |kind| kind == BindingKind::Argument)
+            .unwrap_or_default()
     }
 
     fn yaml(&mut self, _: &[Value]) -> Value {
@@ -196,5 +224,6 @@ pub fn cut(text: &str, most: usize) -> String {
 /// A number with ten digits that count: `0.05` for what a sum made 0.049999999999999996.
 pub fn number_text(number: f64) -> String {
     let rounded = format!("{number:.9e}").parse().unwrap_or(number);
-    display::to_str(&Value::Float(rounded)).map_or_else(|| number.to_string(), |text| text.to_string())
+    display::to_str(&Value::Float(rounded))
+        .map_or_else(|| number.to_string(), |text| text.to_string())
 }

@@ -96,7 +96,13 @@ pub struct Location {
 
 impl fmt::Display for Location {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}:{}", vfs::slashed(&self.path), self.line, self.column)
+        write!(
+            f,
+            "{}:{}:{}",
+            vfs::slashed(&self.path),
+            self.line,
+            self.column
+        )
     }
 }
 
@@ -105,16 +111,32 @@ impl fmt::Display for Problem {
         if let Some(location) = &self.location {
             write!(f, "{location}: ")?;
         }
-        write!(f, "{}: {}", if self.is_error { "error" } else { "warning" }, self.message)
+        write!(
+            f,
+            "{}: {}",
+            if self.is_error { "error" } else { "warning" },
+            self.message
+        )
     }
 }
 
 /// Expand a xacro file; plain URDF comes out as it is. Relative paths are relative to the working directory.
 pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     let env = Environment::capture();
-    let vfs = Arc::new(Vfs::with_cwd(Config::default().limits.file_bytes(), env.cwd.clone()));
-    let explicit = options.package_path.iter().map(|folder| env.cwd.join(folder)).collect();
-    let found = PackageOptions { explicit, environment_first: true, ..PackageOptions::default() };
+    let vfs = Arc::new(Vfs::with_cwd(
+        Config::default().limits.file_bytes(),
+        env.cwd.clone(),
+    ));
+    let explicit = options
+        .package_path
+        .iter()
+        .map(|folder| env.cwd.join(folder))
+        .collect();
+    let found = PackageOptions {
+        explicit,
+        environment_first: true,
+        ..PackageOptions::default()
+    };
     let packages = Packages::new(vfs.clone(), &env, found);
     let request = Request {
         file: vfs::slashed(file.as_ref()),
@@ -122,11 +144,23 @@ pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
         limits: Limits::configured(&Config::default().limits),
         ..Request::default()
     };
-    let expansion = expand::expand(World { vfs: &vfs, packages: &packages, env: &env }, &request);
+    let expansion = expand::expand(
+        World {
+            vfs: &vfs,
+            packages: &packages,
+            env: &env,
+        },
+        &request,
+    );
     let problems = problems(&expansion);
     let is_whole = !problems.iter().any(|problem| problem.is_error);
     let written = is_whole.then(|| expand::write(&expansion.tree, &request.file));
-    Robot { expansion, written, problems, packages }
+    Robot {
+        expansion,
+        written,
+        problems,
+        packages,
+    }
 }
 
 impl Robot {
@@ -177,7 +211,11 @@ fn problems(expansion: &Expansion) -> Vec<Problem> {
         message: problem.message.clone(),
         help: problem.help.clone(),
         location: location(expansion, problem.place),
-        calls: problem.trace.iter().filter_map(|step| location(expansion, step.place)).collect(),
+        calls: problem
+            .trace
+            .iter()
+            .filter_map(|step| location(expansion, step.place))
+            .collect(),
     });
     unreadable.into_iter().chain(found).collect()
 }
@@ -185,5 +223,9 @@ fn problems(expansion: &Expansion) -> Vec<Problem> {
 fn location(expansion: &Expansion, place: Place) -> Option<Location> {
     let source = &expansion.files.get(place.file.0 as usize)?.source;
     let at = source.document.line_col(place.range.start, Encoding::Utf32);
-    Some(Location { path: source.path.to_path_buf(), line: at.line + 1, column: at.col + 1 })
+    Some(Location {
+        path: source.path.to_path_buf(),
+        line: at.line + 1,
+        column: at.col + 1,
+    })
 }

@@ -26,22 +26,41 @@ fn arm(body: &str) -> Tree {
 }
 
 fn name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
 }
 
 #[test]
 fn a_robot_and_where_it_came_from() {
     let tree = arm("<link name='$(arg side)_base'/>");
-    let robot = expand(tree.path("arm/urdf/arm.urdf.xacro"), &Options::new().arg("side", "right"));
+    let robot = expand(
+        tree.path("arm/urdf/arm.urdf.xacro"),
+        &Options::new().arg("side", "right"),
+    );
     assert_eq!(robot.problems(), []);
     let text = robot.text().unwrap();
-    let line = text.lines().position(|line| line.contains("right_base")).unwrap() as u32 + 1;
+    let line = text
+        .lines()
+        .position(|line| line.contains("right_base"))
+        .unwrap() as u32
+        + 1;
     let source = robot.source_of_line(line).unwrap();
-    assert_eq!((name(&source.path), source.line, source.column), ("part.xacro".to_owned(), 3, 1));
+    assert_eq!(
+        (name(&source.path), source.line, source.column),
+        ("part.xacro".to_owned(), 3, 1)
+    );
     assert_eq!(robot.source_of_line(0), None);
     assert_eq!(robot.source_of_line(10_000), None);
-    assert_eq!(robot.files().map(name).collect::<Vec<_>>(), ["arm.urdf.xacro", "part.xacro"]);
-    assert_eq!(robot.resolve("package://arm/meshes/base.stl"), Some(tree.path("arm/meshes/base.stl")));
+    assert_eq!(
+        robot.files().map(name).collect::<Vec<_>>(),
+        ["arm.urdf.xacro", "part.xacro"]
+    );
+    assert_eq!(
+        robot.resolve("package://arm/meshes/base.stl"),
+        Some(tree.path("arm/meshes/base.stl"))
+    );
     assert_eq!(robot.resolve("package://arm/meshes/lid.stl"), None);
 }
 
@@ -50,13 +69,28 @@ fn all_that_went_wrong() {
     let tree = arm("<link name='${lenght}'/><link name='${widht}'/>");
     let robot = expand(tree.path("arm/urdf/arm.urdf.xacro"), &Options::new());
     assert_eq!(robot.text(), None);
-    let shown: Vec<String> = robot.problems().iter().map(|problem| problem.to_string()).collect();
-    let [first, second] = shown.as_slice() else { panic!("{shown:?}") };
-    assert!(first.ends_with("part.xacro:3:15: error: property `lenght` is not defined"), "{first}");
-    assert!(second.contains("part.xacro:3:") && second.contains("`widht`"), "{second}");
+    let shown: Vec<String> = robot
+        .problems()
+        .iter()
+        .map(|problem| problem.to_string())
+        .collect();
+    let [first, second] = shown.as_slice() else {
+        panic!("{shown:?}")
+    };
+    assert!(
+        first.ends_with("part.xacro:3:15: error: property `lenght` is not defined"),
+        "{first}"
+    );
+    assert!(
+        second.contains("part.xacro:3:") && second.contains("`widht`"),
+        "{second}"
+    );
     let calls = &robot.problems()[0].calls;
     assert_eq!(
-        calls.iter().map(|call| (name(&call.path), call.line)).collect::<Vec<_>>(),
+        calls
+            .iter()
+            .map(|call| (name(&call.path), call.line))
+            .collect::<Vec<_>>(),
         [("arm.urdf.xacro".to_owned(), 4)]
     );
 }
@@ -72,8 +106,13 @@ fn a_file_that_is_not_there() {
 #[test]
 fn the_interface() {
     let source = include_str!("lib.rs");
-    let items = source.lines().map(str::trim).filter(|line| line.starts_with("pub "));
-    let found: Vec<&str> = items.map(|line| line.trim_end_matches([' ', '{', ','])).collect();
+    let items = source
+        .lines()
+        .map(str::trim)
+        .filter(|line| line.starts_with("pub "));
+    let found: Vec<&str> = items
+        .map(|line| line.trim_end_matches([' ', '{', ',']))
+        .collect();
     assert_eq!(
         found,
         [

@@ -78,7 +78,10 @@ pub struct Transmission {
 
 impl Gazebo {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        Self { element, reference: Text::attr(tree, element, "reference") }
+        Self {
+            element,
+            reference: Text::attr(tree, element, "reference"),
+        }
     }
 }
 
@@ -89,7 +92,9 @@ impl Ros2Control {
             name: Text::attr(tree, element, "name"),
             kind: Text::attr(tree, element, "type"),
             hardware: children(tree, element, "hardware").collect(),
-            joints: children(tree, element, "joint").map(|joint| ControlJoint::of(tree, joint)).collect(),
+            joints: children(tree, element, "joint")
+                .map(|joint| ControlJoint::of(tree, joint))
+                .collect(),
         }
     }
 
@@ -101,8 +106,11 @@ impl Ros2Control {
 
 impl ControlJoint {
     fn of(tree: &XTree, element: XId) -> Self {
-        let interfaces =
-            |name| children(tree, element, name).map(|interface| Interface::of(tree, interface)).collect();
+        let interfaces = |name| {
+            children(tree, element, name)
+                .map(|interface| Interface::of(tree, interface))
+                .collect()
+        };
         Self {
             element,
             name: Text::attr(tree, element, "name"),
@@ -128,12 +136,19 @@ impl ControlJoint {
 impl Interface {
     fn of(tree: &XTree, element: XId) -> Self {
         let params = children(tree, element, "param").map(|param| Param::of(tree, param));
-        Self { element, name: Text::attr(tree, element, "name"), params: params.collect() }
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            params: params.collect(),
+        }
     }
 
     /// Whether it has this name.
     pub fn is(&self, name: &str) -> bool {
-        self.name.as_ref().and_then(Text::name).is_some_and(|own| own == name)
+        self.name
+            .as_ref()
+            .and_then(Text::name)
+            .is_some_and(|own| own == name)
     }
 
     /// The text of its first `param` of a name.
@@ -145,13 +160,22 @@ impl Interface {
 
 impl Param {
     fn of(tree: &XTree, element: XId) -> Self {
-        Self { element, name: Text::attr(tree, element, "name"), value: Text::content(tree, element) }
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            value: Text::content(tree, element),
+        }
     }
 }
 
 impl Transmission {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let joints = children(tree, element, "joint").map(|joint| (joint, Text::attr(tree, joint, "name")));
-        Self { element, name: Text::attr(tree, element, "name"), joints: joints.collect() }
+        let joints =
+            children(tree, element, "joint").map(|joint| (joint, Text::attr(tree, joint, "name")));
+        Self {
+            element,
+            name: Text::attr(tree, element, "name"),
+            joints: joints.collect(),
+        }
     }
 }

@@ -34,7 +34,15 @@ const NUMERIC: [&str; 24] = [
     "k_velocity",
 ];
 /// Elements whose content is not URDF: the same names mean something else there.
-const FOREIGN: [&str; 7] = ["gazebo", "sdf", "model", "world", "plugin", "ros2_control", "transmission"];
+const FOREIGN: [&str; 7] = [
+    "gazebo",
+    "sdf",
+    "model",
+    "world",
+    "plugin",
+    "ros2_control",
+    "transmission",
+];
 /// Elements deeper than this are not compared.
 const DEPTH: usize = 200;
 
@@ -76,7 +84,10 @@ pub fn same_but_for_mesh_formats(one: &str, other: &str) -> Option<bool> {
 
 /// The root element of a text; none when the text cannot be compared.
 pub(super) fn canonical(text: &str) -> Option<Element> {
-    let options = ParsingOptions { allow_dtd: false, ..ParsingOptions::default() };
+    let options = ParsingOptions {
+        allow_dtd: false,
+        ..ParsingOptions::default()
+    };
     let document = roxmltree::Document::parse_with_options(text, options).ok()?;
     let mut element = read(document.root_element(), text, 0)?;
     reduce(&mut element, false);
@@ -90,7 +101,9 @@ fn read(node: Node<'_, '_>, text: &str, depth: usize) -> Option<Element> {
     let name = text.get(node.range())?.trim_start_matches('<');
     let end = name.find(|c: char| c.is_ascii_whitespace() || matches!(c, '/' | '>'))?;
     let name = name.get(..end)?.to_owned();
-    let attrs = node.attributes().map(|attr| (written_name(&attr, text), value(&attr, &name)));
+    let attrs = node
+        .attributes()
+        .map(|attr| (written_name(&attr, text), value(&attr, &name)));
     let mut attrs: Vec<(String, String)> = attrs.collect();
     attrs.sort();
     let mut children = Vec::new();
@@ -98,24 +111,39 @@ fn read(node: Node<'_, '_>, text: &str, depth: usize) -> Option<Element> {
         match child.node_type() {
             NodeType::Element => children.push(read(child, text, depth + 1)?),
             NodeType::Text => {
-                children.extend(content(child.text().unwrap_or_default(), child.range().start));
+                children.extend(content(
+                    child.text().unwrap_or_default(),
+                    child.range().start,
+                ));
             }
             _ => {}
         }
     }
-    Some(Element { name, attrs, children, start: node.range().start })
+    Some(Element {
+        name,
+        attrs,
+        children,
+        start: node.range().start,
+    })
 }
 
 /// The name of an attribute with its prefix.
 fn written_name(attr: &Attribute<'_, '_>, text: &str) -> String {
-    text.get(attr.range_qname()).unwrap_or(attr.name()).to_owned()
+    text.get(attr.range_qname())
+        .unwrap_or(attr.name())
+        .to_owned()
 }
 
 /// Text as a child without name; none for white space.
 fn content(text: &str, start: usize) -> Option<Element> {
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     let attrs = vec![(String::new(), words.join(" "))];
-    (!words.is_empty()).then(|| Element { name: String::new(), attrs, children: Vec::new(), start })
+    (!words.is_empty()).then(|| Element {
+        name: String::new(),
+        attrs,
+        children: Vec::new(),
+        start,
+    })
 }
 
 /// The value of an attribute of `element`; numbers as one spelling of them. What tags of xacro are given may become part
@@ -123,7 +151,12 @@ fn content(text: &str, start: usize) -> Option<Element> {
 fn value(attr: &Attribute<'_, '_>, element: &str) -> String {
     let is_mass = attr.name() == "value" && element == "mass";
     let is_number = (NUMERIC.contains(&attr.name()) || is_mass) && !element.contains(':');
-    let numbers = || attr.value().split_ascii_whitespace().map(number).collect::<Option<Vec<_>>>();
+    let numbers = || {
+        attr.value()
+            .split_ascii_whitespace()
+            .map(number)
+            .collect::<Option<Vec<_>>>()
+    };
     match is_number.then(numbers).flatten() {
         Some(numbers) if !numbers.is_empty() => numbers.join(" "),
         _ => without_braces(attr.value()),
@@ -136,7 +169,9 @@ fn without_braces(text: &str) -> String {
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         // `$${` is no expression
-        match part.split_once('}').filter(|(inner, _)| !out.ends_with('$') && prints_as_written(inner.trim()))
+        match part
+            .split_once('}')
+            .filter(|(inner, _)| !out.ends_with('$') && prints_as_written(inner.trim()))
         {
             Some((inner, rest)) => out.extend([inner.trim(), rest]),
             None => out.extend(["${", part]),
@@ -148,8 +183,9 @@ fn without_braces(text: &str) -> String {
 /// Whether Python prints a number the way it is written.
 fn prints_as_written(number: &str) -> bool {
     let digits = number.strip_prefix('-').unwrap_or(number);
-    let (whole, fraction) =
-        digits.split_once('.').map_or((digits, None), |(whole, rest)| (whole, Some(rest)));
+    let (whole, fraction) = digits
+        .split_once('.')
+        .map_or((digits, None), |(whole, rest)| (whole, Some(rest)));
     let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let is_whole = is_digits(whole) && (whole == "0" || !whole.starts_with('0'));
     let is_short = digits.len() <= 15 && !digits.starts_with("0.0000");
@@ -164,8 +200,13 @@ fn prints_as_written(number: &str) -> bool {
 
 /// A number in decimal digits, as it is or as a whole expression.
 fn number(word: &str) -> Option<String> {
-    let inner = word.strip_prefix("${").and_then(|rest| rest.strip_suffix('}')).unwrap_or(word);
-    let is_plain = inner.chars().all(|c| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E'));
+    let inner = word
+        .strip_prefix("${")
+        .and_then(|rest| rest.strip_suffix('}'))
+        .unwrap_or(word);
+    let is_plain = inner
+        .chars()
+        .all(|c| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e' | 'E'));
     let number: f64 = inner.parse().ok().filter(|_| is_plain)?;
     // the sign of zero counts for nobody
     Some(format!("{:?}", number + 0.0))
@@ -190,7 +231,9 @@ fn reduce(element: &mut Element, foreign: bool) {
 fn reduce_joint(joint: &mut Element) {
     drop_identity(joint);
     let is_empty = |child: &Element| child.attrs.is_empty() && child.children.is_empty();
-    joint.children.retain(|child| child.name != "dynamics" || !is_empty(child));
+    joint
+        .children
+        .retain(|child| child.name != "dynamics" || !is_empty(child));
     let kind = joint.attr("type").unwrap_or_default().to_owned();
     // conditions, calls and blocks may give any of the children
     let is_plain = joint.children.iter().all(|child| !child.name.contains(':'));
@@ -199,16 +242,29 @@ fn reduce_joint(joint: &mut Element) {
         "revolute" | "continuous" | "prismatic" | "planar" if is_plain && !joint.has("axis") => {
             let attrs = vec![("xyz".to_owned(), "1.0 0.0 0.0".to_owned())];
             let (name, start) = ("axis".to_owned(), joint.start);
-            joint.children.push(Element { name, attrs, children: Vec::new(), start });
+            joint.children.push(Element {
+                name,
+                attrs,
+                children: Vec::new(),
+                start,
+            });
         }
         _ => {}
     }
     if kind == "fixed" {
-        joint.children.retain(|child| !matches!(child.name.as_str(), "limit" | "dynamics"));
+        joint
+            .children
+            .retain(|child| !matches!(child.name.as_str(), "limit" | "dynamics"));
     }
     if kind == "continuous" {
-        for limit in joint.children.iter_mut().filter(|child| child.name == "limit") {
-            limit.attrs.retain(|(name, _)| !matches!(name.as_str(), "lower" | "upper"));
+        for limit in joint
+            .children
+            .iter_mut()
+            .filter(|child| child.name == "limit")
+        {
+            limit
+                .attrs
+                .retain(|(name, _)| !matches!(name.as_str(), "lower" | "upper"));
         }
     }
     if is_plain {
@@ -219,7 +275,11 @@ fn reduce_joint(joint: &mut Element) {
 /// Without an origin that moves nothing; of others, what they leave out is zero.
 fn drop_identity(element: &mut Element) {
     const ZERO: &str = "0.0 0.0 0.0";
-    for origin in element.children.iter_mut().filter(|child| child.name == "origin") {
+    for origin in element
+        .children
+        .iter_mut()
+        .filter(|child| child.name == "origin")
+    {
         for name in ["rpy", "xyz"] {
             if origin.attr(name).is_none() {
                 origin.attrs.push((name.to_owned(), ZERO.to_owned()));
@@ -228,20 +288,28 @@ fn drop_identity(element: &mut Element) {
         origin.attrs.sort();
     }
     let moves = |child: &Element| {
-        let is_zero =
-            |(name, value): &(String, String)| matches!(name.as_str(), "rpy" | "xyz") && value == ZERO;
+        let is_zero = |(name, value): &(String, String)| {
+            matches!(name.as_str(), "rpy" | "xyz") && value == ZERO
+        };
         !child.children.is_empty() || !child.attrs.iter().all(is_zero)
     };
-    element.children.retain(|child| child.name != "origin" || moves(child));
+    element
+        .children
+        .retain(|child| child.name != "origin" || moves(child));
 }
 
 /// Leave out how the file names of collision meshes end.
 fn drop_mesh_formats(element: &mut Element, in_collision: bool) {
     let inside = in_collision || element.name == "collision";
-    let files = element.attrs.iter_mut().filter(|(name, _)| name == "filename");
+    let files = element
+        .attrs
+        .iter_mut()
+        .filter(|(name, _)| name == "filename");
     for (_, file) in files.filter(|_| inside && element.name == "mesh") {
-        let stem =
-            file.rsplit_once('.').filter(|(_, ending)| !ending.contains('/')).map(|(stem, _)| stem.len());
+        let stem = file
+            .rsplit_once('.')
+            .filter(|(_, ending)| !ending.contains('/'))
+            .map(|(stem, _)| stem.len());
         file.truncate(stem.unwrap_or(file.len()));
     }
     for child in &mut element.children {
@@ -251,7 +319,10 @@ fn drop_mesh_formats(element: &mut Element, in_collision: bool) {
 
 impl Element {
     pub(super) fn attr(&self, name: &str) -> Option<&str> {
-        self.attrs.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str())
+        self.attrs
+            .iter()
+            .find(|(own, _)| own == name)
+            .map(|(_, value)| value.as_str())
     }
 
     fn has(&self, name: &str) -> bool {
@@ -266,8 +337,16 @@ mod tests {
     /// Whether two contents of a robot are the same to a reader.
     fn check_same(one: &str, other: &str, expected: bool) {
         let robot = |content: &str| format!("<robot name='r' xmlns:xacro='x'>{content}</robot>");
-        assert_eq!(same_robot(&robot(one), &robot(other)), Some(expected), "{one}\n{other}");
-        assert_eq!(same_robot(&robot(other), &robot(one)), Some(expected), "{other}\n{one}");
+        assert_eq!(
+            same_robot(&robot(one), &robot(other)),
+            Some(expected),
+            "{one}\n{other}"
+        );
+        assert_eq!(
+            same_robot(&robot(other), &robot(one)),
+            Some(expected),
+            "{other}\n{one}"
+        );
     }
 
     #[test]
@@ -280,7 +359,10 @@ mod tests {
                 "<joint type='revolute'><parent/></joint>",
                 "<joint type='revolute'><axis xyz='1 0 0'/><parent/></joint>",
             ),
-            ("<joint type='fixed'/>", "<joint type='fixed'><axis xyz='0 0 1'/><limit lower='1'/></joint>"),
+            (
+                "<joint type='fixed'/>",
+                "<joint type='fixed'><axis xyz='0 0 1'/><limit lower='1'/></joint>",
+            ),
             ("<visual><origin rpy='0 0 0'/></visual>", "<visual/>"),
             (
                 "<visual><origin xyz='1 0 0'/></visual>",
@@ -291,7 +373,10 @@ mod tests {
                 "<joint type='continuous'><limit effort='1'/></joint>",
             ),
             ("<xacro:a b='x${-2.5}y${3}'/>", "<xacro:a b='x-2.5y3'/>"),
-            ("<joint type='revolute'><dynamics/></joint>", "<joint type='revolute'/>"),
+            (
+                "<joint type='revolute'><dynamics/></joint>",
+                "<joint type='revolute'/>",
+            ),
         ] {
             check_same(one, other, true);
         }
@@ -301,9 +386,15 @@ mod tests {
     fn what_makes_one() {
         for (one, other) in [
             ("<link name='1'/>", "<link name='1.0'/>"),
-            ("<link name='a'/><link name='b'/>", "<link name='b'/><link name='a'/>"),
+            (
+                "<link name='a'/><link name='b'/>",
+                "<link name='b'/><link name='a'/>",
+            ),
             ("<box size='1 1 1.57'/>", "<box size='1 1 ${pi/2}'/>"),
-            ("<joint type='${t}'/>", "<joint type='${t}'><axis xyz='1 0 0'/></joint>"),
+            (
+                "<joint type='${t}'/>",
+                "<joint type='${t}'><axis xyz='1 0 0'/></joint>",
+            ),
             (
                 "<joint type='revolute'><xacro:a/></joint>",
                 "<joint type='revolute'><xacro:a/><axis xyz='1 0 0'/></joint>",
@@ -331,13 +422,30 @@ mod tests {
     #[test]
     fn formats_of_collision_meshes() {
         for (one, other, expected) in [
-            ("<collision><geometry><mesh filename='a/b.dae'/></geometry></collision>", "b.stl", true),
-            ("<collision><geometry><mesh filename='a/b.dae'/></geometry></collision>", "c.stl", false),
-            ("<visual><geometry><mesh filename='a/b.dae'/></geometry></visual>", "b.stl", false),
+            (
+                "<collision><geometry><mesh filename='a/b.dae'/></geometry></collision>",
+                "b.stl",
+                true,
+            ),
+            (
+                "<collision><geometry><mesh filename='a/b.dae'/></geometry></collision>",
+                "c.stl",
+                false,
+            ),
+            (
+                "<visual><geometry><mesh filename='a/b.dae'/></geometry></visual>",
+                "b.stl",
+                false,
+            ),
         ] {
-            let robot = |content: &str| format!("<robot name='r'><link name='l'>{content}</link></robot>");
+            let robot =
+                |content: &str| format!("<robot name='r'><link name='l'>{content}</link></robot>");
             let (one, other) = (robot(one), robot(&one.replace("b.dae", other)));
-            assert_eq!(same_but_for_mesh_formats(&one, &other), Some(expected), "{one}\n{other}");
+            assert_eq!(
+                same_but_for_mesh_formats(&one, &other),
+                Some(expected),
+                "{one}\n{other}"
+            );
             assert_eq!(same_robot(&one, &other), Some(false));
         }
     }
@@ -345,7 +453,13 @@ mod tests {
     #[test]
     fn texts_that_cannot_be_compared() {
         assert_eq!(same_robot("<robot><a></robot>", "<robot/>"), None);
-        assert_eq!(same_robot("<!DOCTYPE robot [<!ENTITY a 'b'>]><robot>&a;</robot>", "<robot/>"), None);
+        assert_eq!(
+            same_robot(
+                "<!DOCTYPE robot [<!ENTITY a 'b'>]><robot>&a;</robot>",
+                "<robot/>"
+            ),
+            None
+        );
         let deep = format!("{}{}", "<a>".repeat(5000), "</a>".repeat(5000));
         assert_eq!(same_robot(&deep, "<robot/>"), None);
     }

@@ -51,7 +51,9 @@ pub fn compare(one: &str, other: &str) -> Comparison {
     if one == other || below_head(one).is_some_and(|body| below_head(other) == Some(body)) {
         return Comparison::Same;
     }
-    let (Some(a), Some(b)) = (canonical(one), canonical(other)) else { return Comparison::Unknown };
+    let (Some(a), Some(b)) = (canonical(one), canonical(other)) else {
+        return Comparison::Unknown;
+    };
     let comparer = Comparer { one, other };
     match comparer.elements(&a, &b) {
         None => Comparison::Same,
@@ -79,7 +81,12 @@ impl Comparer<'_> {
     }
 
     fn attributes(&self, a: &Element, b: &Element) -> Option<Difference> {
-        let mut names: Vec<&str> = a.attrs.iter().chain(&b.attrs).map(|(name, _)| name.as_str()).collect();
+        let mut names: Vec<&str> = a
+            .attrs
+            .iter()
+            .chain(&b.attrs)
+            .map(|(name, _)| name.as_str())
+            .collect();
         names.sort_unstable();
         names.dedup();
         let differs = |name: &&str| match (a.attr(name), b.attr(name)) {
@@ -92,7 +99,11 @@ impl Comparer<'_> {
             _ => format!("`{name}` of {}", shown(a)),
         };
         let text = |element: &Element| element.attr(name).map(str::to_owned);
-        let what = What::Value { of, one: text(a), other: text(b) };
+        let what = What::Value {
+            of,
+            one: text(a),
+            other: text(b),
+        };
         Some(self.difference(a, b, Some(name), what))
     }
 
@@ -122,7 +133,14 @@ impl Comparer<'_> {
 
     fn difference(&self, a: &Element, b: &Element, attr: Option<&str>, what: What) -> Difference {
         let (one, other) = (place(self.one, a, attr), place(self.other, b, attr));
-        let is_value = matches!(&what, What::Value { one: Some(_), other: Some(_), .. });
+        let is_value = matches!(
+            &what,
+            What::Value {
+                one: Some(_),
+                other: Some(_),
+                ..
+            }
+        );
         match self.word(&one, &other).filter(|_| is_value) {
             Some((one, other)) => Difference { one, other, what },
             None => Difference { one, other, what },
@@ -130,7 +148,11 @@ impl Comparer<'_> {
     }
 
     /// The first words of two values that differ.
-    fn word(&self, one: &Range<usize>, other: &Range<usize>) -> Option<(Range<usize>, Range<usize>)> {
+    fn word(
+        &self,
+        one: &Range<usize>,
+        other: &Range<usize>,
+    ) -> Option<(Range<usize>, Range<usize>)> {
         let (a, b) = (words(self.one, one), words(self.other, other));
         let differs = |(a, b): &(Range<usize>, Range<usize>)| {
             let pair = self.one.get(a.clone()).zip(self.other.get(b.clone()));
@@ -165,17 +187,28 @@ fn place(text: &str, element: &Element, attr: Option<&str>) -> Range<usize> {
         let length = rest.get(..end).map_or(0, |text| text.trim_end().len());
         return start + lead.min(length)..start + length;
     }
-    let tag = rest.find('>').and_then(|end| rest.get(..end)).unwrap_or(rest);
+    let tag = rest
+        .find('>')
+        .and_then(|end| rest.get(..end))
+        .unwrap_or(rest);
     let whole = start..start + 1 + element.name.len();
-    attr.and_then(|name| value_in(tag, name)).map_or(whole, |value| start + value.start..start + value.end)
+    attr.and_then(|name| value_in(tag, name))
+        .map_or(whole, |value| start + value.start..start + value.end)
 }
 
 /// The value of an attribute in a start tag, without its quotes.
 fn value_in(tag: &str, name: &str) -> Option<Range<usize>> {
     let named = tag.match_indices(name).find_map(|(at, _)| {
         let is_whole = tag.get(..at)?.ends_with(char::is_whitespace);
-        let rest = tag.get(at + name.len()..)?.trim_start().strip_prefix('=')?.trim_start();
-        let quote = rest.chars().next().filter(|c| is_whole && matches!(c, '"' | '\''))?;
+        let rest = tag
+            .get(at + name.len()..)?
+            .trim_start()
+            .strip_prefix('=')?
+            .trim_start();
+        let quote = rest
+            .chars()
+            .next()
+            .filter(|c| is_whole && matches!(c, '"' | '\''))?;
         let start = tag.len() - rest.len() + 1;
         Some((start, tag.get(start..)?.find(quote)?))
     });
@@ -185,7 +218,10 @@ fn value_in(tag: &str, name: &str) -> Option<Range<usize>> {
 /// The places of the words in a part of a text.
 fn words<'t>(text: &'t str, part: &Range<usize>) -> impl Iterator<Item = Range<usize>> + use<'t> {
     let start = text.as_ptr() as usize;
-    let words = text.get(part.clone()).unwrap_or_default().split_ascii_whitespace();
+    let words = text
+        .get(part.clone())
+        .unwrap_or_default()
+        .split_ascii_whitespace();
     words.map(move |word| {
         let at = word.as_ptr() as usize - start;
         at..at + word.len()
@@ -238,27 +274,51 @@ mod tests {
     fn descriptions_of_the_same_robot() {
         for (one, other) in [
             ("<a x='1'/>", "<!-- generated -->\n  <a x=\"1.0\"></a>"),
-            ("<origin rpy='0 0 1.5707963267948966'/>", "<origin rpy='0  0 1.57079632679'/>"),
+            (
+                "<origin rpy='0 0 1.5707963267948966'/>",
+                "<origin rpy='0  0 1.57079632679'/>",
+            ),
             ("<p>1.5707963267948966</p>", "<p> 1.57079632679 </p>"),
-            ("<mesh filename='file:///ws/src/arm/a.stl'/>", "<mesh filename='file:///home/me/arm/a.stl'/>"),
-            ("<mesh filename='package://arm/a.stl'/>", "<mesh filename='file:///opt/share/arm/a.stl'/>"),
-            ("<parameters>/ws/src/arm/c.yaml</parameters>", "<parameters>/home/me/c.yaml</parameters>"),
-            ("<joint type='fixed'/>", "<joint type='fixed'><axis xyz='0 0 1'/></joint>"),
+            (
+                "<mesh filename='file:///ws/src/arm/a.stl'/>",
+                "<mesh filename='file:///home/me/arm/a.stl'/>",
+            ),
+            (
+                "<mesh filename='package://arm/a.stl'/>",
+                "<mesh filename='file:///opt/share/arm/a.stl'/>",
+            ),
+            (
+                "<parameters>/ws/src/arm/c.yaml</parameters>",
+                "<parameters>/home/me/c.yaml</parameters>",
+            ),
+            (
+                "<joint type='fixed'/>",
+                "<joint type='fixed'><axis xyz='0 0 1'/></joint>",
+            ),
         ] {
-            assert_eq!(compare(&robot(one), &robot(other)), Comparison::Same, "{one}\n{other}");
+            assert_eq!(
+                compare(&robot(one), &robot(other)),
+                Comparison::Same,
+                "{one}\n{other}"
+            );
         }
     }
 
     /// The place of the first difference in both, and what it is.
     fn check_difference(one: &str, other: &str, expected: (&str, &str, &str)) {
         let (one, other) = (robot(one), robot(other));
-        let Comparison::Different(found) = compare(&one, &other) else { panic!("{one}\n{other}") };
+        let Comparison::Different(found) = compare(&one, &other) else {
+            panic!("{one}\n{other}")
+        };
         let what = match found.what {
             What::Value { of, one, other } => format!("{of}: {one:?} {other:?}"),
             What::OnlyOne(what) => format!("+{what}"),
             What::OnlyOther(what) => format!("-{what}"),
         };
-        assert_eq!((&one[found.one], &other[found.other], what.as_str()), expected);
+        assert_eq!(
+            (&one[found.one], &other[found.other], what.as_str()),
+            expected
+        );
     }
 
     #[test]
@@ -271,10 +331,18 @@ mod tests {
         check_difference(
             "<a xyz='0 0.2 0'/>",
             "<a xyz='0.0  0.25 0'/>",
-            ("0.2", "0.25", "`xyz` of `a`: Some(\"0.0 0.2 0.0\") Some(\"0.0 0.25 0.0\")"),
+            (
+                "0.2",
+                "0.25",
+                "`xyz` of `a`: Some(\"0.0 0.2 0.0\") Some(\"0.0 0.25 0.0\")",
+            ),
         );
         check_difference("<a/><b/>", "<a/>", ("<b", "<robot", "+`b`"));
-        check_difference("<a/>", "<a/><link name='c'/>", ("<robot", "<link", "-link `c`"));
+        check_difference(
+            "<a/>",
+            "<a/><link name='c'/>",
+            ("<robot", "<link", "-link `c`"),
+        );
         check_difference(
             "<link name='a'/><link name='b'/>",
             "<link name='b'/>",
@@ -285,13 +353,25 @@ mod tests {
             "<link name='a'/><link name='b'/>",
             ("<link", "<link", "-link `a`"),
         );
-        check_difference("<a>one</a>", "<a>\n two </a>", ("one", "two", "text: Some(\"one\") Some(\"two\")"));
-        check_difference("<a x='1'/>", "<a/>", ("1", "<a", "`x` of `a`: Some(\"1\") None"));
+        check_difference(
+            "<a>one</a>",
+            "<a>\n two </a>",
+            ("one", "two", "text: Some(\"one\") Some(\"two\")"),
+        );
+        check_difference(
+            "<a x='1'/>",
+            "<a/>",
+            ("1", "<a", "`x` of `a`: Some(\"1\") None"),
+        );
         // a topic is not a path of a machine
         check_difference(
             "<a t='/left/cmd'/>",
             "<a t='/right/cmd'/>",
-            ("/left/cmd", "/right/cmd", "`t` of `a`: Some(\"/left/cmd\") Some(\"/right/cmd\")"),
+            (
+                "/left/cmd",
+                "/right/cmd",
+                "`t` of `a`: Some(\"/left/cmd\") Some(\"/right/cmd\")",
+            ),
         );
     }
 

@@ -60,12 +60,18 @@ impl JointType {
 
     /// The type of a name.
     pub fn of(name: &str) -> Option<Self> {
-        Self::ALL.iter().find(|(known, _)| *known == name).map(|&(_, kind)| kind)
+        Self::ALL
+            .iter()
+            .find(|(known, _)| *known == name)
+            .map(|&(_, kind)| kind)
     }
 
     /// Whether it moves along or about one axis.
     pub fn has_axis(self) -> bool {
-        matches!(self, JointType::Revolute | JointType::Continuous | JointType::Prismatic)
+        matches!(
+            self,
+            JointType::Revolute | JointType::Continuous | JointType::Prismatic
+        )
     }
 }
 
@@ -145,22 +151,42 @@ impl Joint {
             parent: end("parent"),
             child: end("child"),
             origin: first("origin").map(|origin| Pose::of(tree, origin)),
-            axis: first("axis").map(|element| Axis { element, xyz: text(element)("xyz") }),
+            axis: first("axis").map(|element| Axis {
+                element,
+                xyz: text(element)("xyz"),
+            }),
             limit: first("limit").map(|element| {
                 let text = text(element);
                 let (lower, upper) = (text("lower"), text("upper"));
                 let (effort, velocity) = (text("effort"), text("velocity"));
-                let dynamic = Limit::DYNAMIC.map(|name| text(name).filter(|_| Version::V1_2.is_in(tree)));
-                Limit { element, lower, upper, effort, velocity, dynamic }
+                let dynamic =
+                    Limit::DYNAMIC.map(|name| text(name).filter(|_| Version::V1_2.is_in(tree)));
+                Limit {
+                    element,
+                    lower,
+                    upper,
+                    effort,
+                    velocity,
+                    dynamic,
+                }
             }),
             dynamics: first("dynamics").map(|element| {
                 let text = text(element);
-                Box::new(Dynamics { element, damping: text("damping"), friction: text("friction") })
+                Box::new(Dynamics {
+                    element,
+                    damping: text("damping"),
+                    friction: text("friction"),
+                })
             }),
             mimic: first("mimic").map(|element| {
                 let text = text(element);
                 let (multiplier, offset) = (text("multiplier"), text("offset"));
-                Box::new(Mimic { element, joint: text("joint"), multiplier, offset })
+                Box::new(Mimic {
+                    element,
+                    joint: text("joint"),
+                    multiplier,
+                    offset,
+                })
             }),
             safety: first("safety_controller").map(|element| {
                 let text = text(element);

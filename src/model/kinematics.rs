@@ -34,20 +34,34 @@ impl Kinematics {
         let mut up = vec![Vec::new(); robot.links.len()];
         let mut ends = Vec::with_capacity(robot.joints.len());
         for (i, joint) in robot.joints.iter().enumerate() {
-            let pair =
-                joint.ends().and_then(|(parent, child)| Some((*links.get(parent)?, *links.get(child)?)));
+            let pair = joint
+                .ends()
+                .and_then(|(parent, child)| Some((*links.get(parent)?, *links.get(child)?)));
             if let Some((parent, child)) = pair {
-                down.get_mut(parent).into_iter().for_each(|joints| joints.push(i));
-                up.get_mut(child).into_iter().for_each(|joints| joints.push(i));
+                down.get_mut(parent)
+                    .into_iter()
+                    .for_each(|joints| joints.push(i));
+                up.get_mut(child)
+                    .into_iter()
+                    .for_each(|joints| joints.push(i));
             }
             ends.push(pair);
         }
         // urdfdom keeps joints in a map by name and hangs children up in its order
         for joints in &mut down {
-            joints
-                .sort_by_key(|&joint: &usize| robot.joints.get(joint).map(|joint| joint.shown().to_owned()));
+            joints.sort_by_key(|&joint: &usize| {
+                robot
+                    .joints
+                    .get(joint)
+                    .map(|joint| joint.shown().to_owned())
+            });
         }
-        Self { links, down, up, ends }
+        Self {
+            links,
+            down,
+            up,
+            ends,
+        }
     }
 
     /// The link of a name.
@@ -79,14 +93,30 @@ impl Kinematics {
 
     /// The joints between two links, those above `from` first; none when they hang on nothing in common.
     pub fn path(&self, from: usize, to: usize) -> Option<Vec<usize>> {
-        let from_root: Vec<usize> = self.above(from).collect::<Vec<_>>().into_iter().rev().collect();
-        let to_root: Vec<usize> = self.above(to).collect::<Vec<_>>().into_iter().rev().collect();
-        let root =
-            |link: usize, way: &[usize]| way.first().map_or(Some(link), |&joint| Some(self.ends(joint)?.0));
+        let from_root: Vec<usize> = self
+            .above(from)
+            .collect::<Vec<_>>()
+            .into_iter()
+            .rev()
+            .collect();
+        let to_root: Vec<usize> = self
+            .above(to)
+            .collect::<Vec<_>>()
+            .into_iter()
+            .rev()
+            .collect();
+        let root = |link: usize, way: &[usize]| {
+            way.first()
+                .map_or(Some(link), |&joint| Some(self.ends(joint)?.0))
+        };
         if root(from, &from_root)? != root(to, &to_root)? {
             return None;
         }
-        let common = from_root.iter().zip(&to_root).take_while(|(a, b)| a == b).count();
+        let common = from_root
+            .iter()
+            .zip(&to_root)
+            .take_while(|(a, b)| a == b)
+            .count();
         let up = from_root.into_iter().skip(common).rev();
         Some(up.chain(to_root.into_iter().skip(common)).collect())
     }
@@ -95,13 +125,22 @@ impl Kinematics {
     /// are left out.
     pub fn roots(&self, robot: &Robot) -> Vec<usize> {
         let first = |&link: &usize| {
-            let name = robot.links.get(link).and_then(|link| link.name.as_ref()?.name());
+            let name = robot
+                .links
+                .get(link)
+                .and_then(|link| link.name.as_ref()?.name());
             name.is_some_and(|name| self.link(name) == Some(link))
         };
         // a joint whose parent does not exist still says that its child is no root
-        let held: FastSet<usize> =
-            robot.joints.iter().filter_map(|joint| self.link(joint.child.as_ref()?.name()?)).collect();
-        (0..robot.links.len()).filter(first).filter(|link| !held.contains(link)).collect()
+        let held: FastSet<usize> = robot
+            .joints
+            .iter()
+            .filter_map(|joint| self.link(joint.child.as_ref()?.name()?))
+            .collect();
+        (0..robot.links.len())
+            .filter(first)
+            .filter(|link| !held.contains(link))
+            .collect()
     }
 
     /// The cycles that joints make, each as the joints along it from parent to child; a joint from a link to
@@ -124,7 +163,8 @@ impl Kinematics {
                 };
                 *tried += 1;
                 *taken = Some(joint);
-                let Some((_, child)) = self.ends(joint).filter(|(parent, child)| parent != child) else {
+                let Some((_, child)) = self.ends(joint).filter(|(parent, child)| parent != child)
+                else {
                     continue;
                 };
                 match state.get(child) {

@@ -23,8 +23,8 @@ pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
 pub use kinematics::Kinematics;
 pub use link::{Body, Geometry, Inertial, Link, Material, Shape, ShapeKind};
 pub use mesh::{
-    Bounds, Defect, DefectKind, Dependency, Edges, Mesh, MeshFormat, Meshes, Missing, Surface, Triangles,
-    UpAxis, plain_stl,
+    Bounds, Defect, DefectKind, Dependency, Edges, Mesh, MeshFormat, Meshes, Missing, Surface,
+    Triangles, UpAxis, plain_stl,
 };
 pub use pose::{Pose, transform};
 pub use renamed::other_difference;

@@ -98,7 +98,8 @@ impl Body {
             name: Text::attr(tree, element, "name"),
             origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
             geometry: child(tree, element, "geometry").map(|geometry| Geometry::of(tree, geometry)),
-            material: child(tree, element, "material").map(|material| Box::new(Material::of(tree, material))),
+            material: child(tree, element, "material")
+                .map(|material| Box::new(Material::of(tree, material))),
         }
     }
 
@@ -119,7 +120,13 @@ pub struct Geometry {
 
 impl Geometry {
     fn of(tree: &XTree, element: XId) -> Self {
-        Self { element, shapes: tree.elements(element).map(|shape| Shape::of(tree, shape)).collect() }
+        Self {
+            element,
+            shapes: tree
+                .elements(element)
+                .map(|shape| Shape::of(tree, shape))
+                .collect(),
+        }
     }
 }
 
@@ -175,10 +182,21 @@ impl Shape {
         let text = |name| Text::attr(tree, element, name);
         let kind = match tree.get(element).text.as_str() {
             "box" => ShapeKind::Box { size: text("size") },
-            "cylinder" => ShapeKind::Cylinder { radius: text("radius"), length: text("length") },
-            "capsule" => ShapeKind::Capsule { radius: text("radius"), length: text("length") },
-            "sphere" => ShapeKind::Sphere { radius: text("radius") },
-            "mesh" => ShapeKind::Mesh { filename: text("filename"), scale: text("scale") },
+            "cylinder" => ShapeKind::Cylinder {
+                radius: text("radius"),
+                length: text("length"),
+            },
+            "capsule" => ShapeKind::Capsule {
+                radius: text("radius"),
+                length: text("length"),
+            },
+            "sphere" => ShapeKind::Sphere {
+                radius: text("radius"),
+            },
+            "mesh" => ShapeKind::Mesh {
+                filename: text("filename"),
+                scale: text("scale"),
+            },
             _ => ShapeKind::Other,
         };
         Self { element, kind }
@@ -204,7 +222,10 @@ pub struct Material {
 
 impl Material {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let (color, texture) = (child(tree, element, "color"), child(tree, element, "texture"));
+        let (color, texture) = (
+            child(tree, element, "color"),
+            child(tree, element, "texture"),
+        );
         Self {
             element,
             name: Text::attr(tree, element, "name"),
@@ -219,7 +240,9 @@ impl Material {
 impl Link {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         let bodies = |name: &'static str| {
-            let elements = tree.elements(element).filter(move |&id| tree.get(id).text == name);
+            let elements = tree
+                .elements(element)
+                .filter(move |&id| tree.get(id).text == name);
             elements.map(|body| Body::of(tree, body)).collect()
         };
         Self {

@@ -23,8 +23,15 @@ pub struct Pose {
 impl Pose {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         let text = |name| Text::attr(tree, element, name);
-        let quaternion = text("quat_xyzw").filter(|_| Version::V1_1.is_in(tree)).map(Box::new);
-        Self { element, xyz: text("xyz"), rpy: text("rpy"), quaternion }
+        let quaternion = text("quat_xyzw")
+            .filter(|_| Version::V1_1.is_in(tree))
+            .map(Box::new);
+        Self {
+            element,
+            xyz: text("xyz"),
+            rpy: text("rpy"),
+            quaternion,
+        }
     }
 
     /// The translation in meters, zero where none is written; none when it is no known vector.
@@ -55,7 +62,10 @@ impl Pose {
     /// Both as a transform from the frame inside to the frame around it.
     pub fn transform(&self) -> Option<Isometry3<f64>> {
         let [x, y, z] = self.translation()?;
-        Some(Isometry3::from_parts(Translation3::new(x, y, z), self.rotation()?))
+        Some(Isometry3::from_parts(
+            Translation3::new(x, y, z),
+            self.rotation()?,
+        ))
     }
 }
 

@@ -43,7 +43,10 @@ enum Kind {
 /// those that follow them, as that of a transmission. None: nothing is. Every use of a name has to follow it, and no two names may
 /// become one.
 pub fn other_difference(before: &str, after: &str, old: &str, new: &str) -> Option<String> {
-    let options = || ParsingOptions { allow_dtd: false, ..ParsingOptions::default() };
+    let options = || ParsingOptions {
+        allow_dtd: false,
+        ..ParsingOptions::default()
+    };
     let parsed = |text| Document::parse_with_options(text, options()).ok();
     let (Some(one), Some(other)) = (parsed(before), parsed(after)) else {
         return (before != after).then(|| "the robot cannot be compared".to_owned());
@@ -54,7 +57,10 @@ pub fn other_difference(before: &str, after: &str, old: &str, new: &str) -> Opti
         let Some(b) = others.next().filter(|b| is_alike(&a, b)) else {
             return Some(format!("`<{}>` would differ", a.tag_name().name()));
         };
-        if let Some(found) = names.attributes(&a, &b, old, new).or_else(|| names.texts(&a, &b, old, new)) {
+        if let Some(found) = names
+            .attributes(&a, &b, old, new)
+            .or_else(|| names.texts(&a, &b, old, new))
+        {
             return Some(found);
         }
     }
@@ -71,7 +77,9 @@ fn is_alike(a: &Node<'_, '_>, b: &Node<'_, '_>) -> bool {
     a.tag_name() == b.tag_name()
         && inside(a) == inside(b)
         && a.attributes().len() == b.attributes().len()
-        && a.attributes().zip(b.attributes()).all(|(a, b)| given(&a, &b))
+        && a.attributes()
+            .zip(b.attributes())
+            .all(|(a, b)| given(&a, &b))
 }
 
 /// What names became.
@@ -86,11 +94,19 @@ struct Names<'a> {
 
 impl<'a> Names<'a> {
     /// The first attribute that is different and is no name.
-    fn attributes(&mut self, a: &Node<'a, '_>, b: &Node<'a, '_>, old: &str, new: &str) -> Option<String> {
+    fn attributes(
+        &mut self,
+        a: &Node<'a, '_>,
+        b: &Node<'a, '_>,
+        old: &str,
+        new: &str,
+    ) -> Option<String> {
         let tag = a.tag_name().name();
         for (one, other) in a.attributes().zip(b.attributes()) {
             let (was, is) = (one.value(), other.value());
-            let slot = SLOTS.iter().find(|(element, name, _)| *element == tag && *name == one.name());
+            let slot = SLOTS
+                .iter()
+                .find(|(element, name, _)| *element == tag && *name == one.name());
             match slot {
                 Some((_, _, [kind])) => self.add(*kind, was, is),
                 Some(_) => self.either.push((was, is)),
@@ -105,13 +121,23 @@ impl<'a> Names<'a> {
     }
 
     /// The first text in an element that is different and cannot be a name. Which names there are is known in the end.
-    fn texts(&mut self, a: &Node<'a, '_>, b: &Node<'a, '_>, old: &str, new: &str) -> Option<String> {
-        let (was, is) = (a.text().unwrap_or_default().trim(), b.text().unwrap_or_default().trim());
+    fn texts(
+        &mut self,
+        a: &Node<'a, '_>,
+        b: &Node<'a, '_>,
+        old: &str,
+        new: &str,
+    ) -> Option<String> {
+        let (was, is) = (
+            a.text().unwrap_or_default().trim(),
+            b.text().unwrap_or_default().trim(),
+        );
         if was == is {
             return None;
         }
         self.contents.push((was, is));
-        (!becomes(was, is, old, new)).then(|| format!("`<{}>` would hold `{is}`", a.tag_name().name()))
+        (!becomes(was, is, old, new))
+            .then(|| format!("`<{}>` would hold `{is}`", a.tag_name().name()))
     }
 
     fn add(&mut self, kind: Kind, was: &'a str, is: &'a str) {
@@ -133,14 +159,22 @@ impl<'a> Names<'a> {
             }
         }
         let of = |was: &str| {
-            let of_kind = |kind| self.became.get(&(kind, was)).and_then(|became| became.first().copied());
+            let of_kind = |kind| {
+                self.became
+                    .get(&(kind, was))
+                    .and_then(|became| became.first().copied())
+            };
             [of_kind(Kind::Link), of_kind(Kind::Joint)]
         };
-        let fits = |was: &str, is: &str| of(was).contains(&Some(is)) || was == is && of(was) == [None; 2];
+        let fits =
+            |was: &str, is: &str| of(was).contains(&Some(is)) || was == is && of(was) == [None; 2];
         if let Some((was, _)) = self.either.iter().find(|(was, is)| !fits(was, is)) {
             return Some(format!("`{was}` would keep its name in places"));
         }
-        let (_, is) = self.contents.iter().find(|(was, is)| !of(was).contains(&Some(is)))?;
+        let (_, is) = self
+            .contents
+            .iter()
+            .find(|(was, is)| !of(was).contains(&Some(is)))?;
         Some(format!("an element would hold `{is}`"))
     }
 }
@@ -156,7 +190,10 @@ fn becomes(was: &str, is: &str, old: &str, new: &str) -> bool {
         if !seen.insert((was.len(), is.len())) {
             continue;
         }
-        let replaced = was.strip_prefix(old).filter(|_| !old.is_empty()).zip(is.strip_prefix(new));
+        let replaced = was
+            .strip_prefix(old)
+            .filter(|_| !old.is_empty())
+            .zip(is.strip_prefix(new));
         open.extend(replaced);
         let (mut one, mut other) = (was.chars(), is.chars());
         if let (Some(a), Some(b)) = (one.next(), other.next())
@@ -194,27 +231,52 @@ mod tests {
             ("root_l", "base_l", ""),
             Some("`base_l` would keep its name in places"),
         );
-        check(("base", "base", ""), ("🤖", "🤖", ""), Some("`name` of `<link>` would be `🤖`"));
-        let (one, other) = ("<gazebo reference=\"base\"/>", "<gazebo reference=\"root\"/>");
+        check(
+            ("base", "base", ""),
+            ("🤖", "🤖", ""),
+            Some("`name` of `<link>` would be `🤖`"),
+        );
+        let (one, other) = (
+            "<gazebo reference=\"base\"/>",
+            "<gazebo reference=\"root\"/>",
+        );
         check(("base", "base", one), ("root", "root", other), None);
-        check(("base", "base", one), ("root", "root", one), Some("`base` would keep its name in places"));
+        check(
+            ("base", "base", one),
+            ("root", "root", one),
+            Some("`base` would keep its name in places"),
+        );
     }
 
     #[test]
     fn nothing_else_follows_a_name() {
         let mesh = |name: &str| format!("<mesh filename=\"{name}.stl\"/>");
         let found = Some("`filename` of `<mesh>` would be `root.stl`");
-        check(("base", "base", &mesh("base")), ("root", "root", &mesh("root")), found);
+        check(
+            ("base", "base", &mesh("base")),
+            ("root", "root", &mesh("root")),
+            found,
+        );
         let frame = |name: &str| {
-            format!("<gazebo><plugin name=\"{name}_p\"><frameName>{name}</frameName></plugin></gazebo>")
+            format!(
+                "<gazebo><plugin name=\"{name}_p\"><frameName>{name}</frameName></plugin></gazebo>"
+            )
         };
-        check(("base", "base", &frame("base")), ("root", "root", &frame("root")), None);
+        check(
+            ("base", "base", &frame("base")),
+            ("root", "root", &frame("root")),
+            None,
+        );
         check(
             ("base", "base", &frame("base_t")),
             ("root", "root", &frame("root_t")),
             Some("an element would hold `root_t`"),
         );
-        check(("base", "base", ""), ("root", "root", "<link name=\"x\"/>"), Some("`<robot>` would differ"));
+        check(
+            ("base", "base", ""),
+            ("root", "root", "<link name=\"x\"/>"),
+            Some("`<robot>` would differ"),
+        );
     }
 
     #[test]

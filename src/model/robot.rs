@@ -63,7 +63,11 @@ impl Robot {
 
     /// Whether the document stands on its own: a robot with a name and a link.
     pub fn is_entry(&self) -> bool {
-        !self.links.is_empty() && self.name.as_ref().is_some_and(|name| !name.value.is_empty())
+        !self.links.is_empty()
+            && self
+                .name
+                .as_ref()
+                .is_some_and(|name| !name.value.is_empty())
     }
 
     /// Whether a name is all that it needs to stand on its own.
@@ -73,24 +77,31 @@ impl Robot {
 
     /// The first joint of a name.
     pub fn joint(&self, name: &str) -> Option<&Joint> {
-        self.joints.iter().find(|joint| joint.name.as_ref().is_some_and(|text| text.value == name))
+        self.joints
+            .iter()
+            .find(|joint| joint.name.as_ref().is_some_and(|text| text.value == name))
     }
 
     /// The first link of a name.
     pub fn link(&self, name: &str) -> Option<&Link> {
-        self.links.iter().find(|link| link.name.as_ref().is_some_and(|text| text.value == name))
+        self.links
+            .iter()
+            .find(|link| link.name.as_ref().is_some_and(|text| text.value == name))
     }
 
     /// Whether no joint moves: an object or a part, as opposed to a mechanism.
     pub fn is_rigid(&self) -> bool {
-        self.joints.iter().all(|joint| joint.is(&[JointType::Fixed]))
+        self.joints
+            .iter()
+            .all(|joint| joint.is(&[JointType::Fixed]))
     }
 
     /// Whether all names of links and joints and all ends of joints are known. In `{prefix}tcp` a `$` is missing.
     pub fn names_are_known(&self) -> bool {
         let known = |text: &Option<Text>| {
-            text.as_ref()
-                .is_none_or(|text| text.is_known() && !(text.value.contains('{') && text.is_literal()))
+            text.as_ref().is_none_or(|text| {
+                text.is_known() && !(text.value.contains('{') && text.is_literal())
+            })
         };
         self.links.iter().all(|link| known(&link.name))
             && self

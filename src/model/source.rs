@@ -8,7 +8,10 @@ use xml::Node;
 pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
     let origin = expansion.tree.get(element).origin;
     match node(expansion, origin) {
-        Some(node) => Origin { range: TextRange::new(origin.range.start, node.name_range().end), ..origin },
+        Some(node) => Origin {
+            range: TextRange::new(origin.range.start, node.name_range().end),
+            ..origin
+        },
         None => origin,
     }
 }
@@ -16,13 +19,19 @@ pub fn tag_start(expansion: &Expansion, element: XId) -> Origin {
 /// A whole element, from `<` to the `>` that ends it.
 pub fn element_range(expansion: &Expansion, element: XId) -> Origin {
     let origin = expansion.tree.get(element).origin;
-    node(expansion, origin).map_or(origin, |node| Origin { range: node.range(), ..origin })
+    node(expansion, origin).map_or(origin, |node| Origin {
+        range: node.range(),
+        ..origin
+    })
 }
 
 /// An attribute of an element, from its name to the closing quote; none when the source has no such attribute.
 pub fn attr_range(expansion: &Expansion, element: XId, name: &str) -> Option<Origin> {
     let origin = expansion.tree.get(element).origin;
-    Some(Origin { range: node(expansion, origin)?.attr(name)?.range(), ..origin })
+    Some(Origin {
+        range: node(expansion, origin)?.attr(name)?.range(),
+        ..origin
+    })
 }
 
 /// Whether the source of an element has elements inside, whatever became of them.
@@ -34,7 +43,9 @@ pub fn source_has_elements(expansion: &Expansion, element: XId) -> bool {
 /// Whether the source of an element has an element of a name somewhere inside, whatever became of it.
 pub fn source_mentions(expansion: &Expansion, element: XId, name: &str) -> bool {
     let origin = expansion.tree.get(element).origin;
-    let Some(node) = node(expansion, origin) else { return false };
+    let Some(node) = node(expansion, origin) else {
+        return false;
+    };
     let mut open: Vec<Node<'_>> = node.child_elements().collect();
     while let Some(inner) = open.pop() {
         if inner.name() == name {
@@ -48,7 +59,8 @@ pub fn source_mentions(expansion: &Expansion, element: XId, name: &str) -> bool 
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;
-    item.element_at(origin.range.start).filter(|node| node.start_tag_range() == origin.range)
+    item.element_at(origin.range.start)
+        .filter(|node| node.start_tag_range() == origin.range)
 }
 
 /// The first child element of a name.
@@ -57,6 +69,11 @@ pub(super) fn child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
 }
 
 /// The child elements of a name.
-pub(super) fn children<'a>(tree: &'a XTree, element: XId, name: &'a str) -> impl Iterator<Item = XId> + 'a {
-    tree.elements(element).filter(move |&id| tree.get(id).text == name)
+pub(super) fn children<'a>(
+    tree: &'a XTree,
+    element: XId,
+    name: &'a str,
+) -> impl Iterator<Item = XId> + 'a {
+    tree.elements(element)
+        .filter(move |&id| tree.get(id).text == name)
 }

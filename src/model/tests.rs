@@ -8,21 +8,35 @@ fn expanded(text: &str) -> Expansion {
     tree.write("r.xacro", text);
     let env = tree.environment(&[]);
     let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
-    let world = World { vfs: tree.vfs(), packages: &packages, env: &env };
+    let world = World {
+        vfs: tree.vfs(),
+        packages: &packages,
+        env: &env,
+    };
     let file = tree.path("r.xacro").display().to_string();
-    expand(world, &Request { file, ..Request::default() })
+    expand(
+        world,
+        &Request {
+            file,
+            ..Request::default()
+        },
+    )
 }
 
 fn robot(body: &str) -> (Expansion, Robot) {
-    let expansion =
-        expanded(&format!("<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>{body}</robot>"));
+    let expansion = expanded(&format!(
+        "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>{body}</robot>"
+    ));
     let robot = Robot::of(&expansion).unwrap();
     (expansion, robot)
 }
 
 /// Links `a b c`, joints `name:parent>child`.
 fn chain(links: &str, joints: &str) -> (Robot, Kinematics) {
-    let mut body: String = links.split_whitespace().map(|name| format!("<link name='{name}'/>")).collect();
+    let mut body: String = links
+        .split_whitespace()
+        .map(|name| format!("<link name='{name}'/>"))
+        .collect();
     for joint in joints.split_whitespace() {
         let (name, ends) = joint.split_once(':').unwrap();
         let (parent, child) = ends.split_once('>').unwrap();
@@ -43,14 +57,19 @@ fn links_and_joints_with_their_values() {
          <gazebo><link name='not mine'/></gazebo>",
     );
     assert!(robot.is_entry() && robot.names_are_known());
-    let names: Vec<_> =
-        robot.links.iter().map(|link| link.name.as_ref().map(|name| name.value.as_str())).collect();
+    let names: Vec<_> = robot
+        .links
+        .iter()
+        .map(|link| link.name.as_ref().map(|name| name.value.as_str()))
+        .collect();
     assert_eq!(names, [Some("left_arm"), None]);
     assert!(!robot.links[0].name.as_ref().unwrap().is_literal());
     let joint = &robot.joints[0];
     assert_eq!(joint.kind.as_ref().unwrap().value, "fixed");
     assert_eq!(
-        joint.ends().map(|(parent, child)| (parent.as_str(), child.as_str())),
+        joint
+            .ends()
+            .map(|(parent, child)| (parent.as_str(), child.as_str())),
         Some(("world", "left_arm"))
     );
 }
@@ -65,14 +84,26 @@ fn unknown_names_are_no_names() {
 #[test]
 fn what_is_no_robot() {
     assert!(Robot::of(&expanded("<sdf/>")).is_none());
-    assert!(!Robot::of(&expanded("<robot><link name='a'/></robot>")).unwrap().is_entry());
-    assert!(!Robot::of(&expanded("<robot name='r'/>")).unwrap().is_entry());
+    assert!(
+        !Robot::of(&expanded("<robot><link name='a'/></robot>"))
+            .unwrap()
+            .is_entry()
+    );
+    assert!(
+        !Robot::of(&expanded("<robot name='r'/>"))
+            .unwrap()
+            .is_entry()
+    );
 }
 
 #[test]
 fn children_are_ordered_by_joint_name() {
     let (robot, kinematics) = chain("a b c d", "j3:a>b j10:a>c J:a>d");
-    let names: Vec<_> = kinematics.down(0).iter().map(|&joint| robot.joints[joint].shown()).collect();
+    let names: Vec<_> = kinematics
+        .down(0)
+        .iter()
+        .map(|&joint| robot.joints[joint].shown())
+        .collect();
     assert_eq!(names, ["J", "j10", "j3"]);
     assert_eq!(kinematics.roots(&robot), [0]);
 }
@@ -98,10 +129,20 @@ fn cycles_are_found_beside_a_root() {
 fn paths_go_up_and_down_and_end_in_circles() {
     let (robot, kinematics) = chain("r a b c d", "x:r>a y:a>b z:r>c");
     let link = |name| kinematics.link(name).unwrap();
-    let names = |path: Vec<usize>| path.into_iter().map(|i| robot.joints[i].shown()).collect::<String>();
+    let names = |path: Vec<usize>| {
+        path.into_iter()
+            .map(|i| robot.joints[i].shown())
+            .collect::<String>()
+    };
     assert_eq!(names(kinematics.above(link("b")).collect()), "yx");
-    assert_eq!(kinematics.path(link("b"), link("c")).map(names).as_deref(), Some("yxz"));
-    assert_eq!(kinematics.path(link("b"), link("a")).map(names).as_deref(), Some("y"));
+    assert_eq!(
+        kinematics.path(link("b"), link("c")).map(names).as_deref(),
+        Some("yxz")
+    );
+    assert_eq!(
+        kinematics.path(link("b"), link("a")).map(names).as_deref(),
+        Some("y")
+    );
     assert_eq!(kinematics.path(link("b"), link("d")), None);
     let (_, kinematics) = chain("a b", "x:a>b y:b>a");
     assert_eq!(kinematics.above(0).count(), 2);
@@ -113,7 +154,9 @@ fn params_of_interfaces_have_their_text_without_blanks() {
         "<ros2_control><joint name='j'><state_interface name='position'><param name='initial_value'>\n 1.5 \n\
          </param></state_interface></joint></ros2_control>",
     );
-    let text = robot.controls[0].joints[0].states[0].param("initial_value").unwrap();
+    let text = robot.controls[0].joints[0].states[0]
+        .param("initial_value")
+        .unwrap();
     assert_eq!(text.number(), Some(1.5));
     let place = expansion.place(text.origin).unwrap();
     assert_eq!(expansion.files[0].source.document.slice(place.range), "1.5");
@@ -122,7 +165,9 @@ fn params_of_interfaces_have_their_text_without_blanks() {
 #[test]
 fn a_long_chain_needs_no_stack() {
     let links: Vec<String> = (0..5_000).map(|i| format!("l{i}")).collect();
-    let joints: Vec<String> = (1..5_000).map(|i| format!("j{i}:l{}>l{i}", i - 1)).collect();
+    let joints: Vec<String> = (1..5_000)
+        .map(|i| format!("j{i}:l{}>l{i}", i - 1))
+        .collect();
     let (robot, kinematics) = chain(&links.join(" "), &joints.join(" "));
     assert!(kinematics.cycles().is_empty());
     assert_eq!(kinematics.roots(&robot), [0]);
@@ -131,8 +176,13 @@ fn a_long_chain_needs_no_stack() {
 #[test]
 fn tags_begin_in_the_source() {
     let (expansion, robot) = robot("\n  <link\n name='a'/>");
-    let place = expansion.place(tag_start(&expansion, robot.links[0].element)).unwrap();
-    assert_eq!(expansion.files[0].source.document.slice(place.range), "<link");
+    let place = expansion
+        .place(tag_start(&expansion, robot.links[0].element))
+        .unwrap();
+    assert_eq!(
+        expansion.files[0].source.document.slice(place.range),
+        "<link"
+    );
 }
 
 /// A robot of a version, a joint with an origin and a limit, a link with a capsule.
@@ -150,9 +200,21 @@ fn quaternions_count_from_version_1_1_on() {
     use std::f64::consts::FRAC_PI_2;
     let table = [
         ("", "quat_xyzw='0 0 1 1'", Some([0.0; 3])),
-        (" version='1.0'", "quat_xyzw='0 0 1 1' rpy='0 0 1'", Some([0.0, 0.0, 1.0])),
-        (" version='1.1'", "quat_xyzw='0 0 1 1'", Some([0.0, 0.0, FRAC_PI_2])),
-        (" version='1.2'", "quat_xyzw='3 0 0 3'", Some([FRAC_PI_2, 0.0, 0.0])),
+        (
+            " version='1.0'",
+            "quat_xyzw='0 0 1 1' rpy='0 0 1'",
+            Some([0.0, 0.0, 1.0]),
+        ),
+        (
+            " version='1.1'",
+            "quat_xyzw='0 0 1 1'",
+            Some([0.0, 0.0, FRAC_PI_2]),
+        ),
+        (
+            " version='1.2'",
+            "quat_xyzw='3 0 0 3'",
+            Some([FRAC_PI_2, 0.0, 0.0]),
+        ),
         (" version='1.1'", "quat_xyzw='0 0 0 0'", Some([0.0; 3])),
         (" version='1.1'", "rpy='0 0 1'", Some([0.0, 0.0, 1.0])),
         (" version='1.1'", "quat_xyzw='0 0 1 1' rpy='0 0 0'", None),
@@ -163,9 +225,15 @@ fn quaternions_count_from_version_1_1_on() {
         let pose = robot.joints[0].origin.as_ref().unwrap();
         let near = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12);
         let found = pose.angles();
-        let is_same = found.zip(expected).map_or(found.is_none() && expected.is_none(), |(a, b)| near(a, b));
+        let is_same = found
+            .zip(expected)
+            .map_or(found.is_none() && expected.is_none(), |(a, b)| near(a, b));
         assert!(is_same, "{version} {origin}: {found:?}");
-        assert_eq!(pose.transform().is_some(), expected.is_some(), "{version} {origin}");
+        assert_eq!(
+            pose.transform().is_some(),
+            expected.is_some(),
+            "{version} {origin}"
+        );
     }
 }
 
@@ -175,7 +243,9 @@ fn capsules_and_the_limits_of_version_1_2() {
         let robot = versioned(version, "");
         let limit = robot.joints[0].limit.as_ref().unwrap();
         assert_eq!(limit.dynamic.each_ref().map(Option::is_some), expected);
-        let ShapeKind::Capsule { radius, length } = &robot.links[0].visuals[0].shape().unwrap().kind else {
+        let ShapeKind::Capsule { radius, length } =
+            &robot.links[0].visuals[0].shape().unwrap().kind
+        else {
             panic!("no capsule");
         };
         let number = |text: &Option<super::Text>| text.as_ref().and_then(super::Text::number);

@@ -29,7 +29,10 @@ impl Text {
     /// An attribute of an element.
     pub fn attr(tree: &XTree, element: XId, name: &str) -> Option<Self> {
         let (attrs, index) = tree.get(element).attrs.find(name)?;
-        Some(Self { attrs, index: index as u32 })
+        Some(Self {
+            attrs,
+            index: index as u32,
+        })
     }
 
     /// False when a part of the value could not be computed: no rule may draw a conclusion from it.
@@ -44,8 +47,13 @@ impl Text {
 
     /// The first text inside an element that is not blank, without the blanks around it.
     pub fn content(tree: &XTree, element: XId) -> Option<Self> {
-        let texts = tree.children(element).map(|id| tree.get(id)).filter(|node| node.kind == XKind::Text);
-        let node = texts.into_iter().find(|node| !node.text.trim_matches(is_blank).is_empty())?;
+        let texts = tree
+            .children(element)
+            .map(|id| tree.get(id))
+            .filter(|node| node.kind == XKind::Text);
+        let node = texts
+            .into_iter()
+            .find(|node| !node.text.trim_matches(is_blank).is_empty())?;
         let value: EcoString = node.text.trim_matches(is_blank).into();
         let literal = node.origin.range.len() as usize == node.text.len();
         let mut origin = node.origin;
@@ -54,9 +62,21 @@ impl Text {
             let start = origin.range.start + before as u32;
             origin.range = TextRange::new(start, start + value.len() as u32);
         }
-        let pieces = if literal { Box::default() } else { Box::new([made(&value, origin)]) as Box<[Piece]> };
-        let attr = XAttr { name: EcoString::new(), value, origin, pieces };
-        Some(Self { attrs: Arc::new([attr]), index: 0 })
+        let pieces = if literal {
+            Box::default()
+        } else {
+            Box::new([made(&value, origin)]) as Box<[Piece]>
+        };
+        let attr = XAttr {
+            name: EcoString::new(),
+            value,
+            origin,
+            pieces,
+        };
+        Some(Self {
+            attrs: Arc::new([attr]),
+            index: 0,
+        })
     }
 
     /// The value, when all of it is known and it is not empty.
@@ -66,7 +86,11 @@ impl Text {
 
     /// The value as a finite decimal number; none when it is unknown or no such number.
     pub fn number(&self) -> Option<f64> {
-        if self.is_known() { decimal(self.value.trim_matches(is_blank)) } else { None }
+        if self.is_known() {
+            decimal(self.value.trim_matches(is_blank))
+        } else {
+            None
+        }
     }
 
     /// The value as `N` finite decimal numbers; none when it is unknown or something else.
@@ -90,13 +114,19 @@ impl Text {
             start..start + word.len()
         };
         // blanks are ASCII: what stands between them are whole characters
-        text.as_bytes().split(|&byte| is_blank(byte.into())).filter(|word| !word.is_empty()).map(word)
+        text.as_bytes()
+            .split(|&byte| is_blank(byte.into()))
+            .filter(|word| !word.is_empty())
+            .map(word)
     }
 
     /// Whether the source spells the part `range` of the value: no expression had a hand in it.
     pub fn is_written(&self, range: Range<usize>) -> bool {
         let (start, end) = (range.start as u32, range.end as u32);
-        !self.pieces.iter().any(|piece| piece.out.start < end && start < piece.out.end)
+        !self
+            .pieces
+            .iter()
+            .any(|piece| piece.out.start < end && start < piece.out.end)
     }
 
     /// Where the part `range` of the value stands in the source: that text itself when it is written there,
@@ -104,21 +134,28 @@ impl Text {
     pub fn part(&self, range: Range<usize>) -> Origin {
         let at = |start: u32, end: u32| {
             let base = self.origin.range.start;
-            Origin { range: TextRange::new(base + start, base + end), ..self.origin }
+            Origin {
+                range: TextRange::new(base + start, base + end),
+                ..self.origin
+            }
         };
         let (start, end) = (range.start as u32, range.end as u32);
         let same_length = self.origin.range.len() as usize == self.value.len();
         if self.is_literal() {
             // entities make the text in the source longer than the value
-            return if same_length { at(start, end) } else { self.origin };
+            return if same_length {
+                at(start, end)
+            } else {
+                self.origin
+            };
         }
         let touches = |piece: &&Piece| piece.out.start < end && start < piece.out.end;
         let mut touching = self.pieces.iter().filter(touches);
         match (touching.next(), touching.next()) {
             (Some(piece), None) if piece.out.start <= start && end <= piece.out.end => piece.source,
-            (None, _) => self
-                .written(start, end)
-                .map_or(self.origin, |start| at(start, start + (end - range.start as u32))),
+            (None, _) => self.written(start, end).map_or(self.origin, |start| {
+                at(start, start + (end - range.start as u32))
+            }),
             _ => self.origin,
         }
     }
@@ -131,7 +168,10 @@ impl Text {
         range: Range<usize>,
     ) -> impl Iterator<Item = u32> + 't {
         let (start, end) = (range.start as u32, range.end as u32);
-        let touching = self.pieces.iter().filter(move |piece| piece.out.start < end && start < piece.out.end);
+        let touching = self
+            .pieces
+            .iter()
+            .filter(move |piece| piece.out.start < end && start < piece.out.end);
         touching.flat_map(|piece| expansion.read_in(piece.reads).iter().copied())
     }
 
@@ -141,7 +181,11 @@ impl Text {
         match next {
             Some(next) => {
                 let ahead = next.out.start - start;
-                next.source.range.start.checked_sub(self.origin.range.start)?.checked_sub(ahead)
+                next.source
+                    .range
+                    .start
+                    .checked_sub(self.origin.range.start)?
+                    .checked_sub(ahead)
             }
             None => {
                 let behind = self.value.len() as u32 - start;
@@ -154,7 +198,12 @@ impl Text {
 /// A text that expressions made as a whole; what could not be computed reads `?`.
 fn made(value: &str, source: Origin) -> Piece {
     let out = TextRange::new(0, value.len() as u32);
-    Piece { out, source, reads: TextRange::default(), unknown: value.contains('?') }
+    Piece {
+        out,
+        source,
+        reads: TextRange::default(),
+        unknown: value.contains('?'),
+    }
 }
 
 /// What separates the numbers of a vector.
@@ -168,7 +217,9 @@ pub fn is_decimal(text: &str) -> bool {
     // without an exponent, and with at most one sign and point, nothing can go wrong
     let is_plain = text.len() - digits.len() <= 1
         && digits.len() < 100
-        && digits.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.')
+        && digits
+            .bytes()
+            .all(|byte| byte.is_ascii_digit() || byte == b'.')
         && digits.bytes().filter(|byte| *byte == b'.').count() <= 1
         && digits.bytes().any(|byte| byte != b'.');
     is_plain || decimal(text).is_some()
@@ -176,7 +227,8 @@ pub fn is_decimal(text: &str) -> bool {
 
 /// A finite decimal number: digits with an optional point, sign and exponent.
 pub fn decimal(text: &str) -> Option<f64> {
-    let admitted = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E');
+    let admitted =
+        |byte: u8| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E');
     let number: f64 = text.bytes().all(admitted).then(|| text.parse().ok())??;
     number.is_finite().then_some(number)
 }
@@ -196,8 +248,13 @@ mod tests {
 
     #[test]
     fn only_plain_finite_decimals_are_numbers() {
-        assert_eq!(["1", "-.5", "+2.", "1e-3"].map(decimal), [Some(1.0), Some(-0.5), Some(2.0), Some(0.001)]);
-        let others = ["", "1,5", "0.1 m", "0x1", "nan", "inf", "1e999", "1_0", "e", "--1"];
+        assert_eq!(
+            ["1", "-.5", "+2.", "1e-3"].map(decimal),
+            [Some(1.0), Some(-0.5), Some(2.0), Some(0.001)]
+        );
+        let others = [
+            "", "1,5", "0.1 m", "0x1", "nan", "inf", "1e999", "1_0", "e", "--1",
+        ];
         assert!(others.iter().all(|text| decimal(text).is_none()));
     }
 }

@@ -17,8 +17,11 @@ impl Version {
 
     /// The version that a text names as urdfdom reads it: two numbers with a point between, nothing behind them.
     pub fn parse(text: &str) -> Option<Self> {
-        let number =
-            |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then(|| text.parse().ok())?;
+        let number = |text: &str| {
+            text.bytes()
+                .all(|byte| byte.is_ascii_digit())
+                .then(|| text.parse().ok())?
+        };
         let (major, minor) = text.trim_start().split_once('.')?;
         Some(Self(number(major)?, number(minor)?))
     }
@@ -51,7 +54,13 @@ mod tests {
     #[test]
     fn versions_are_read_as_urdfdom_reads_them() {
         let read = ["1.0", " 1.1", "01.2", "1.00"].map(Version::parse);
-        assert_eq!(read, [Version::V1_0, Version::V1_1, Version::V1_2, Version::V1_0].map(Some));
-        assert_eq!(["", "1", "1.", ".1", "1.0 ", "1.0.0", "x", "-1.0"].map(Version::parse), [None; 8]);
+        assert_eq!(
+            read,
+            [Version::V1_0, Version::V1_1, Version::V1_2, Version::V1_0].map(Some)
+        );
+        assert_eq!(
+            ["", "1", "1.", ".1", "1.0 ", "1.0.0", "x", "-1.0"].map(Version::parse),
+            [None; 8]
+        );
     }
 }

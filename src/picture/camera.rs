@@ -56,8 +56,13 @@ pub(super) struct Camera {
 
 impl Camera {
     /// A camera that has all points in the picture, with at least `room` pixels around them.
-    pub fn around<'a>(points: impl Iterator<Item = &'a [f64; 3]> + Clone, shot: &Shot, room: f64) -> Self {
-        let bounds = Bounds::around(points.clone().copied()).unwrap_or_else(|| Bounds::centered([0.0; 3]));
+    pub fn around<'a>(
+        points: impl Iterator<Item = &'a [f64; 3]> + Clone,
+        shot: &Shot,
+        room: f64,
+    ) -> Self {
+        let bounds =
+            Bounds::around(points.clone().copied()).unwrap_or_else(|| Bounds::centered([0.0; 3]));
         let center: [f64; 3] = std::array::from_fn(|i| {
             let at = |side: [f64; 3]| side.get(i).copied().unwrap_or_default();
             at(bounds.min) / 2.0 + at(bounds.max) / 2.0
@@ -68,7 +73,13 @@ impl Camera {
         let radius = (bounds.diagonal() / 2.0).max(SMALLEST);
         let distance = (shot.view == View::Iso).then_some(radius * DISTANCE);
         let axes = [right, back.cross(&right), back];
-        let mut camera = Self { axes, center: center.into(), distance, scale: 1.0, middle: [0.0; 2] };
+        let mut camera = Self {
+            axes,
+            center: center.into(),
+            distance,
+            scale: 1.0,
+            middle: [0.0; 2],
+        };
         camera.fit(points, shot.size, room);
         camera
     }
@@ -85,7 +96,10 @@ impl Camera {
         let free = |side: f64| (side - 2.0 * (side * MARGIN).max(room)).max(side / 2.0);
         let scale = (free(width) / wide.max(SMALLEST)).min(free(height) / high.max(SMALLEST));
         let ([x0, y0, _], [x1, y1, _]) = (seen.min, seen.max);
-        self.middle = [width / 2.0 - scale * (x0 + x1) / 2.0, height / 2.0 - scale * (y0 + y1) / 2.0];
+        self.middle = [
+            width / 2.0 - scale * (x0 + x1) / 2.0,
+            height / 2.0 - scale * (y0 + y1) / 2.0,
+        ];
         self.scale = scale;
     }
 
@@ -100,7 +114,11 @@ impl Camera {
             None => (1.0, z),
         };
         let [left, top] = self.middle;
-        [left + x * nearer * self.scale, top - y * nearer * self.scale, key]
+        [
+            left + x * nearer * self.scale,
+            top - y * nearer * self.scale,
+            key,
+        ]
     }
 
     /// A direction as the camera sees it: to the right, up, towards it.

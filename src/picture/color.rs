@@ -10,7 +10,11 @@ pub(super) const PLAIN: Rgba = [0.72, 0.74, 0.78, 1.0];
 /// What stands in for a mesh that cannot be drawn.
 pub(super) const MISSING: Rgba = [1.0, 0.0, 1.0, 1.0];
 /// The axes of a frame.
-pub(super) const AXES: [Rgba; 3] = [[0.86, 0.16, 0.16, 1.0], [0.12, 0.6, 0.2, 1.0], [0.16, 0.35, 0.9, 1.0]];
+pub(super) const AXES: [Rgba; 3] = [
+    [0.86, 0.16, 0.16, 1.0],
+    [0.12, 0.6, 0.2, 1.0],
+    [0.16, 0.35, 0.9, 1.0],
+];
 /// Lines from frame to frame.
 pub(super) const BONE: Rgba = [0.25, 0.29, 0.36, 1.0];
 
@@ -26,7 +30,10 @@ const COLLISIONS: [Rgba; 6] = [
 
 /// The color of the collisions of a link.
 pub(super) fn collision(link: usize) -> Rgba {
-    COLLISIONS.get(link % COLLISIONS.len()).copied().unwrap_or(PLAIN)
+    COLLISIONS
+        .get(link % COLLISIONS.len())
+        .copied()
+        .unwrap_or(PLAIN)
 }
 
 /// Background color of the picture.
@@ -63,8 +70,12 @@ impl Background {
 pub(super) fn shade(normal: Vector3<f64>) -> f64 {
     // surfaces of many meshes are turned inside out: both sides count
     let normal = if normal.z < 0.0 { -normal } else { normal };
-    let key = normal.dot(&Vector3::new(-0.35, 0.62, 0.70).normalize()).max(0.0);
-    let fill = normal.dot(&Vector3::new(0.85, -0.1, 0.5).normalize()).max(0.0);
+    let key = normal
+        .dot(&Vector3::new(-0.35, 0.62, 0.70).normalize())
+        .max(0.0);
+    let fill = normal
+        .dot(&Vector3::new(0.85, -0.1, 0.5).normalize())
+        .max(0.0);
     let sky = 0.5 + 0.5 * normal.y;
     0.2 + 0.2 * sky + 0.62 * key + 0.16 * fill
 }
@@ -72,14 +83,21 @@ pub(super) fn shade(normal: Vector3<f64>) -> f64 {
 /// A channel as an amount of light.
 pub(super) fn light(channel: f64) -> f64 {
     let channel = channel.clamp(0.0, 1.0);
-    if channel <= 0.040_45 { channel / 12.92 } else { libm::pow((channel + 0.055) / 1.055, 2.4) }
+    if channel <= 0.040_45 {
+        channel / 12.92
+    } else {
+        libm::pow((channel + 0.055) / 1.055, 2.4)
+    }
 }
 
 /// An amount of light as a channel, 0 to 255.
 pub(super) fn channel(light: f64) -> u8 {
     let light = light.clamp(0.0, 1.0);
-    let channel =
-        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055 };
+    let channel = if light <= 0.003_130_8 {
+        light * 12.92
+    } else {
+        1.055 * libm::pow(light, 1.0 / 2.4) - 0.055
+    };
     (channel * 255.0).round() as u8
 }
 

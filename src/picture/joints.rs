@@ -23,9 +23,9 @@ fn has_position(joint: &Joint) -> bool {
 /// The position nearest to zero that a joint can have.
 fn rest(joint: &Joint) -> f64 {
     match &joint.limit {
-        Some(limit) if joint.kind != "continuous" => {
-            0.0f64.max(limit.lower.min(limit.upper)).min(limit.upper.max(limit.lower))
-        }
+        Some(limit) if joint.kind != "continuous" => 0.0f64
+            .max(limit.lower.min(limit.upper))
+            .min(limit.upper.max(limit.lower)),
         _ => 0.0,
     }
 }
@@ -37,7 +37,9 @@ fn position(joint: &Joint, joints: &FastMap<&str, &Joint>, set: &Positions) -> f
         let Some(mimic) = &at.mimic else { break };
         offset += factor * mimic.offset;
         factor *= mimic.multiplier;
-        let Some(leader) = joints.get(mimic.joint.as_str()) else { return offset };
+        let Some(leader) = joints.get(mimic.joint.as_str()) else {
+            return offset;
+        };
         at = leader;
     }
     offset + factor * set.get(&at.name).copied().unwrap_or_else(|| rest(at))
@@ -46,19 +48,26 @@ fn position(joint: &Joint, joints: &FastMap<&str, &Joint>, set: &Positions) -> f
 /// A pose as a transform.
 pub(super) fn transform(pose: &Pose) -> Isometry3<f64> {
     let ([x, y, z], [roll, pitch, yaw]) = (pose.xyz, pose.rpy);
-    Isometry3::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_euler_angles(roll, pitch, yaw))
+    Isometry3::from_parts(
+        Translation3::new(x, y, z),
+        UnitQuaternion::from_euler_angles(roll, pitch, yaw),
+    )
 }
 
 /// What a joint adds to its pose at a position.
 fn motion(joint: &Joint, position: f64) -> Isometry3<f64> {
-    let Some(axis) = Unit::try_new(Vector3::from(joint.axis), 1e-9) else { return Isometry3::identity() };
+    let Some(axis) = Unit::try_new(Vector3::from(joint.axis), 1e-9) else {
+        return Isometry3::identity();
+    };
     match joint.kind.as_str() {
-        "prismatic" => {
-            Isometry3::from_parts((axis.into_inner() * position).into(), UnitQuaternion::identity())
-        }
-        "revolute" | "continuous" => {
-            Isometry3::from_parts(Translation3::identity(), UnitQuaternion::from_axis_angle(&axis, position))
-        }
+        "prismatic" => Isometry3::from_parts(
+            (axis.into_inner() * position).into(),
+            UnitQuaternion::identity(),
+        ),
+        "revolute" | "continuous" => Isometry3::from_parts(
+            Translation3::identity(),
+            UnitQuaternion::from_axis_angle(&axis, position),
+        ),
         _ => Isometry3::identity(),
     }
 }
@@ -79,15 +88,26 @@ pub(super) fn place(model: &Model, set: &Positions) -> Vec<Placed> {
     for (number, link) in model.links.iter().enumerate() {
         links.entry(link.name.as_str()).or_insert(number);
     }
-    let named: FastMap<&str, &Joint> = model.joints.iter().rev().map(|j| (j.name.as_str(), j)).collect();
+    let named: FastMap<&str, &Joint> = model
+        .joints
+        .iter()
+        .rev()
+        .map(|j| (j.name.as_str(), j))
+        .collect();
     let mut up: Vec<Option<(usize, usize)>> = vec![None; model.links.len()];
     let mut down: Vec<Vec<usize>> = vec![Vec::new(); model.links.len()];
     for (number, joint) in model.joints.iter().enumerate() {
-        let ends = links.get(joint.parent.as_str()).zip(links.get(joint.child.as_str()));
-        let Some((&parent, &child)) = ends.filter(|(parent, child)| parent != child) else { continue };
+        let ends = links
+            .get(joint.parent.as_str())
+            .zip(links.get(joint.child.as_str()));
+        let Some((&parent, &child)) = ends.filter(|(parent, child)| parent != child) else {
+            continue;
+        };
         if let Some(slot @ None) = up.get_mut(child) {
             *slot = Some((parent, number));
-            down.get_mut(parent).into_iter().for_each(|list| list.push(child));
+            down.get_mut(parent)
+                .into_iter()
+                .for_each(|list| list.push(child));
         }
     }
     let mut placed: Vec<Option<Placed>> = vec![None; model.links.len()];
@@ -95,16 +115,29 @@ pub(super) fn place(model: &Model, set: &Positions) -> Vec<Placed> {
     for top in tops.chain(0..up.len()) {
         let mut open = vec![(top, Isometry3::identity(), None)];
         while let Some((link, at, by)) = open.pop() {
-            let Some(slot @ None) = placed.get_mut(link) else { continue };
+            let Some(slot @ None) = placed.get_mut(link) else {
+                continue;
+            };
             *slot = Some(Placed { at, by });
             for &child in down.get(link).into_iter().flatten() {
-                let Some(&Some((_, number))) = up.get(child) else { continue };
-                let Some(joint) = model.joints.get(number) else { continue };
-                let here = at * transform(&joint.pose) * motion(joint, position(joint, &named, set));
+                let Some(&Some((_, number))) = up.get(child) else {
+                    continue;
+                };
+                let Some(joint) = model.joints.get(number) else {
+                    continue;
+                };
+                let here =
+                    at * transform(&joint.pose) * motion(joint, position(joint, &named, set));
                 open.push((child, here, Some((link, number))));
             }
         }
     }
-    let origin = || Placed { at: Isometry3::identity(), by: None };
-    placed.into_iter().map(|placed| placed.unwrap_or_else(origin)).collect()
+    let origin = || Placed {
+        at: Isometry3::identity(),
+        by: None,
+    };
+    placed
+        .into_iter()
+        .map(|placed| placed.unwrap_or_else(origin))
+        .collect()
 }

@@ -22,7 +22,12 @@ pub fn picture_png(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
         }
         Background::Solid(_) => {
             encoder.set_color(::png::ColorType::Rgb);
-            pixels.as_chunks::<4>().0.iter().flat_map(|&[r, g, b, _]| [r, g, b]).collect()
+            pixels
+                .as_chunks::<4>()
+                .0
+                .iter()
+                .flat_map(|&[r, g, b, _]| [r, g, b])
+                .collect()
         }
     };
     let written = encoder.write_header().and_then(|mut writer| {

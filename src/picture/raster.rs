@@ -45,19 +45,33 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
     let (mut solid, mut translucent): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
     for part in &scene.parts {
         facets(part, &camera, &mut |facet| {
-            if facet.opacity < 1.0 { &mut translucent } else { &mut solid }.push(facet);
+            if facet.opacity < 1.0 {
+                &mut translucent
+            } else {
+                &mut solid
+            }
+            .push(facet);
         });
     }
     for part in &scene.skeleton {
         // lines are no surfaces: they have their color wherever they are
         let light = Light::of(part.color);
-        facets(part, &camera, &mut |facet| solid.push(Facet { light: [light.color; 3], ..facet }));
+        facets(part, &camera, &mut |facet| {
+            solid.push(Facet {
+                light: [light.color; 3],
+                ..facet
+            })
+        });
     }
     // what can be seen through is drawn from the back to the front
     let nearness = |facet: &Facet| facet.corners.iter().map(|[_, _, key]| key).sum::<f64>();
     translucent.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
     let sides = shot.size.map(|side| f64::from(side) * SAMPLES as f64);
-    if solid.iter().chain(&translucent).map(|facet| facet.covered_pixels(sides)).sum::<f64>()
+    if solid
+        .iter()
+        .chain(&translucent)
+        .map(|facet| facet.covered_pixels(sides))
+        .sum::<f64>()
         > MOST_COVERED_PIXELS
     {
         return Err("too many overlapping shapes: choose a smaller size".to_owned());
@@ -69,7 +83,9 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
             let top = number * ROWS;
             let mut band = Band::new(shot, top, ROWS.min(height - top));
             solid.iter().for_each(|facet| band.draw::<true>(facet));
-            translucent.iter().for_each(|facet| band.draw::<false>(facet));
+            translucent
+                .iter()
+                .for_each(|facet| band.draw::<false>(facet));
             band.pixels(shot.background)
         })
         .collect();
@@ -80,7 +96,13 @@ pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
 fn facets(part: &Part, camera: &Camera, found: &mut dyn FnMut(Facet)) {
     let mut tints = part.solid.tints.iter().peekable();
     let mut now = Light::of(part.color);
-    for (number, (triangle, normals)) in part.solid.triangles.iter().zip(normals(&part.solid)).enumerate() {
+    for (number, (triangle, normals)) in part
+        .solid
+        .triangles
+        .iter()
+        .zip(normals(&part.solid))
+        .enumerate()
+    {
         while let Some((_, tint)) = tints.next_if(|(start, _)| *start <= number) {
             now = Light::of(part.tinted(*tint));
         }
@@ -92,7 +114,11 @@ fn facets(part: &Part, camera: &Camera, found: &mut dyn FnMut(Facet)) {
             let shade = color::shade(camera.turned(normal)) as f32;
             now.color.map(|channel| (channel * shade).min(1.0))
         });
-        found(Facet { corners, light, opacity: now.opacity });
+        found(Facet {
+            corners,
+            light,
+            opacity: now.opacity,
+        });
     }
 }
 
@@ -128,7 +154,13 @@ impl Band {
         let (width, height) = (shot.size[0] as usize * SAMPLES, rows * SAMPLES);
         let count = width * height;
         let top = (top * SAMPLES) as f64;
-        Self { width, height, top, near: vec![f64::NEG_INFINITY; count], light: vec![[0.0; 4]; count] }
+        Self {
+            width,
+            height,
+            top,
+            near: vec![f64::NEG_INFINITY; count],
+            light: vec![[0.0; 4]; count],
+        }
     }
 
     /// Draw a triangle; a solid one hides what is behind it.
@@ -142,17 +174,23 @@ impl Band {
         }
         // samples are in the middle of their squares
         let first = |at: f64| (at - 0.5).ceil().max(0.0) as usize;
-        let behind = |at: f64, end: usize| ((at - 0.5).floor() + 1.0).clamp(0.0, end as f64) as usize;
+        let behind =
+            |at: f64, end: usize| ((at - 0.5).floor() + 1.0).clamp(0.0, end as f64) as usize;
         for y in first(y0)..behind(y1, self.height) {
             for x in first(x0)..behind(x1, self.width) {
                 let at = [x as f64 + 0.5, y as f64 + 0.5, 0.0];
-                let weights = [cross(b, c, at) / area, cross(c, a, at) / area, cross(a, b, at) / area];
+                let weights = [
+                    cross(b, c, at) / area,
+                    cross(c, a, at) / area,
+                    cross(a, b, at) / area,
+                ];
                 if weights.iter().any(|weight| *weight < -1e-9) {
                     continue;
                 }
                 let key = weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2];
                 let index = y * self.width + x;
-                let Some((near, light)) = self.near.get_mut(index).zip(self.light.get_mut(index)) else {
+                let Some((near, light)) = self.near.get_mut(index).zip(self.light.get_mut(index))
+                else {
                     continue;
                 };
                 if key <= *near {
@@ -170,7 +208,10 @@ impl Band {
                     *light = over;
                 } else {
                     let opacity = facet.opacity;
-                    light.iter_mut().zip(over).for_each(|(under, over)| *under += (over - *under) * opacity);
+                    light
+                        .iter_mut()
+                        .zip(over)
+                        .for_each(|(under, over)| *under += (over - *under) * opacity);
                 }
             }
         }
@@ -210,7 +251,9 @@ impl Band {
         for y in row * SAMPLES..(row + 1) * SAMPLES {
             let start = y * self.width + column * SAMPLES;
             for sample in self.light.get(start..start + SAMPLES).into_iter().flatten() {
-                sum.iter_mut().zip(sample).for_each(|(sum, value)| *sum += value);
+                sum.iter_mut()
+                    .zip(sample)
+                    .for_each(|(sum, value)| *sum += value);
             }
         }
         sum.map(|channel| channel / (SAMPLES * SAMPLES) as f32)

@@ -35,7 +35,11 @@ pub(super) struct Part {
 
 impl Part {
     fn new(solid: Solid, color: Rgba) -> Self {
-        Self { solid, color, own: false }
+        Self {
+            solid,
+            color,
+            own: false,
+        }
     }
 
     /// Its color where its file gives this one.
@@ -50,7 +54,11 @@ impl Part {
     /// The color that most of it has.
     pub fn main_color(&self) -> Rgba {
         let ends = self.solid.tints.iter().skip(1).map(|(start, _)| *start);
-        let runs = self.solid.tints.iter().zip(ends.chain([self.solid.triangles.len()]));
+        let runs = self
+            .solid
+            .tints
+            .iter()
+            .zip(ends.chain([self.solid.triangles.len()]));
         let longest = runs.max_by_key(|((start, _), end)| end - start);
         longest.map_or(self.color, |((_, tint), _)| self.tinted(*tint))
     }
@@ -89,10 +97,18 @@ impl Scene {
     pub fn of(model: &Model, files: &Files, vfs: &Vfs, content: &Content) -> Result<Self, String> {
         let placed = place(model, &content.positions);
         let mut scene = Self::default();
-        let mut shapes = Solids { files, vfs, meshes: FastMap::default() };
+        let mut shapes = Solids {
+            files,
+            vfs,
+            meshes: FastMap::default(),
+        };
         let mut triangles = 0;
         for (number, (link, placed)) in model.links.iter().zip(&placed).enumerate() {
-            let bodies = if content.collisions { &link.collisions } else { &link.visuals };
+            let bodies = if content.collisions {
+                &link.collisions
+            } else {
+                &link.visuals
+            };
             for body in bodies {
                 let part = scene.part(&link.name, number, body, &mut shapes, placed, content);
                 triangles += part.solid.triangles.len();
@@ -105,7 +121,11 @@ impl Scene {
                 let joint = model.joints.get(joint)?;
                 Some((parent, joint.name.clone(), joint.kind.clone()))
             });
-            scene.frames.push(Frame { name: link.name.clone(), at: placed.at, by });
+            scene.frames.push(Frame {
+                name: link.name.clone(),
+                at: placed.at,
+                by,
+            });
         }
         if content.frames || scene.parts.is_empty() {
             scene.skeleton = skeleton(&scene);
@@ -127,7 +147,11 @@ impl Scene {
         placed: &Placed,
         content: &Content,
     ) -> Part {
-        let own = if content.collisions { color::collision(number) } else { body.color.unwrap_or(PLAIN) };
+        let own = if content.collisions {
+            color::collision(number)
+        } else {
+            body.color.unwrap_or(PLAIN)
+        };
         let at = placed.at * transform(&body.pose);
         let (solid, [r, g, b, a]) = match shapes.solid(&body.shape) {
             Ok((solid, scale)) => {
@@ -143,18 +167,30 @@ impl Scene {
             }
         };
         let opacity = if content.frames { a.min(GLASS) } else { a };
-        Part { own: !content.collisions, ..Part::new(solid, [r, g, b, opacity]) }
+        Part {
+            own: !content.collisions,
+            ..Part::new(solid, [r, g, b, opacity])
+        }
     }
 
     /// Where everything is that is drawn.
     pub(super) fn points(&self) -> impl Iterator<Item = &[f64; 3]> + Clone {
-        self.parts.iter().chain(&self.skeleton).flat_map(|part| &part.solid.points)
+        self.parts
+            .iter()
+            .chain(&self.skeleton)
+            .flat_map(|part| &part.solid.points)
     }
 
     /// A length that is easy to see beside the robot, meters.
     pub(super) fn unit(&self) -> f64 {
-        let frames = self.frames.iter().map(|frame| frame.at.translation.vector.into());
-        let points = self.parts.iter().flat_map(|part| part.solid.points.iter().copied());
+        let frames = self
+            .frames
+            .iter()
+            .map(|frame| frame.at.translation.vector.into());
+        let points = self
+            .parts
+            .iter()
+            .flat_map(|part| part.solid.points.iter().copied());
         let bounds = model::Bounds::around(frames.chain(points));
         let size = bounds.map_or(0.0, model::Bounds::diagonal);
         if size > 1e-6 { size * 0.06 } else { 0.1 }
@@ -172,9 +208,14 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
             solid.place([1.0; 3], &frame.at);
             parts.push(Part::new(solid, color));
         }
-        let parent = frame.by.as_ref().and_then(|(parent, ..)| scene.frames.get(*parent));
+        let parent = frame
+            .by
+            .as_ref()
+            .and_then(|(parent, ..)| scene.frames.get(*parent));
         let Some(parent) = parent else { continue };
-        let to = frame.at.inverse_transform_point(&parent.at.translation.vector.into());
+        let to = frame
+            .at
+            .inverse_transform_point(&parent.at.translation.vector.into());
         if to.coords.norm() > unit * 1e-3 {
             let mut solid = Solid::beam(to.coords.into(), unit * 0.05);
             solid.place([1.0; 3], &frame.at);
@@ -201,12 +242,21 @@ impl Solids<'_> {
             Shape::Capsule { radius, length } => one(Solid::capsule(*radius, *length)),
             Shape::Sphere { radius } => one(Solid::sphere(*radius)),
             Shape::Unknown { problem } => Err(problem.clone()),
-            Shape::Mesh { uri, scale, mesh, problem } => {
+            Shape::Mesh {
+                uri,
+                scale,
+                mesh,
+                problem,
+            } => {
                 let Some(id) = mesh else {
                     let why = problem.as_deref().unwrap_or("not found");
                     return Err(format!("mesh `{uri}`: {why}"));
                 };
-                let read = || match self.files.path(id).map(|path| Meshes::triangles(self.vfs, &path)) {
+                let read = || match self
+                    .files
+                    .path(id)
+                    .map(|path| Meshes::triangles(self.vfs, &path))
+                {
                     Some(Ok(triangles)) => Ok(Arc::new(Solid::from(triangles))),
                     Some(Err(defect)) => Err(format!("mesh `{uri}`: {}", defect.message)),
                     None => Err(format!("mesh `{uri}`: not found")),

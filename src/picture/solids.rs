@@ -22,8 +22,18 @@ pub(super) struct Solid {
 }
 
 impl From<Triangles> for Solid {
-    fn from(Triangles { points, corners, tints }: Triangles) -> Self {
-        Self { points, triangles: corners, tints }
+    fn from(
+        Triangles {
+            points,
+            corners,
+            tints,
+        }: Triangles,
+    ) -> Self {
+        Self {
+            points,
+            triangles: corners,
+            tints,
+        }
     }
 }
 
@@ -34,17 +44,37 @@ impl Solid {
     }
 
     fn of(points: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Self {
-        Self { points, triangles, tints: Vec::new() }
+        Self {
+            points,
+            triangles,
+            tints: Vec::new(),
+        }
     }
 
     /// A box of full lengths `size` around the origin.
     pub fn cuboid([x, y, z]: [f64; 3]) -> Self {
         let corner = |i: u32| {
-            let side = |bit: u32, length: f64| if i >> bit & 1 == 0 { -length / 2.0 } else { length / 2.0 };
+            let side = |bit: u32, length: f64| {
+                if i >> bit & 1 == 0 {
+                    -length / 2.0
+                } else {
+                    length / 2.0
+                }
+            };
             [side(0, x), side(1, y), side(2, z)]
         };
-        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        Self::of((0..8).map(corner).collect(), sides.into_iter().flat_map(quad).collect())
+        let sides = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
+        Self::of(
+            (0..8).map(corner).collect(),
+            sides.into_iter().flat_map(quad).collect(),
+        )
     }
 
     /// A cylinder along z around the origin.
@@ -54,7 +84,10 @@ impl Solid {
         let mut triangles = Vec::new();
         for i in 0..SIDES {
             let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(SIDES));
-            points.extend([[radius * cos, radius * sin, -half], [radius * cos, radius * sin, half]]);
+            points.extend([
+                [radius * cos, radius * sin, -half],
+                [radius * cos, radius * sin, half],
+            ]);
             let (here, next) = (2 + 2 * i, 2 + 2 * ((i + 1) % SIDES));
             triangles.extend(quad([here, next, next + 1, here + 1]));
             triangles.extend([[0, next, here], [1, here + 1, next + 1]]);
@@ -70,7 +103,11 @@ impl Solid {
     /// A cylinder along z around the origin, with half spheres at its ends.
     pub fn capsule(radius: f64, length: f64) -> Self {
         // the cylinder stands between the two rings of the equator
-        Self::round(radius, length / 2.0, (1..=RINGS / 2).chain(RINGS / 2..RINGS).collect())
+        Self::round(
+            radius,
+            length / 2.0,
+            (1..=RINGS / 2).chain(RINGS / 2..RINGS).collect(),
+        )
     }
 
     /// The rings of a sphere, those of the upper half moved up, the others down.
@@ -111,8 +148,9 @@ impl Solid {
         let mut beam = Self::cuboid([thickness, thickness, length]);
         let along = nalgebra::Vector3::from(to);
         let turn = nalgebra::UnitQuaternion::rotation_between(&nalgebra::Vector3::z(), &along);
-        let turn = turn
-            .unwrap_or_else(|| nalgebra::UnitQuaternion::from_axis_angle(&nalgebra::Vector3::x_axis(), PI));
+        let turn = turn.unwrap_or_else(|| {
+            nalgebra::UnitQuaternion::from_axis_angle(&nalgebra::Vector3::x_axis(), PI)
+        });
         beam.place([1.0; 3], &Isometry3::from_parts((along / 2.0).into(), turn));
         beam
     }

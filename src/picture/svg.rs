@@ -30,8 +30,16 @@ stroke:#fff;stroke-width:3px;stroke-linejoin:round;paint-order:stroke}\
 
 /// The picture as an SVG file: every shape as the outline of its convex hull, far ones first.
 pub fn picture_svg(scene: &Scene, robot: &str, shot: &Shot) -> String {
-    let frames: Vec<[f64; 3]> = scene.frames.iter().map(|frame| frame.at.translation.vector.into()).collect();
-    let points = scene.parts.iter().flat_map(|part| &part.solid.points).chain(&frames);
+    let frames: Vec<[f64; 3]> = scene
+        .frames
+        .iter()
+        .map(|frame| frame.at.translation.vector.into())
+        .collect();
+    let points = scene
+        .parts
+        .iter()
+        .flat_map(|part| &part.solid.points)
+        .chain(&frames);
     let camera = Camera::around(points, shot, ROOM);
     let [width, height] = shot.size;
     let mut out = format!(
@@ -40,7 +48,10 @@ pub fn picture_svg(scene: &Scene, robot: &str, shot: &Shot) -> String {
         escape_xml(robot)
     );
     if let Background::Solid([r, g, b]) = shot.background {
-        let _ = writeln!(out, "<rect width=\"100%\" height=\"100%\" fill=\"#{r:02x}{g:02x}{b:02x}\"/>");
+        let _ = writeln!(
+            out,
+            "<rect width=\"100%\" height=\"100%\" fill=\"#{r:02x}{g:02x}{b:02x}\"/>"
+        );
     }
     shapes(scene, &camera, &mut out);
     bones(scene, &camera, &mut out);
@@ -54,25 +65,39 @@ pub fn picture_svg(scene: &Scene, robot: &str, shot: &Shot) -> String {
 fn shapes(scene: &Scene, camera: &Camera, out: &mut String) {
     let mut outlines: Vec<(f64, String)> = Vec::new();
     for part in &scene.parts {
-        let seen: Vec<[f64; 3]> = part.solid.points.iter().map(|point| camera.project(*point)).collect();
+        let seen: Vec<[f64; 3]> = part
+            .solid
+            .points
+            .iter()
+            .map(|point| camera.project(*point))
+            .collect();
         let nearness = seen.iter().map(|[_, _, key]| key).sum::<f64>() / seen.len().max(1) as f64;
         outlines.push((nearness, outline(part, &seen)));
     }
     outlines.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     out.push_str("<g class=\"shape\">\n");
-    outlines.iter().for_each(|(_, outline)| out.push_str(outline));
+    outlines
+        .iter()
+        .for_each(|(_, outline)| out.push_str(outline));
     out.push_str("</g>\n");
 }
 
 fn outline(part: &Part, seen: &[[f64; 3]]) -> String {
     let mut path = String::new();
-    for (number, [x, y]) in hull(seen.iter().map(|&[x, y, _]| [x, y]).collect()).into_iter().enumerate() {
+    for (number, [x, y]) in hull(seen.iter().map(|&[x, y, _]| [x, y]).collect())
+        .into_iter()
+        .enumerate()
+    {
         let _ = write!(path, "{}{x:.1} {y:.1}", if number == 0 { 'M' } else { 'L' });
     }
     let color = part.main_color();
     let [r, g, b, a] = color;
     let dark = [r * 0.55, g * 0.55, b * 0.55, a];
-    format!("<path d=\"{path}Z\" fill=\"{}\" stroke=\"{}\"/>\n", hex(color), hex(dark))
+    format!(
+        "<path d=\"{path}Z\" fill=\"{}\" stroke=\"{}\"/>\n",
+        hex(color),
+        hex(dark)
+    )
 }
 
 /// The corners of the convex hull of points, in order.
@@ -105,12 +130,24 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 /// Lines from each frame to the one it hangs on.
 fn bones(scene: &Scene, camera: &Camera, out: &mut String) {
     for frame in &scene.frames {
-        let Some((parent, joint, kind)) = &frame.by else { continue };
-        let Some(parent) = scene.frames.get(*parent) else { continue };
+        let Some((parent, joint, kind)) = &frame.by else {
+            continue;
+        };
+        let Some(parent) = scene.frames.get(*parent) else {
+            continue;
+        };
         let (from, to) = (origin(parent, camera), origin(frame, camera));
-        let class = if kind == "fixed" { "bone fixed" } else { "bone" };
+        let class = if kind == "fixed" {
+            "bone fixed"
+        } else {
+            "bone"
+        };
         let title = format!("{} ({})", escape_xml(joint), escape_xml(kind));
-        let _ = writeln!(out, "{}<title>{title}</title></line>", line(from, to, class, &hex(BONE)));
+        let _ = writeln!(
+            out,
+            "{}<title>{title}</title></line>",
+            line(from, to, class, &hex(BONE))
+        );
     }
 }
 
@@ -118,8 +155,12 @@ fn axes(scene: &Scene, camera: &Camera, out: &mut String) {
     let length = AXIS / camera.scale;
     for frame in &scene.frames {
         let from = origin(frame, camera);
-        for (axis, color) in [[length, 0.0, 0.0], [0.0, length, 0.0], [0.0, 0.0, length]].iter().zip(AXES) {
-            let [x, y, _] = camera.project((frame.at * nalgebra::Point3::from(*axis)).coords.into());
+        for (axis, color) in [[length, 0.0, 0.0], [0.0, length, 0.0], [0.0, 0.0, length]]
+            .iter()
+            .zip(AXES)
+        {
+            let [x, y, _] =
+                camera.project((frame.at * nalgebra::Point3::from(*axis)).coords.into());
             let _ = writeln!(out, "{}</line>", line(from, [x, y], "axis", &hex(color)));
         }
     }
@@ -141,7 +182,12 @@ fn names(scene: &Scene, camera: &Camera, shot: &Shot, out: &mut String) {
     points.sort_by(|(a, _), (b, _)| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
     let mut taken: Vec<[f64; 4]> = Vec::new();
     for ([x, y], names) in points {
-        let mut text = names.iter().take(MOST_NAMES).copied().collect::<Vec<_>>().join(", ");
+        let mut text = names
+            .iter()
+            .take(MOST_NAMES)
+            .copied()
+            .collect::<Vec<_>>()
+            .join(", ");
         if names.len() > MOST_NAMES {
             text.push_str(&format!(" and {} more", names.len() - MOST_NAMES));
         }
@@ -154,13 +200,24 @@ fn names(scene: &Scene, camera: &Camera, shot: &Shot, out: &mut String) {
             })
         };
         let below = (0..).map(|step| y + BELOW + f64::from(step) * 3.0);
-        let top = below.take_while(|top| top + LINE < height).find(free).unwrap_or(y + BELOW);
+        let top = below
+            .take_while(|top| top + LINE < height)
+            .find(free)
+            .unwrap_or(y + BELOW);
         taken.push([left, top, left + long, top + LINE]);
         let middle = top + LINE / 2.0;
         if middle - y > BELOW + LINE {
-            let _ = writeln!(out, "{}</line>", line([x, y], [left - 2.0, middle], "leader", "#8a94a6"));
+            let _ = writeln!(
+                out,
+                "{}</line>",
+                line([x, y], [left - 2.0, middle], "leader", "#8a94a6")
+            );
         }
-        let _ = writeln!(out, "<text x=\"{left:.1}\" y=\"{middle:.1}\">{}</text>", escape_xml(&text));
+        let _ = writeln!(
+            out,
+            "<text x=\"{left:.1}\" y=\"{middle:.1}\">{}</text>",
+            escape_xml(&text)
+        );
     }
 }
 

@@ -38,25 +38,48 @@ fn scene(tree: &Tree, robot: &str, content: &Content) -> Scene {
     tree.write("bot/package.xml", "<package><name>bot</name></package>");
     tree.write("bot/robot.urdf", robot);
     let file = tree.path("bot/robot.urdf");
-    let setup = Setup { about: file.clone(), ..Setup::default() };
+    let setup = Setup {
+        about: file.clone(),
+        ..Setup::default()
+    };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let world = World { vfs: &session.vfs, packages: &session.packages, env: &session.env };
-    let expansion = expand(world, &Request { file: file.to_str().unwrap().to_owned(), ..Request::default() });
+    let world = World {
+        vfs: &session.vfs,
+        packages: &session.packages,
+        env: &session.env,
+    };
+    let expansion = expand(
+        world,
+        &Request {
+            file: file.to_str().unwrap().to_owned(),
+            ..Request::default()
+        },
+    );
     let robot = Robot::of(&expansion).unwrap();
     let (model, files) = still(&session, &expansion, &robot);
     Scene::of(&model, &files, &session.vfs, content).unwrap()
 }
 
 fn shot(view: View) -> Shot {
-    Shot { view, size: [60, 40], background: WHITE }
+    Shot {
+        view,
+        size: [60, 40],
+        background: WHITE,
+    }
 }
 
 /// Pixels of a PNG file, row by row.
 fn decoded(file: &[u8]) -> Vec<Vec<Vec<u8>>> {
-    let mut reader = ::png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+    let mut reader = ::png::Decoder::new(std::io::Cursor::new(file))
+        .read_info()
+        .unwrap();
     let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut bytes).unwrap();
-    let row = |row: &[u8]| row.chunks(info.color_type.samples()).map(<[u8]>::to_vec).collect();
+    let row = |row: &[u8]| {
+        row.chunks(info.color_type.samples())
+            .map(<[u8]>::to_vec)
+            .collect()
+    };
     bytes.chunks(info.line_size).map(row).collect()
 }
 
@@ -67,24 +90,37 @@ fn drawn(scene: &Scene, shot: &Shot) -> Vec<Vec<Vec<u8>>> {
 /// Columns and rows in which there is something.
 fn extent(pixels: &[Vec<Vec<u8>>]) -> ([usize; 2], [usize; 2]) {
     let mut found = pixels.iter().enumerate().flat_map(|(y, row)| {
-        row.iter().enumerate().filter(|(_, pixel)| pixel.iter().any(|c| *c < 250)).map(move |(x, _)| (x, y))
+        row.iter()
+            .enumerate()
+            .filter(|(_, pixel)| pixel.iter().any(|c| *c < 250))
+            .map(move |(x, _)| (x, y))
     });
     let first = found.next().unwrap();
-    found.fold(([first.0; 2], [first.1; 2]), |([x0, x1], [y0, y1]), (x, y)| {
-        ([x0.min(x), x1.max(x)], [y0.min(y), y1.max(y)])
-    })
+    found.fold(
+        ([first.0; 2], [first.1; 2]),
+        |([x0, x1], [y0, y1]), (x, y)| ([x0.min(x), x1.max(x)], [y0.min(y), y1.max(y)]),
+    )
 }
 
 #[test]
 fn a_box_fills_the_picture_up_to_the_margin() {
     let tree = Tree::new();
-    let scene = scene(&tree, &chain(&[visual("<box size=\"1 2 1\"/>", "1 0 0 1")], ""), &Content::default());
+    let scene = scene(
+        &tree,
+        &chain(&[visual("<box size=\"1 2 1\"/>", "1 0 0 1")], ""),
+        &Content::default(),
+    );
     let pixels = drawn(&scene, &shot(View::Front));
     let ([x0, x1], [y0, y1]) = extent(&pixels);
     // as wide as the picture without the margins, and half as high
-    assert!((3..=5).contains(&x0) && (55..=56).contains(&x1), "{x0} {x1}");
+    assert!(
+        (3..=5).contains(&x0) && (55..=56).contains(&x1),
+        "{x0} {x1}"
+    );
     assert!((26..=28).contains(&(y1 + 1 - y0)), "{y0} {y1}");
-    let [r, g, b] = pixels[20][30][..] else { panic!("no RGB") };
+    let [r, g, b] = pixels[20][30][..] else {
+        panic!("no RGB")
+    };
     assert!(r > 150 && g < 40 && b < 40, "{r} {g} {b}");
 }
 
@@ -96,29 +132,56 @@ fn what_is_nearer_hides_what_is_farther() {
         "<origin xyz=\"1 0 0\"/><material name=\"m\"><color rgba=\"0 1 0 1\"/></material>",
     );
     let tree = Tree::new();
-    let robot = chain(&[format!("{}{small}", visual("<box size=\"1 2 1\"/>", "1 0 0 1"))], "");
+    let robot = chain(
+        &[format!(
+            "{}{small}",
+            visual("<box size=\"1 2 1\"/>", "1 0 0 1")
+        )],
+        "",
+    );
     let scene = scene(&tree, &robot, &Content::default());
     let front = drawn(&scene, &shot(View::Front));
-    assert!(front[20][30][1] > 120 && front[20][30][0] < 60, "{:?}", front[20][30]);
-    assert!(front[20][8][0] > 120 && front[20][8][1] < 60, "{:?}", front[20][8]);
+    assert!(
+        front[20][30][1] > 120 && front[20][30][0] < 60,
+        "{:?}",
+        front[20][30]
+    );
+    assert!(
+        front[20][8][0] > 120 && front[20][8][1] < 60,
+        "{:?}",
+        front[20][8]
+    );
 }
 
 #[test]
 fn joints_move_links_and_mimic_follows() {
     let sphere = || visual("<sphere radius=\"0.1\"/>", "0 0 1 1");
     let links = [sphere(), sphere(), sphere()];
-    let mut robot =
-        chain(&links, "type=\"revolute\"><limit lower=\"-3\" upper=\"3\" effort=\"1\" velocity=\"1\"/>");
-    robot =
-        robot.replace("<child link=\"l2\"/>", "<child link=\"l2\"/><mimic joint=\"j1\" multiplier=\"-1\"/>");
+    let mut robot = chain(
+        &links,
+        "type=\"revolute\"><limit lower=\"-3\" upper=\"3\" effort=\"1\" velocity=\"1\"/>",
+    );
+    robot = robot.replace(
+        "<child link=\"l2\"/>",
+        "<child link=\"l2\"/><mimic joint=\"j1\" multiplier=\"-1\"/>",
+    );
     let tree = Tree::new();
     let half_pi = std::f64::consts::FRAC_PI_2;
-    let content =
-        Content { positions: [("j1".to_owned(), half_pi)].into_iter().collect(), ..Content::default() };
-    let at = |scene: &Scene| -> Vec<[f64; 3]> {
-        scene.frames.iter().map(|f| <[f64; 3]>::from(f.at.translation.vector).map(|n| n.round())).collect()
+    let content = Content {
+        positions: [("j1".to_owned(), half_pi)].into_iter().collect(),
+        ..Content::default()
     };
-    assert_eq!(at(&scene(&tree, &robot, &Content::default())), [[0., 0., 0.], [1., 0., 0.], [2., 0., 0.]]);
+    let at = |scene: &Scene| -> Vec<[f64; 3]> {
+        scene
+            .frames
+            .iter()
+            .map(|f| <[f64; 3]>::from(f.at.translation.vector).map(|n| n.round()))
+            .collect()
+    };
+    assert_eq!(
+        at(&scene(&tree, &robot, &Content::default())),
+        [[0., 0., 0.], [1., 0., 0.], [2., 0., 0.]]
+    );
     let moved = scene(&tree, &robot, &content);
     assert_eq!(at(&moved), [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.]]);
     let turned = moved.frames[2].at.rotation.angle();
@@ -150,23 +213,38 @@ fn links_in_a_circle_and_alone_are_placed() {
 #[test]
 fn a_mesh_that_is_missing_is_a_magenta_box() {
     let tree = Tree::new();
-    let robot = chain(&[visual("<mesh filename=\"package://bot/gone.stl\"/>", "0 1 0 1")], "");
+    let robot = chain(
+        &[visual(
+            "<mesh filename=\"package://bot/gone.stl\"/>",
+            "0 1 0 1",
+        )],
+        "",
+    );
     let scene = scene(&tree, &robot, &Content::default());
     assert_eq!(scene.problems.len(), 1);
     let problem = &scene.problems[0];
     assert!(
-        problem.starts_with("link `l0`: mesh `package://bot/gone.stl`: ") && problem.ends_with("not found")
+        problem.starts_with("link `l0`: mesh `package://bot/gone.stl`: ")
+            && problem.ends_with("not found")
     );
     let pixel = &drawn(&scene, &shot(View::Front))[20][30];
-    assert!(pixel[0] > 150 && pixel[1] < 40 && pixel[2] > 150, "{pixel:?}");
-    let size = model::Bounds::around(scene.points().copied()).unwrap().size();
+    assert!(
+        pixel[0] > 150 && pixel[1] < 40 && pixel[2] > 150,
+        "{pixel:?}"
+    );
+    let size = model::Bounds::around(scene.points().copied())
+        .unwrap()
+        .size();
     assert!(size.iter().all(|side| (side - 0.1).abs() < 1e-12));
 }
 
 #[test]
 fn meshes_are_drawn_scaled_and_placed() {
     let tree = Tree::new();
-    tree.write("bot/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    tree.write(
+        "bot/a.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+    );
     let robot = chain(
         &[body(
             "visual",
@@ -178,7 +256,10 @@ fn meshes_are_drawn_scaled_and_placed() {
     let scene = scene(&tree, &robot, &Content::default());
     assert_eq!(scene.problems, Vec::<String>::new());
     let bounds = model::Bounds::around(scene.points().copied()).unwrap();
-    assert_eq!((bounds.min, bounds.max), ([0.0, 0.0, -3.0], [2.0, 3.0, 1.0]));
+    assert_eq!(
+        (bounds.min, bounds.max),
+        ([0.0, 0.0, -3.0], [2.0, 3.0, 1.0])
+    );
 }
 
 #[test]
@@ -188,9 +269,14 @@ fn collisions_instead_of_visuals() {
         visual("<sphere radius=\"1\"/>", "1 0 0 1"),
         body("collision", "<cylinder radius=\"1\" length=\"4\"/>", "")
     );
-    let content = Content { collisions: true, ..Content::default() };
+    let content = Content {
+        collisions: true,
+        ..Content::default()
+    };
     let scene = scene(&Tree::new(), &chain(&[both], ""), &content);
-    let size = model::Bounds::around(scene.points().copied()).unwrap().size();
+    let size = model::Bounds::around(scene.points().copied())
+        .unwrap()
+        .size();
     assert_eq!((scene.parts.len(), size[2]), (1, 4.0));
 }
 
@@ -198,17 +284,25 @@ fn collisions_instead_of_visuals() {
 fn pictures_are_the_same_each_time_and_may_be_transparent() {
     let tree = Tree::new();
     let robot = chain(
-        &[visual("<sphere radius=\"1\"/>", "1 0 0 1"), visual("<box size=\"1 1 1\"/>", "0 0 1 0.5")],
+        &[
+            visual("<sphere radius=\"1\"/>", "1 0 0 1"),
+            visual("<box size=\"1 1 1\"/>", "0 0 1 0.5"),
+        ],
         "type=\"fixed\">",
     );
     let scene = scene(&tree, &robot, &Content::default());
-    let shot = Shot { background: Background::Transparent, ..shot(View::Iso) };
+    let shot = Shot {
+        background: Background::Transparent,
+        ..shot(View::Iso)
+    };
     let first = picture_png(&scene, &shot).unwrap();
     assert_eq!(first, picture_png(&scene, &shot).unwrap());
     let pixels = decoded(&first);
     assert_eq!(pixels[0][0], [0, 0, 0, 0]);
     let alphas = || pixels.iter().flatten().map(|pixel| pixel[3]);
-    assert!(alphas().any(|alpha| alpha == 255) && alphas().any(|alpha| (120..136).contains(&alpha)));
+    assert!(
+        alphas().any(|alpha| alpha == 255) && alphas().any(|alpha| (120..136).contains(&alpha))
+    );
 }
 
 #[test]
@@ -216,12 +310,23 @@ fn round_shapes_are_light_and_edges_sharp() {
     let tree = Tree::new();
     let scene = scene(
         &tree,
-        &chain(&[visual("<cylinder radius=\"1\" length=\"1\"/>", "1 1 1 1")], ""),
+        &chain(
+            &[visual("<cylinder radius=\"1\" length=\"1\"/>", "1 1 1 1")],
+            "",
+        ),
         &Content::default(),
     );
     let normals = super::normals::normals(&scene.parts[0].solid);
-    let caps = normals.iter().flatten().filter(|normal| normal.z.abs() > 0.999).count();
-    let sides = normals.iter().flatten().filter(|normal| normal.z.abs() < 1e-9).count();
+    let caps = normals
+        .iter()
+        .flatten()
+        .filter(|normal| normal.z.abs() > 0.999)
+        .count();
+    let sides = normals
+        .iter()
+        .flatten()
+        .filter(|normal| normal.z.abs() < 1e-9)
+        .count();
     assert_eq!((caps, sides), (2 * 64 * 3, 2 * 64 * 3));
     // a point at the rim: its directions are those of the cap and of the side, not between
     let [a, b, c] = normals[0];
@@ -231,20 +336,50 @@ fn round_shapes_are_light_and_edges_sharp() {
 #[test]
 fn outlines_frames_and_names_in_svg() {
     let tree = Tree::new();
-    let robot =
-        chain(&[visual("<box size=\"1 1 1\"/>", "1 0 0 1"), String::new(), String::new()], "type=\"fixed\">");
+    let robot = chain(
+        &[
+            visual("<box size=\"1 1 1\"/>", "1 0 0 1"),
+            String::new(),
+            String::new(),
+        ],
+        "type=\"fixed\">",
+    );
     let robot = robot.replace("name=\"bot\"", "name=\"a &lt; b\"");
     let scene = scene(&tree, &robot, &Content::default());
-    let svg = picture_svg(&scene, "a < b", &Shot { size: [400, 300], ..shot(View::Iso) });
+    let svg = picture_svg(
+        &scene,
+        "a < b",
+        &Shot {
+            size: [400, 300],
+            ..shot(View::Iso)
+        },
+    );
     let document = roxmltree::Document::parse(&svg).unwrap();
-    let count = |name: &str| document.descendants().filter(|node| node.tag_name().name() == name).count();
+    let count = |name: &str| {
+        document
+            .descendants()
+            .filter(|node| node.tag_name().name() == name)
+            .count()
+    };
     // a box is seen as six corners; two lines between frames, three axes each; the title of the robot and of lines
-    assert_eq!((count("path"), count("line"), count("text"), count("title")), (1, 2 + 9, 3, 3));
-    let path = document.descendants().find_map(|node| node.attribute("d")).unwrap();
+    assert_eq!(
+        (count("path"), count("line"), count("text"), count("title")),
+        (1, 2 + 9, 3, 3)
+    );
+    let path = document
+        .descendants()
+        .find_map(|node| node.attribute("d"))
+        .unwrap();
     assert_eq!(path.matches('L').count(), 5, "{path}");
-    let names: Vec<_> =
-        document.descendants().filter(|n| n.tag_name().name() == "text").map(|n| n.text().unwrap()).collect();
-    assert!(["l0", "l1", "l2"].iter().all(|name| names.contains(name)), "{names:?}");
+    let names: Vec<_> = document
+        .descendants()
+        .filter(|n| n.tag_name().name() == "text")
+        .map(|n| n.text().unwrap())
+        .collect();
+    assert!(
+        ["l0", "l1", "l2"].iter().all(|name| names.contains(name)),
+        "{names:?}"
+    );
 }
 
 #[test]
@@ -253,18 +388,37 @@ fn names_do_not_lie_over_each_other() {
     let links: Vec<String> = vec![String::new(); 12];
     let robot = chain(&links, "type=\"fixed\">").replace("xyz=\"1 0 0\"", "xyz=\"0.2 0 0.1\"");
     let scene = scene(&tree, &robot, &Content::default());
-    let svg = picture_svg(&scene, "bot", &Shot { size: [600, 400], ..shot(View::Top) });
+    let svg = picture_svg(
+        &scene,
+        "bot",
+        &Shot {
+            size: [600, 400],
+            ..shot(View::Top)
+        },
+    );
     let document = roxmltree::Document::parse(&svg).unwrap();
-    let texts = document.descendants().filter(|node| node.tag_name().name() == "text");
+    let texts = document
+        .descendants()
+        .filter(|node| node.tag_name().name() == "text");
     let at = |node: &roxmltree::Node<'_, '_>, name: &str| -> f64 {
         node.attribute(name).unwrap().parse().unwrap()
     };
-    let places: Vec<_> =
-        texts.map(|node| (at(&node, "x"), at(&node, "y"), node.text().unwrap().len() as f64 * 6.5)).collect();
+    let places: Vec<_> = texts
+        .map(|node| {
+            (
+                at(&node, "x"),
+                at(&node, "y"),
+                node.text().unwrap().len() as f64 * 6.5,
+            )
+        })
+        .collect();
     assert_eq!(places.len(), 12);
     for (i, (x, y, long)) in places.iter().enumerate() {
         for (u, v, _) in &places[..i] {
-            assert!((y - v).abs() >= 13.0 || u + long <= *x || x + long <= *u, "{x} {y} {u} {v}");
+            assert!(
+                (y - v).abs() >= 13.0 || u + long <= *x || x + long <= *u,
+                "{x} {y} {u} {v}"
+            );
         }
     }
 }
@@ -277,33 +431,64 @@ fn what_would_take_too_long_is_refused() {
     tree.write("bot/heap.obj", &mesh);
     let scene = scene(
         &tree,
-        &chain(&[visual("<mesh filename=\"package://bot/heap.obj\"/>", "1 1 1 1")], ""),
+        &chain(
+            &[visual(
+                "<mesh filename=\"package://bot/heap.obj\"/>",
+                "1 1 1 1",
+            )],
+            "",
+        ),
         &Content::default(),
     );
-    let large = Shot { size: [2000, 2000], ..shot(View::Front) };
-    assert!(picture_png(&scene, &large).unwrap_err().contains("choose a smaller size"));
+    let large = Shot {
+        size: [2000, 2000],
+        ..shot(View::Front)
+    };
+    assert!(
+        picture_png(&scene, &large)
+            .unwrap_err()
+            .contains("choose a smaller size")
+    );
     assert!(picture_png(&scene, &shot(View::Front)).is_ok());
 }
 
 #[test]
 fn colors_of_meshes_count() {
     let tree = Tree::new();
-    tree.write("bot/two.mtl", "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\nd 0.5\n");
+    tree.write(
+        "bot/two.mtl",
+        "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\nd 0.5\n",
+    );
     let points = "v 0 -2 -1\nv 0 0 -1\nv 0 0 1\nv 0 -2 1\nv 0 2 -1\nv 0 2 1\n";
     let faces = "mtllib two.mtl\nusemtl red\nf 1 2 3 4\nusemtl green\nf 2 5 6 3\n";
     tree.write("bot/two.obj", &format!("{points}{faces}"));
-    let robot = chain(&[visual("<mesh filename=\"package://bot/two.obj\"/>", "0 0 1 1")], "");
+    let robot = chain(
+        &[visual(
+            "<mesh filename=\"package://bot/two.obj\"/>",
+            "0 0 1 1",
+        )],
+        "",
+    );
     let scene = scene(&tree, &robot, &Content::default());
     let pixels = drawn(&scene, &shot(View::Front));
     let (left, right) = (&pixels[20][15], &pixels[20][45]);
     assert!(left[0] > 150 && left[1] < 60 && left[2] < 60, "{left:?}");
-    assert!(right[1] > 150 && (60..220).contains(&right[0]), "half of it is the background: {right:?}");
+    assert!(
+        right[1] > 150 && (60..220).contains(&right[0]),
+        "half of it is the background: {right:?}"
+    );
 }
 
 #[test]
 fn backgrounds() {
-    assert_eq!(Background::of("#fa0"), Some(Background::Solid([0xff, 0xaa, 0])));
-    assert_eq!(Background::of("#0f1020"), Some(Background::Solid([0x0f, 0x10, 0x20])));
+    assert_eq!(
+        Background::of("#fa0"),
+        Some(Background::Solid([0xff, 0xaa, 0]))
+    );
+    assert_eq!(
+        Background::of("#0f1020"),
+        Some(Background::Solid([0x0f, 0x10, 0x20]))
+    );
     assert_eq!(Background::of("transparent"), Some(Background::Transparent));
     assert!(
         ["", "#", "#ffff", "#ggg", "grey", "ffffff", "#ffé"]
@@ -324,10 +509,19 @@ fn a_capsule_is_a_cylinder_with_half_spheres() {
     let off = |[x, y, z]: &[f64; 3]| (x.hypot(*y).hypot((z.abs() - 1.5).max(0.0)) - 1.0).abs();
     assert!(points.iter().all(|point| off(point) < 1e-12));
     // the straight part is there, and all sides look outwards
-    let rims = [-1.5, 1.5].map(|z| points.iter().filter(|point| (point[2] - z).abs() < 1e-12).count());
+    let rims = [-1.5, 1.5].map(|z| {
+        points
+            .iter()
+            .filter(|point| (point[2] - z).abs() < 1e-12)
+            .count()
+    });
     assert_eq!(rims, [64, 64]);
     let solid = &drawn.parts[0].solid;
-    let volume: f64 = solid.triangles.iter().map(|&triangle| signed(solid.corners(triangle))).sum();
+    let volume: f64 = solid
+        .triangles
+        .iter()
+        .map(|&triangle| signed(solid.corners(triangle)))
+        .sum();
     let exact = std::f64::consts::PI * (3.0 + 4.0 / 3.0);
     assert!((volume / exact - 1.0).abs() < 0.01, "{volume} {exact}");
 }
@@ -347,10 +541,14 @@ fn a_quaternion_turns_like_the_angles() {
         )
     };
     let points = |text: &str| -> Vec<[f64; 3]> {
-        scene(&Tree::new(), text, &Content::default()).points().copied().collect()
+        scene(&Tree::new(), text, &Content::default())
+            .points()
+            .copied()
+            .collect()
     };
     let turned = points(&links("version=\"1.1\"", "quat_xyzw=\"1 1 0 2\""));
-    let angles = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(2.0, 1.0, 1.0, 0.0));
+    let angles =
+        nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(2.0, 1.0, 1.0, 0.0));
     let (roll, pitch, yaw) = angles.euler_angles();
     let expected = points(&links("", &format!("rpy=\"{roll} {pitch} {yaw}\"")));
     let near = |(a, b): (&[f64; 3], &[f64; 3])| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);

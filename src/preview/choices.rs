@@ -10,13 +10,19 @@ const MOST: usize = 200;
 /// The roots that a viewer may choose from, the one shown first.
 pub(super) fn choices(world: &mut World, shown: &RootChoice, names: &Names<'_>) -> Vec<RootName> {
     let mut found = vec![shown.clone()];
-    let own = world.context(&shown.file).candidates.into_iter().map(|(root, _)| root);
+    let own = world
+        .context(&shown.file)
+        .candidates
+        .into_iter()
+        .map(|(root, _)| root);
     let others = world.robots();
     for root in own.chain([RootChoice::plain(&shown.file)]).chain(others) {
         if found.len() < MOST && !found.contains(&root) {
             found.push(root);
         }
     }
-    let named = found.iter().filter_map(|root| Some(RootName::of(root, (names.uri)(&root.file)?)));
+    let named = found
+        .iter()
+        .filter_map(|root| Some(RootName::of(root, (names.uri)(&root.file)?)));
     named.collect()
 }

@@ -59,7 +59,12 @@ impl Files {
 
     /// The path behind an id that a model names now.
     pub fn path(&self, id: &str) -> Option<PathBuf> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).paths.get(id).cloned()
+        self.0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .paths
+            .get(id)
+            .cloned()
     }
 
     /// All files that models name now.
@@ -74,7 +79,9 @@ impl Files {
     pub fn keep(&self, ids: &FastSet<&str>) {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known.paths.retain(|id, _| ids.contains(id.as_str()));
-        let Known { ids: named, paths, .. } = &mut *known;
+        let Known {
+            ids: named, paths, ..
+        } = &mut *known;
         named.retain(|_, id| paths.contains_key(id));
     }
 }

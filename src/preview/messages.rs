@@ -24,7 +24,11 @@ pub struct RootName {
 
 impl RootName {
     pub(super) fn of(root: &RootChoice, uri: String) -> Self {
-        Self { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() }
+        Self {
+            uri,
+            args: root.args.iter().cloned().collect(),
+            preset: root.preset.clone(),
+        }
     }
 }
 

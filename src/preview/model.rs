@@ -22,8 +22,13 @@ pub struct Pose {
 impl Pose {
     /// The pose of an origin; what is absent or unknown is zero.
     pub(super) fn of(origin: Option<&model::Pose>) -> Self {
-        let Some(origin) = origin else { return Self::default() };
-        Self { xyz: origin.translation().unwrap_or_default(), rpy: origin.angles().unwrap_or_default() }
+        let Some(origin) = origin else {
+            return Self::default();
+        };
+        Self {
+            xyz: origin.translation().unwrap_or_default(),
+            rpy: origin.angles().unwrap_or_default(),
+        }
     }
 }
 
@@ -146,10 +151,23 @@ pub struct Mimic {
 
 /// Make the model of a robot. Links without a name and joints without known ends are left out.
 pub(super) fn model(robot: &Robot, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Model {
-    let links = robot.links.iter().filter_map(|link| one_link(link, places, shapes)).collect();
-    let joints = robot.joints.iter().filter_map(|joint| one_joint(joint, places)).collect();
+    let links = robot
+        .links
+        .iter()
+        .filter_map(|link| one_link(link, places, shapes))
+        .collect();
+    let joints = robot
+        .joints
+        .iter()
+        .filter_map(|joint| one_joint(joint, places))
+        .collect();
     let name = robot.name.as_ref().map_or("", |name| name.value.as_str());
-    Model { robot: name.to_owned(), links, joints, meshes: shapes.take_files() }
+    Model {
+        robot: name.to_owned(),
+        links,
+        joints,
+        meshes: shapes.take_files(),
+    }
 }
 
 fn start(places: &Places<'_>, element: XId) -> Option<Location> {
@@ -163,10 +181,16 @@ fn call(places: &Places<'_>, element: XId) -> Option<Location> {
 fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Option<Link> {
     let inertial = link.inertial.as_ref().and_then(|inertial| {
         let pose = Pose::of(inertial.origin.as_ref());
-        Some(Inertial { pose, mass: inertial.mass()?, inertia: inertial.entries() })
+        Some(Inertial {
+            pose,
+            mass: inertial.mass()?,
+            inertia: inertial.entries(),
+        })
     });
     let mut bodies = |list: &[model::Body], seen: bool| {
-        list.iter().map(|body| one_body(body, seen, places, shapes)).collect::<Vec<_>>()
+        list.iter()
+            .map(|body| one_body(body, seen, places, shapes))
+            .collect::<Vec<_>>()
     };
     Some(Link {
         name: link.name.as_ref()?.name()?.to_string(),
@@ -179,9 +203,16 @@ fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) ->
 }
 
 fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Body {
-    let look = if seen { shapes.look(body.material.as_deref()) } else { Default::default() };
+    let look = if seen {
+        shapes.look(body.material.as_deref())
+    } else {
+        Default::default()
+    };
     Body {
-        name: body.name.as_ref().and_then(|name| Some(name.name()?.to_string())),
+        name: body
+            .name
+            .as_ref()
+            .and_then(|name| Some(name.name()?.to_string())),
         pose: Pose::of(body.origin.as_ref()),
         shape: shapes.shape(body),
         color: look.color,
@@ -195,12 +226,21 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
     let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
     let limit = joint.limit.as_ref().and_then(|limit| {
         let (lower, upper) = limit.range()?;
-        Some(Limit { lower, upper, effort: number(&limit.effort), velocity: number(&limit.velocity) })
+        Some(Limit {
+            lower,
+            upper,
+            effort: number(&limit.effort),
+            velocity: number(&limit.velocity),
+        })
     });
     let mimic = joint.mimic.as_ref().and_then(|mimic| {
         let leader = mimic.joint.as_ref()?.name()?.to_string();
         let or = |text: &Option<model::Text>, default| number(text).unwrap_or(default);
-        Some(Mimic { joint: leader, multiplier: or(&mimic.multiplier, 1.0), offset: or(&mimic.offset, 0.0) })
+        Some(Mimic {
+            joint: leader,
+            multiplier: or(&mimic.multiplier, 1.0),
+            offset: or(&mimic.offset, 0.0),
+        })
     });
     let kind = joint.joint_type().and_then(|kind| {
         let mut known = model::JointType::ALL.iter();

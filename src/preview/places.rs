@@ -38,8 +38,17 @@ pub struct Location {
 impl Location {
     /// The first character of a file.
     pub fn start(uri: String) -> Self {
-        let first = Point { line: 0, character: 0 };
-        Self { uri, range: Stretch { start: first, end: first } }
+        let first = Point {
+            line: 0,
+            character: 0,
+        };
+        Self {
+            uri,
+            range: Stretch {
+                start: first,
+                end: first,
+            },
+        }
     }
 }
 
@@ -70,25 +79,47 @@ impl Places<'_> {
         let source = &self.expansion.files.get(place.file.0 as usize)?.source;
         let point = |offset| {
             let LineCol { line, col } = source.document.line_col(offset, self.names.encoding);
-            Point { line, character: col }
+            Point {
+                line,
+                character: col,
+            }
         };
-        let range = Stretch { start: point(place.range.start), end: point(place.range.end) };
-        Some(Location { uri: (self.names.uri)(&source.path)?, range })
+        let range = Stretch {
+            start: point(place.range.start),
+            end: point(place.range.end),
+        };
+        Some(Location {
+            uri: (self.names.uri)(&source.path)?,
+            range,
+        })
     }
 
     /// The outermost macro call that led to an origin.
     pub fn call(&self, origin: Origin) -> Option<Location> {
-        let calls = self.expansion.frames_of(origin).filter(|frame| frame.kind == FrameKind::Macro);
+        let calls = self
+            .expansion
+            .frames_of(origin)
+            .filter(|frame| frame.kind == FrameKind::Macro);
         self.of(calls.last()?.call)
     }
 
     /// The path and the text range that a location names in a file of the expansion.
     pub fn range(&self, location: &Location) -> Option<(expand::FileIdx, TextRange)> {
         let path = (self.names.path)(&location.uri)?;
-        let index = self.expansion.files.iter().position(|file| *file.source.path == *path)?;
+        let index = self
+            .expansion
+            .files
+            .iter()
+            .position(|file| *file.source.path == *path)?;
         let document = &self.expansion.files.get(index)?.source.document;
         let offset = |point: Point| {
-            document.offset(LineCol { line: point.line, col: point.character }, self.names.encoding)
+            document.offset(
+                LineCol {
+                    line: point.line,
+                    col: point.character,
+                },
+                self.names.encoding,
+            )
         };
         let (start, end) = (offset(location.range.start), offset(location.range.end));
         let range = TextRange::new(start.min(end), start.max(end));

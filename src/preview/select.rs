@@ -9,7 +9,9 @@ use model::{Robot, element_range, tag_start};
 /// The links and joints that the text at a place makes: those whose elements stand around it, else those that came
 /// through the call there.
 pub(super) fn made_by(robot: &Robot, places: &Places<'_>, location: &Location) -> Selection {
-    let Some((file, at)) = places.range(location) else { return Selection::default() };
+    let Some((file, at)) = places.range(location) else {
+        return Selection::default();
+    };
     let inside = |element: XId| covers(places, element_range(places.expansion, element), file, at);
     let direct = pick(robot, &|element| inside(element).map(|_| 0));
     if !direct.links.is_empty() || !direct.joints.is_empty() {
@@ -19,11 +21,21 @@ pub(super) fn made_by(robot: &Robot, places: &Places<'_>, location: &Location) -
     let through = |element: XId| {
         let origin = places.expansion.tree.get(element).origin;
         let calls = places.expansion.frames_of(origin).map(|frame| frame.call);
-        calls.filter_map(|call| covers(places, whole(places, call), file, at)).min()
+        calls
+            .filter_map(|call| covers(places, whole(places, call), file, at))
+            .min()
     };
-    let all = robot.links.iter().map(|link| link.element).chain(robot.joints.iter().map(|j| j.element));
-    let Some(shortest) = all.filter_map(through).min() else { return Selection::default() };
-    pick(robot, &|element| through(element).filter(|length| *length == shortest))
+    let all = robot
+        .links
+        .iter()
+        .map(|link| link.element)
+        .chain(robot.joints.iter().map(|j| j.element));
+    let Some(shortest) = all.filter_map(through).min() else {
+        return Selection::default();
+    };
+    pick(robot, &|element| {
+        through(element).filter(|length| *length == shortest)
+    })
 }
 
 /// Where a link or a joint stands.
@@ -33,14 +45,24 @@ pub(super) fn location_of(
     link: Option<&str>,
     joint: Option<&str>,
 ) -> Option<Location> {
-    let link = link.and_then(|name| robot.link(name)).map(|link| link.element);
-    let joint = joint.and_then(|name| robot.joint(name)).map(|joint| joint.element);
+    let link = link
+        .and_then(|name| robot.link(name))
+        .map(|link| link.element);
+    let joint = joint
+        .and_then(|name| robot.joint(name))
+        .map(|joint| joint.element);
     places.of(tag_start(places.expansion, link.or(joint)?))
 }
 
 fn pick(robot: &Robot, found: &dyn Fn(XId) -> Option<u32>) -> Selection {
-    let links = robot.links.iter().filter(|link| found(link.element).is_some());
-    let joints = robot.joints.iter().filter(|joint| found(joint.element).is_some());
+    let links = robot
+        .links
+        .iter()
+        .filter(|link| found(link.element).is_some());
+    let joints = robot
+        .joints
+        .iter()
+        .filter(|joint| found(joint.element).is_some());
     Selection {
         links: links.map(|link| link.shown().to_owned()).collect(),
         joints: joints.map(|joint| joint.shown().to_owned()).collect(),
@@ -59,5 +81,8 @@ fn covers(places: &Places<'_>, origin: Origin, file: FileIdx, at: TextRange) -> 
 fn whole(places: &Places<'_>, tag: Origin) -> Origin {
     let source = places.expansion.sources.get(tag.src.0 as usize);
     let node = source.and_then(|source| source.item.element_at(tag.range.start));
-    node.map_or(tag, |node| Origin { range: node.range(), ..tag })
+    node.map_or(tag, |node| Origin {
+        range: node.range(),
+        ..tag
+    })
 }

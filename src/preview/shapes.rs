@@ -81,22 +81,38 @@ pub(super) struct Shapes<'a> {
 }
 
 impl<'a> Shapes<'a> {
-    pub fn new(session: &'a Session, expansion: &'a Expansion, robot: &'a Robot, table: &'a Files) -> Self {
+    pub fn new(
+        session: &'a Session,
+        expansion: &'a Expansion,
+        robot: &'a Robot,
+        table: &'a Files,
+    ) -> Self {
         let inside = robot.links.iter().flat_map(|link| &link.visuals);
         let inside = inside.filter_map(|visual| visual.material.as_deref());
         let mut materials = FastMap::default();
         for material in robot.materials.iter().chain(inside) {
             let name = material.name.as_ref().and_then(|name| name.name());
-            if let Some(name) = name.filter(|_| material.rgba.is_some() || material.texture_file.is_some()) {
+            if let Some(name) =
+                name.filter(|_| material.rgba.is_some() || material.texture_file.is_some())
+            {
                 materials.entry(name.clone()).or_insert(material);
             }
         }
-        Self { session, expansion, table, materials, files: BTreeMap::new() }
+        Self {
+            session,
+            expansion,
+            table,
+            materials,
+            files: BTreeMap::new(),
+        }
     }
 
     /// Read all meshes of the robot, several at once: of a large robot they take most of the time.
     pub fn read_meshes(&self, robot: &Robot) {
-        let bodies = robot.links.iter().flat_map(|link| link.visuals.iter().chain(&link.collisions));
+        let bodies = robot
+            .links
+            .iter()
+            .flat_map(|link| link.visuals.iter().chain(&link.collisions));
         let paths: FastSet<PathBuf> = bodies
             .filter_map(|body| match &body.shape()?.kind {
                 ShapeKind::Mesh { filename, .. } => self.find(filename.as_ref()?).ok(),
@@ -104,7 +120,9 @@ impl<'a> Shapes<'a> {
             })
             .collect();
         let Session { vfs, .. } = self.session;
-        paths.par_iter().for_each(|path| drop(self.session.meshes().get(vfs, path)));
+        paths
+            .par_iter()
+            .for_each(|path| drop(self.session.meshes().get(vfs, path)));
     }
 
     /// The files that were named.
@@ -114,42 +132,57 @@ impl<'a> Shapes<'a> {
 
     /// The color that a material gives, by itself or by its name.
     pub fn look(&mut self, material: Option<&Material>) -> Look {
-        let Some(own) = material else { return Look::default() };
+        let Some(own) = material else {
+            return Look::default();
+        };
         let name = own.name.as_ref().and_then(|name| name.name());
         let named = name.and_then(|name| self.materials.get(name).copied());
         let has_own = own.rgba.is_some() || own.texture_file.is_some();
-        let Some(material) = Some(own).filter(|_| has_own).or(named) else { return Look::default() };
+        let Some(material) = Some(own).filter(|_| has_own).or(named) else {
+            return Look::default();
+        };
         let texture = material.texture_file.as_ref().and_then(|file| {
             let path = self.find(file).ok()?;
             Some(self.file(&path))
         });
-        Look { color: material.rgba.as_ref().and_then(|rgba| rgba.numbers()), texture }
+        Look {
+            color: material.rgba.as_ref().and_then(|rgba| rgba.numbers()),
+            texture,
+        }
     }
 
     /// The shape of a body.
     pub fn shape(&mut self, body: &model::Body) -> Shape {
         let Some(shape) = body.shape() else {
-            return Shape::Unknown { problem: "it has no geometry".to_owned() };
+            return Shape::Unknown {
+                problem: "it has no geometry".to_owned(),
+            };
         };
         let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
         let found = match &shape.kind {
-            ShapeKind::Box { size } => {
-                size.as_ref().and_then(|size| Some(Shape::Box { size: size.numbers()? }))
-            }
-            ShapeKind::Cylinder { radius, length } => {
-                number(radius).zip(number(length)).map(|(radius, length)| Shape::Cylinder { radius, length })
-            }
-            ShapeKind::Capsule { radius, length } => {
-                number(radius).zip(number(length)).map(|(radius, length)| Shape::Capsule { radius, length })
-            }
+            ShapeKind::Box { size } => size.as_ref().and_then(|size| {
+                Some(Shape::Box {
+                    size: size.numbers()?,
+                })
+            }),
+            ShapeKind::Cylinder { radius, length } => number(radius)
+                .zip(number(length))
+                .map(|(radius, length)| Shape::Cylinder { radius, length }),
+            ShapeKind::Capsule { radius, length } => number(radius)
+                .zip(number(length))
+                .map(|(radius, length)| Shape::Capsule { radius, length }),
             ShapeKind::Sphere { radius } => number(radius).map(|radius| Shape::Sphere { radius }),
             ShapeKind::Mesh { filename, scale } => {
                 let scale = scale.as_ref().map_or(Some([1.0; 3]), model::Text::numbers);
-                filename.as_ref().map(|file| self.mesh(file, scale.unwrap_or([1.0; 3])))
+                filename
+                    .as_ref()
+                    .map(|file| self.mesh(file, scale.unwrap_or([1.0; 3])))
             }
             ShapeKind::Other => None,
         };
-        found.unwrap_or_else(|| Shape::Unknown { problem: "its dimensions are unknown".to_owned() })
+        found.unwrap_or_else(|| Shape::Unknown {
+            problem: "its dimensions are unknown".to_owned(),
+        })
     }
 
     fn mesh(&mut self, name: &model::Text, scale: [f64; 3]) -> Shape {
@@ -157,7 +190,12 @@ impl<'a> Shapes<'a> {
             Ok(path) => (Some(self.mesh_file(&path)), None),
             Err(problem) => (None, Some(problem)),
         };
-        Shape::Mesh { uri: name.value.to_string(), scale, mesh, problem }
+        Shape::Mesh {
+            uri: name.value.to_string(),
+            scale,
+            mesh,
+            problem,
+        }
     }
 
     /// The file that a name leads to.
@@ -186,9 +224,21 @@ impl<'a> Shapes<'a> {
         }
         let mesh = self.session.meshes().get(&self.session.vfs, path);
         let beside = self.session.meshes().files(&self.session.vfs, path, &mesh);
-        let files = beside.into_iter().map(|(name, path)| (name, self.file(&path))).collect();
-        let bounds = mesh.surface.map(|surface| [surface.bounds.min, surface.bounds.max]);
-        self.files.insert(id.clone(), MeshFile { bounds, files, ..self.plain(path) });
+        let files = beside
+            .into_iter()
+            .map(|(name, path)| (name, self.file(&path)))
+            .collect();
+        let bounds = mesh
+            .surface
+            .map(|surface| [surface.bounds.min, surface.bounds.max]);
+        self.files.insert(
+            id.clone(),
+            MeshFile {
+                bounds,
+                files,
+                ..self.plain(path)
+            },
+        );
         id
     }
 
@@ -203,8 +253,16 @@ impl<'a> Shapes<'a> {
 
     fn plain(&self, path: &Path) -> MeshFile {
         MeshFile {
-            name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-            format: path.extension().unwrap_or_default().to_string_lossy().to_lowercase(),
+            name: path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            format: path
+                .extension()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .to_lowercase(),
             bytes: self.session.vfs.size(path).unwrap_or(0),
             bounds: None,
             files: BTreeMap::new(),

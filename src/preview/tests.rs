@@ -12,7 +12,11 @@ use vfs::testing::Tree;
 fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));
     let path = |uri: &str| Some(PathBuf::from(uri.strip_prefix("file://")?));
-    work(&Names { uri: &uri, path: &path, encoding: Encoding::Utf16 })
+    work(&Names {
+        uri: &uri,
+        path: &path,
+        encoding: Encoding::Utf16,
+    })
 }
 
 struct Shown {
@@ -53,7 +57,9 @@ fn robot(content: &str) -> String {
 }
 
 fn visual(geometry: &str, material: &str) -> String {
-    robot(&format!("<link name=\"a\"><visual><geometry>{geometry}</geometry>{material}</visual></link>"))
+    robot(&format!(
+        "<link name=\"a\"><visual><geometry>{geometry}</geometry>{material}</visual></link>"
+    ))
 }
 
 #[test]
@@ -65,12 +71,21 @@ fn colors_are_looked_up_by_name() {
         )
     };
     let by_name = link("a", "<material name=\"red\"/>");
-    let own = link("b", "<material name=\"green\"><color rgba=\"0 1 0 1\"/></material>");
+    let own = link(
+        "b",
+        "<material name=\"green\"><color rgba=\"0 1 0 1\"/></material>",
+    );
     let of_another = link("c", "<material name=\"green\"/>");
     let unknown = link("d", "<material name=\"blue\"/>");
-    let mut shown = Shown::new(&robot(&format!("{shared}{by_name}{own}{of_another}{unknown}")));
+    let mut shown = Shown::new(&robot(&format!(
+        "{shared}{by_name}{own}{of_another}{unknown}"
+    )));
     let model = shown.model();
-    let colors: Vec<_> = model.links.iter().map(|link| link.visuals[0].color).collect();
+    let colors: Vec<_> = model
+        .links
+        .iter()
+        .map(|link| link.visuals[0].color)
+        .collect();
     let green = Some([0.0, 1.0, 0.0, 1.0]);
     assert_eq!(colors, [Some([1.0, 0.0, 0.0, 0.5]), green, green, None]);
 }
@@ -84,10 +99,19 @@ fn joints_have_defaults_as_urdfdom_has_them() {
     let model = Shown::new(&robot(text)).model();
     let (j, k) = (&model.joints[0], &model.joints[1]);
     let limit = j.limit.unwrap();
-    assert_eq!((j.axis, limit.lower, limit.upper, limit.velocity), ([1.0, 0.0, 0.0], 0.0, 0.0, Some(2.0)));
-    assert_eq!((k.axis, k.pose.xyz, k.pose.rpy), ([0.0, 0.0, 2.0], [1.0, 2.0, 3.0], [0.0, 0.0, 1.0]));
+    assert_eq!(
+        (j.axis, limit.lower, limit.upper, limit.velocity),
+        ([1.0, 0.0, 0.0], 0.0, 0.0, Some(2.0))
+    );
+    assert_eq!(
+        (k.axis, k.pose.xyz, k.pose.rpy),
+        ([0.0, 0.0, 2.0], [1.0, 2.0, 3.0], [0.0, 0.0, 1.0])
+    );
     let mimic = k.mimic.as_ref().unwrap();
-    assert_eq!((mimic.joint.as_str(), mimic.multiplier, mimic.offset), ("j", 1.0, 0.5));
+    assert_eq!(
+        (mimic.joint.as_str(), mimic.multiplier, mimic.offset),
+        ("j", 1.0, 0.5)
+    );
 }
 
 #[test]
@@ -98,20 +122,34 @@ fn what_a_macro_makes_names_the_outermost_call() {
     );
     let model = Shown::new(&text).model();
     let lines = |location: &Option<super::Location>| location.as_ref().unwrap().range.start.line;
-    assert_eq!((lines(&model.links[0].origin), lines(&model.links[0].call)), (1, 3));
+    assert_eq!(
+        (lines(&model.links[0].origin), lines(&model.links[0].call)),
+        (1, 3)
+    );
 }
 
 #[test]
 fn meshes_bring_the_files_they_name() {
-    let mut shown = Shown::new(&visual("<mesh filename=\"package://bot/part.obj\" scale=\"1 2 3\"/>", ""));
-    shown.tree.write("bot/part.obj", "mtllib part.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    shown.tree.write("bot/part.mtl", "newmtl a\nmap_Kd wood.png\n");
+    let mut shown = Shown::new(&visual(
+        "<mesh filename=\"package://bot/part.obj\" scale=\"1 2 3\"/>",
+        "",
+    ));
+    shown.tree.write(
+        "bot/part.obj",
+        "mtllib part.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    );
+    shown
+        .tree
+        .write("bot/part.mtl", "newmtl a\nmap_Kd wood.png\n");
     shown.tree.write("bot/wood.png", "-");
     let model = shown.model();
     let shape = serde_json::to_value(&model.links[0].visuals[0].shape).unwrap();
     assert_eq!(shape["scale"], serde_json::json!([1.0, 2.0, 3.0]));
     let file = &model.meshes[shape["mesh"].as_str().unwrap()];
-    assert_eq!((file.format.as_str(), file.bounds), ("obj", Some([[0.0; 3], [1.0, 1.0, 0.0]])));
+    assert_eq!(
+        (file.format.as_str(), file.bounds),
+        ("obj", Some([[0.0; 3], [1.0, 1.0, 0.0]]))
+    );
     let names: Vec<&str> = file.files.keys().map(String::as_str).collect();
     assert_eq!(names, ["part.mtl", "wood.png"]);
     for id in file.files.values() {
@@ -129,15 +167,30 @@ fn a_mesh_that_is_not_there_says_why() {
     ];
     for (name, why) in cases {
         let shape = Shown::new(&visual(&format!("<mesh filename=\"{name}\"/>"), "")).shape();
-        assert!(shape["mesh"].is_null() && shape["problem"].as_str().unwrap().contains(why), "{shape}");
+        assert!(
+            shape["mesh"].is_null() && shape["problem"].as_str().unwrap().contains(why),
+            "{shape}"
+        );
     }
     let folder = Shown::new(&visual("<mesh filename=\"package://bot/\"/>", "")).shape();
-    assert!(folder["problem"].as_str().unwrap().ends_with("is not a file"), "{folder}");
+    assert!(
+        folder["problem"]
+            .as_str()
+            .unwrap()
+            .ends_with("is not a file"),
+        "{folder}"
+    );
 }
 
 #[test]
 fn shapes_without_numbers_are_not_guessed() {
-    for geometry in ["<box size=\"1 2\"/>", "<sphere/>", "<cylinder radius=\"1\"/>", "<capsule/>", ""] {
+    for geometry in [
+        "<box size=\"1 2\"/>",
+        "<sphere/>",
+        "<cylinder radius=\"1\"/>",
+        "<capsule/>",
+        "",
+    ] {
         let shape = Shown::new(&visual(geometry, "")).shape();
         assert_eq!(shape["kind"], "unknown", "{geometry}: {shape}");
     }
@@ -148,9 +201,18 @@ fn nothing_is_sent_while_nothing_changes() {
     let mut shown = Shown::new(&robot("<link name=\"a\"/>"));
     assert_eq!(shown.messages().len(), 1);
     assert_eq!(shown.messages().len(), 0);
-    shown.world.set_text(&shown.tree.path("bot/robot.urdf.xacro"), robot("<link name=\"b\"/>"));
+    shown.world.set_text(
+        &shown.tree.path("bot/robot.urdf.xacro"),
+        robot("<link name=\"b\"/>"),
+    );
     let second = shown.messages().pop().unwrap();
-    assert_eq!((second.revision, second.model.unwrap().links[0].name.as_str()), (2, "b"));
+    assert_eq!(
+        (
+            second.revision,
+            second.model.unwrap().links[0].name.as_str()
+        ),
+        (2, "b")
+    );
     shown.views.forget(1);
     assert_eq!(shown.messages().len(), 1);
 }
@@ -162,5 +224,8 @@ fn a_file_that_is_gone_is_an_error() {
     views.open(RootChoice::plain(&tree.path("no.urdf")));
     let world = World::new(tree.environment(&[]), Vec::new());
     let message = Shown { tree, world, views }.messages().pop().unwrap();
-    assert!(!message.ok && message.errors[0].message.contains("cannot read the file"), "{message:?}");
+    assert!(
+        !message.ok && message.errors[0].message.contains("cannot read the file"),
+        "{message:?}"
+    );
 }

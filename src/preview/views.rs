@@ -55,7 +55,13 @@ pub struct MeshBytes {
 
 impl Shown {
     fn new(root: RootChoice) -> Self {
-        Self { root, sent: None, good: None, current: None, choices: None }
+        Self {
+            root,
+            sent: None,
+            good: None,
+            current: None,
+            choices: None,
+        }
     }
 }
 
@@ -87,10 +93,16 @@ impl Views {
 
     /// Show something else; whether there is such a view.
     pub fn show(&mut self, id: u32, root: RootChoice, compare: Option<RootChoice>) -> bool {
-        let Some(view) = self.views.get_mut(&id) else { return false };
+        let Some(view) = self.views.get_mut(&id) else {
+            return false;
+        };
         for (side, root) in [(Side::Main, Some(root)), (Side::Compare, compare)] {
             match root {
-                Some(root) if view.sides.get(&side).is_some_and(|shown| shown.root == root) => {}
+                Some(root)
+                    if view
+                        .sides
+                        .get(&side)
+                        .is_some_and(|shown| shown.root == root) => {}
                 Some(root) => drop(view.sides.insert(side, Shown::new(root))),
                 None => drop(view.sides.remove(&side)),
             }
@@ -100,12 +112,18 @@ impl Views {
 
     /// Whether a view shows two robots; none when there is no such view.
     pub fn compares(&self, id: u32) -> Option<bool> {
-        self.views.get(&id).map(|view| view.sides.contains_key(&Side::Compare))
+        self.views
+            .get(&id)
+            .map(|view| view.sides.contains_key(&Side::Compare))
     }
 
     /// What a view shows.
     pub fn root(&self, id: u32) -> Option<&RootChoice> {
-        self.views.get(&id)?.sides.get(&Side::Main).map(|shown| &shown.root)
+        self.views
+            .get(&id)?
+            .sides
+            .get(&Side::Main)
+            .map(|shown| &shown.root)
     }
 
     /// The views that are open.
@@ -115,7 +133,11 @@ impl Views {
 
     /// Have a view sent again whole.
     pub fn forget(&mut self, id: u32) {
-        let sides = self.views.get_mut(&id).into_iter().flat_map(|view| view.sides.values_mut());
+        let sides = self
+            .views
+            .get_mut(&id)
+            .into_iter()
+            .flat_map(|view| view.sides.values_mut());
         sides.for_each(|shown| (shown.sent, shown.choices) = (None, None));
     }
 
@@ -136,7 +158,11 @@ impl Views {
                     finished = false;
                     continue;
                 };
-                if shown.sent.as_ref().is_some_and(|sent| Arc::ptr_eq(sent, &analyzed)) {
+                if shown
+                    .sent
+                    .as_ref()
+                    .is_some_and(|sent| Arc::ptr_eq(sent, &analyzed))
+                {
                     continue;
                 }
                 view.revision += 1;
@@ -170,18 +196,34 @@ impl Views {
 
     /// The bytes of a file that a model names.
     pub fn mesh(&self, world: &World, id: &str) -> Result<MeshBytes, String> {
-        let path = self.files.path(id).ok_or("no open preview uses this file")?;
+        let path = self
+            .files
+            .path(id)
+            .ok_or("no open preview uses this file")?;
         let bytes = world.session().vfs.bytes(&path, SENT_BYTES);
         let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.reason()))?;
-        Ok(MeshBytes { name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(), bytes })
+        Ok(MeshBytes {
+            name: path
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            bytes,
+        })
     }
 
     /// The links and joints that the text at a place makes.
     pub fn made_by(&self, id: u32, location: &Location, names: &Names<'_>) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
-        let places = Places { names, expansion: &analyzed.expansion };
+        let places = Places {
+            names,
+            expansion: &analyzed.expansion,
+        };
         let robot = analyzed.robot.as_ref()?;
-        Some(Selection { id, ..select::made_by(robot, &places, location) })
+        Some(Selection {
+            id,
+            ..select::made_by(robot, &places, location)
+        })
     }
 
     /// Where a link or a joint stands.
@@ -193,11 +235,24 @@ impl Views {
         names: &Names<'_>,
     ) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
-        let places = Places { names, expansion: &analyzed.expansion };
+        let places = Places {
+            names,
+            expansion: &analyzed.expansion,
+        };
         let robot = analyzed.robot.as_ref()?;
         let location = select::location_of(robot, &places, link.as_deref(), joint.as_deref());
-        let (links, joints) = (link.clone().into_iter().collect(), joint.clone().into_iter().collect());
-        Some(Selection { id, link, joint, links, joints, location })
+        let (links, joints) = (
+            link.clone().into_iter().collect(),
+            joint.clone().into_iter().collect(),
+        );
+        Some(Selection {
+            id,
+            link,
+            joint,
+            links,
+            joints,
+            location,
+        })
     }
 
     fn analyzed(&self, id: u32) -> Option<&Arc<Analyzed>> {
@@ -207,9 +262,15 @@ impl Views {
     /// Files that no model names any more can no longer be asked for.
     fn forget_files(&mut self) {
         let sides = self.views.values().flat_map(|view| view.sides.values());
-        let models =
-            sides.flat_map(|shown| shown.current.iter().chain(shown.good.iter().map(|good| &good.0)));
-        let named: FastSet<&str> = models.flat_map(|model| model.meshes.keys().map(String::as_str)).collect();
+        let models = sides.flat_map(|shown| {
+            shown
+                .current
+                .iter()
+                .chain(shown.good.iter().map(|good| &good.0))
+        });
+        let named: FastSet<&str> = models
+            .flat_map(|model| model.meshes.keys().map(String::as_str))
+            .collect();
         self.files.keep(&named);
     }
 }
@@ -245,7 +306,10 @@ impl Shown {
             last_good: good.map(|(model, _)| model),
             root: RootName::of(&self.root, (names.uri)(&self.root.file)?),
             args: arguments
-                .map(|(name, value)| Argument { name: name.to_owned(), value: value.to_owned() })
+                .map(|(name, value)| Argument {
+                    name: name.to_owned(),
+                    value: value.to_owned(),
+                })
                 .collect(),
             choices: self.choices(world, names),
         };
@@ -268,7 +332,10 @@ impl Shown {
 
     /// What was just made went out with a number.
     fn numbered(&mut self, revision: u64) {
-        let ok = self.sent.as_ref().is_some_and(|sent| !sent.expansion.has_errors());
+        let ok = self
+            .sent
+            .as_ref()
+            .is_some_and(|sent| !sent.expansion.has_errors());
         if let Some((_, number)) = self.good.as_mut().filter(|_| ok) {
             *number = Some(revision);
         }
@@ -277,7 +344,10 @@ impl Shown {
 
 /// The model of an expansion.
 fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -> Model {
-    let places = Places { names, expansion: &analyzed.expansion };
+    let places = Places {
+        names,
+        expansion: &analyzed.expansion,
+    };
     match &analyzed.robot {
         Some(robot) => of_robot(world.session(), robot, &places, files),
         None => Model::default(),
@@ -287,8 +357,20 @@ fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -
 /// The model of a robot, and the files of its meshes; without places.
 pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model, Files) {
     let files = Files::default();
-    let names = Names { uri: &|_| None, path: &|_| None, encoding: Encoding::Utf8 };
-    let model = of_robot(session, robot, &Places { names: &names, expansion }, &files);
+    let names = Names {
+        uri: &|_| None,
+        path: &|_| None,
+        encoding: Encoding::Utf8,
+    };
+    let model = of_robot(
+        session,
+        robot,
+        &Places {
+            names: &names,
+            expansion,
+        },
+        &files,
+    );
     (model, files)
 }
 
@@ -301,16 +383,31 @@ fn of_robot(session: &Session, robot: &Robot, places: &Places<'_>, files: &Files
 fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {
     let expansion = &analyzed.expansion;
     let places = Places { names, expansion };
-    let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
+    let problems = expansion
+        .problems
+        .iter()
+        .filter(|p| p.severity == Severity::Error && !p.probed);
     let listed = problems.filter_map(|problem| {
         let code = rules::rule_of(problem.kind).name;
         let location = places.place(problem.place)?;
-        Some(ModelError { message: problem.message.clone(), code: code.to_owned(), location })
+        Some(ModelError {
+            message: problem.message.clone(),
+            code: code.to_owned(),
+            location,
+        })
     });
     let unreadable = expansion.root_error.as_ref().and_then(|error| {
         let message = format!("cannot read the file: {}", error.reason());
         let location = Location::start((names.uri)(&root.file)?);
-        Some(ModelError { message, code: "unreadable-file".to_owned(), location })
+        Some(ModelError {
+            message,
+            code: "unreadable-file".to_owned(),
+            location,
+        })
     });
-    unreadable.into_iter().chain(listed).take(SENT_ERRORS).collect()
+    unreadable
+        .into_iter()
+        .chain(listed)
+        .take(SENT_ERRORS)
+        .collect()
 }

@@ -74,7 +74,8 @@ pub(super) fn may_hold_joints(key: &str) -> bool {
 impl Controller {
     /// Leave out what only looks like names of joints: the node is no controller that a controller manager lists.
     pub(super) fn keep_known_parameters(&mut self) {
-        self.joints.retain(|(key, _)| JOINT_KEYS.contains(&key.as_str()));
+        self.joints
+            .retain(|(key, _)| JOINT_KEYS.contains(&key.as_str()));
     }
 }
 
@@ -88,7 +89,10 @@ pub(super) fn read(node: &Node, listed: &mut Vec<Listed>, found: &mut Vec<Contro
 
 fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
     for (key, value) in entries(node) {
-        let name = Named { name: key.name.rsplit('/').next().unwrap_or_default().into(), range: key.range };
+        let name = Named {
+            name: key.name.rsplit('/').next().unwrap_or_default().into(),
+            range: key.range,
+        };
         match get(value, "ros__parameters") {
             Some(parameters) if name.name == "controller_manager" => manager(parameters, listed),
             Some(parameters) => found.extend(controller(name, parameters, true)),
@@ -103,14 +107,23 @@ fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Cont
 fn is_ros1(node: &Node) -> bool {
     text(node, "type").is_some_and(|class| {
         let mut parts = class.name.split('/');
-        parts.next().is_some_and(|package| package.contains("controller")) && parts.count() == 1
+        parts
+            .next()
+            .is_some_and(|package| package.contains("controller"))
+            && parts.count() == 1
     })
 }
 
 fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
     let with_class = entries(parameters).filter_map(|(name, value)| {
-        let has_file = ["params_file", "params_files"].iter().any(|key| get(value, key).is_some());
-        Some(Listed { name, class: text(value, "type")?, has_file })
+        let has_file = ["params_file", "params_files"]
+            .iter()
+            .any(|key| get(value, key).is_some());
+        Some(Listed {
+            name,
+            class: text(value, "type")?,
+            has_file,
+        })
     });
     listed.extend(with_class);
 }
@@ -118,8 +131,11 @@ fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
 fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {
     let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
     let named = entries(parameters).filter(|(key, _)| may_hold_joints(&key.name));
-    let joints = named
-        .flat_map(|(key, value)| Named::list(value).into_iter().map(move |name| (key.name.clone(), name)));
+    let joints = named.flat_map(|(key, value)| {
+        Named::list(value)
+            .into_iter()
+            .map(move |name| (key.name.clone(), name))
+    });
     let is_map = matches!(parameters.kind, Kind::Map(_));
     is_map.then(|| Controller {
         class: text(parameters, "type"),

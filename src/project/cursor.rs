@@ -58,16 +58,32 @@ pub fn word_at(name: &str, text: &str, offset: u32) -> Option<Word> {
         false => of_value(&keys)?,
     };
     let (rest, has_colon) = behind(text.get(offset as usize..)?);
-    let Around { start, taken, is_key, .. } = found;
+    let Around {
+        start,
+        taken,
+        is_key,
+        ..
+    } = found;
     let around = keys.last().copied().unwrap_or_default().to_owned();
-    Some(Word { wanted, is_key, range: TextRange::new(start as u32, offset), rest, has_colon, taken, around })
+    Some(Word {
+        wanted,
+        is_key,
+        range: TextRange::new(start as u32, offset),
+        rest,
+        has_colon,
+        taken,
+        around,
+    })
 }
 
 /// How much of the text behind the cursor belongs to the word, and whether a colon follows it.
 fn behind(text: &str) -> (u32, bool) {
     let ends = |c: char| c.is_whitespace() || matches!(c, ',' | ']' | '}' | '"' | '\'' | ':' | '#');
     let rest = text.find(ends).unwrap_or(text.len());
-    let after = text.get(rest..).unwrap_or("").trim_start_matches(['"', '\'', ' ']);
+    let after = text
+        .get(rest..)
+        .unwrap_or("")
+        .trim_start_matches(['"', '\'', ' ']);
     (rest as u32, after.starts_with(':'))
 }
 
@@ -89,8 +105,11 @@ fn of_value(keys: &[&str]) -> Option<Wanted> {
 
 /// What the keys in a mapping name.
 fn of_key(keys: &[&str], name: &str, text: &str) -> Option<Wanted> {
-    let inside: Vec<&str> =
-        keys.iter().copied().filter(|key| !["/**", "ros__parameters"].contains(key)).collect();
+    let inside: Vec<&str> = keys
+        .iter()
+        .copied()
+        .filter(|key| !["/**", "ros__parameters"].contains(key))
+        .collect();
     match inside.as_slice() {
         [.., "joint_limits" | "gains" | "pid_gains" | "constraints"] => Some(Wanted::Joint),
         [.., "joint_limits", _] => Some(Wanted::Limit),
@@ -99,7 +118,9 @@ fn of_key(keys: &[&str], name: &str, text: &str) -> Option<Wanted> {
         {
             Some(Wanted::Group)
         }
-        [] | ["ompl"] if text.contains("planner_configs") || name.starts_with("ompl") => Some(Wanted::Group),
+        [] | ["ompl"] if text.contains("planner_configs") || name.starts_with("ompl") => {
+            Some(Wanted::Group)
+        }
         ["moveit_simple_controller_manager"] => Some(Wanted::Controller),
         [] if text.contains("controller_names:") || text.contains("controller_manager:") => {
             Some(Wanted::Controller)

@@ -15,7 +15,9 @@ pub fn joints_of_group<'r>(
     let mut open: Vec<&str> = vec![group];
     while let Some(name) = open.pop() {
         // a group that contains itself has no more joints for it
-        let Some(name) = Some(name).filter(|name| !seen.contains(name)) else { continue };
+        let Some(name) = Some(name).filter(|name| !seen.contains(name)) else {
+            continue;
+        };
         let group = srdf.group(name)?;
         seen.insert(group.name.as_ref()?.value.as_str());
         add((robot, kinematics), group, &mut joints)?;
@@ -54,17 +56,30 @@ fn add<'r>(
 impl Group {
     /// What it holds, in one line: `chain base → tool`, `2 joints`.
     pub fn in_short(&self) -> String {
-        let text = |text: &Option<Text>| text.as_ref().map_or("?".to_owned(), |text| text.value.to_string());
-        let chains =
-            self.chains.iter().map(|chain| format!("chain {} → {}", text(&chain.base), text(&chain.tip)));
+        let text = |text: &Option<Text>| {
+            text.as_ref()
+                .map_or("?".to_owned(), |text| text.value.to_string())
+        };
+        let chains = self
+            .chains
+            .iter()
+            .map(|chain| format!("chain {} → {}", text(&chain.base), text(&chain.tip)));
         let several = |list: &[Text], noun: &str| match list {
             [] => None,
             [one] => Some(format!("{noun} {}", one.value)),
             list => Some(format!("{} {noun}s", list.len())),
         };
-        let others = [(&self.joints, "joint"), (&self.links, "link"), (&self.subgroups, "group")];
+        let others = [
+            (&self.joints, "joint"),
+            (&self.links, "link"),
+            (&self.subgroups, "group"),
+        ];
         chains
-            .chain(others.into_iter().filter_map(|(list, noun)| several(list, noun)))
+            .chain(
+                others
+                    .into_iter()
+                    .filter_map(|(list, noun)| several(list, noun)),
+            )
             .collect::<Vec<_>>()
             .join(", ")
     }

@@ -30,12 +30,17 @@ pub struct JointLimit {
 impl JointLimit {
     /// Whether a limit holds: `has_velocity_limits` is true.
     pub fn has(&self, switch: &str) -> bool {
-        self.switches.iter().any(|(name, on)| name.name == switch && *on)
+        self.switches
+            .iter()
+            .any(|(name, on)| name.name == switch && *on)
     }
 
     /// A number: its value and its place.
     pub fn value(&self, key: &str) -> Option<(f64, TextRange)> {
-        self.values.iter().find(|(name, ..)| name.name == key).map(|(_, value, _, place)| (*value, *place))
+        self.values
+            .iter()
+            .find(|(name, ..)| name.name == key)
+            .map(|(_, value, _, place)| (*value, *place))
     }
 }
 
@@ -57,7 +62,8 @@ impl Assistant {
         let config = get(root, "moveit_setup_assistant_config")?;
         let urdf = get(config, "URDF").or_else(|| get(config, "urdf"));
         let srdf = get(config, "SRDF").or_else(|| get(config, "srdf"));
-        let of = |node: Option<&Node>, key: &str| text(node?, key).filter(|text| !text.name.is_empty());
+        let of =
+            |node: Option<&Node>, key: &str| text(node?, key).filter(|text| !text.name.is_empty());
         Some(Self {
             package: of(urdf, "package"),
             urdf: of(urdf, "relative_path"),
@@ -68,7 +74,10 @@ impl Assistant {
 
     /// The arguments by name.
     pub fn given(&self) -> Vec<(String, String)> {
-        let words = self.arguments.iter().flat_map(|text| text.name.split_whitespace());
+        let words = self
+            .arguments
+            .iter()
+            .flat_map(|text| text.name.split_whitespace());
         words
             .filter_map(|word| word.split_once(":="))
             .map(|(name, value)| (name.to_owned(), value.to_owned()))
@@ -91,23 +100,43 @@ const NODE: [&str; 2] = ["/**", "ros__parameters"];
 pub(super) fn controllers(root: &Node) -> Vec<MoveitController> {
     let top = inside(root, &NODE);
     let mut found = Vec::new();
-    for manager in [Some(top), get(top, "moveit_simple_controller_manager")].into_iter().flatten() {
-        let names = get(manager, "controller_names").map(Named::list).unwrap_or_default();
+    for manager in [Some(top), get(top, "moveit_simple_controller_manager")]
+        .into_iter()
+        .flatten()
+    {
+        let names = get(manager, "controller_names")
+            .map(Named::list)
+            .unwrap_or_default();
         for name in names {
             let own = get(manager, &name.name);
             found.push(controller(name, own));
         }
-        if let Some(Node { kind: yaml::Kind::List(items), .. }) = get(manager, "controller_list") {
-            found.extend(items.iter().filter_map(|item| Some(controller(text(item, "name")?, Some(item)))));
+        if let Some(Node {
+            kind: yaml::Kind::List(items),
+            ..
+        }) = get(manager, "controller_list")
+        {
+            found.extend(
+                items
+                    .iter()
+                    .filter_map(|item| Some(controller(text(item, "name")?, Some(item)))),
+            );
         }
     }
     found
 }
 
 fn controller(name: Named, parameters: Option<&Node>) -> MoveitController {
-    let joints = parameters.and_then(|own| get(own, "joints")).map(Named::list).unwrap_or_default();
+    let joints = parameters
+        .and_then(|own| get(own, "joints"))
+        .map(Named::list)
+        .unwrap_or_default();
     let kind = parameters.and_then(|own| text(own, "type"));
-    MoveitController { name, joints, is_gripper: kind.is_some_and(|kind| kind.name == "GripperCommand") }
+    MoveitController {
+        name,
+        joints,
+        is_gripper: kind.is_some_and(|kind| kind.name == "GripperCommand"),
+    }
 }
 
 /// The limits of joints.
@@ -121,13 +150,17 @@ pub(super) fn limits(root: &Node) -> Vec<JointLimit> {
         "max_acceleration",
     ];
     let top = inside(root, &[NODE[0], NODE[1], "robot_description_planning"]);
-    let Some(limits) = get(top, "joint_limits") else { return Vec::new() };
+    let Some(limits) = get(top, "joint_limits") else {
+        return Vec::new();
+    };
     let is_limit = |value: &Node| WORDS.iter().any(|word| get(value, word).is_some());
     let own = entries(limits).filter(|(_, value)| is_limit(value));
     own.map(|(joint, value)| JointLimit {
         joint,
         values: entries(value)
-            .filter_map(|(key, value)| number(value).map(|(number, int)| (key, number, int, value.range)))
+            .filter_map(|(key, value)| {
+                number(value).map(|(number, int)| (key, number, int, value.range))
+            })
             .collect(),
         switches: entries(value)
             .filter_map(|(key, value)| match value.kind {
@@ -151,7 +184,11 @@ pub(super) fn kinematics(root: &Node) -> Vec<Named> {
 /// The names of the configurations of planners.
 pub fn planner_names(root: &Node) -> Vec<Named> {
     let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
-    get(top, "planner_configs").into_iter().flat_map(entries).map(|(name, _)| name).collect()
+    get(top, "planner_configs")
+        .into_iter()
+        .flat_map(entries)
+        .map(|(name, _)| name)
+        .collect()
 }
 
 /// The groups that parameters of MoveIt Servo name.
@@ -160,10 +197,17 @@ pub(super) fn servo(root: &Node) -> Vec<Named> {
     let mut found = Vec::new();
     while let Some((node, depth)) = open.pop() {
         // other nodes have a parameter of this name, too; only Servo has frames for the commands
-        if ["robot_link_command_frame", "command_in_type"].iter().any(|key| get(node, key).is_some()) {
+        if ["robot_link_command_frame", "command_in_type"]
+            .iter()
+            .any(|key| get(node, key).is_some())
+        {
             found.extend(GROUP_KEYS.iter().filter_map(|key| text(node, key)));
         }
-        open.extend(entries(node).filter(|_| depth > 0).map(|(_, value)| (value, depth - 1)));
+        open.extend(
+            entries(node)
+                .filter(|_| depth > 0)
+                .map(|(_, value)| (value, depth - 1)),
+        );
     }
     found.retain(|name| !name.name.is_empty());
     found
@@ -175,7 +219,11 @@ pub(super) fn planners(root: &Node) -> Vec<Named> {
     if get(top, "planner_configs").is_none() {
         return Vec::new();
     }
-    let keys = ["planner_configs", "default_planner_config", "projection_evaluator"];
+    let keys = [
+        "planner_configs",
+        "default_planner_config",
+        "projection_evaluator",
+    ];
     let is_group = |value: &Node| keys.iter().any(|key| get(value, key).is_some());
     entries(top)
         .filter(|(name, value)| name.name != "planner_configs" && is_group(value))

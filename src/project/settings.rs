@@ -56,7 +56,11 @@ impl Settings {
         };
         controllers::read(root, &mut settings.listed, &mut settings.controllers);
         for controller in &mut settings.controllers {
-            if !settings.listed.iter().any(|listed| listed.name.name == controller.name.name) {
+            if !settings
+                .listed
+                .iter()
+                .any(|listed| listed.name.name == controller.name.name)
+            {
                 controller.keep_known_parameters();
             }
         }
@@ -78,11 +82,18 @@ impl Settings {
     /// Every name of a joint or group that is written out.
     pub fn names(&self) -> Vec<(&Named, Kind)> {
         let mut found: Vec<(&Named, Kind)> = Vec::new();
-        let joints = self.controllers.iter().flat_map(|one| one.joints.iter().map(|(_, joint)| joint));
+        let joints = self
+            .controllers
+            .iter()
+            .flat_map(|one| one.joints.iter().map(|(_, joint)| joint));
         let joints = joints.chain(self.moveit.iter().flat_map(|one| &one.joints));
         let joints = joints.chain(self.limits.iter().map(|limit| &limit.joint));
         found.extend(joints.map(|joint| (joint, Kind::Joint)));
-        let groups = self.kinematics.iter().chain(&self.planners).chain(&self.servo);
+        let groups = self
+            .kinematics
+            .iter()
+            .chain(&self.planners)
+            .chain(&self.servo);
         found.extend(groups.map(|group| (group, Kind::Group)));
         found.retain(|(name, _)| !is_computed(&name.name));
         found

@@ -108,7 +108,8 @@ impl Srdf {
             default_disabled: Vec::new(),
             others: Vec::new(),
         };
-        tree.elements(element).for_each(|child| srdf.add(tree, child));
+        tree.elements(element)
+            .for_each(|child| srdf.add(tree, child));
         Some(srdf)
     }
 
@@ -134,10 +135,15 @@ impl Srdf {
             "disable_default_collisions" => self.default_disabled.extend(text("link")),
             "enable_collisions" => {
                 let links = ["link1", "link2"].map(text);
-                self.others.extend(links.into_iter().flatten().map(|link| (link, Kind::Link)));
+                self.others
+                    .extend(links.into_iter().flatten().map(|link| (link, Kind::Link)));
             }
-            "link_sphere_approximation" => self.others.extend(text("link").map(|link| (link, Kind::Link))),
-            "joint_property" => self.others.extend(text("joint_name").map(|joint| (joint, Kind::Joint))),
+            "link_sphere_approximation" => self
+                .others
+                .extend(text("link").map(|link| (link, Kind::Link))),
+            "joint_property" => self
+                .others
+                .extend(text("joint_name").map(|joint| (joint, Kind::Joint))),
             _ => {}
         }
     }
@@ -151,7 +157,10 @@ impl Srdf {
             found.extend(group.links.iter().map(|name| (name, Link, false)));
             found.extend(group.joints.iter().map(|name| (name, Joint, false)));
             found.extend(group.subgroups.iter().map(|name| (name, Group, false)));
-            let ends = group.chains.iter().flat_map(|chain| [&chain.base, &chain.tip]);
+            let ends = group
+                .chains
+                .iter()
+                .flat_map(|chain| [&chain.base, &chain.tip]);
             found.extend(ends.flatten().map(|name| (name, Link, false)));
         }
         for state in &self.states {
@@ -168,25 +177,41 @@ impl Srdf {
             found.extend(joint.child_link.iter().map(|name| (name, Link, false)));
         }
         found.extend(self.passive.iter().map(|name| (name, Joint, false)));
-        let pairs = self.disabled.iter().flat_map(|pair| [&pair.link1, &pair.link2]).flatten();
-        found.extend(pairs.chain(&self.default_disabled).map(|name| (name, Link, false)));
+        let pairs = self
+            .disabled
+            .iter()
+            .flat_map(|pair| [&pair.link1, &pair.link2])
+            .flatten();
+        found.extend(
+            pairs
+                .chain(&self.default_disabled)
+                .map(|name| (name, Link, false)),
+        );
         found.extend(self.others.iter().map(|(name, kind)| (name, *kind, false)));
         found
     }
 
     /// The first group of a name.
     pub fn group(&self, name: &str) -> Option<&Group> {
-        self.groups.iter().find(|group| group.name.as_ref().is_some_and(|own| own.value == name))
+        self.groups
+            .iter()
+            .find(|group| group.name.as_ref().is_some_and(|own| own.value == name))
     }
 }
 
 impl Group {
     fn of(tree: &XTree, element: XId) -> Self {
         let named = |tag: &str, attr: &str| {
-            let inner = tree.elements(element).filter(|&child| tree.get(child).text == tag);
-            inner.filter_map(|child| Text::attr(tree, child, attr)).collect::<Vec<_>>()
+            let inner = tree
+                .elements(element)
+                .filter(|&child| tree.get(child).text == tag);
+            inner
+                .filter_map(|child| Text::attr(tree, child, attr))
+                .collect::<Vec<_>>()
         };
-        let chains = tree.elements(element).filter(|&child| tree.get(child).text == "chain");
+        let chains = tree
+            .elements(element)
+            .filter(|&child| tree.get(child).text == "chain");
         let chain = |element| Chain {
             element,
             base: Text::attr(tree, element, "base_link"),
@@ -205,8 +230,15 @@ impl Group {
 
 impl GroupState {
     fn of(tree: &XTree, element: XId) -> Self {
-        let joints = tree.elements(element).filter(|&child| tree.get(child).text == "joint");
-        let joint = |child| Some((Text::attr(tree, child, "name")?, Text::attr(tree, child, "value")));
+        let joints = tree
+            .elements(element)
+            .filter(|&child| tree.get(child).text == "joint");
+        let joint = |child| {
+            Some((
+                Text::attr(tree, child, "name")?,
+                Text::attr(tree, child, "value"),
+            ))
+        };
         Self {
             element,
             name: Text::attr(tree, element, "name"),
@@ -219,12 +251,20 @@ impl GroupState {
 impl Pair {
     fn of(tree: &XTree, element: XId) -> Self {
         let text = |name: &str| Text::attr(tree, element, name);
-        Self { element, link1: text("link1"), link2: text("link2"), reason: text("reason") }
+        Self {
+            element,
+            link1: text("link1"),
+            link2: text("link2"),
+            reason: text("reason"),
+        }
     }
 
     /// Both links, when they are known; the lesser name first.
     pub fn links(&self) -> Option<(&str, &str)> {
-        let (one, two) = (self.link1.as_ref()?.name()?.as_str(), self.link2.as_ref()?.name()?.as_str());
+        let (one, two) = (
+            self.link1.as_ref()?.name()?.as_str(),
+            self.link2.as_ref()?.name()?.as_str(),
+        );
         Some((one.min(two), one.max(two)))
     }
 }

@@ -44,7 +44,10 @@ pub(super) fn around(text: &str, offset: usize) -> Option<Around> {
     let mut levels: Vec<Level> = Vec::new();
     let mut start = 0;
     while start < line_start {
-        let end = before.get(start..)?.find('\n').map_or(offset, |at| start + at + 1);
+        let end = before
+            .get(start..)?
+            .find('\n')
+            .map_or(offset, |at| start + at + 1);
         let line = without_comment(before.get(start..end)?);
         if line.trim().is_empty() {
             start = end;
@@ -56,16 +59,20 @@ pub(super) fn around(text: &str, offset: usize) -> Option<Around> {
         let (content, column) = enter(&mut levels, line);
         let value = match split_key(content) {
             Some((key, value)) => {
-                levels.push(Level { indent: column, step: Step::Key(key) });
+                levels.push(Level {
+                    indent: column,
+                    step: Step::Key(key),
+                });
                 value
             }
             None => content,
         };
         let begin = start + line.trim_end().len() - value.trim_end().len();
         start = match value.starts_with(['[', '{']).then(|| flow_end(text, begin)) {
-            Some(Some(close)) if close <= offset => {
-                before.get(close..)?.find('\n').map_or(offset, |at| close + at + 1)
-            }
+            Some(Some(close)) if close <= offset => before
+                .get(close..)?
+                .find('\n')
+                .map_or(offset, |at| close + at + 1),
             Some(_) => return in_flow(text, begin, offset, levels),
             None => end,
         };
@@ -83,10 +90,14 @@ fn in_line(text: &str, line_start: usize, offset: usize, mut levels: Vec<Level>)
         return None;
     }
     let (content, indent) = enter(&mut levels, head);
-    let is_item = matches!(levels.last(), Some(Level { step: Step::Item, indent: own }) if *own < indent);
+    let is_item =
+        matches!(levels.last(), Some(Level { step: Step::Item, indent: own }) if *own < indent);
     let begin = offset - content.len();
     if let Some((key, value)) = split_key(content) {
-        levels.push(Level { indent, step: Step::Key(key) });
+        levels.push(Level {
+            indent,
+            step: Step::Key(key),
+        });
         let begin = offset - value.len();
         if value.starts_with(['[', '{']) {
             return in_flow(text, begin, offset, levels);
@@ -101,9 +112,23 @@ fn in_line(text: &str, line_start: usize, offset: usize, mut levels: Vec<Level>)
     if content.starts_with(['[', '{']) {
         return in_flow(text, begin, offset, levels);
     }
-    let taken =
-        siblings(text, line_start, offset, is_item, if is_item { levels.last()?.indent } else { indent });
-    Some(Around { steps: steps(levels), is_key: !is_item, start: unquoted(content, begin), taken })
+    let taken = siblings(
+        text,
+        line_start,
+        offset,
+        is_item,
+        if is_item {
+            levels.last()?.indent
+        } else {
+            indent
+        },
+    );
+    Some(Around {
+        steps: steps(levels),
+        is_key: !is_item,
+        start: unquoted(content, begin),
+        taken,
+    })
 }
 
 /// Leave the levels that a line ends, and add those of the lists that it begins items of; the rest of the line with its column.
@@ -115,7 +140,8 @@ fn enter<'t>(levels: &mut Vec<Level>, line: &'t str) -> (&'t str, usize) {
         let is_item = content == "-" || content.starts_with("- ");
         // a list may stand at the column of its key
         let ends = |level: &Level| {
-            level.indent > indent || level.indent == indent && !(is_item && level.step != Step::Item)
+            level.indent > indent
+                || level.indent == indent && !(is_item && level.step != Step::Item)
         };
         while levels.last().is_some_and(ends) {
             levels.pop();
@@ -123,7 +149,10 @@ fn enter<'t>(levels: &mut Vec<Level>, line: &'t str) -> (&'t str, usize) {
         if !is_item {
             return (content, indent);
         }
-        levels.push(Level { indent, step: Step::Item });
+        levels.push(Level {
+            indent,
+            step: Step::Item,
+        });
         let inner = content.get(1..).unwrap_or("").trim_start_matches(' ');
         indent += content.len() - inner.len();
         content = inner;
@@ -138,10 +167,21 @@ fn split_key(content: &str) -> Option<(String, &str)> {
         None if content.starts_with(['[', '{']) => return None,
         None => 0,
     };
-    let is_end =
-        |at: &usize| content.get(at + 1..).is_some_and(|rest| rest.is_empty() || rest.starts_with(' '));
-    let colon = content.match_indices(':').map(|(at, _)| at).filter(|at| *at >= from).find(is_end)?;
-    let key = content.get(..colon)?.trim().trim_matches(['"', '\'']).to_owned();
+    let is_end = |at: &usize| {
+        content
+            .get(at + 1..)
+            .is_some_and(|rest| rest.is_empty() || rest.starts_with(' '))
+    };
+    let colon = content
+        .match_indices(':')
+        .map(|(at, _)| at)
+        .filter(|at| *at >= from)
+        .find(is_end)?;
+    let key = content
+        .get(..colon)?
+        .trim()
+        .trim_matches(['"', '\''])
+        .to_owned();
     Some((key, content.get(colon + 1..)?.trim_start_matches(' ')))
 }
 
@@ -178,7 +218,11 @@ fn flow_end(text: &str, begin: usize) -> Option<usize> {
 }
 
 /// The characters of a part of a text with their places, without comments.
-fn outside_comments(text: &str, from: usize, to: usize) -> impl Iterator<Item = (usize, char)> + '_ {
+fn outside_comments(
+    text: &str,
+    from: usize,
+    to: usize,
+) -> impl Iterator<Item = (usize, char)> + '_ {
     let mut before = ' ';
     let mut in_comment = false;
     let part = text.get(from..to).unwrap_or("");
@@ -216,20 +260,31 @@ fn in_flow(text: &str, begin: usize, offset: usize, levels: Vec<Level>) -> Optio
     }
     let (bracket, key, mut taken) = open.pop()?;
     let mut steps = steps(levels);
-    steps.extend(open.into_iter().map(|(_, key, _)| key.map_or(Step::Item, Step::Key)));
+    steps.extend(
+        open.into_iter()
+            .map(|(_, key, _)| key.map_or(Step::Item, Step::Key)),
+    );
     let is_key = bracket == '{' && key.is_none();
     if !is_key {
         steps.push(key.map_or(Step::Item, Step::Key));
     }
     let rest = text.get(offset..)?;
     let rest = rest.get(..rest.find([']', '}', '\n']).unwrap_or(rest.len()))?;
-    let others = rest.split(',').skip(1).map(|word| word.split(':').next().unwrap_or(word));
+    let others = rest
+        .split(',')
+        .skip(1)
+        .map(|word| word.split(':').next().unwrap_or(word));
     taken.extend(others.map(|word| word.trim().trim_matches(['"', '\'']).to_owned()));
     let mut typed = text.get(word..offset)?.trim_start();
     while typed.starts_with('#') {
         typed = typed.split_once('\n')?.1.trim_start();
     }
-    Some(Around { steps, is_key, start: unquoted(typed, offset - typed.len()), taken })
+    Some(Around {
+        steps,
+        is_key,
+        start: unquoted(typed, offset - typed.len()),
+        taken,
+    })
 }
 
 fn steps(levels: Vec<Level>) -> Vec<Step> {
@@ -242,7 +297,13 @@ fn unquoted(word: &str, begin: usize) -> usize {
 }
 
 /// The other items of a list whose dashes are at a column, or the other keys of a mapping.
-fn siblings(text: &str, line_start: usize, offset: usize, is_item: bool, indent: usize) -> Vec<String> {
+fn siblings(
+    text: &str,
+    line_start: usize,
+    offset: usize,
+    is_item: bool,
+    indent: usize,
+) -> Vec<String> {
     let said = |line: &str| -> Option<Option<String>> {
         let line = without_comment(line).trim_end();
         let content = line.trim_start_matches(' ');
@@ -255,10 +316,28 @@ fn siblings(text: &str, line_start: usize, offset: usize, is_item: bool, indent:
             return None;
         }
         let content = content.trim_start_matches('-').trim_start();
-        let word = if is_item { content.to_owned() } else { split_key(content)?.0 };
+        let word = if is_item {
+            content.to_owned()
+        } else {
+            split_key(content)?.0
+        };
         Some(Some(word.trim_matches(['"', '\'']).to_owned()))
     };
-    let above = text.get(..line_start).unwrap_or("").lines().rev().map_while(said);
-    let below = text.get(offset..).unwrap_or("").lines().skip(1).map_while(said);
-    above.chain(below).flatten().filter(|word| !word.is_empty()).collect()
+    let above = text
+        .get(..line_start)
+        .unwrap_or("")
+        .lines()
+        .rev()
+        .map_while(said);
+    let below = text
+        .get(offset..)
+        .unwrap_or("")
+        .lines()
+        .skip(1)
+        .map_while(said);
+    above
+        .chain(below)
+        .flatten()
+        .filter(|word| !word.is_empty())
+        .collect()
 }

@@ -18,7 +18,10 @@ impl Named {
     /// The text of a node, when it is one.
     pub(super) fn of(node: &Node) -> Option<Self> {
         match &node.kind {
-            Kind::Str(text) => Some(Self { name: text.as_str().into(), range: node.range }),
+            Kind::Str(text) => Some(Self {
+                name: text.as_str().into(),
+                range: node.range,
+            }),
             _ => None,
         }
     }
@@ -38,12 +41,16 @@ pub(super) fn entries(node: &Node) -> impl Iterator<Item = (Named, &Node)> {
         Kind::Map(entries) => entries.as_slice(),
         _ => &[],
     };
-    entries.iter().filter_map(|(key, value)| Some((Named::of(key)?, value)))
+    entries
+        .iter()
+        .filter_map(|(key, value)| Some((Named::of(key)?, value)))
 }
 
 /// The value of a key.
 pub(super) fn get<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
-    entries(node).find(|(name, _)| name.name == key).map(|(_, value)| value)
+    entries(node)
+        .find(|(name, _)| name.name == key)
+        .map(|(_, value)| value)
 }
 
 /// The text of a key.

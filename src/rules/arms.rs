@@ -61,9 +61,16 @@ fn driven_below(
     let mut found = Vec::new();
     while let Some(link) = open.pop() {
         for &joint in kinematics.down(link) {
-            if robot.joints.get(joint).is_some_and(|joint| joint.is_driven()) {
+            if robot
+                .joints
+                .get(joint)
+                .is_some_and(|joint| joint.is_driven())
+            {
                 found.push(joint);
-            } else if let Some((_, child)) = kinematics.ends(joint).filter(|(_, child)| seen.insert(*child)) {
+            } else if let Some((_, child)) = kinematics
+                .ends(joint)
+                .filter(|(_, child)| seen.insert(*child))
+            {
                 open.push(child);
             }
         }

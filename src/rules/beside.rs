@@ -80,8 +80,18 @@ pub struct Names {
 impl Names {
     /// Add the names in a robot.
     pub fn add(&mut self, robot: &Robot) {
-        self.links.extend(robot.links.iter().filter_map(|link| link.name.as_ref()?.name().cloned()));
-        self.joints.extend(robot.joints.iter().filter_map(|joint| joint.name.as_ref()?.name().cloned()));
+        self.links.extend(
+            robot
+                .links
+                .iter()
+                .filter_map(|link| link.name.as_ref()?.name().cloned()),
+        );
+        self.joints.extend(
+            robot
+                .joints
+                .iter()
+                .filter_map(|joint| joint.name.as_ref()?.name().cloned()),
+        );
     }
 
     /// Add the names of others.
@@ -103,7 +113,9 @@ impl Names {
 
 /// What the rules say about a file beside robots.
 pub fn check_beside(cx: &BesideCx<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
-    let Some(first) = all().next() else { return Vec::new() };
+    let Some(first) = all().next() else {
+        return Vec::new();
+    };
     let mut sink = Sink::new(cx.expansion, first);
     chosen.run(&mut sink, |rule, sink| match rule.check {
         Check::Beside(check) if !cx.robots.is_empty() => check(cx, sink),
@@ -125,9 +137,11 @@ impl<'a> BesideCx<'a> {
         robots.iter().for_each(|paired| names.add(paired.robot));
         for content in all {
             if let Content::Srdf(srdf) = content {
-                names
-                    .groups
-                    .extend(srdf.groups.iter().filter_map(|group| group.name.as_ref()?.name().cloned()));
+                names.groups.extend(
+                    srdf.groups
+                        .iter()
+                        .filter_map(|group| group.name.as_ref()?.name().cloned()),
+                );
             }
         }
         Self {
@@ -200,13 +214,19 @@ impl<'a> BesideCx<'a> {
 
     /// Whether hardware of the robots offers an interface with other arguments.
     pub(super) fn may_offer(&self, interface: &str) -> bool {
-        self.known.get_or_init(|| (self.further)()).interfaces.contains(interface)
+        self.known
+            .get_or_init(|| (self.further)())
+            .interfaces
+            .contains(interface)
     }
 
     /// Whether a joint is a virtual joint of an SRDF.
     fn is_virtual(&self, kind: Kind, name: &str) -> bool {
         let is_it = |text: &Option<Text>| text.as_ref().is_some_and(|text| text.value == name);
-        kind == Kind::Joint && self.srdfs().any(|srdf| srdf.virtual_joints.iter().any(|one| is_it(&one.name)))
+        kind == Kind::Joint
+            && self
+                .srdfs()
+                .any(|srdf| srdf.virtual_joints.iter().any(|one| is_it(&one.name)))
     }
 
     /// The SRDFs of the robots.
@@ -230,7 +250,9 @@ impl<'a> BesideCx<'a> {
         &'s self,
         name: &'s str,
     ) -> impl Iterator<Item = (&'a PairedRobot<'a>, &'a Joint)> + 's {
-        self.robots.iter().filter_map(move |paired| Some((paired, paired.robot.joint(name)?)))
+        self.robots
+            .iter()
+            .filter_map(move |paired| Some((paired, paired.robot.joint(name)?)))
     }
 
     /// Whether the name of an unknown link, joint or group is close to one that is known.
@@ -244,8 +266,12 @@ impl<'a> BesideCx<'a> {
         let names = self.names.of(kind).into_iter().flatten();
         match (nearest(name, names.map(EcoString::as_str)), kind) {
             (Some(near), _) => Help::did_you_mean(near),
-            (None, Kind::Link) => "use the name of a link of the robot, including its prefix".into(),
-            (None, Kind::Joint) => "use the name of a joint of the robot, including its prefix".into(),
+            (None, Kind::Link) => {
+                "use the name of a link of the robot, including its prefix".into()
+            }
+            (None, Kind::Joint) => {
+                "use the name of a joint of the robot, including its prefix".into()
+            }
             (None, Kind::Group) => "use the name of a group of the SRDF".into(),
         }
     }
@@ -257,7 +283,13 @@ impl<'a> BesideCx<'a> {
         name: &Named,
         message: impl Into<String>,
     ) -> Reported<'s, 'e> {
-        out.report_span(Span { file: self.file, range: name.range }, message)
+        out.report_span(
+            Span {
+                file: self.file,
+                range: name.range,
+            },
+            message,
+        )
     }
 }
 
@@ -276,6 +308,11 @@ pub(super) fn unknown(
     severity: Severity,
     message: String,
 ) {
-    let report = out.report(text.origin, message).group(Group::Name(text.value.clone()));
-    report.severity(severity).help(cx.advice(kind, &text.value)).done();
+    let report = out
+        .report(text.origin, message)
+        .group(Group::Name(text.value.clone()));
+    report
+        .severity(severity)
+        .help(cx.advice(kind, &text.value))
+        .done();
 }

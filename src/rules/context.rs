@@ -57,13 +57,20 @@ impl FileCx<'_> {
 
     /// The attributes of the root element; their ranges are absolute.
     pub fn root_attrs(&self) -> impl Iterator<Item = Attr<'_>> {
-        self.source.document.root().into_iter().flat_map(|root| root.attrs())
+        self.source
+            .document
+            .root()
+            .into_iter()
+            .flat_map(|root| root.attrs())
     }
 }
 
 /// Whether the name of a file calls it plain URDF.
 pub fn is_plain_urdf(path: &Path) -> bool {
-    let name = path.file_name().map(|name| name.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let name = path
+        .file_name()
+        .map(|name| name.to_string_lossy().to_lowercase())
+        .unwrap_or_default();
     name.ends_with(".urdf") && !name.contains(".xacro")
 }
 
@@ -160,13 +167,23 @@ impl<'a> DocumentCx<'a> {
     fn by_name(&self) -> &ByName<'a> {
         self.by_name.get_or_init(|| {
             let mut found = ByName::default();
-            let Some(robot) = self.robot else { return found };
+            let Some(robot) = self.robot else {
+                return found;
+            };
             for joint in &robot.joints {
                 if let Some(child) = &joint.child {
-                    found.above.entry(child.value.as_str()).or_default().push(joint);
+                    found
+                        .above
+                        .entry(child.value.as_str())
+                        .or_default()
+                        .push(joint);
                 }
                 if let Some(parent) = &joint.parent {
-                    found.below.entry(parent.value.as_str()).or_default().push(joint);
+                    found
+                        .below
+                        .entry(parent.value.as_str())
+                        .or_default()
+                        .push(joint);
                 }
             }
             for link in &robot.links {
@@ -185,9 +202,12 @@ impl<'a> DocumentCx<'a> {
     pub fn is_static(&self) -> bool {
         let tree = &self.expansion.tree;
         let blocks = self.robot.into_iter().flat_map(|robot| &robot.gazebo);
-        let blocks = blocks.filter(|block| block.reference.is_none()).map(|block| block.element);
-        let mut tags =
-            blocks.flat_map(|block| tree.elements(block)).filter(|&tag| tree.get(tag).text == "static");
+        let blocks = blocks
+            .filter(|block| block.reference.is_none())
+            .map(|block| block.element);
+        let mut tags = blocks
+            .flat_map(|block| tree.elements(block))
+            .filter(|&tag| tree.get(tag).text == "static");
         tags.any(|tag| {
             Text::content(tree, tag).is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
         })

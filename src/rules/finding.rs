@@ -104,7 +104,10 @@ impl Help {
     /// The suggestion of a known name.
     pub fn did_you_mean(near: impl Into<String>) -> Self {
         let near = near.into();
-        Self { text: format!("did you mean `{near}`?"), similar: Some(near) }
+        Self {
+            text: format!("did you mean `{near}`?"),
+            similar: Some(near),
+        }
     }
 
     /// With another sentence.
@@ -118,7 +121,10 @@ impl Help {
 
 impl From<String> for Help {
     fn from(text: String) -> Self {
-        Self { text, similar: None }
+        Self {
+            text,
+            similar: None,
+        }
     }
 }
 
@@ -130,15 +136,25 @@ impl From<&str> for Help {
 
 /// A message in which a thing whose name is empty, or not known as a whole, is "this link" instead of "link `?`".
 fn without_placeholders(message: String) -> String {
-    const KINDS: [&str; 7] = ["link", "joint", "material", "plugin", "robot", "ros2_control", "transmission"];
-    let is_open = |name: &str| name.is_empty() || name.contains('?') && !name.contains([' ', '$', '{', '(']);
+    const KINDS: [&str; 7] = [
+        "link",
+        "joint",
+        "material",
+        "plugin",
+        "robot",
+        "ros2_control",
+        "transmission",
+    ];
+    let is_open =
+        |name: &str| name.is_empty() || name.contains('?') && !name.contains([' ', '$', '{', '(']);
     if !message.contains('?') && !message.contains("``") {
         return message;
     }
     let mut text = String::with_capacity(message.len());
     for (number, part) in message.split('`').enumerate() {
         let kind = KINDS.iter().find(|kind| {
-            text.strip_suffix(' ').is_some_and(|before| before.rsplit(' ').next() == Some(**kind))
+            text.strip_suffix(' ')
+                .is_some_and(|before| before.rsplit(' ').next() == Some(**kind))
         });
         match kind.filter(|_| number % 2 == 1 && is_open(part)) {
             Some(kind) => {
@@ -155,7 +171,11 @@ fn without_placeholders(message: String) -> String {
         }
     }
     // an odd number of backticks is not ours
-    if message.matches('`').count().is_multiple_of(2) { text } else { message }
+    if message.matches('`').count().is_multiple_of(2) {
+        text
+    } else {
+        message
+    }
 }
 
 /// A further place of a finding.
@@ -197,10 +217,19 @@ mod tests {
     fn things_without_a_name_are_this_thing() {
         for (message, expected) in [
             ("link `?` has no inertial", "this link has no inertial"),
-            ("mesh `a.stl` of link `?tool` is open", "mesh `a.stl` of this link is open"),
+            (
+                "mesh `a.stl` of link `?tool` is open",
+                "mesh `a.stl` of this link is open",
+            ),
             ("material `` has no color", "this material has no color"),
-            ("unknown link `a`; did you mean `b`?", "unknown link `a`; did you mean `b`?"),
-            ("cannot evaluate `a if b else ?`: x", "cannot evaluate `a if b else ?`: x"),
+            (
+                "unknown link `a`; did you mean `b`?",
+                "unknown link `a`; did you mean `b`?",
+            ),
+            (
+                "cannot evaluate `a if b else ?`: x",
+                "cannot evaluate `a if b else ?`: x",
+            ),
         ] {
             assert_eq!(without_placeholders(message.to_owned()), expected);
         }

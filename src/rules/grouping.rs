@@ -24,7 +24,11 @@ pub enum Group {
 impl Group {
     /// How many places make a group. Of two, both are shown, unless what is wrong is neither of them.
     pub fn least(&self) -> usize {
-        if matches!(self, Group::Thing(_)) { 2 } else { 3 }
+        if matches!(self, Group::Thing(_)) {
+            2
+        } else {
+            3
+        }
     }
 }
 
@@ -80,8 +84,11 @@ const BY_TEXT: [&str; 16] = [
 ];
 
 /// Rules whose errors are about values: the program that wrote one of them wrote all of them.
-const BY_FILE: [&str; 3] =
-    ["inertia-not-positive-definite", "joint-limit-negative", "non-positive-dimension"];
+const BY_FILE: [&str; 3] = [
+    "inertia-not-positive-definite",
+    "joint-limit-negative",
+    "non-positive-dimension",
+];
 
 impl Rule {
     /// What findings share that do not say it themselves. Errors are one defect only where the same text is

@@ -61,7 +61,9 @@ pub use registry::{
     Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
     unknown_selector,
 };
-pub use run::{Chosen, check_expansion, check_files, check_recovered, is_whole, losses, needs_whole};
+pub use run::{
+    Chosen, check_expansion, check_files, check_recovered, is_whole, losses, needs_whole,
+};
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic, is_semantic_file, is_semantic_name};
 pub use sink::{Sink, calls, span_of};

@@ -24,12 +24,20 @@ pub(super) fn short(number: f64) -> String {
 fn digits(number: f64, most: usize) -> String {
     let text = format!("{number:.most$}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 /// A vector as URDF writes it.
 pub(super) fn vector(numbers: &[f64]) -> String {
-    numbers.iter().map(|&number| short(number)).collect::<Vec<_>>().join(" ")
+    numbers
+        .iter()
+        .map(|&number| short(number))
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 /// The whole of a value.
@@ -57,10 +65,19 @@ pub(super) fn from_degrees<'s, 'a>(
     text: &Text,
     range: Range<usize>,
 ) -> Reported<'s, 'a> {
-    let report = with_definitions(report, expansion, text.reads(expansion, range.clone()).collect());
+    let report = with_definitions(
+        report,
+        expansion,
+        text.reads(expansion, range.clone()).collect(),
+    );
     let origin = text.part(range.clone());
-    let Some((_, _, source)) = source_text(expansion, origin) else { return report };
-    let inner = source.trim().strip_prefix("${").and_then(|rest| rest.strip_suffix('}'));
+    let Some((_, _, source)) = source_text(expansion, origin) else {
+        return report;
+    };
+    let inner = source
+        .trim()
+        .strip_prefix("${")
+        .and_then(|rest| rest.strip_suffix('}'));
     let value = text.value.get(range).and_then(decimal);
     let new = match (inner, value) {
         (Some(inner), _) if !inner.contains('}') && !is_called(expansion, origin) => {
@@ -75,7 +92,11 @@ pub(super) fn from_degrees<'s, 'a>(
         }
         _ => return report,
     };
-    report.replace_with(Safety::Unsafe, format!("convert from degrees: `{new}`"), new)
+    report.replace_with(
+        Safety::Unsafe,
+        format!("convert from degrees: `{new}`"),
+        new,
+    )
 }
 
 /// Whether the part `range` of a value comes from a property or an argument that somebody gave a number, as opposed to a
@@ -84,7 +105,11 @@ pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range
     let mut reads: Vec<u32> = text.reads(expansion, range).collect();
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
-        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+        let Some(binding) = expansion
+            .bindings
+            .get(read as usize)
+            .filter(|_| seen.insert(read))
+        else {
             continue;
         };
         if binding.kind != BindingKind::Parameter && binding.origin.is_some() {
@@ -103,10 +128,16 @@ fn with_definitions<'s, 'a>(
 ) -> Reported<'s, 'a> {
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
-        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+        let Some(binding) = expansion
+            .bindings
+            .get(read as usize)
+            .filter(|_| seen.insert(read))
+        else {
             continue;
         };
-        let origin = binding.origin.filter(|_| binding.kind != BindingKind::Parameter);
+        let origin = binding
+            .origin
+            .filter(|_| binding.kind != BindingKind::Parameter);
         match origin {
             // a long list of definitions explains nothing
             Some(origin) if seen.len() <= MOST_DEFINITIONS => {
@@ -126,5 +157,9 @@ pub(super) fn rewrite<'s, 'a>(
     text: &Text,
     new: String,
 ) -> Reported<'s, 'a> {
-    if text.is_literal() { report.replace_with(safety, format!("replace with `{new}`"), new) } else { report }
+    if text.is_literal() {
+        report.replace_with(safety, format!("replace with `{new}`"), new)
+    } else {
+        report
+    }
 }

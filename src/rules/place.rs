@@ -9,14 +9,20 @@ pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Op
     let errors = document.errors();
     let error = errors.iter().min_by_key(|error| error.expat_offset)?;
     let related = |range, message: &str| {
-        Some(Related { span: Span { file, range }, message: message.to_owned(), is_call: false })
+        Some(Related {
+            span: Span { file, range },
+            message: message.to_owned(),
+            is_call: false,
+        })
     };
     match (error.kind, error.related) {
         // the end tag that comes too early is in the way, not the element that lacks one
         (SyntaxErrorKind::UnclosedElement, Some((range, _))) => {
             Some((range, related(error.range, "this element is not closed")))
         }
-        (SyntaxErrorKind::BadDeclaration, _) if document.slice(error.range).starts_with("<?xml") => {
+        (SyntaxErrorKind::BadDeclaration, _)
+            if document.slice(error.range).starts_with("<?xml") =>
+        {
             let end = error.range.start + "<?xml".len() as u32;
             Some((TextRange::new(error.range.start, end), None))
         }
@@ -29,7 +35,11 @@ pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Op
 pub(super) fn whole_name(document: &Document, range: TextRange) -> TextRange {
     let place = document.item_at(range.start);
     let inside = (range.start - place.start) as usize;
-    let (before, behind) = place.item.text().split_at_checked(inside).unwrap_or_default();
+    let (before, behind) = place
+        .item
+        .text()
+        .split_at_checked(inside)
+        .unwrap_or_default();
     let ends_name = |c: char| c.is_whitespace() || matches!(c, '=' | '>' | '/' | '<' | '"' | '\'');
     let length = behind.find(ends_name).unwrap_or(behind.len()) as u32;
     let start = range.start - u32::from(before.ends_with('<'));
@@ -39,8 +49,15 @@ pub(super) fn whole_name(document: &Document, range: TextRange) -> TextRange {
 /// The value of the `name` of the element that has an attribute with its value at `range`.
 pub(super) fn name_of_element(document: &Document, range: TextRange) -> TextRange {
     let place = document.item_at(range.start);
-    let has_value = |node: &Node<'_>| node.attrs().any(|attr| attr.value_range().shift(place.start) == range);
-    let name = place.item.all_nodes().find(has_value).and_then(|node| node.attr("name"));
+    let has_value = |node: &Node<'_>| {
+        node.attrs()
+            .any(|attr| attr.value_range().shift(place.start) == range)
+    };
+    let name = place
+        .item
+        .all_nodes()
+        .find(has_value)
+        .and_then(|node| node.attr("name"));
     name.map_or(range, |name| name.value_range().shift(place.start))
 }
 
@@ -49,5 +66,7 @@ pub(super) fn whole_attribute(document: &Document, range: TextRange) -> TextRang
     let place = document.item_at(range.start);
     let attrs = place.item.all_nodes().flat_map(|node| node.attrs());
     let mut found = attrs.filter(|attr| attr.value_range().shift(place.start) == range);
-    found.next().map_or(range, |attr| attr.range().shift(place.start))
+    found
+        .next()
+        .map_or(range, |attr| attr.range().shift(place.start))
 }

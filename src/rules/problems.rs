@@ -41,7 +41,12 @@ struct Conversion {
 
 impl Conversion {
     const fn to(rule: &'static Rule) -> Self {
-        Self { rule, range: None, fix: None, suggestion: None }
+        Self {
+            rule,
+            range: None,
+            fix: None,
+            suggestion: None,
+        }
     }
 
     const fn at(mut self, range: fn(&Document, TextRange) -> TextRange) -> Self {
@@ -74,9 +79,13 @@ impl Conversion {
             Kind::MissingMacroParam => Self::to(&missing_macro_param::RULE)
                 .fixed(missing_macro_param::fix)
                 .suggesting(missing_macro_param::suggestion),
-            Kind::UnknownMacroParam => Self::to(&unknown_macro_param::RULE).fixed(unknown_macro_param::fix),
+            Kind::UnknownMacroParam => {
+                Self::to(&unknown_macro_param::RULE).fixed(unknown_macro_param::fix)
+            }
             Kind::MacroBlockMismatch => Self::to(&found::MACRO_BLOCK_MISMATCH),
-            Kind::IncludeNotFound => Self::to(&include_not_found::RULE).fixed(include_not_found::fix),
+            Kind::IncludeNotFound => {
+                Self::to(&include_not_found::RULE).fixed(include_not_found::fix)
+            }
             Kind::IncludeCycle => Self::to(&found::INCLUDE_CYCLE),
             Kind::RedefinedMacro => Self::to(&redefined_macro::RULE).fixed(redefined_macro::fix),
             Kind::ShadowedBuiltin => Self::to(&shadowed_builtin::RULE),
@@ -99,10 +108,16 @@ impl Conversion {
             }
             Kind::InfiniteMacroRecursion => Self::to(&found::INFINITE_MACRO_RECURSION),
             Kind::GlobIncludeNoMatch => Self::to(&found::GLOB_INCLUDE_NO_MATCH),
-            Kind::ConflictingPropertyAttributes => Self::to(&found::CONFLICTING_PROPERTY_ATTRIBUTES),
+            Kind::ConflictingPropertyAttributes => {
+                Self::to(&found::CONFLICTING_PROPERTY_ATTRIBUTES)
+            }
             Kind::UseBeforeDefinition => Self::to(&found::USE_BEFORE_DEFINITION),
-            Kind::ParentScopeAtTop => Self::to(&found::PARENT_SCOPE_AT_TOP).at(place::whole_attribute),
-            Kind::DefaultWithScope => Self::to(&found::DEFAULT_WITH_SCOPE).at(place::whole_attribute),
+            Kind::ParentScopeAtTop => {
+                Self::to(&found::PARENT_SCOPE_AT_TOP).at(place::whole_attribute)
+            }
+            Kind::DefaultWithScope => {
+                Self::to(&found::DEFAULT_WITH_SCOPE).at(place::whole_attribute)
+            }
             Kind::InvalidMacroName => Self::to(&found::INVALID_MACRO_NAME),
             Kind::InconsistentNamespaceRedefinition => {
                 Self::to(&found::INCONSISTENT_NAMESPACE_REDEFINITION).at(place::whole_attribute)
@@ -118,10 +133,16 @@ fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
     let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
     for mut finding in findings.drain(..) {
         if finding.problem == Some(ProblemKind::PackageNotFound) {
-            let known = first.entry((finding.span.file, finding.message.clone())).or_insert(kept.len());
+            let known = first
+                .entry((finding.span.file, finding.message.clone()))
+                .or_insert(kept.len());
             if let Some(known) = kept.get_mut(*known) {
                 let message = "also used here".to_owned();
-                known.related.push(Related { span: finding.span, message, is_call: false });
+                known.related.push(Related {
+                    span: finding.span,
+                    message,
+                    is_call: false,
+                });
                 if let (Some(fix), Some(more)) = (&mut known.fix, finding.fix) {
                     fix.edits.extend(more.edits);
                 }
@@ -149,7 +170,10 @@ pub(super) fn findings(
     world: Surroundings<'_>,
 ) -> Vec<Finding> {
     let root = expansion.files.first().map(|file| &*file.source.path);
-    let problems = expansion.problems.iter().filter(|problem| !explained(problem));
+    let problems = expansion
+        .problems
+        .iter()
+        .filter(|problem| !explained(problem));
     let mut found: Vec<Finding> = problems
         .filter_map(|problem| {
             let mut found = finding(expansion, problem, world.vfs)?;
@@ -168,22 +192,42 @@ pub(super) fn findings(
 
 /// What makes xacro reject a file.
 pub fn rejections(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
-    let is_error = |problem: &&Problem| !problem.probed && problem.severity == expand::Severity::Error;
+    let is_error =
+        |problem: &&Problem| !problem.probed && problem.severity == expand::Severity::Error;
     let errors = expansion.problems.iter().filter(is_error);
     let found = errors.filter_map(|problem| finding(expansion, problem, vfs));
-    found.map(|found| Finding { severity: Severity::Error, ..found }).collect()
+    found
+        .map(|found| Finding {
+            severity: Severity::Error,
+            ..found
+        })
+        .collect()
 }
 
 /// A problem of the expansion as a finding.
 pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Option<Finding> {
-    let Conversion { rule, range: placed, fix, suggestion } = Conversion::of(problem.kind);
-    if problem.kind == ProblemKind::ShadowedBuiltin && !shadowed_builtin::is_news(expansion, problem) {
+    let Conversion {
+        rule,
+        range: placed,
+        fix,
+        suggestion,
+    } = Conversion::of(problem.kind);
+    if problem.kind == ProblemKind::ShadowedBuiltin
+        && !shadowed_builtin::is_news(expansion, problem)
+    {
         return None;
     }
     let Span { file, range } = span(expansion, problem.place)?;
-    let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
+    let document = &expansion
+        .files
+        .get(problem.place.file.0 as usize)?
+        .source
+        .document;
     let mut calls = calls(expansion, problem);
-    let mut place = Span { file, range: placed.map_or(range, |placed| placed(document, range)) };
+    let mut place = Span {
+        file,
+        range: placed.map_or(range, |placed| placed(document, range)),
+    };
     let is_syntax = problem.kind == ProblemKind::XmlSyntaxError;
     if let Some((range, opened)) = place::syntax(document, file).filter(|_| is_syntax) {
         place.range = range;
@@ -191,14 +235,26 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         let includes = calls.into_iter().filter(|step| step.span.file != file);
         calls = opened.into_iter().chain(includes).collect();
     }
-    let cx = ProblemCx { problem, document, span: place, vfs };
+    let cx = ProblemCx {
+        problem,
+        document,
+        span: place,
+        vfs,
+    };
     let replaced = problem.replacement.as_ref().map(|content| Fix {
         safety: rule.fix.unwrap_or(Safety::Unsafe),
         message: format!("replace with `{}`", content.trim_start_matches('<')),
-        edits: vec![Edit { span: Span { file, range }, content: content.clone() }],
+        edits: vec![Edit {
+            span: Span { file, range },
+            content: content.clone(),
+        }],
     });
     let fix = replaced.or_else(|| fix?(&cx));
-    let suggestion = if fix.is_some() { None } else { suggestion.and_then(|suggestion| suggestion(&cx)) };
+    let suggestion = if fix.is_some() {
+        None
+    } else {
+        suggestion.and_then(|suggestion| suggestion(&cx))
+    };
     let mut finding = Finding {
         severity: severity(rule, expansion, problem, file),
         help: problem.help.clone(),
@@ -229,9 +285,21 @@ fn calls(expansion: &Expansion, problem: &Problem) -> Vec<Related> {
     let steps = problem.trace.iter().chain(&problem.more_calls);
     let related = |step: &Step| {
         // calls and includes are given by their tags, definitions by their names
-        let text = expansion.files.get(step.place.file.0 as usize)?.source.document.slice(step.place.range);
-        let (message, is_call) = (step.message.clone(), text.starts_with('<') || text.starts_with('$'));
-        Some(Related { span: span(expansion, step.place)?, message, is_call })
+        let text = expansion
+            .files
+            .get(step.place.file.0 as usize)?
+            .source
+            .document
+            .slice(step.place.range);
+        let (message, is_call) = (
+            step.message.clone(),
+            text.starts_with('<') || text.starts_with('$'),
+        );
+        Some(Related {
+            span: span(expansion, step.place)?,
+            message,
+            is_call,
+        })
     };
     steps.filter_map(related).collect()
 }

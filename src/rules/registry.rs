@@ -6,8 +6,8 @@ use super::beside::BesideCx;
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
 use super::{
-    consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package, srdf,
-    structure, style, xacro, xml,
+    consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package,
+    srdf, structure, style, xacro, xml,
 };
 use workspace::nearest;
 
@@ -147,7 +147,17 @@ impl Rule {
         docs: &'static str,
     ) -> Self {
         let (default, check) = (Activation::On, Check::Expander);
-        Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
+        Self {
+            code,
+            name,
+            category,
+            severity,
+            default,
+            since: "0.1",
+            fix: None,
+            docs,
+            check,
+        }
     }
 
     /// A rule about files beside robots, without fixes.
@@ -160,7 +170,17 @@ impl Rule {
         check: fn(&BesideCx<'_>, &mut Sink<'_>),
     ) -> Self {
         let (default, check) = (Activation::On, Check::Beside(check));
-        Self { code, name, category, severity, default, since: "0.1", fix: None, docs, check }
+        Self {
+            code,
+            name,
+            category,
+            severity,
+            default,
+            since: "0.1",
+            fix: None,
+            docs,
+            check,
+        }
     }
 
     /// A rule about files beside robots, without fixes, that looks at SRDFs only.
@@ -172,7 +192,10 @@ impl Rule {
         docs: &'static str,
         check: fn(&BesideCx<'_>, &mut Sink<'_>),
     ) -> Self {
-        Self { check: Check::Semantic(check), ..Self::beside(code, name, category, severity, docs, check) }
+        Self {
+            check: Check::Semantic(check),
+            ..Self::beside(code, name, category, severity, docs, check)
+        }
     }
 
     /// The same with fixes.
@@ -188,14 +211,26 @@ impl Rule {
 
     /// The line below the title of the page.
     pub fn headline(&self) -> String {
-        let fix = self.fix.map_or("no fix".to_owned(), |safety| format!("{} fix", safety.name()));
-        let Self { code, severity, default, since, .. } = self;
+        let fix = self.fix.map_or("no fix".to_owned(), |safety| {
+            format!("{} fix", safety.name())
+        });
+        let Self {
+            code,
+            severity,
+            default,
+            since,
+            ..
+        } = self;
         format!("`{code}` · {severity} · {default} by default · {fix} · since {since}")
     }
 
     /// The address of its page, where the project has a home.
     pub fn url(&self) -> Option<String> {
-        page_url(env!("CARGO_PKG_REPOSITORY"), env!("CARGO_PKG_VERSION"), self.name)
+        page_url(
+            env!("CARGO_PKG_REPOSITORY"),
+            env!("CARGO_PKG_VERSION"),
+            self.name,
+        )
     }
 
     /// Whether `selector` (a code, the beginning of a code, or a name) means this rule.
@@ -207,7 +242,9 @@ impl Rule {
     /// All that means this rule: `ALL` and what [`Rule::is_named`] accepts.
     pub fn selectors(&self) -> impl Iterator<Item = &'static str> + use<> {
         let (name, code) = (self.name, self.code);
-        ["ALL", name].into_iter().chain((3..=code.len()).filter_map(move |end| code.get(..end)))
+        ["ALL", name]
+            .into_iter()
+            .chain((3..=code.len()).filter_map(move |end| code.get(..end)))
     }
 }
 
@@ -281,7 +318,12 @@ impl Category {
 
 impl Severity {
     /// All of them, worst first.
-    pub const ALL: [Severity; 4] = [Severity::Error, Severity::Warning, Severity::Info, Severity::Hint];
+    pub const ALL: [Severity; 4] = [
+        Severity::Error,
+        Severity::Warning,
+        Severity::Info,
+        Severity::Hint,
+    ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -295,7 +337,9 @@ impl Severity {
 
     /// The severity of a name.
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|severity| severity.name() == name)
+        Self::ALL
+            .into_iter()
+            .find(|severity| severity.name() == name)
     }
 }
 
@@ -364,7 +408,10 @@ pub fn nearest_selector(selector: &str) -> Option<&'static str> {
 
 /// The rules that have a word in their name.
 fn with_word(word: &str) -> Vec<&'static str> {
-    all().map(|rule| rule.name).filter(|name| name.split('-').any(|part| part == word)).collect()
+    all()
+        .map(|rule| rule.name)
+        .filter(|name| name.split('-').any(|part| part == word))
+        .collect()
 }
 
 /// What to tell the user about a selector that means no rule.
@@ -388,7 +435,10 @@ mod tests {
     #[test]
     fn pages_have_addresses_where_there_is_a_repository() {
         let expected = "https://example.org/x/blob/v0.1.0/docs/rules/no-links.md";
-        assert_eq!(page_url("https://example.org/x/", "0.1.0", "no-links").as_deref(), Some(expected));
+        assert_eq!(
+            page_url("https://example.org/x/", "0.1.0", "no-links").as_deref(),
+            Some(expected)
+        );
         assert_eq!(page_url("", "0.1.0", "no-links"), None);
     }
 }

@@ -36,9 +36,15 @@ pub fn needs_whole(rule: &Rule) -> bool {
 /// The places of what left out a part of the robot, in the order of the expansion.
 pub fn losses(expansion: &Expansion) -> Vec<Span> {
     let loses = |problem: &&Problem| {
-        !problem.probed && (problem.kind.loses_content() || problem.kind == ProblemKind::PackageNotFound)
+        !problem.probed
+            && (problem.kind.loses_content() || problem.kind == ProblemKind::PackageNotFound)
     };
-    expansion.problems.iter().filter(loses).filter_map(|problem| span(expansion, problem.place)).collect()
+    expansion
+        .problems
+        .iter()
+        .filter(loses)
+        .filter_map(|problem| span(expansion, problem.place))
+        .collect()
 }
 
 /// Which rules run, and until when.
@@ -64,21 +70,40 @@ pub fn check_expansion(
     let unprefixed = Unprefixed::of(expansion);
     let explained = |problem: &Problem| unprefixed.explains(expansion, problem);
     let mut findings = problems::findings(expansion, explained, world);
-    let Some(first) = all().next() else { return findings };
+    let Some(first) = all().next() else {
+        return findings;
+    };
     let mut sink = Sink::new(expansion, first);
     let complete = is_whole(expansion);
-    let whole = expansion.tree.root().map(|root| (root, kind, robot.map(Cow::Borrowed)));
+    let whole = expansion
+        .tree
+        .root()
+        .map(|root| (root, kind, robot.map(Cow::Borrowed)));
     // what a macro gives that nothing calls is looked at like a library
     let probes = expansion
         .probes
         .iter()
-        .map(|probe| (probe.content, Cow::Owned(Robot::below(&expansion.tree, probe.content))))
+        .map(|probe| {
+            (
+                probe.content,
+                Cow::Owned(Robot::below(&expansion.tree, probe.content)),
+            )
+        })
         .map(|(content, robot)| (content, RootKind::Library, Some(robot)));
-    let places = whole.into_iter().map(|whole| (whole, false)).chain(probes.map(|probe| (probe, true)));
+    let places = whole
+        .into_iter()
+        .map(|whole| (whole, false))
+        .chain(probes.map(|probe| (probe, true)));
     for ((element, kind, robot), is_probe) in places {
         sink.set_probed(is_probe);
-        let document =
-            DocumentCx::new(expansion, element, (kind, explicit), robot.as_deref(), world, complete);
+        let document = DocumentCx::new(
+            expansion,
+            element,
+            (kind, explicit),
+            robot.as_deref(),
+            world,
+            complete,
+        );
         chosen.run(&mut sink, |rule, sink| match rule.check {
             Check::Document(check) => check(&document, sink),
             Check::WholeDocument(check) if complete => check(&document, sink),
@@ -92,7 +117,13 @@ pub fn check_expansion(
     if let Some(robot) = robot.filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
         let whole = complete && !unprefixed.structure && robot.names_are_known();
-        let cx = RobotCx { expansion, robot, kinematics: &kinematics, world, whole };
+        let cx = RobotCx {
+            expansion,
+            robot,
+            kinematics: &kinematics,
+            world,
+            whole,
+        };
         chosen.run(&mut sink, |rule, sink| match rule.check {
             Check::Robot(check) => check(&cx, sink),
             Check::Whole(check) if whole => check(&cx, sink),
@@ -101,8 +132,17 @@ pub fn check_expansion(
     }
     // what the recovered tree of a broken file seems to say is not trusted
     let broken = |file: &&FileUse| !file.source.document.errors().is_empty();
-    let broken: Vec<FileId> = expansion.files.iter().filter(broken).map(|file| file.source.id).collect();
-    findings.extend(sink.finish().into_iter().filter(|finding| !broken.contains(&finding.span.file)));
+    let broken: Vec<FileId> = expansion
+        .files
+        .iter()
+        .filter(broken)
+        .map(|file| file.source.id)
+        .collect();
+    findings.extend(
+        sink.finish()
+            .into_iter()
+            .filter(|finding| !broken.contains(&finding.span.file)),
+    );
     if kind == RootKind::Robot && !world.has_ros {
         warn_once(&mut findings, expansion, world);
     }
@@ -120,34 +160,60 @@ pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
         .flat_map(|document| document.parts().flat_map(|(_, item)| item.all_nodes()))
         .flat_map(|node| {
             let name = node.attr("name").map(|name| name.raw().to_owned());
-            let params = node.attr("params").map(|params| params.raw().to_owned()).unwrap_or_default();
-            let params: Vec<EcoString> =
-                params.split(|c: char| !c.is_alphanumeric() && c != '_').map(EcoString::from).collect();
+            let params = node
+                .attr("params")
+                .map(|params| params.raw().to_owned())
+                .unwrap_or_default();
+            let params: Vec<EcoString> = params
+                .split(|c: char| !c.is_alphanumeric() && c != '_')
+                .map(EcoString::from)
+                .collect();
             name.map(EcoString::from).into_iter().chain(params)
         })
         .collect();
     let sure = |problem: &&Problem| {
-        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return false };
+        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else {
+            return false;
+        };
         let document = &file.source.document;
         let place = document.item_at(problem.place.range.start);
         let own = TextRange::new(place.start, place.start + place.item.len());
-        matches!(problem.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedArg)
-            && !given.contains(document.slice(problem.place.range).as_str())
-            && !document.errors().iter().any(|error| own.touches(error.range.start))
+        matches!(
+            problem.kind,
+            ProblemKind::UndefinedProperty | ProblemKind::UndefinedArg
+        ) && !given.contains(document.slice(problem.place.range).as_str())
+            && !document
+                .errors()
+                .iter()
+                .any(|error| own.touches(error.range.start))
     };
     let sure = expansion.doubtful.iter().filter(sure);
-    sure.filter_map(|problem| problems::finding(expansion, problem, vfs)).collect()
+    sure.filter_map(|problem| problems::finding(expansion, problem, vfs))
+        .collect()
 }
 
 /// What rules say about the source files of an expansion. Of a file that is not well-formed, only that
 /// is said.
-pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
-    let Some(first) = all().next() else { return Vec::new() };
+pub fn check_files(
+    expansion: &Expansion,
+    world: Surroundings<'_>,
+    chosen: Chosen<'_>,
+) -> Vec<Finding> {
+    let Some(first) = all().next() else {
+        return Vec::new();
+    };
     let mut sink = Sink::new(expansion, first);
     let macros = named_macros(expansion);
     for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
         let packages = OnceCell::new();
-        let cx = FileCx { expansion, file, source: &used.source, macros: &macros, world, packages };
+        let cx = FileCx {
+            expansion,
+            file,
+            source: &used.source,
+            macros: &macros,
+            world,
+            packages,
+        };
         let well_formed = used.source.document.errors().is_empty();
         chosen.run(&mut sink, |rule, sink| match rule.check {
             Check::File(check) if well_formed => check(&cx, sink),
@@ -160,10 +226,18 @@ pub fn check_files(expansion: &Expansion, world: Surroundings<'_>, chosen: Chose
 /// The macros that the files of an expansion define somewhere, and those that they call: the file that defines them may
 /// be missing.
 fn named_macros(expansion: &Expansion) -> FastSet<String> {
-    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let items = expansion
+        .files
+        .iter()
+        .flat_map(|file| file.source.document.parts());
     let tags = items.flat_map(|(_, item)| item.all_nodes());
     let name = |node: Node<'_>| match node.name().strip_prefix("xacro:")? {
-        "macro" => Some(node.attr("name")?.raw().trim_start_matches("xacro:").to_owned()),
+        "macro" => Some(
+            node.attr("name")?
+                .raw()
+                .trim_start_matches("xacro:")
+                .to_owned(),
+        ),
         tag => (!is_keyword(tag)).then(|| tag.to_owned()),
     };
     tags.filter_map(name).collect()
@@ -171,7 +245,11 @@ fn named_macros(expansion: &Expansion) -> FastSet<String> {
 
 impl Chosen<'_> {
     pub(super) fn run(self, sink: &mut Sink<'_>, mut apply: impl FnMut(&Rule, &mut Sink<'_>)) {
-        for &rule in self.rules.iter().take_while(|_| !self.cancel.is_cancelled()) {
+        for &rule in self
+            .rules
+            .iter()
+            .take_while(|_| !self.cancel.is_cancelled())
+        {
             sink.set_rule(rule);
             apply(rule, sink);
         }
@@ -189,13 +267,18 @@ struct Unprefixed {
 impl Unprefixed {
     fn of(expansion: &Expansion) -> Self {
         let structure = lacks_calls(expansion) || has_other_prefix(expansion);
-        let mut found = Self { structure, ..Self::default() };
+        let mut found = Self {
+            structure,
+            ..Self::default()
+        };
         for file in &expansion.files {
             let document = &file.source.document;
             let elements = outside_free_zones(elements(document)).map(|(_, node)| node);
             for node in elements.filter(|&node| is_unprefixed(expansion, document, node)) {
                 found.structure |= node.name() != "property" && node.name() != "arg";
-                found.names.extend(node.attr("name").map(|name| name.raw().to_owned()));
+                found
+                    .names
+                    .extend(node.attr("name").map(|name| name.raw().to_owned()));
             }
         }
         found
@@ -205,7 +288,9 @@ impl Unprefixed {
         if !problem.kind.is_undefined_name() || self.names.is_empty() && !self.structure {
             return false;
         }
-        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else { return false };
+        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else {
+            return false;
+        };
         let text = file.source.document.slice(problem.place.range);
         let name = text.trim_start_matches("<xacro:");
         self.names.contains(name) || self.structure
@@ -222,7 +307,10 @@ fn has_other_prefix(expansion: &Expansion) -> bool {
             .filter_map(|attr| attr.name().strip_prefix("xmlns:"))
             .filter(|&prefix| prefix != "xacro");
         let has = |prefix: &str| {
-            let is_it = |name: &str| name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(':'));
+            let is_it = |name: &str| {
+                name.strip_prefix(prefix)
+                    .is_some_and(|rest| rest.starts_with(':'))
+            };
             elements(document).any(|(_, node)| is_it(node.name()))
         };
         prefixes.any(has)

@@ -40,7 +40,13 @@ impl Selection {
     pub fn new(options: &SelectionOptions) -> Self {
         let mut rules = FastMap::with_capacity_and_hasher(all().count(), Default::default());
         rules.extend(all().filter_map(|rule| Some((rule.code, setting(rule, options)?))));
-        let select = || options.select.iter().flatten().chain(&options.extend_select);
+        let select = || {
+            options
+                .select
+                .iter()
+                .flatten()
+                .chain(&options.extend_select)
+        };
         let is_named = |rule: &&Rule| select().any(|selector| weight(rule, selector).is_some());
         let named = all().filter(is_named).map(|rule| rule.code).collect();
         Self { rules, named }
@@ -53,7 +59,9 @@ impl Selection {
 
     /// The severity of a finding as configured; none when its rule does not run.
     pub fn severity(&self, finding: &Finding) -> Option<Severity> {
-        self.rules.get(finding.rule.code).map(|configured| configured.unwrap_or(finding.severity))
+        self.rules
+            .get(finding.rule.code)
+            .map(|configured| configured.unwrap_or(finding.severity))
     }
 
     /// Whether a rule runs.
@@ -68,14 +76,25 @@ fn setting(rule: &Rule, options: &SelectionOptions) -> Option<Option<Severity>> 
     let by_default = match (&options.select, rule.default) {
         (Some(_), _) | (None, Activation::Off) => false,
         (None, Activation::On) => true,
-        (None, Activation::Profiles(profiles)) => {
-            profiles.iter().any(|p| options.profiles.iter().any(|o| o == p))
-        }
+        (None, Activation::Profiles(profiles)) => profiles
+            .iter()
+            .any(|p| options.profiles.iter().any(|o| o == p)),
     };
-    let select = options.select.iter().flatten().chain(&options.extend_select);
+    let select = options
+        .select
+        .iter()
+        .flatten()
+        .chain(&options.extend_select);
     let on = select.filter_map(|selector| weight(rule, selector)).max();
-    let is_commanded = options.commanded.iter().any(|selector| weight(rule, selector).is_some());
-    let off = options.ignore.iter().filter_map(|selector| weight(rule, selector)).max();
+    let is_commanded = options
+        .commanded
+        .iter()
+        .any(|selector| weight(rule, selector).is_some());
+    let off = options
+        .ignore
+        .iter()
+        .filter_map(|selector| weight(rule, selector))
+        .max();
     let off = off.filter(|_| !is_commanded || options.ignore_is_commanded);
     let runs = match (on, off) {
         (Some(on), Some(off)) => on > off,
@@ -83,9 +102,13 @@ fn setting(rule: &Rule, options: &SelectionOptions) -> Option<Option<Severity>> 
         (None, Some(_)) => false,
         (None, None) => by_default,
     };
-    let overrides = options.severity.iter().filter(|(selector, _)| rule.is_named(selector));
-    let configured =
-        overrides.max_by_key(|(selector, _)| weight(rule, selector)).map(|(_, severity)| *severity);
+    let overrides = options
+        .severity
+        .iter()
+        .filter(|(selector, _)| rule.is_named(selector));
+    let configured = overrides
+        .max_by_key(|(selector, _)| weight(rule, selector))
+        .map(|(_, severity)| *severity);
     match configured {
         _ if !runs => None,
         Some(None) => is_commanded.then_some(None),
@@ -99,7 +122,13 @@ fn weight(rule: &Rule, selector: &str) -> Option<usize> {
     if selector == "ALL" {
         return Some(0);
     }
-    rule.is_named(selector).then(|| if selector == rule.name { 6 } else { selector.len() })
+    rule.is_named(selector).then(|| {
+        if selector == rule.name {
+            6
+        } else {
+            selector.len()
+        }
+    })
 }
 
 #[cfg(test)]
@@ -134,7 +163,11 @@ mod tests {
             ("ST", "", "STR008", false),
         ] {
             let select = (!select.is_empty()).then(|| list(select));
-            let options = SelectionOptions { select, ignore: list(ignore), ..SelectionOptions::default() };
+            let options = SelectionOptions {
+                select,
+                ignore: list(ignore),
+                ..SelectionOptions::default()
+            };
             assert_eq!(runs(&options, code), expected, "{options:?} {code}");
         }
     }
@@ -153,11 +186,23 @@ mod tests {
             [true, false],
             "in a configuration alone, the more exact selector wins, and a severity of none always does"
         );
-        let ignored = SelectionOptions { select: Some(list("STR")), ..configured };
+        let ignored = SelectionOptions {
+            select: Some(list("STR")),
+            ..configured
+        };
         assert!(!runs(&ignored, "STR008"));
-        let commanded = SelectionOptions { commanded: list("STR"), ..ignored };
+        let commanded = SelectionOptions {
+            commanded: list("STR"),
+            ..ignored
+        };
         assert!(runs(&commanded, "STR008") && runs(&commanded, no_links));
-        assert!(!runs(&SelectionOptions { ignore_is_commanded: true, ..commanded }, "STR008"));
+        assert!(!runs(
+            &SelectionOptions {
+                ignore_is_commanded: true,
+                ..commanded
+            },
+            "STR008"
+        ));
     }
 
     #[test]
@@ -167,7 +212,10 @@ mod tests {
             ("orphan-link".to_owned(), Some(Severity::Warning)),
             ("no-links".to_owned(), None),
         ];
-        let selection = Selection::new(&SelectionOptions { severity, ..SelectionOptions::default() });
+        let selection = Selection::new(&SelectionOptions {
+            severity,
+            ..SelectionOptions::default()
+        });
         let of = |code| selection.rules.get(code).copied();
         assert_eq!(of("STR008"), Some(Some(Severity::Warning)));
         assert_eq!(of("STR007"), Some(Some(Severity::Info)));

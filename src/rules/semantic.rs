@@ -23,7 +23,10 @@ const ELEMENTS: [&str; 10] = [
 /// Whether the root file of an expansion is SRDF: its name ends so, it is in a folder `srdf`, or it holds elements of
 /// SRDF. With a link at the top it is URDF, whatever the folder or the other elements.
 pub fn is_semantic(expansion: &Expansion) -> bool {
-    expansion.files.first().is_some_and(|file| is_semantic_file(&file.source.path, &file.source.document))
+    expansion
+        .files
+        .first()
+        .is_some_and(|file| is_semantic_file(&file.source.path, &file.source.document))
 }
 
 /// The same of a file that nobody expands by itself.
@@ -38,7 +41,10 @@ pub fn is_semantic_file(path: &Path, document: &Document) -> bool {
 
 /// Whether the name of a file says that it is SRDF, or gives one.
 pub fn is_semantic_name(path: &Path) -> bool {
-    let name = path.file_name().map(|name| name.to_string_lossy().to_lowercase()).unwrap_or_default();
+    let name = path
+        .file_name()
+        .map(|name| name.to_string_lossy().to_lowercase())
+        .unwrap_or_default();
     name.ends_with(".srdf") || name.ends_with(".srdf.xacro")
 }
 
@@ -54,7 +60,10 @@ impl Holds {
         let mut found = Self::default();
         for (_, item) in document.parts().skip(1) {
             // an item holds one child of the root
-            found.note(item.all_nodes().find(|node| node.kind() == NodeKind::Element));
+            found.note(
+                item.all_nodes()
+                    .find(|node| node.kind() == NodeKind::Element),
+            );
             if found.link {
                 break;
             }

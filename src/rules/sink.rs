@@ -61,7 +61,11 @@ impl<'a> Sink<'a> {
     /// The findings, with their calls behind the other related places.
     pub(super) fn finish(self) -> Vec<Finding> {
         let finish = |draft: Draft| {
-            let Draft { mut finding, calls, instances } = draft;
+            let Draft {
+                mut finding,
+                calls,
+                instances,
+            } = draft;
             finding.partial = is_partial(self.expansion, &instances);
             calls.list_in(&mut finding);
             finding
@@ -73,7 +77,11 @@ impl<'a> Sink<'a> {
     pub fn report(&mut self, origin: Origin, message: impl Into<String>) -> Reported<'_, 'a> {
         let span = self.span_of(origin);
         let calls = self.calls(origin);
-        let mut report = self.draft(span.unwrap_or_else(|| self.nowhere()), calls, message.into());
+        let mut report = self.draft(
+            span.unwrap_or_else(|| self.nowhere()),
+            calls,
+            message.into(),
+        );
         report.draft.instances.push(origin);
         report
     }
@@ -91,7 +99,11 @@ impl<'a> Sink<'a> {
         message: impl Into<String>,
     ) -> Reported<'_, 'a> {
         let span = self.span(Place { file, range });
-        self.draft(span.unwrap_or_else(|| self.nowhere()), Vec::new(), message.into())
+        self.draft(
+            span.unwrap_or_else(|| self.nowhere()),
+            Vec::new(),
+            message.into(),
+        )
     }
 
     /// Report a defect in a file that need not belong to the expansion.
@@ -100,16 +112,28 @@ impl<'a> Sink<'a> {
     }
 
     fn draft(&mut self, span: Span, calls: Vec<Related>, message: String) -> Reported<'_, 'a> {
-        let finding = Finding { probed: self.probed, ..Finding::new(self.rule, span, message) };
-        let mut draft = Draft { finding, calls: Calls::default(), instances: Vec::new() };
+        let finding = Finding {
+            probed: self.probed,
+            ..Finding::new(self.rule, span, message)
+        };
+        let mut draft = Draft {
+            finding,
+            calls: Calls::default(),
+            instances: Vec::new(),
+        };
         draft.calls.add(calls);
         Reported { draft, sink: self }
     }
 
     /// The call of the macro whose text stands at `origin`.
     fn way(&self, origin: Origin, finding: &Finding) -> Option<Way> {
-        let mut frames = self.expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
-        let frame = frames.next().filter(|frame| frame.kind == FrameKind::Macro)?;
+        let mut frames = self
+            .expansion
+            .frames_of(origin)
+            .filter(|frame| frame.kind != FrameKind::Include);
+        let frame = frames
+            .next()
+            .filter(|frame| frame.kind == FrameKind::Macro)?;
         Some(Way {
             call: self.span_of(frame.call)?,
             name: frame.name.clone(),
@@ -120,11 +144,18 @@ impl<'a> Sink<'a> {
     }
 
     fn push(&mut self, mut draft: Draft) {
-        let ways: Vec<Way> =
-            draft.instances.iter().filter_map(|&origin| self.way(origin, &draft.finding)).collect();
+        let ways: Vec<Way> = draft
+            .instances
+            .iter()
+            .filter_map(|&origin| self.way(origin, &draft.finding))
+            .collect();
         draft.finding.ways = ways;
         let key = (draft.finding.rule.code, draft.finding.span);
-        match self.by_place.get(&key).and_then(|&i| self.drafts.get_mut(i)) {
+        match self
+            .by_place
+            .get(&key)
+            .and_then(|&i| self.drafts.get_mut(i))
+        {
             Some(old) => {
                 old.calls.join(draft.calls);
                 old.instances.extend(draft.instances);
@@ -148,8 +179,14 @@ impl<'a> Sink<'a> {
 
     /// The start of the root file, for what has no place of its own.
     fn nowhere(&self) -> Span {
-        let place = Place { file: FileIdx(0), range: TextRange::default() };
-        self.span(place).unwrap_or(Span { file: base::FileId(0), range: TextRange::default() })
+        let place = Place {
+            file: FileIdx(0),
+            range: TextRange::default(),
+        };
+        self.span(place).unwrap_or(Span {
+            file: base::FileId(0),
+            range: TextRange::default(),
+        })
     }
 
     fn span(&self, place: Place) -> Option<Span> {
@@ -170,14 +207,20 @@ impl Reported<'_, '_> {
     /// added instead.
     #[must_use]
     pub fn also(mut self, origin: Origin, message: impl Into<String>) -> Self {
-        let Some(span) = self.sink.span_of(origin) else { return self };
+        let Some(span) = self.sink.span_of(origin) else {
+            return self;
+        };
         if span == self.draft.finding.span {
             let calls = self.sink.calls(origin);
             self.draft.calls.add(calls);
             self.draft.instances.push(origin);
         } else {
             let message = message.into();
-            self.draft.finding.related.push(Related { span, message, is_call: false });
+            self.draft.finding.related.push(Related {
+                span,
+                message,
+                is_call: false,
+            });
         }
         self
     }
@@ -185,7 +228,10 @@ impl Reported<'_, '_> {
     /// With a further place of a file.
     #[must_use]
     pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
-        let span = self.sink.span(place).filter(|span| *span != self.draft.finding.span);
+        let span = self
+            .sink
+            .span(place)
+            .filter(|span| *span != self.draft.finding.span);
         self.draft.finding.related.extend(span.map(|span| Related {
             span,
             message: message.into(),
@@ -199,7 +245,11 @@ impl Reported<'_, '_> {
     pub fn also_span(mut self, span: Option<Span>, message: impl Into<String>) -> Self {
         let span = span.filter(|span| *span != self.draft.finding.span);
         let message = message.into();
-        self.draft.finding.related.extend(span.map(|span| Related { span, message, is_call: false }));
+        self.draft.finding.related.extend(span.map(|span| Related {
+            span,
+            message,
+            is_call: false,
+        }));
         self
     }
 
@@ -233,16 +283,29 @@ impl Reported<'_, '_> {
         file: FileIdx,
         edits: impl IntoIterator<Item = (TextRange, String)>,
     ) -> Self {
-        let edit = |(range, content)| Some(Edit { span: self.sink.span(Place { file, range })?, content });
+        let edit = |(range, content)| {
+            Some(Edit {
+                span: self.sink.span(Place { file, range })?,
+                content,
+            })
+        };
         let edits: Vec<Edit> = edits.into_iter().filter_map(edit).collect();
-        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        self.draft.finding.fix = Some(Fix {
+            safety,
+            message: message.into(),
+            edits,
+        });
         self
     }
 
     /// With a fix of edits in any files.
     #[must_use]
     pub fn edits(mut self, safety: Safety, message: impl Into<String>, edits: Vec<Edit>) -> Self {
-        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        self.draft.finding.fix = Some(Fix {
+            safety,
+            message: message.into(),
+            edits,
+        });
         self
     }
 
@@ -254,8 +317,15 @@ impl Reported<'_, '_> {
         message: impl Into<String>,
         content: impl Into<String>,
     ) -> Self {
-        let edits = vec![Edit { span: self.draft.finding.span, content: content.into() }];
-        self.draft.finding.fix = Some(Fix { safety, message: message.into(), edits });
+        let edits = vec![Edit {
+            span: self.draft.finding.span,
+            content: content.into(),
+        }];
+        self.draft.finding.fix = Some(Fix {
+            safety,
+            message: message.into(),
+            edits,
+        });
         self
     }
 
@@ -268,7 +338,10 @@ impl Reported<'_, '_> {
 /// A place of an expansion in terms that hold beyond it.
 pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
     let file = expansion.files.get(place.file.0 as usize)?;
-    Some(Span { file: file.source.id, range: place.range })
+    Some(Span {
+        file: file.source.id,
+        range: place.range,
+    })
 }
 
 /// The place of a text of an expansion.
@@ -278,11 +351,17 @@ pub fn span_of(expansion: &Expansion, origin: Origin) -> Option<Span> {
 
 /// The macro calls and inserted blocks that led to `origin`, innermost first.
 pub fn calls(expansion: &Expansion, origin: Origin) -> Vec<Related> {
-    let steps = expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
+    let steps = expansion
+        .frames_of(origin)
+        .filter(|frame| frame.kind != FrameKind::Include);
     steps
         .filter_map(|frame| {
             let span = span_of(expansion, frame.call)?;
-            Some(Related { span, message: call_message(frame), is_call: true })
+            Some(Related {
+                span,
+                message: call_message(frame),
+                is_call: true,
+            })
         })
         .collect()
 }
@@ -342,6 +421,8 @@ fn list_calls(finding: &mut Finding, mut first: Vec<Related>, count: usize) {
     let more = count.saturating_sub(first.len());
     finding.related.append(&mut first);
     if more > 0 {
-        finding.message.push_str(&format!(" (and {more} more calls)"));
+        finding
+            .message
+            .push_str(&format!(" (and {more} more calls)"));
     }
 }

@@ -72,6 +72,10 @@ pub(super) const MIN_EXTENT: Threshold = Threshold {
 impl Threshold {
     /// The value that holds under a configuration.
     pub fn value(&self, config: &Config) -> f64 {
-        config.thresholds.get(self.name).copied().unwrap_or(self.default)
+        config
+            .thresholds
+            .get(self.name)
+            .copied()
+            .unwrap_or(self.default)
     }
 }

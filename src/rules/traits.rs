@@ -40,14 +40,20 @@ static DEPRECATED: [&Rule; 4] = [
     &xml::nonstandard_xacro_namespace::RULE,
 ];
 
-static CONTACT: [&Rule; 2] =
-    [&geometry::collision_mesh_too_detailed::RULE, &geometry::mesh_inconsistent_normals::RULE];
+static CONTACT: [&Rule; 2] = [
+    &geometry::collision_mesh_too_detailed::RULE,
+    &geometry::mesh_inconsistent_normals::RULE,
+];
 
-static CONTROLLER: [&Rule; 2] =
-    [&control::controller_unknown_interface::RULE, &control::controller_unknown_joint::RULE];
+static CONTROLLER: [&Rule; 2] = [
+    &control::controller_unknown_interface::RULE,
+    &control::controller_unknown_joint::RULE,
+];
 
-static WRONG_SIGN: [&Rule; 2] =
-    [&inertia::inertia_not_positive_definite::RULE, &inertia::negative_mass::RULE];
+static WRONG_SIGN: [&Rule; 2] = [
+    &inertia::inertia_not_positive_definite::RULE,
+    &inertia::negative_mass::RULE,
+];
 
 static ACCEPTED_BY_BULLET: [&Rule; 10] = [
     &geometry::duplicate_material::RULE,

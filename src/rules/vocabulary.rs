@@ -11,8 +11,10 @@ pub(super) fn is_urdf_element(name: &str) -> bool {
 /// Whether the content of an element is none of URDF's business.
 pub(super) fn is_free_zone(name: &str) -> bool {
     // asked for each element by many rules
-    matches!(name, "gazebo" | "mujoco" | "ros2_control" | "sdf" | "sensor" | "transmission")
-        || name.bytes().any(|byte| byte == b':') && !name.starts_with("xacro:")
+    matches!(
+        name,
+        "gazebo" | "mujoco" | "ros2_control" | "sdf" | "sensor" | "transmission"
+    ) || name.bytes().any(|byte| byte == b':') && !name.starts_with("xacro:")
 }
 
 /// Whether a link stands for the surroundings of a robot by its name.
@@ -48,7 +50,8 @@ mod tests {
     #[test]
     fn words() {
         assert!(
-            ["robot", "link", "capsule", "gazebo", "ros2_control"].map(super::is_urdf_element) == [true; 5]
+            ["robot", "link", "capsule", "gazebo", "ros2_control"].map(super::is_urdf_element)
+                == [true; 5]
         );
         assert!(["lnik", "hardware", "param"].map(super::is_urdf_element) == [false; 3]);
     }

@@ -1,16 +1,16 @@
 //! What the server offers.
 
 use lsp_types::{
-    CallHierarchyServerCapability, CodeActionProviderCapability, CodeLensOptions, ColorProviderCapability,
-    CompletionOptions, CompletionOptionsCompletionItem, DeclarationCapability, DiagnosticOptions,
-    DiagnosticServerCapabilities, DocumentLinkOptions, DocumentOnTypeFormattingOptions,
-    ExecuteCommandOptions, FoldingRangeProviderCapability, HoverProviderCapability,
-    ImplementationProviderCapability, InlayHintOptions, InlayHintServerCapabilities,
-    LinkedEditingRangeServerCapabilities, OneOf, PositionEncodingKind, RenameOptions, SaveOptions,
-    SelectionRangeProviderCapability, SemanticTokensServerCapabilities, ServerCapabilities,
-    SignatureHelpOptions, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
-    TextDocumentSyncSaveOptions, TypeDefinitionProviderCapability, WorkDoneProgressOptions,
-    WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
+    CallHierarchyServerCapability, CodeActionProviderCapability, CodeLensOptions,
+    ColorProviderCapability, CompletionOptions, CompletionOptionsCompletionItem,
+    DeclarationCapability, DiagnosticOptions, DiagnosticServerCapabilities, DocumentLinkOptions,
+    DocumentOnTypeFormattingOptions, ExecuteCommandOptions, FoldingRangeProviderCapability,
+    HoverProviderCapability, ImplementationProviderCapability, InlayHintOptions,
+    InlayHintServerCapabilities, LinkedEditingRangeServerCapabilities, OneOf, PositionEncodingKind,
+    RenameOptions, SaveOptions, SelectionRangeProviderCapability, SemanticTokensServerCapabilities,
+    ServerCapabilities, SignatureHelpOptions, TextDocumentSyncCapability, TextDocumentSyncKind,
+    TextDocumentSyncOptions, TextDocumentSyncSaveOptions, TypeDefinitionProviderCapability,
+    WorkDoneProgressOptions, WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
 };
 use serde_json::json;
 
@@ -22,12 +22,16 @@ use crate::requests::{actions, commands, tokens};
 pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> ServerCapabilities {
     ServerCapabilities {
         position_encoding: Some(encoding),
-        text_document_sync: Some(TextDocumentSyncCapability::Options(TextDocumentSyncOptions {
-            open_close: Some(true),
-            change: Some(TextDocumentSyncKind::INCREMENTAL),
-            save: Some(TextDocumentSyncSaveOptions::SaveOptions(SaveOptions { include_text: Some(false) })),
-            ..TextDocumentSyncOptions::default()
-        })),
+        text_document_sync: Some(TextDocumentSyncCapability::Options(
+            TextDocumentSyncOptions {
+                open_close: Some(true),
+                change: Some(TextDocumentSyncKind::INCREMENTAL),
+                save: Some(TextDocumentSyncSaveOptions::SaveOptions(SaveOptions {
+                    include_text: Some(false),
+                })),
+                ..TextDocumentSyncOptions::default()
+            },
+        )),
         workspace_symbol_provider: Some(OneOf::Left(true)),
         execute_command_provider: Some(ExecuteCommandOptions {
             commands: commands::offered(client).map(str::to_owned).collect(),
@@ -50,8 +54,12 @@ fn while_writing(client: &ClientFacts) -> ServerCapabilities {
     ServerCapabilities {
         completion_provider: Some(CompletionOptions {
             resolve_provider: Some(true),
-            trigger_characters: Some(characters(&["<", "/", ":", "\"", "'", "$", "{", "(", "[", ".", " "])),
-            completion_item: Some(CompletionOptionsCompletionItem { label_details_support: Some(true) }),
+            trigger_characters: Some(characters(&[
+                "<", "/", ":", "\"", "'", "$", "{", "(", "[", ".", " ",
+            ])),
+            completion_item: Some(CompletionOptionsCompletionItem {
+                label_details_support: Some(true),
+            }),
             ..CompletionOptions::default()
         }),
         signature_help_provider: Some(SignatureHelpOptions {
@@ -88,7 +96,9 @@ fn beside_the_text(client: &ClientFacts) -> ServerCapabilities {
         workspace_diagnostics: true,
         ..DiagnosticOptions::default()
     });
-    let lenses = CodeLensOptions { resolve_provider: Some(client.own.lens_commands) };
+    let lenses = CodeLensOptions {
+        resolve_provider: Some(client.own.lens_commands),
+    };
     ServerCapabilities {
         diagnostic_provider: client.pulls_diagnostics.then_some(diagnostics),
         document_symbol_provider: Some(OneOf::Left(true)),
@@ -101,10 +111,12 @@ fn beside_the_text(client: &ClientFacts) -> ServerCapabilities {
             resolve_provider: Some(false),
             work_done_progress_options: WorkDoneProgressOptions::default(),
         }),
-        inlay_hint_provider: Some(OneOf::Right(InlayHintServerCapabilities::Options(InlayHintOptions {
-            resolve_provider: Some(true),
-            work_done_progress_options: WorkDoneProgressOptions::default(),
-        }))),
+        inlay_hint_provider: Some(OneOf::Right(InlayHintServerCapabilities::Options(
+            InlayHintOptions {
+                resolve_provider: Some(true),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            },
+        ))),
         color_provider: Some(ColorProviderCapability::Simple(true)),
         code_lens_provider: client.shows_lenses().then_some(lenses),
         ..about_names(client)
@@ -128,5 +140,7 @@ fn about_names(client: &ClientFacts) -> ServerCapabilities {
 }
 
 fn characters(all: &[&str]) -> Vec<String> {
-    all.iter().map(|character| (*character).to_owned()).collect()
+    all.iter()
+        .map(|character| (*character).to_owned())
+        .collect()
 }

@@ -101,11 +101,17 @@ impl ClientFacts {
         let facts = Self {
             pulls_diagnostics: pulls,
             refreshes_diagnostics: yes(workspace.diagnostic.as_ref().map(|d| d.refresh_support)),
-            refreshes_tokens: yes(workspace.semantic_tokens.as_ref().map(|d| d.refresh_support)),
+            refreshes_tokens: yes(workspace
+                .semantic_tokens
+                .as_ref()
+                .map(|d| d.refresh_support)),
             refreshes_hints: yes(workspace.inlay_hint.as_ref().map(|d| d.refresh_support)),
             refreshes_lenses: yes(workspace.code_lens.as_ref().map(|d| d.refresh_support)),
             configuration: workspace.configuration.unwrap_or(false),
-            watches_files: yes(workspace.did_change_watched_files.as_ref().map(|w| w.dynamic_registration)),
+            watches_files: yes(workspace
+                .did_change_watched_files
+                .as_ref()
+                .map(|w| w.dynamic_registration)),
             registers_settings: yes(workspace
                 .did_change_configuration
                 .as_ref()
@@ -117,7 +123,11 @@ impl ClientFacts {
             ..Self::default()
         };
         let edit = workspace.workspace_edit.unwrap_or_default();
-        facts.about_edits(&edit).about_typing(&text).about_text(&text).about_actions(text.code_action)
+        facts
+            .about_edits(&edit)
+            .about_typing(&text)
+            .about_text(&text)
+            .about_actions(text.code_action)
     }
 
     /// Whether it can do anything with lenses: it runs their commands, or shows what the server tells it to.
@@ -141,15 +151,25 @@ impl ClientFacts {
 
     /// What it shows while somebody types.
     fn about_typing(self, text: &TextDocumentClientCapabilities) -> Self {
-        let item = text.completion.as_ref().and_then(|completion| completion.completion_item.as_ref());
-        let has = |flag: fn(&CompletionItemCapability) -> Option<bool>| item.and_then(flag).unwrap_or(false);
-        let signature = text.signature_help.as_ref().and_then(|help| help.signature_information.as_ref());
+        let item = text
+            .completion
+            .as_ref()
+            .and_then(|completion| completion.completion_item.as_ref());
+        let has = |flag: fn(&CompletionItemCapability) -> Option<bool>| {
+            item.and_then(flag).unwrap_or(false)
+        };
+        let signature = text
+            .signature_help
+            .as_ref()
+            .and_then(|help| help.signature_information.as_ref());
         let parameter = signature.and_then(|signature| signature.parameter_information.as_ref());
         Self {
             snippets: has(|item| item.snippet_support),
             insert_replace: has(|item| item.insert_replace_support),
             label_details: has(|item| item.label_details_support),
-            label_offsets: parameter.and_then(|p| p.label_offset_support).unwrap_or(false),
+            label_offsets: parameter
+                .and_then(|p| p.label_offset_support)
+                .unwrap_or(false),
             item_docs: Format::of(item.and_then(|item| item.documentation_format.as_ref())),
             signature_docs: Format::of(signature.and_then(|it| it.documentation_format.as_ref())),
             ..self
@@ -158,33 +178,50 @@ impl ClientFacts {
 
     /// In which forms it takes what is said of a text.
     fn about_text(self, text: &TextDocumentClientCapabilities) -> Self {
-        let links = |goto: Option<GotoCapability>| goto.and_then(|goto| goto.link_support).unwrap_or(false);
+        let links =
+            |goto: Option<GotoCapability>| goto.and_then(|goto| goto.link_support).unwrap_or(false);
         let symbols = text.document_symbol.as_ref();
-        let folds = text.folding_range.as_ref().and_then(|folding| folding.range_limit);
+        let folds = text
+            .folding_range
+            .as_ref()
+            .and_then(|folding| folding.range_limit);
         Self {
-            hover: Format::of(text.hover.as_ref().and_then(|hover| hover.content_format.as_ref())),
+            hover: Format::of(
+                text.hover
+                    .as_ref()
+                    .and_then(|hover| hover.content_format.as_ref()),
+            ),
             links: Links {
                 definition: links(text.definition),
                 declaration: links(text.declaration),
                 type_definition: links(text.type_definition),
                 implementation: links(text.implementation),
             },
-            nested_symbols: symbols.and_then(|s| s.hierarchical_document_symbol_support).unwrap_or(false),
+            nested_symbols: symbols
+                .and_then(|s| s.hierarchical_document_symbol_support)
+                .unwrap_or(false),
             most_folds: folds.map(|limit| limit as usize),
-            prepares_rename: text.rename.as_ref().and_then(|rename| rename.prepare_support).unwrap_or(false),
+            prepares_rename: text
+                .rename
+                .as_ref()
+                .and_then(|rename| rename.prepare_support)
+                .unwrap_or(false),
             ..self
         }
     }
 
     /// Which actions it takes: what it says about these means nothing when it takes commands only.
     fn about_actions(self, action: Option<CodeActionClientCapabilities>) -> Self {
-        let Some(action) = action.filter(|action| action.code_action_literal_support.is_some()) else {
+        let Some(action) = action.filter(|action| action.code_action_literal_support.is_some())
+        else {
             return self;
         };
         Self {
             action_literals: true,
             resolves_actions: action.data_support.unwrap_or(false)
-                && action.resolve_support.is_some_and(|s| s.properties.iter().any(|p| p == "edit")),
+                && action
+                    .resolve_support
+                    .is_some_and(|s| s.properties.iter().any(|p| p == "edit")),
             disabled_actions: action.disabled_support.unwrap_or(false),
             ..self
         }
@@ -197,8 +234,11 @@ impl Own {
         let experimental = params.capabilities.experimental.as_ref();
         let options = options(params).and_then(|options| options.get(CLIENT_OPTIONS));
         let said = [experimental.and_then(|own| own.get("xacro")), options];
-        let knows =
-            |what: &str| said.into_iter().flatten().any(|own| own.get(what) == Some(&Value::Bool(true)));
+        let knows = |what: &str| {
+            said.into_iter()
+                .flatten()
+                .any(|own| own.get(what) == Some(&Value::Bool(true)))
+        };
         Self {
             context_changed: knows("contextChanged"),
             lens_commands: knows("lensCommands"),
@@ -218,10 +258,15 @@ pub(super) fn options(params: &InitializeParams) -> Option<&Value> {
 
 /// Neovim asks again for the file that was edited only, also when it is told to ask for all.
 fn is_neovim(params: &InitializeParams) -> bool {
-    params.client_info.as_ref().is_some_and(|client| client.name == "Neovim")
+    params
+        .client_info
+        .as_ref()
+        .is_some_and(|client| client.name == "Neovim")
 }
 
 /// Whether the options say `diagnostics.pull: false`: what is pushed of an edit can be said in two steps.
 fn refuses_to_pull(params: &InitializeParams) -> bool {
-    options(params).and_then(|own| own.pointer("/diagnostics/pull")).is_some_and(|pull| pull == false)
+    options(params)
+        .and_then(|own| own.pointer("/diagnostics/pull"))
+        .is_some_and(|pull| pull == false)
 }

@@ -12,7 +12,9 @@ use xml::Document;
 
 /// The path a document is kept under. What is no file keeps its whole name, below no folder.
 pub(super) fn path(uri: &Url) -> PathBuf {
-    let file = (uri.scheme() == "file").then(|| uri.to_file_path().ok()).flatten();
+    let file = (uri.scheme() == "file")
+        .then(|| uri.to_file_path().ok())
+        .flatten();
     file.filter(|path| !path.to_string_lossy().contains('\0'))
         .unwrap_or_else(|| Path::new("/").join(uri.as_str().replace(['/', '\0'], "_")))
 }
@@ -25,17 +27,29 @@ pub(super) fn position(document: &Document, offset: u32, encoding: Encoding) -> 
 
 /// A range.
 pub(super) fn range(document: &Document, range: TextRange, encoding: Encoding) -> Range {
-    Range::new(position(document, range.start, encoding), position(document, range.end, encoding))
+    Range::new(
+        position(document, range.start, encoding),
+        position(document, range.end, encoding),
+    )
 }
 
 /// The byte offset of a position.
 pub(super) fn offset(document: &Document, position: Position, encoding: Encoding) -> u32 {
-    document.offset(LineCol { line: position.line, col: position.character }, encoding)
+    document.offset(
+        LineCol {
+            line: position.line,
+            col: position.character,
+        },
+        encoding,
+    )
 }
 
 /// The bytes of a range; the right way round.
 pub(super) fn text_range(document: &Document, range: Range, encoding: Encoding) -> TextRange {
-    let (a, b) = (offset(document, range.start, encoding), offset(document, range.end, encoding));
+    let (a, b) = (
+        offset(document, range.start, encoding),
+        offset(document, range.end, encoding),
+    );
     TextRange::new(a.min(b), a.max(b))
 }
 
@@ -47,7 +61,11 @@ pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding
         let back = document.line_col(at, encoding);
         let is_inside = encoding == Encoding::Utf16
             && (back.line, back.col + 1) == (position.line, position.character)
-            && document.slice(TextRange::new(at, at + 4)).chars().next().is_some_and(|c| c.len_utf16() == 2);
+            && document
+                .slice(TextRange::new(at, at + 4))
+                .chars()
+                .next()
+                .is_some_and(|c| c.len_utf16() == 2);
         if is_inside { at + 4 } else { at }
     };
     let (a, b) = (behind(range.start), behind(range.end));
@@ -67,12 +85,16 @@ pub(super) struct Places<'e> {
 impl Places<'_> {
     /// A place in a file.
     pub fn location(&mut self, span: Span) -> Option<Location> {
-        self.place(span).map(|(uri, range)| Location::new(uri.clone(), range))
+        self.place(span)
+            .map(|(uri, range)| Location::new(uri.clone(), range))
     }
 
     fn place(&mut self, span: Span) -> Option<(&Url, Range)> {
         let state = self.state;
-        let file = self.files.entry(span.file).or_insert_with(|| file(state, span.file));
+        let file = self
+            .files
+            .entry(span.file)
+            .or_insert_with(|| file(state, span.file));
         let (uri, source) = file.as_ref()?;
         let range = self.ranges.entry(span).or_insert_with(|| match source {
             Some(source) => range(&source.document, span.range, state.encoding),
@@ -84,7 +106,11 @@ impl Places<'_> {
 
 /// Places in files as they are now.
 pub fn places(state: &State) -> Places<'_> {
-    Places { state, files: FastMap::default(), ranges: FastMap::default() }
+    Places {
+        state,
+        files: FastMap::default(),
+        ranges: FastMap::default(),
+    }
 }
 
 /// A place in a file.

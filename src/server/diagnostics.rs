@@ -61,7 +61,9 @@ fn found(
     cause: &Cause,
     cancel: &CancelFlag,
 ) -> Option<BTreeMap<PathBuf, Vec<Diagnostic>>> {
-    let further = more.filter(|path| !state.documents.contains_key(*path)).map(Path::to_path_buf);
+    let further = more
+        .filter(|path| !state.documents.contains_key(*path))
+        .map(Path::to_path_buf);
     let open: Vec<PathBuf> = state.documents.keys().cloned().chain(further).collect();
     let mut report = checked(state, &open, cause, cancel)?;
     report.mark_groups();
@@ -74,7 +76,12 @@ fn found(
 }
 
 /// Check files, and log why, what was done again for it, and how long it took.
-fn checked(state: &mut State, open: &[PathBuf], cause: &Cause, cancel: &CancelFlag) -> Option<Report> {
+fn checked(
+    state: &mut State,
+    open: &[PathBuf],
+    cause: &Cause,
+    cancel: &CancelFlag,
+) -> Option<Report> {
     let (start, before) = (Instant::now(), state.world.expansions());
     let report = state.world.report(open, cancel);
     let ms = start.elapsed().as_micros() as f64 / 1000.0;
@@ -82,7 +89,14 @@ fn checked(state: &mut State, open: &[PathBuf], cause: &Cause, cancel: &CancelFl
     match &report {
         Some(report) => {
             let (robots, findings) = (report.roots.len(), report.findings.len());
-            tracing::info!(files = open.len(), robots, expanded, findings, ms, "checked: {cause}");
+            tracing::info!(
+                files = open.len(),
+                robots,
+                expanded,
+                findings,
+                ms,
+                "checked: {cause}"
+            );
         }
         None => tracing::debug!(expanded, ms, "check interrupted by a new message: {cause}"),
     }
@@ -95,7 +109,9 @@ fn spread(state: &mut State, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnosti
     let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
     let mut places = places(state);
     for finding in &report.findings {
-        let Some(diagnostic) = diagnostic(&mut places, finding) else { continue };
+        let Some(diagnostic) = diagnostic(&mut places, finding) else {
+            continue;
+        };
         let path = report.path(finding.span.file);
         let list = found.entry(path.to_path_buf()).or_default();
         if list.len() < DIAGNOSTICS {
@@ -120,7 +136,8 @@ pub fn pull_diagnostics(
 ) -> Result<DocumentDiagnosticReportResult, Failure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     scan_first(state);
-    let mut found = found(state, Some(&path), &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
+    let mut found =
+        found(state, Some(&path), &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
     let items = found.remove(&path).unwrap_or_default();
     let id = result_id(&items);
     let report = if params.previous_result_id.as_deref() == Some(&id) {
@@ -130,7 +147,10 @@ pub fn pull_diagnostics(
             unchanged_document_diagnostic_report: unchanged,
         })
     } else {
-        let full = FullDocumentDiagnosticReport { result_id: Some(id), items };
+        let full = FullDocumentDiagnosticReport {
+            result_id: Some(id),
+            items,
+        };
         DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
             related_documents: None,
             full_document_diagnostic_report: full,
@@ -146,17 +166,26 @@ pub fn pull_workspace(
 ) -> Result<WorkspaceDiagnosticReportResult, Failure> {
     let mut found = found(state, None, &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
     let known = params.previous_result_ids.into_iter();
-    let known: BTreeMap<PathBuf, String> = known.map(|id| (state.path(&id.uri), id.value)).collect();
+    let known: BTreeMap<PathBuf, String> =
+        known.map(|id| (state.path(&id.uri), id.value)).collect();
     let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
-        found.iter().filter(|(_, items)| !items.is_empty()).map(|(path, _)| path.clone()).collect()
+        found
+            .iter()
+            .filter(|(_, items)| !items.is_empty())
+            .map(|(path, _)| path.clone())
+            .collect()
     };
     let reported = std::mem::replace(&mut state.reported, with_findings(&found));
     // what was reported of a file stays until a report says otherwise
     for path in known.keys().cloned().chain(reported) {
         found.entry(path).or_default();
     }
-    let report = |(path, items): (PathBuf, Vec<Diagnostic>)| report_of(state, &path, items, known.get(&path));
-    let report = WorkspaceDiagnosticReport { items: found.into_iter().filter_map(report).collect() };
+    let report = |(path, items): (PathBuf, Vec<Diagnostic>)| {
+        report_of(state, &path, items, known.get(&path))
+    };
+    let report = WorkspaceDiagnosticReport {
+        items: found.into_iter().filter_map(report).collect(),
+    };
     Ok(WorkspaceDiagnosticReportResult::Report(report))
 }
 
@@ -167,14 +196,22 @@ fn report_of(
     items: Vec<Diagnostic>,
     before: Option<&String>,
 ) -> Option<WorkspaceDocumentDiagnosticReport> {
-    let version = state.documents.get(path).and_then(|open| open.version).map(i64::from);
+    let version = state
+        .documents
+        .get(path)
+        .and_then(|open| open.version)
+        .map(i64::from);
     let (uri, result_id) = (state.uri(path)?, result_id(&items));
     Some(match before == Some(&result_id) {
-        true => WorkspaceDocumentDiagnosticReport::Unchanged(WorkspaceUnchangedDocumentDiagnosticReport {
-            uri,
-            version,
-            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
-        }),
+        true => WorkspaceDocumentDiagnosticReport::Unchanged(
+            WorkspaceUnchangedDocumentDiagnosticReport {
+                uri,
+                version,
+                unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
+                    result_id,
+                },
+            },
+        ),
         false => WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
             uri,
             version,
@@ -190,7 +227,10 @@ pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnost
     let place = places.location(finding.span)?;
     let related = finding.related.iter().take(RELATED).filter_map(|related| {
         let location = places.location(related.span)?;
-        Some(DiagnosticRelatedInformation { location, message: related.message.clone() })
+        Some(DiagnosticRelatedInformation {
+            location,
+            message: related.message.clone(),
+        })
     });
     let related: Vec<_> = related.collect();
     let message = match &finding.help {
@@ -267,7 +307,10 @@ fn page(rule: &str) -> Option<Url> {
 
 /// What tells one list of findings from another.
 fn result_id(items: &[Diagnostic]) -> String {
-    format!("{:x}", fingerprint(&serde_json::to_vec(items).unwrap_or_default()))
+    format!(
+        "{:x}",
+        fingerprint(&serde_json::to_vec(items).unwrap_or_default())
+    )
 }
 
 pub(super) fn fingerprint(json: &[u8]) -> u64 {

@@ -18,7 +18,10 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let path = state.path(&document.uri);
     state.world.set_text(&path, document.text);
-    let open = OpenDocument { uri: document.uri, version: version(document.version) };
+    let open = OpenDocument {
+        uri: document.uri,
+        version: version(document.version),
+    };
     offer_source(state, &path);
     state.cause = Cause::Opened(path.clone());
     state.documents.insert(path, open);
@@ -28,15 +31,23 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
 
 /// Who has opened an installed copy should edit the source: the next build replaces the copy.
 fn offer_source(state: &State, path: &Path) {
-    let Some(source) = state.world.session().packages.source_of(path) else { return };
-    let Some(uri) = state.uri(&source) else { return };
+    let Some(source) = state.world.session().packages.source_of(path) else {
+        return;
+    };
+    let Some(uri) = state.uri(&source) else {
+        return;
+    };
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let message = format!(
         "`{name}` is an installed copy, which the next build replaces; its source is `{}`",
         vfs::slashed(&source)
     );
     if state.client.shows_documents {
-        state.outbox.ask(Question::Offer { message, action: "Open Source", uri });
+        state.outbox.ask(Question::Offer {
+            message,
+            action: "Open Source",
+            uri,
+        });
     } else {
         state.outbox.show(MessageType::INFO, message);
     }
@@ -45,9 +56,10 @@ fn offer_source(state: &State, path: &Path) {
 pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
     let Some(open) = state.documents.get_mut(&path) else {
-        return state
-            .outbox
-            .log(format!("ignored changes of `{}`, which is not open", params.text_document.uri));
+        return state.outbox.log(format!(
+            "ignored changes of `{}`, which is not open",
+            params.text_document.uri
+        ));
     };
     open.version = version(params.text_document.version);
     for change in params.content_changes {
@@ -81,14 +93,23 @@ pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
 }
 
 pub fn watched(state: &mut State, params: DidChangeWatchedFilesParams) {
-    let paths: Vec<_> = params.changes.iter().map(|change| state.path(&change.uri)).collect();
+    let paths: Vec<_> = params
+        .changes
+        .iter()
+        .map(|change| state.path(&change.uri))
+        .collect();
     state.world.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }
 
 pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParams) {
-    let removed: Vec<_> = params.event.removed.iter().map(|folder| state.path(&folder.uri)).collect();
+    let removed: Vec<_> = params
+        .event
+        .removed
+        .iter()
+        .map(|folder| state.path(&folder.uri))
+        .collect();
     let mut folders: Vec<_> = state.world.folders().to_vec();
     folders.retain(|folder| !removed.contains(folder));
     for folder in params.event.added {
@@ -105,14 +126,21 @@ pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParam
 
 /// Something came in that is no message.
 pub fn bad_message(state: &mut State, params: serde_json::Value) {
-    let reason = params.get("reason").and_then(serde_json::Value::as_str).unwrap_or("");
+    let reason = params
+        .get("reason")
+        .and_then(serde_json::Value::as_str)
+        .unwrap_or("");
     state.outbox.log(format!("ignored a message: {reason}"));
 }
 
 /// Have the client ask again for what it has asked for before.
 pub fn refresh(state: &State) {
     refresh_others(state);
-    refresh_when(state, state.client.refreshes_tokens, &[Refresh::SemanticTokens]);
+    refresh_when(
+        state,
+        state.client.refreshes_tokens,
+        &[Refresh::SemanticTokens],
+    );
     refresh_when(state, state.client.refreshes_lenses, &[Refresh::CodeLens]);
 }
 

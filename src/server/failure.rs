@@ -21,13 +21,18 @@ impl Failure {
     pub fn into_error(self) -> Error {
         let (code, message) = match self {
             Failure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
-            Failure::Outdated => {
-                (ErrorCode::ContentModified, "the text has changed; repeat the request".to_owned())
-            }
+            Failure::Outdated => (
+                ErrorCode::ContentModified,
+                "the text has changed; repeat the request".to_owned(),
+            ),
             Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
             // `RequestFailed` of LSP 3.17
             Failure::Refused(message) => (ErrorCode::ServerError(-32803), message),
         };
-        Error { code, message: Cow::Owned(message), data: None }
+        Error {
+            code,
+            message: Cow::Owned(message),
+            data: None,
+        }
     }
 }

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use lsp_types::{
     CreateFilesParams, DeleteFilesParams, FileOperationFilter, FileOperationPattern,
     FileOperationPatternKind, FileOperationRegistrationOptions, MessageType, RenameFilesParams,
-    TextDocumentIdentifier, TextEdit, Url, WorkspaceEdit, WorkspaceFileOperationsServerCapabilities,
+    TextDocumentIdentifier, TextEdit, Url, WorkspaceEdit,
+    WorkspaceFileOperationsServerCapabilities,
 };
 
 use crate::convert;
@@ -31,11 +32,21 @@ const FILES: &str =
 pub(super) fn offered() -> WorkspaceFileOperationsServerCapabilities {
     let filter = |glob: &str, matches| FileOperationFilter {
         scheme: Some("file".to_owned()),
-        pattern: FileOperationPattern { glob: glob.to_owned(), matches: Some(matches), options: None },
+        pattern: FileOperationPattern {
+            glob: glob.to_owned(),
+            matches: Some(matches),
+            options: None,
+        },
     };
-    let filters =
-        vec![filter(FILES, FileOperationPatternKind::File), filter("**", FileOperationPatternKind::Folder)];
-    let options = || Some(FileOperationRegistrationOptions { filters: filters.clone() });
+    let filters = vec![
+        filter(FILES, FileOperationPatternKind::File),
+        filter("**", FileOperationPatternKind::Folder),
+    ];
+    let options = || {
+        Some(FileOperationRegistrationOptions {
+            filters: filters.clone(),
+        })
+    };
     WorkspaceFileOperationsServerCapabilities {
         did_create: options(),
         will_create: None,
@@ -56,7 +67,12 @@ pub fn will_rename_files(
     let moves: Vec<Move> = params
         .files
         .iter()
-        .filter_map(|file| Some(Move { old: path(&file.old_uri)?, new: path(&file.new_uri)? }))
+        .filter_map(|file| {
+            Some(Move {
+                old: path(&file.old_uri)?,
+                new: path(&file.new_uri)?,
+            })
+        })
         .collect();
     scan_all(state, cancel)?;
     let mut files: Vec<PathBuf> = state.world.known_files();
@@ -66,13 +82,22 @@ pub fn will_rename_files(
     let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
     files.retain(|file| is_ours(state, file) && may_name(state, file, &moves));
     for file in files {
-        let Some(uri) = state.uri(&file) else { continue };
-        let asked = asked(state, &start_of(TextDocumentIdentifier { uri: uri.clone() }), cancel)?;
+        let Some(uri) = state.uri(&file) else {
+            continue;
+        };
+        let asked = asked(
+            state,
+            &start_of(TextDocumentIdentifier { uri: uri.clone() }),
+            cancel,
+        )?;
         let session = state.world.session();
         let settings = session.settings(&file);
         let found = ide::renamed_files(&asked.cx(), session.surroundings(&settings.config), &moves);
         let edit = |(range, text)| {
-            TextEdit::new(convert::range(&asked.source.document, range, state.encoding), text)
+            TextEdit::new(
+                convert::range(&asked.source.document, range, state.encoding),
+                text,
+            )
         };
         if !found.is_empty() {
             edits.insert(uri, found.into_iter().map(edit).collect());
@@ -84,8 +109,16 @@ pub fn will_rename_files(
 
 /// Tell the user which includes may mean a file that gets another name, and cannot follow it.
 fn warn_of_computed_includes(state: &State, moves: &[Move], edits: &BTreeMap<Url, Vec<TextEdit>>) {
-    let shown = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    for each in moves.iter().filter(|each| each.old.file_name() != each.new.file_name()) {
+    let shown = |path: &Path| {
+        path.file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned()
+    };
+    for each in moves
+        .iter()
+        .filter(|each| each.old.file_name() != each.new.file_name())
+    {
         let follows = |file: &PathBuf| state.uri(file).is_some_and(|uri| edits.contains_key(&uri));
         let mut left = state.world.computed_includers(&each.old);
         left.retain(|file| !follows(file));
@@ -102,28 +135,38 @@ fn warn_of_computed_includes(state: &State, moves: &[Move], edits: &BTreeMap<Url
 
 /// Whether a file moves itself, or its text holds the name of something that does.
 fn may_name(state: &State, file: &Path, moves: &[Move]) -> bool {
-    let Some(source) = state.world.document(file) else { return false };
+    let Some(source) = state.world.document(file) else {
+        return false;
+    };
     let text = source.document.text();
     let holds = |path: &Path| {
-        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        let name = path
+            .file_name()
+            .map(|name| name.to_string_lossy().into_owned());
         name.is_some_and(|name| text.contains(&name))
     };
     // a package is named by its manifest, not by its folder
     let is_folder = |path: &Path| path.extension().is_none();
-    moves.iter().any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
+    moves
+        .iter()
+        .any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
 }
 
 /// Write a mesh of the workspace as binary STL whose header is not taken for text.
 pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
     let path = state.path(&mesh.uri);
     let refuse = |message: String| Failure::Refused(format!("`{}` {message}", vfs::slashed(&path)));
-    let is_stl = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
+    let is_stl = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
     if !is_stl || !is_ours(state, &path) {
         return Err(refuse("is not an STL file in the workspace".to_owned()));
     }
     let bytes = state.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
     let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.reason())))?;
-    let Some(new) = plain_stl(&bytes) else { return Err(refuse("needs no change".to_owned())) };
+    let Some(new) = plain_stl(&bytes) else {
+        return Err(refuse("needs no change".to_owned()));
+    };
     write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
     state.world.changed_on_disk(&[path]);
     state.schedule(Cause::FilesChanged(1));
@@ -132,21 +175,32 @@ pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<
 }
 
 pub fn files_renamed(state: &mut State, params: RenameFilesParams) {
-    let both = params.files.into_iter().flat_map(|file| [file.old_uri, file.new_uri]);
+    let both = params
+        .files
+        .into_iter()
+        .flat_map(|file| [file.old_uri, file.new_uri]);
     files_changed(state, both.collect());
 }
 
 pub fn files_created(state: &mut State, params: CreateFilesParams) {
-    files_changed(state, params.files.into_iter().map(|file| file.uri).collect());
+    files_changed(
+        state,
+        params.files.into_iter().map(|file| file.uri).collect(),
+    );
 }
 
 pub fn files_deleted(state: &mut State, params: DeleteFilesParams) {
-    files_changed(state, params.files.into_iter().map(|file| file.uri).collect());
+    files_changed(
+        state,
+        params.files.into_iter().map(|file| file.uri).collect(),
+    );
 }
 
 fn files_changed(state: &mut State, uris: Vec<String>) {
-    let paths: Vec<PathBuf> =
-        uris.iter().filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok()).collect();
+    let paths: Vec<PathBuf> = uris
+        .iter()
+        .filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok())
+        .collect();
     state.world.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);

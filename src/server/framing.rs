@@ -88,7 +88,11 @@ fn next_length(input: &mut impl BufRead) -> Option<u64> {
 
 fn length_of(header: &str) -> Option<u64> {
     let (name, value) = header.split_once(':')?;
-    let length = value.trim().parse().ok().filter(|&length| length <= MESSAGE_BYTES);
+    let length = value
+        .trim()
+        .parse()
+        .ok()
+        .filter(|&length| length <= MESSAGE_BYTES);
     length.filter(|_| name.trim().eq_ignore_ascii_case("content-length"))
 }
 
@@ -126,14 +130,19 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
         Ok(head) => head,
         Err(error) => return bad(error.to_string()),
     };
-    let id_fits = head.id.as_ref().is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
+    let id_fits = head
+        .id
+        .as_ref()
+        .is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
     let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
         return bad("not a JSON-RPC 2.0 message".to_owned());
     }
     match (head.method.as_deref(), &head.id) {
         // some clients send `null` for no parameters, which the service would refuse
-        (Some("shutdown"), Some(id)) => written(json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" })),
+        (Some("shutdown"), Some(id)) => {
+            written(json!({ "jsonrpc": "2.0", "id": id, "method": "shutdown" }))
+        }
         (Some("initialize"), Some(_)) => (with_our_name_of_diagnostics(repaired), false),
         (Some(EDIT | "textDocument/didOpen"), None) => (with_a_version(repaired), false),
         (Some("exit"), _) => written(json!({ "jsonrpc": "2.0", "method": "exit" })),
@@ -147,8 +156,12 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
 
 /// The protocol says `workspace.diagnostics`; the types that read it say `diagnostic`.
 fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
-    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body };
-    let workspace = message.pointer_mut("/params/capabilities/workspace").and_then(Value::as_object_mut);
+    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else {
+        return body;
+    };
+    let workspace = message
+        .pointer_mut("/params/capabilities/workspace")
+        .and_then(Value::as_object_mut);
     match workspace.and_then(|workspace| Some((workspace.remove("diagnostics")?, workspace))) {
         Some((diagnostics, workspace)) => {
             workspace.insert("diagnostic".to_owned(), diagnostics);
@@ -177,8 +190,13 @@ fn with_a_version(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     if given.is_ok() {
         return body;
     }
-    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else { return body };
-    match message.pointer_mut("/params/textDocument").and_then(Value::as_object_mut) {
+    let Ok(mut message) = serde_json::from_slice::<Value>(&body) else {
+        return body;
+    };
+    match message
+        .pointer_mut("/params/textDocument")
+        .and_then(Value::as_object_mut)
+    {
         Some(document) => document.insert("version".to_owned(), NO_VERSION.into()),
         None => return body,
     };
@@ -253,7 +271,8 @@ mod tests {
 
     #[test]
     fn what_is_no_utf_8_is_replaced() {
-        let (body, _) = checked(b"{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"x\",\"params\":[\"\xe4\"]}");
+        let (body, _) =
+            checked(b"{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"x\",\"params\":[\"\xe4\"]}");
         assert_eq!(
             std::str::from_utf8(&body).unwrap(),
             "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"x\",\"params\":[\"\u{fffd}\"]}"
@@ -269,9 +288,13 @@ mod tests {
 
     #[test]
     fn lone_surrogates_are_replaced() {
-        let repair =
-            |text: &str| String::from_utf8(without_lone_surrogates(text.as_bytes()).into_owned()).unwrap();
+        let repair = |text: &str| {
+            String::from_utf8(without_lone_surrogates(text.as_bytes()).into_owned()).unwrap()
+        };
         assert_eq!(repair(r#""a\ud800b""#), r#""a\ufffdb""#);
-        assert_eq!(repair(r#""\ude00\ud83d\ude00\\ud800""#), r#""\ufffd\ud83d\ude00\\ud800""#);
+        assert_eq!(
+            repair(r#""\ude00\ud83d\ude00\\ud800""#),
+            r#""\ufffd\ud83d\ude00\\ud800""#
+        );
     }
 }

@@ -18,7 +18,9 @@ use crate::requests::hints::{hints, resolve_hint};
 use crate::requests::hover::hover;
 use crate::requests::lenses::{lenses, resolve_lens};
 use crate::requests::links::links;
-use crate::requests::navigation::{declaration, definition, highlights, implementation, type_definition};
+use crate::requests::navigation::{
+    declaration, definition, highlights, implementation, type_definition,
+};
 use crate::requests::of_description::{OfDocument, Work, of_description};
 use crate::requests::refactorings::resolve_action;
 use crate::requests::references::references;
@@ -34,7 +36,9 @@ use tower_lsp::{LanguageServer, async_trait};
 
 use crate::exit::Shutdown;
 use crate::mapping::{Instances, Sources, ToExpandedParams, ToSourceParams};
-use crate::preview::{Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams};
+use crate::preview::{
+    Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
+};
 use crate::queue::Queue;
 use crate::requests::expand_at::{ExpandAtParams, ExpandedPlace, SetInstanceParams};
 use crate::requests::expansion::{ExpandParams, Expanded};
@@ -130,7 +134,9 @@ impl Handlers {
 #[async_trait]
 impl LanguageServer for Handlers {
     async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
-        self.queue.request((params, self.shutdown.clone()), initialize).await
+        self.queue
+            .request((params, self.shutdown.clone()), initialize)
+            .await
     }
 
     async fn initialized(&self, _: InitializedParams) {
@@ -169,7 +175,10 @@ impl LanguageServer for Handlers {
         self.queue.notify(params, settings_changed);
     }
 
-    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+    async fn diagnostic(
+        &self,
+        params: DocumentDiagnosticParams,
+    ) -> Result<DocumentDiagnosticReportResult> {
         self.queue.request(params, pull_diagnostics).await
     }
 
@@ -204,7 +213,10 @@ impl LanguageServer for Handlers {
         self.about_xml(params, format).await
     }
 
-    async fn range_formatting(&self, params: DocumentRangeFormattingParams) -> Result<Option<Vec<TextEdit>>> {
+    async fn range_formatting(
+        &self,
+        params: DocumentRangeFormattingParams,
+    ) -> Result<Option<Vec<TextEdit>>> {
         self.about_xml(params, format_range).await
     }
 
@@ -215,7 +227,10 @@ impl LanguageServer for Handlers {
         self.about_xml(params, on_type).await
     }
 
-    async fn document_symbol(&self, params: DocumentSymbolParams) -> Result<Option<DocumentSymbolResponse>> {
+    async fn document_symbol(
+        &self,
+        params: DocumentSymbolParams,
+    ) -> Result<Option<DocumentSymbolResponse>> {
         self.about_xml(params, symbols).await
     }
 
@@ -223,7 +238,10 @@ impl LanguageServer for Handlers {
         self.about_xml(params, folding).await
     }
 
-    async fn selection_range(&self, params: SelectionRangeParams) -> Result<Option<Vec<SelectionRange>>> {
+    async fn selection_range(
+        &self,
+        params: SelectionRangeParams,
+    ) -> Result<Option<Vec<SelectionRange>>> {
         self.about_xml(params, selections).await
     }
 
@@ -238,11 +256,17 @@ impl LanguageServer for Handlers {
         self.queue.request(params, hover).await
     }
 
-    async fn goto_definition(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
+    async fn goto_definition(
+        &self,
+        params: GotoDefinitionParams,
+    ) -> Result<Option<GotoDefinitionResponse>> {
         self.queue.request(params, definition).await
     }
 
-    async fn goto_declaration(&self, params: GotoDefinitionParams) -> Result<Option<GotoDefinitionResponse>> {
+    async fn goto_declaration(
+        &self,
+        params: GotoDefinitionParams,
+    ) -> Result<Option<GotoDefinitionResponse>> {
         self.about_xml(params, declaration).await
     }
 
@@ -335,7 +359,10 @@ impl LanguageServer for Handlers {
         self.about_xml(params, colors).await
     }
 
-    async fn color_presentation(&self, params: ColorPresentationParams) -> Result<Vec<ColorPresentation>> {
+    async fn color_presentation(
+        &self,
+        params: ColorPresentationParams,
+    ) -> Result<Vec<ColorPresentation>> {
         self.queue.request(params, color_texts).await
     }
 
@@ -368,7 +395,10 @@ impl LanguageServer for Handlers {
         self.queue.request(params, outgoing_calls).await
     }
 
-    async fn symbol(&self, params: WorkspaceSymbolParams) -> Result<Option<Vec<SymbolInformation>>> {
+    async fn symbol(
+        &self,
+        params: WorkspaceSymbolParams,
+    ) -> Result<Option<Vec<SymbolInformation>>> {
         self.queue.request(params, workspace_symbols).await
     }
 

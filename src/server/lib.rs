@@ -41,7 +41,9 @@ use vfs::Environment;
 
 /// Serve one client on standard input and output until it is gone; the exit code.
 pub fn run(env: Environment) -> u8 {
-    let Ok(runtime) = Builder::new_current_thread().enable_all().build() else { return 1 };
+    let Ok(runtime) = Builder::new_current_thread().enable_all().build() else {
+        return 1;
+    };
     runtime.block_on(serve(env))
 }
 
@@ -70,7 +72,10 @@ async fn serve(env: Environment) -> u8 {
     let (post, exit) = (queue.clone(), shutdown.clone());
     let service = LspService::build(move |client| {
         tokio::spawn(outbox::ask_all(client, post.clone(), questions));
-        Handlers { queue: post, shutdown: exit }
+        Handlers {
+            queue: post,
+            shutdown: exit,
+        }
     })
     .custom_method("xacro/expand", Handlers::expand)
     .custom_method("xacro/expandAt", Handlers::expand_at)
@@ -92,8 +97,17 @@ async fn serve(env: Environment) -> u8 {
     #[cfg(debug_assertions)]
     let service = service.custom_method("xacro/debug/fail", Handlers::fail);
     let (service, socket) = service.finish();
-    let service = Watched { inner: service, shutdown: shutdown.clone() };
-    let outgoing = Outgoing { notifications, socket };
-    transport::serve(service, outgoing, &shutdown, move || announced.announce_edit()).await;
+    let service = Watched {
+        inner: service,
+        shutdown: shutdown.clone(),
+    };
+    let outgoing = Outgoing {
+        notifications,
+        socket,
+    };
+    transport::serve(service, outgoing, &shutdown, move || {
+        announced.announce_edit()
+    })
+    .await;
     shutdown.code()
 }

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use lsp_types::{
-    DidChangeConfigurationParams, InitializeParams, InitializeResult, MessageType, PositionEncodingKind,
-    Registration, ServerInfo, SetTraceParams, TraceValue, Url,
+    DidChangeConfigurationParams, InitializeParams, InitializeResult, MessageType,
+    PositionEncodingKind, Registration, ServerInfo, SetTraceParams, TraceValue, Url,
 };
 use serde_json::{Value, json};
 
@@ -28,7 +28,10 @@ pub fn initialize(
 ) -> Result<InitializeResult, Failure> {
     state.client = ClientFacts::of(&params);
     // a client in another container or on another machine is not to be seen from here
-    if let Some(process) = params.process_id.filter(|&process| is_process_alive(process)) {
+    if let Some(process) = params
+        .process_id
+        .filter(|&process| is_process_alive(process))
+    {
         watch_process(process, shutdown);
     }
     state.encoding = encoding(&params);
@@ -52,7 +55,9 @@ pub fn initialize(
 
 fn log_client(state: &State, params: &InitializeParams) {
     let client = params.client_info.as_ref();
-    let version = client.and_then(|client| client.version.as_deref()).unwrap_or("");
+    let version = client
+        .and_then(|client| client.version.as_deref())
+        .unwrap_or("");
     let name = client.map_or("unknown", |client| client.name.as_str());
     tracing::info!(
         folders = state.world.folders().len(),
@@ -76,25 +81,36 @@ pub fn client_ready(state: &mut State, (): ()) {
     state.initialized = true;
     let mut registrations = Vec::new();
     if state.client.watches_files {
-        registrations
-            .push(registration("workspace/didChangeWatchedFiles", json!({ "watchers": watchers() })));
+        registrations.push(registration(
+            "workspace/didChangeWatchedFiles",
+            json!({ "watchers": watchers() }),
+        ));
     }
     if state.client.registers_settings {
-        registrations.push(registration("workspace/didChangeConfiguration", json!({ "section": "xacro" })));
+        registrations.push(registration(
+            "workspace/didChangeConfiguration",
+            json!({ "section": "xacro" }),
+        ));
     }
     if !registrations.is_empty() {
         state.outbox.ask(Question::Register(registrations));
     }
     ask_for_settings(state);
     if state.client.progress && !state.world.folders().is_empty() {
-        state.outbox.ask(Question::CreateProgress("xacro/scan".to_owned()));
+        state
+            .outbox
+            .ask(Question::CreateProgress("xacro/scan".to_owned()));
     }
 }
 
 /// Ask for the settings of each folder, where the client answers that.
 pub fn ask_for_settings(state: &State) {
     if state.client.configuration {
-        let folders = state.world.folders().iter().map(|folder| Url::from_file_path(folder).ok());
+        let folders = state
+            .world
+            .folders()
+            .iter()
+            .map(|folder| Url::from_file_path(folder).ok());
         let mut scopes: Vec<_> = folders.collect();
         if scopes.is_empty() {
             scopes.push(None);
@@ -116,7 +132,9 @@ pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams)
 pub fn configured(state: &mut State, (scopes, values): (Vec<Option<Url>>, Vec<Value>)) {
     let folder = |scope: &Option<Url>| scope.as_ref().map(|uri| state.path(uri));
     let scoped = scopes.iter().zip(&values);
-    let given = scoped.map(|(scope, value)| (effective(state, value), folder(scope))).collect();
+    let given = scoped
+        .map(|(scope, value)| (effective(state, value), folder(scope)))
+        .collect();
     take_settings(state, given);
     state.schedule(Cause::SettingsChanged);
 }
@@ -131,7 +149,11 @@ fn settings(state: &mut State, value: &Value) {
 /// are no settings, or none any more: what it began with holds then.
 fn effective(state: &State, value: &Value) -> Value {
     let settings = value.get("xacro").unwrap_or(value);
-    if settings.is_object() { settings.clone() } else { state.first_settings.clone() }
+    if settings.is_object() {
+        settings.clone()
+    } else {
+        state.first_settings.clone()
+    }
 }
 
 /// Take settings over, in the place of all that held before: what is no longer said is the default again.
@@ -155,7 +177,8 @@ fn own_settings(state: &mut State, settings: &Value) {
         match delay.as_u64() {
             Some(delay) => state.delay = Duration::from_millis(delay.min(60_000)),
             None => {
-                let message = "`xacro.diagnostics.delay` is not a number of milliseconds; using the default";
+                let message =
+                    "`xacro.diagnostics.delay` is not a number of milliseconds; using the default";
                 warn_once(state, message.to_owned());
             }
         }
@@ -164,7 +187,8 @@ fn own_settings(state: &mut State, settings: &Value) {
     if let Some(contexts) = settings.pointer("/diagnostics/contexts").or_else(dotted) {
         state.world.set_all_contexts(contexts == "all");
         if contexts != "all" && contexts != "active" {
-            let message = "`xacro.diagnostics.contexts` is not `active` or `all`; using the default";
+            let message =
+                "`xacro.diagnostics.contexts` is not `active` or `all`; using the default";
             warn_once(state, message.to_owned());
         }
     }
@@ -188,7 +212,10 @@ fn warn_once(state: &mut State, message: String) {
 pub fn progress_created(state: &mut State, made: bool) {
     if made {
         state.progress = Some("xacro/scan".to_owned());
-        report_progress(state, json!({ "kind": "begin", "title": "Indexing robot descriptions" }));
+        report_progress(
+            state,
+            json!({ "kind": "begin", "title": "Indexing robot descriptions" }),
+        );
     }
     // some clients turn their sign from here on, whether it began or not
     if made && state.world.is_scanned() {
@@ -226,7 +253,9 @@ fn scan_until(state: &mut State, stop: &dyn Fn() -> bool) -> bool {
 pub fn scan_all(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
     while !state.world.is_scanned() {
         let end = Instant::now() + State::SCAN_REPORT;
-        if !scan_until(state, &|| cancel.is_cancelled() || Instant::now() >= end) && cancel.is_cancelled() {
+        if !scan_until(state, &|| cancel.is_cancelled() || Instant::now() >= end)
+            && cancel.is_cancelled()
+        {
             return Err(Failure::Cancelled);
         }
     }
@@ -236,14 +265,18 @@ pub fn scan_all(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
 /// Look at the workspace before an answer that depends on it, when that takes a moment only: who asks for
 /// diagnostics of a part as soon as it is open gets those of the robot around it.
 pub fn scan_first(state: &mut State) {
-    if state.initialized && !state.world.is_scanned() && state.world.scan_within(State::SCAN_FIRST) {
+    if state.initialized && !state.world.is_scanned() && state.world.scan_within(State::SCAN_FIRST)
+    {
         scanned(state);
     }
 }
 
 /// Other roots may be known now.
 fn scanned(state: &mut State) {
-    tracing::info!(descriptions = state.world.known_files().len(), "workspace indexed");
+    tracing::info!(
+        descriptions = state.world.known_files().len(),
+        "workspace indexed"
+    );
     end_progress(state);
     if !state.documents.is_empty() {
         state.schedule(Cause::Indexed);
@@ -258,7 +291,9 @@ fn end_progress(state: &mut State) {
 
 fn report_progress(state: &State, value: Value) {
     if let Some(token) = &state.progress {
-        state.outbox.tell("$/progress", &json!({ "token": token, "value": value }));
+        state
+            .outbox
+            .tell("$/progress", &json!({ "token": token, "value": value }));
     }
 }
 
@@ -274,7 +309,10 @@ fn encoding(params: &InitializeParams) -> Encoding {
 
 /// What a client says of settings when it begins.
 fn first_settings(params: &InitializeParams) -> Value {
-    let mut settings = options(params).filter(|options| options.is_object()).cloned().unwrap_or(json!({}));
+    let mut settings = options(params)
+        .filter(|options| options.is_object())
+        .cloned()
+        .unwrap_or(json!({}));
     if let Some(settings) = settings.as_object_mut() {
         settings.remove(CLIENT_OPTIONS);
     }
@@ -283,19 +321,35 @@ fn first_settings(params: &InitializeParams) -> Value {
 
 #[allow(deprecated)] // old clients send `rootUri`, and still older ones `rootPath`
 fn folders(params: &InitializeParams) -> Vec<PathBuf> {
-    let listed = params.workspace_folders.iter().flatten().map(|folder| &folder.uri);
+    let listed = params
+        .workspace_folders
+        .iter()
+        .flatten()
+        .map(|folder| &folder.uri);
     let mut uris: Vec<&Url> = listed.collect();
     if uris.is_empty() {
         uris.extend(&params.root_uri);
     }
     if uris.is_empty() {
-        return params.root_path.iter().map(PathBuf::from).filter(|path| path.is_absolute()).collect();
+        return params
+            .root_path
+            .iter()
+            .map(PathBuf::from)
+            .filter(|path| path.is_absolute())
+            .collect();
     }
-    uris.into_iter().filter(|uri| uri.scheme() == "file").filter_map(|uri| uri.to_file_path().ok()).collect()
+    uris.into_iter()
+        .filter(|uri| uri.scheme() == "file")
+        .filter_map(|uri| uri.to_file_path().ok())
+        .collect()
 }
 
 fn registration(method: &str, options: Value) -> Registration {
-    Registration { id: method.to_owned(), method: method.to_owned(), register_options: Some(options) }
+    Registration {
+        id: method.to_owned(),
+        method: method.to_owned(),
+        register_options: Some(options),
+    }
 }
 
 fn watchers() -> Value {
@@ -307,5 +361,8 @@ fn watchers() -> Value {
         "**/{xacro-lint.toml,.xacro-lint.toml}",
         "**/COLCON_IGNORE",
     ];
-    patterns.iter().map(|pattern| json!({ "globPattern": pattern })).collect()
+    patterns
+        .iter()
+        .map(|pattern| json!({ "globPattern": pattern }))
+        .collect()
 }

@@ -45,10 +45,15 @@ impl Log {
         let own = Targets::new().with_target("server", LevelFilter::DEBUG);
         let asked: Result<Option<Targets>, _> = env.var(VARIABLE).map(str::parse).transpose();
         let unreadable = asked.is_err();
-        let shown = asked
-            .unwrap_or_else(|_| Some(own.clone()))
-            .map(|targets| fmt::layer().with_ansi(false).with_writer(std::io::stderr).with_filter(targets));
-        let layers = tracing_subscriber::registry().with(log.clone().with_filter(own)).with(shown);
+        let shown = asked.unwrap_or_else(|_| Some(own.clone())).map(|targets| {
+            fmt::layer()
+                .with_ansi(false)
+                .with_writer(std::io::stderr)
+                .with_filter(targets)
+        });
+        let layers = tracing_subscriber::registry()
+            .with(log.clone().with_filter(own))
+            .with(shown);
         let _ = tracing::subscriber::set_global_default(layers);
         if unreadable {
             let levels = "`error`, `warn`, `info`, `debug` or `trace`";
@@ -66,7 +71,13 @@ impl Log {
 
     /// The last lines, the newest at the end.
     pub fn last(&self) -> Vec<String> {
-        self.0.last.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+        self.0
+            .last
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .iter()
+            .cloned()
+            .collect()
     }
 
     fn keep(&self, line: String) {
@@ -89,15 +100,25 @@ impl<S: Subscriber> Layer<S> for Log {
             TraceValue::Verbose => true,
         };
         if is_told {
-            let verbose =
-                (trace == TraceValue::Verbose && !text.fields.is_empty()).then(|| text.fields.clone());
-            let params = LogTraceParams { message: text.message.clone(), verbose };
+            let verbose = (trace == TraceValue::Verbose && !text.fields.is_empty())
+                .then(|| text.fields.clone());
+            let params = LogTraceParams {
+                message: text.message.clone(),
+                verbose,
+            };
             self.0.outbox.tell(LogTrace::METHOD, &params);
         }
         let level = event.metadata().level().as_str().to_lowercase();
         let Text { message, fields } = text;
-        let fields = if fields.is_empty() { fields } else { format!(" ({fields})") };
-        self.keep(format!("{:.3} s {level}: {message}{fields}", self.0.start.elapsed().as_secs_f64()));
+        let fields = if fields.is_empty() {
+            fields
+        } else {
+            format!(" ({fields})")
+        };
+        self.keep(format!(
+            "{:.3} s {level}: {message}{fields}",
+            self.0.start.elapsed().as_secs_f64()
+        ));
     }
 }
 

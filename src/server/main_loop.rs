@@ -43,7 +43,11 @@ fn pause(state: &State) -> Option<Duration> {
     }
     if let Some(due) = state.due {
         let rest = due.saturating_duration_since(Instant::now());
-        return Some(if state.status.is_edit_announced() { rest.max(ON_ITS_WAY) } else { rest });
+        return Some(if state.status.is_edit_announced() {
+            rest.max(ON_ITS_WAY)
+        } else {
+            rest
+        });
     }
     (state.initialized && !state.world.is_scanned()).then_some(Duration::ZERO)
 }
@@ -63,9 +67,13 @@ fn idle(state: &mut State) {
 
 /// Run a job; a panic in it is logged and ends that job only.
 fn guarded(state: &mut State, job: Job) {
-    let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(state))) else { return };
+    let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(state))) else {
+        return;
+    };
     let text = panic.downcast_ref::<String>().map(String::as_str);
-    let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("unknown error");
+    let text = text
+        .or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("unknown error");
     let message = format!("internal error: {text}; please report it with the file that caused it");
     tracing::error!("{message}");
     state.outbox.log_as(MessageType::ERROR, message.clone());

@@ -4,7 +4,9 @@ use crate::convert::location;
 use crate::requests::expansion::chosen;
 use std::sync::Arc;
 
-use lsp_types::{Location, Position, Range, TextDocumentIdentifier, TextDocumentPositionParams, Url};
+use lsp_types::{
+    Location, Position, Range, TextDocumentIdentifier, TextDocumentPositionParams, Url,
+};
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -76,17 +78,37 @@ pub fn sources_of(
             locations.extend(mapped(state, &analyzed, entry.origin, "argument"));
         }
         for (kind, call) in ide::steps(expansion, entry.origin) {
-            let role = if kind == FrameKind::Include { "include" } else { "call" };
+            let role = if kind == FrameKind::Include {
+                "include"
+            } else {
+                "call"
+            };
             locations.extend(mapped(state, &analyzed, call, role));
         }
     }
     Ok(Sources { locations })
 }
 
-fn mapped(state: &State, analyzed: &Analyzed, origin: Origin, role: &'static str) -> Option<SourceLocation> {
+fn mapped(
+    state: &State,
+    analyzed: &Analyzed,
+    origin: Origin,
+    role: &'static str,
+) -> Option<SourceLocation> {
     let place = analyzed.expansion.place(origin)?;
-    let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
-    let location = location(state, base::Span { file, range: place.range })?;
+    let file = analyzed
+        .expansion
+        .files
+        .get(place.file.0 as usize)?
+        .source
+        .id;
+    let location = location(
+        state,
+        base::Span {
+            file,
+            range: place.range,
+        },
+    )?;
     Some(SourceLocation { location, role })
 }
 
@@ -100,33 +122,61 @@ pub fn instances_of(
     let offset = crate::convert::offset(&source.document, params.at.position, state.encoding);
     let written = analyzed.written();
     let lines = Lines::of(&written.text, state.encoding);
-    let file = analyzed.expansion.files.iter().position(|file| *file.source.path == *path);
+    let file = analyzed
+        .expansion
+        .files
+        .iter()
+        .position(|file| *file.source.path == *path);
     let file = file.map(|index| expand::FileIdx(index as u32));
-    let found =
-        file.map(|file| ide::instances(&analyzed.expansion, written, file, offset)).unwrap_or_default();
+    let found = file
+        .map(|file| ide::instances(&analyzed.expansion, written, file, offset))
+        .unwrap_or_default();
     let instance = |(out, frame): (TextRange, FrameId)| Instance {
         range: expanded_range(&lines, out),
         label: label(state, &analyzed, frame),
     };
-    Ok(Instances { root: named(state, &root)?, instances: found.into_iter().map(instance).collect() })
+    Ok(Instances {
+        root: named(state, &root)?,
+        instances: found.into_iter().map(instance).collect(),
+    })
 }
 
 /// A call in a few words: `unit @ robot.urdf.xacro:7`.
 pub fn label(state: &State, analyzed: &Analyzed, frame: FrameId) -> String {
-    let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else { return String::new() };
-    let Some(place) = analyzed.expansion.place(frame.call) else { return frame.name.to_string() };
+    let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else {
+        return String::new();
+    };
+    let Some(place) = analyzed.expansion.place(frame.call) else {
+        return frame.name.to_string();
+    };
     let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {
         return frame.name.to_string();
     };
-    let line = file.source.document.line_col(place.range.start, state.encoding).line + 1;
-    let name = file.source.path.file_name().unwrap_or_default().to_string_lossy();
+    let line = file
+        .source
+        .document
+        .line_col(place.range.start, state.encoding)
+        .line
+        + 1;
+    let name = file
+        .source
+        .path
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy();
     format!("{} @ {name}:{line}", frame.name)
 }
 
 /// A root as the protocol names it.
 pub fn named(state: &State, root: &RootChoice) -> Result<Root, Failure> {
-    let uri = state.uri(&root.file).ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
-    Ok(Root { uri, args: root.args.iter().cloned().collect(), preset: root.preset.clone() })
+    let uri = state
+        .uri(&root.file)
+        .ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
+    Ok(Root {
+        uri,
+        args: root.args.iter().cloned().collect(),
+        preset: root.preset.clone(),
+    })
 }
 
 /// The root that a request names or that the file is shown under, expanded.
@@ -139,18 +189,32 @@ pub fn shown_under(
     let (path, _) = state.source(&document.uri)?;
     let root = match root {
         Some(root) => chosen(state, root)?,
-        None => state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
+        None => state
+            .world
+            .context(&path)
+            .root
+            .unwrap_or_else(|| RootChoice::plain(&path)),
     };
-    let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+    let analyzed = state
+        .world
+        .analyzed(&root, cancel)
+        .ok_or(Failure::Cancelled)?;
     Ok((root, analyzed))
 }
 
 /// The source map of an expansion, its files named by URI.
 pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
     let name = |file: &expand::FileUse| {
-        state.uri(&file.source.path).map_or_else(|| file.name.clone(), |uri| uri.to_string())
+        state
+            .uri(&file.source.path)
+            .map_or_else(|| file.name.clone(), |uri| uri.to_string())
     };
-    ide::source_map(&analyzed.expansion, analyzed.written(), state.encoding, name)
+    ide::source_map(
+        &analyzed.expansion,
+        analyzed.written(),
+        state.encoding,
+        name,
+    )
 }
 
 pub(super) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {

@@ -24,8 +24,14 @@ impl Format {
     /// A text of Markdown as the contents of a hover.
     pub fn contents(self, markdown: String) -> MarkupContent {
         match self {
-            Self::Markdown => MarkupContent { kind: MarkupKind::Markdown, value: markdown },
-            Self::Plain => MarkupContent { kind: MarkupKind::PlainText, value: plain(&markdown) },
+            Self::Markdown => MarkupContent {
+                kind: MarkupKind::Markdown,
+                value: markdown,
+            },
+            Self::Plain => MarkupContent {
+                kind: MarkupKind::PlainText,
+                value: plain(&markdown),
+            },
         }
     }
 
@@ -51,7 +57,9 @@ fn plain(markdown: &str) -> String {
     let mut out = String::with_capacity(markdown.len());
     let mut fenced = false;
     for line in markdown.lines() {
-        let fence = line.strip_prefix("```").is_some_and(|info| !info.contains('`'));
+        let fence = line
+            .strip_prefix("```")
+            .is_some_and(|info| !info.contains('`'));
         if fence {
             fenced = !fenced;
             continue;
@@ -73,7 +81,10 @@ fn inline(line: &str, out: &mut String) {
             '\\' => escaped(rest, out),
             '`' => code(rest, out),
             '*' => rest.strip_prefix("**"),
-            '!' => rest.strip_prefix('!').and_then(link).map(|(_, _, behind)| behind.trim_start()),
+            '!' => rest
+                .strip_prefix('!')
+                .and_then(link)
+                .map(|(_, _, behind)| behind.trim_start()),
             '[' => link(rest).map(|(text, target, behind)| {
                 inline(text, out);
                 out.push_str(&format!(" ({target})"));
@@ -103,11 +114,21 @@ fn code<'a>(text: &'a str, out: &mut String) -> Option<&'a str> {
     let mut from = 0;
     loop {
         let start = from + inside.get(from..)?.find('`')?;
-        let run = inside.get(start..)?.chars().take_while(|c| *c == '`').count();
+        let run = inside
+            .get(start..)?
+            .chars()
+            .take_while(|c| *c == '`')
+            .count();
         if run == fence.len() {
             let content = inside.get(..start)?;
-            let padded = content.strip_prefix(' ').and_then(|content| content.strip_suffix(' '));
-            out.push_str(padded.filter(|content| !content.trim().is_empty()).unwrap_or(content));
+            let padded = content
+                .strip_prefix(' ')
+                .and_then(|content| content.strip_suffix(' '));
+            out.push_str(
+                padded
+                    .filter(|content| !content.trim().is_empty())
+                    .unwrap_or(content),
+            );
             return inside.get(start + run..);
         }
         from = start + run;
@@ -133,8 +154,14 @@ mod tests {
             ("`` a`b `` and ` `", "a`b and  "),
             ("**`<link>`** – a *body*", "<link> – a *body*"),
             ("![colour](data:image/svg+xml,x) `#ff0000`", "#ff0000"),
-            ("[documentation](http://wiki.ros.org/xacro)", "documentation (http://wiki.ros.org/xacro)"),
-            ("```python\nsin(x)  # **no** `mark`\n```\n\nSine", "sin(x)  # **no** `mark`\n\nSine"),
+            (
+                "[documentation](http://wiki.ros.org/xacro)",
+                "documentation (http://wiki.ros.org/xacro)",
+            ),
+            (
+                "```python\nsin(x)  # **no** `mark`\n```\n\nSine",
+                "sin(x)  # **no** `mark`\n\nSine",
+            ),
             ("a ` b [c] !d 🤖", "a ` b [c] !d 🤖"),
         ] {
             assert_eq!(plain(markdown), expected.trim(), "{markdown}");

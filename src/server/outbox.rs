@@ -36,7 +36,11 @@ pub(super) enum Question {
     /// Edits to be made.
     ApplyEdit(Box<WorkspaceEdit>),
     /// A message with the offer to show a document.
-    Offer { message: String, action: &'static str, uri: Url },
+    Offer {
+        message: String,
+        action: &'static str,
+        uri: Url,
+    },
 }
 
 /// What a client can be told to ask for again.
@@ -62,10 +66,21 @@ const PATIENCE_WITH_USERS: Duration = Duration::from_secs(600);
 
 impl Outbox {
     /// An outbox, the notifications to be written, and the requests to be made.
-    pub fn new() -> (Self, UnboundedReceiver<Vec<u8>>, UnboundedReceiver<Question>) {
+    pub fn new() -> (
+        Self,
+        UnboundedReceiver<Vec<u8>>,
+        UnboundedReceiver<Question>,
+    ) {
         let (notifications, written) = unbounded_channel();
         let (questions, asked) = unbounded_channel();
-        (Self { notifications, questions }, written, asked)
+        (
+            Self {
+                notifications,
+                questions,
+            },
+            written,
+            asked,
+        )
     }
 
     /// Send a notification.
@@ -90,12 +105,24 @@ impl Outbox {
 
     /// Write a line of some weight to the client's log.
     pub fn log_as(&self, typ: MessageType, message: impl Into<String>) {
-        self.tell(LogMessage::METHOD, &LogMessageParams { typ, message: message.into() });
+        self.tell(
+            LogMessage::METHOD,
+            &LogMessageParams {
+                typ,
+                message: message.into(),
+            },
+        );
     }
 
     /// Show the user a line.
     pub fn show(&self, typ: MessageType, message: impl Into<String>) {
-        self.tell(ShowMessage::METHOD, &ShowMessageParams { typ, message: message.into() });
+        self.tell(
+            ShowMessage::METHOD,
+            &ShowMessageParams {
+                typ,
+                message: message.into(),
+            },
+        );
     }
 }
 
@@ -107,11 +134,20 @@ pub(super) fn notification(method: &str, params: &impl Serialize) -> Vec<u8> {
         method: &'a str,
         params: &'a P,
     }
-    serde_json::to_vec(&Message { jsonrpc: "2.0", method, params }).unwrap_or_default()
+    serde_json::to_vec(&Message {
+        jsonrpc: "2.0",
+        method,
+        params,
+    })
+    .unwrap_or_default()
 }
 
 /// Send requests until the process ends. What waits for an answer does not hold up what follows.
-pub(super) async fn ask_all(client: Client, queue: Queue, mut questions: UnboundedReceiver<Question>) {
+pub(super) async fn ask_all(
+    client: Client,
+    queue: Queue,
+    mut questions: UnboundedReceiver<Question>,
+) {
     while let Some(question) = questions.recv().await {
         let patience = match question {
             Question::Offer { .. } => PATIENCE_WITH_USERS,
@@ -129,20 +165,43 @@ async fn ask(client: Client, queue: Queue, question: Question) {
         Question::Refresh(what) => refresh(&client, what).await,
         Question::ShowDocument(uri, range) => {
             let selection = Some(range);
-            let params = ShowDocumentParams { uri, external: None, take_focus: Some(true), selection };
+            let params = ShowDocumentParams {
+                uri,
+                external: None,
+                take_focus: Some(true),
+                selection,
+            };
             let _ = client.show_document(params).await;
         }
         Question::ShowPage(uri) => {
             let external = Some(true);
-            let params = ShowDocumentParams { uri, external, take_focus: None, selection: None };
+            let params = ShowDocumentParams {
+                uri,
+                external,
+                take_focus: None,
+                selection: None,
+            };
             let _ = client.show_document(params).await;
         }
-        Question::Offer { message, action, uri } => {
-            let item = MessageActionItem { title: action.to_owned(), properties: HashMap::new() };
-            let chosen = client.show_message_request(MessageType::INFO, message, Some(vec![item])).await;
+        Question::Offer {
+            message,
+            action,
+            uri,
+        } => {
+            let item = MessageActionItem {
+                title: action.to_owned(),
+                properties: HashMap::new(),
+            };
+            let chosen = client
+                .show_message_request(MessageType::INFO, message, Some(vec![item]))
+                .await;
             if let Ok(Some(_)) = chosen {
-                let params =
-                    ShowDocumentParams { uri, external: None, take_focus: Some(true), selection: None };
+                let params = ShowDocumentParams {
+                    uri,
+                    external: None,
+                    take_focus: Some(true),
+                    selection: None,
+                };
                 let _ = client.show_document(params).await;
             }
         }
@@ -150,7 +209,9 @@ async fn ask(client: Client, queue: Queue, question: Question) {
         Question::CreateProgress(token) => {
             let token = lsp_types::NumberOrString::String(token);
             let params = lsp_types::WorkDoneProgressCreateParams { token };
-            let created = client.send_request::<lsp_types::request::WorkDoneProgressCreate>(params).await;
+            let created = client
+                .send_request::<lsp_types::request::WorkDoneProgressCreate>(params)
+                .await;
             queue.notify(created.is_ok(), progress_created);
         }
     }

@@ -97,17 +97,29 @@ impl ClientNames {
             open.or_else(|| Some(Url::from_file_path(path).ok()?.to_string()))
         };
         let path = |uri: &str| Some(convert::path(&Url::parse(uri).ok()?));
-        work(&Names { uri: &uri, path: &path, encoding: self.encoding })
+        work(&Names {
+            uri: &uri,
+            path: &path,
+            encoding: self.encoding,
+        })
     }
 }
 
-pub fn subscribe(state: &mut State, params: SubscribeParams, _: &CancelFlag) -> Result<Subscribed, Failure> {
+pub fn subscribe(
+    state: &mut State,
+    params: SubscribeParams,
+    _: &CancelFlag,
+) -> Result<Subscribed, Failure> {
     let id = open_view(state, params)?;
     state.previews.subscribed.insert(id);
     Ok(Subscribed { id })
 }
 
-pub fn unsubscribe(state: &mut State, params: ViewParams, _: &CancelFlag) -> Result<Value, Failure> {
+pub fn unsubscribe(
+    state: &mut State,
+    params: ViewParams,
+    _: &CancelFlag,
+) -> Result<Value, Failure> {
     state.previews.subscribed.remove(&params.id);
     if !state.previews.views.close(params.id) {
         return Err(no_view(params.id));
@@ -135,10 +147,21 @@ pub fn show_root(state: &mut State, params: ShowParams, _: &CancelFlag) -> Resul
     Ok(Value::Null)
 }
 
-pub fn preview_mesh(state: &mut State, params: MeshParams, _: &CancelFlag) -> Result<Mesh, Failure> {
-    let mesh = state.previews.views.mesh(&state.world, &params.mesh).map_err(Failure::Invalid)?;
+pub fn preview_mesh(
+    state: &mut State,
+    params: MeshParams,
+    _: &CancelFlag,
+) -> Result<Mesh, Failure> {
+    let mesh = state
+        .previews
+        .views
+        .mesh(&state.world, &params.mesh)
+        .map_err(Failure::Invalid)?;
     let data = base64::engine::general_purpose::STANDARD.encode(mesh.bytes);
-    Ok(Mesh { name: mesh.name, data })
+    Ok(Mesh {
+        name: mesh.name,
+        data,
+    })
 }
 
 /// The client selects: the cursor moved, or a link was clicked in its viewer.
@@ -150,10 +173,12 @@ pub fn selected(state: &mut State, params: SelectParams) {
     };
     for id in ids {
         let views = &state.previews.views;
-        let found = names.with(|names| match (&params.location, &params.link, &params.joint) {
-            (Some(location), None, None) => views.made_by(id, location, names),
-            _ => views.place_of(id, params.link.clone(), params.joint.clone(), names),
-        });
+        let found = names.with(
+            |names| match (&params.location, &params.link, &params.joint) {
+                (Some(location), None, None) => views.made_by(id, location, names),
+                _ => views.place_of(id, params.link.clone(), params.joint.clone(), names),
+            },
+        );
         if let Some(selection) = found {
             tell_selection(state, &selection);
         }
@@ -178,13 +203,16 @@ pub fn make_previews(state: &mut State) {
     let cancel = state.status.background();
     #[cfg(feature = "preview")]
     let hub = state.previews.hub.clone();
-    let Previews { views, subscribed, .. } = &mut state.previews;
+    let Previews {
+        views, subscribed, ..
+    } = &mut state.previews;
     #[cfg(feature = "preview")]
     let watched = |id| hub.as_ref().is_some_and(|hub| hub.is_watched(id));
     #[cfg(not(feature = "preview"))]
     let watched = |_| false;
     let wanted = |id: u32| subscribed.contains(&id) || watched(id);
-    let (messages, finished) = names.with(|names| views.update(&mut state.world, names, &wanted, &cancel));
+    let (messages, finished) =
+        names.with(|names| views.update(&mut state.world, names, &wanted, &cancel));
     // given up because a job came in: after it
     state.previews.due |= !finished;
     for message in &messages {
@@ -220,16 +248,27 @@ fn view_root(state: &mut State, params: SubscribeParams) -> Result<RootChoice, F
         (Some(root), _) => chosen(state, root),
         (None, Some(document)) => {
             let (path, _) = state.source(&document.uri)?;
-            Ok(state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)))
+            Ok(state
+                .world
+                .context(&path)
+                .root
+                .unwrap_or_else(|| RootChoice::plain(&path)))
         }
-        (None, None) => Err(Failure::Invalid("missing parameter: pass `root` or `textDocument`".to_owned())),
+        (None, None) => Err(Failure::Invalid(
+            "missing parameter: pass `root` or `textDocument`".to_owned(),
+        )),
     }
 }
 
 fn client_names(state: &State) -> ClientNames {
     let open = state.documents.iter();
-    let uris = open.map(|(path, document)| (path.clone(), document.uri.to_string())).collect();
-    ClientNames { uris, encoding: state.encoding }
+    let uris = open
+        .map(|(path, document)| (path.clone(), document.uri.to_string()))
+        .collect();
+    ClientNames {
+        uris,
+        encoding: state.encoding,
+    }
 }
 
 /// The command `xacro.preview`: the address of a page that shows a robot.
@@ -251,7 +290,13 @@ pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure
         Some(id) => id,
         None => {
             let root = named(state, &root)?;
-            open_view(state, SubscribeParams { root: Some(root), text_document: None })?
+            open_view(
+                state,
+                SubscribeParams {
+                    root: Some(root),
+                    text_document: None,
+                },
+            )?
         }
     };
     hub.open(id);
@@ -281,7 +326,8 @@ mod pages {
     use std::sync::Arc;
 
     use super::{
-        Failure, Location, Root, ShowParams, State, Url, client_names, convert, show_root, tell_selection,
+        Failure, Location, Root, ShowParams, State, Url, client_names, convert, show_root,
+        tell_selection,
     };
     use crate::outbox::Question;
     use base::CancelFlag;
@@ -309,10 +355,16 @@ mod pages {
         let id = received.id;
         match received.message {
             FromViewer::Ready => state.previews.due = true,
-            FromViewer::Select { link, joint, location } => {
+            FromViewer::Select {
+                link,
+                joint,
+                location,
+            } => {
                 let names = client_names(state);
                 let views = &state.previews.views;
-                let Some(mut selection) = names.with(|names| views.place_of(id, link, joint, names)) else {
+                let Some(mut selection) =
+                    names.with(|names| views.place_of(id, link, joint, names))
+                else {
                     return;
                 };
                 selection.location = location.or(selection.location);
@@ -323,12 +375,23 @@ mod pages {
             FromViewer::Root { root, compare } => {
                 let named = |name: RootName| {
                     let uri = Url::parse(&name.uri).ok()?;
-                    Some(Root { uri, args: name.args, preset: name.preset })
+                    Some(Root {
+                        uri,
+                        args: name.args,
+                        preset: name.preset,
+                    })
                 };
                 let Some(root) = named(root) else { return };
-                let params = ShowParams { id, root, compare: compare.and_then(named) };
-                if let Err(Failure::Invalid(why)) = show_root(state, params, &CancelFlag::default()) {
-                    state.outbox.log(format!("cannot show this in the preview: {why}"));
+                let params = ShowParams {
+                    id,
+                    root,
+                    compare: compare.and_then(named),
+                };
+                if let Err(Failure::Invalid(why)) = show_root(state, params, &CancelFlag::default())
+                {
+                    state
+                        .outbox
+                        .log(format!("cannot show this in the preview: {why}"));
                 }
             }
             // pages ask for files in another way
@@ -339,9 +402,12 @@ mod pages {
     /// Have the editor show a place.
     fn show_location(state: &State, location: Option<&Location>) {
         let uri = location.and_then(|location| Url::parse(&location.uri).ok());
-        let (Some(location), Some(uri)) = (location, uri) else { return };
+        let (Some(location), Some(uri)) = (location, uri) else {
+            return;
+        };
         if state.client.shows_documents && state.may_read(&convert::path(&uri)) {
-            let range = lsp_types::Range::new(point(location.range.start), point(location.range.end));
+            let range =
+                lsp_types::Range::new(point(location.range.start), point(location.range.end));
             state.outbox.ask(Question::ShowDocument(uri, range));
         }
     }

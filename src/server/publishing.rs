@@ -31,7 +31,11 @@ fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) 
     let version = state.documents.get(&path).and_then(|open| open.version);
     let Some(uri) = state.uri(&path) else { return };
     let is_cleared = diagnostics.is_empty() && !state.documents.contains_key(&path);
-    let params = PublishDiagnosticsParams { uri, diagnostics, version };
+    let params = PublishDiagnosticsParams {
+        uri,
+        diagnostics,
+        version,
+    };
     let message = notification(PublishDiagnostics::METHOD, &params);
     let hash = fingerprint(&message);
     if state.published.messages.get(&path) == Some(&hash) {
@@ -47,7 +51,11 @@ fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) 
 /// A closed file has no diagnostics of its own any more.
 pub fn withdraw(state: &mut State, path: &Path, uri: Url) {
     if state.published.messages.remove(path).is_some() {
-        let none = PublishDiagnosticsParams { uri, diagnostics: Vec::new(), version: None };
+        let none = PublishDiagnosticsParams {
+            uri,
+            diagnostics: Vec::new(),
+            version: None,
+        };
         state.outbox.tell(PublishDiagnostics::METHOD, &none);
     }
 }

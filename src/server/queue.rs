@@ -42,7 +42,10 @@ impl QueueStatus {
     /// A flag for work that any new job should interrupt.
     pub fn background(&self) -> CancelFlag {
         let flag = CancelFlag::default();
-        *self.background.lock().unwrap_or_else(PoisonError::into_inner) = flag.clone();
+        *self
+            .background
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = flag.clone();
         if self.has_waiting() {
             flag.cancel();
         }
@@ -57,7 +60,9 @@ impl QueueStatus {
     /// An edit that was announced is here.
     pub fn edit_arrived(&self) {
         let one_less = |announced: usize| Some(announced.saturating_sub(1));
-        let _ = self.announced.fetch_update(Ordering::AcqRel, Ordering::Acquire, one_less);
+        let _ = self
+            .announced
+            .fetch_update(Ordering::AcqRel, Ordering::Acquire, one_less);
     }
 
     /// Whether an edit is on its way.
@@ -80,14 +85,25 @@ impl QueueStatus {
 pub(super) fn queue() -> (Queue, Receiver<Job>, QueueStatus) {
     let (jobs, taken) = mpsc::channel();
     let status = QueueStatus::default();
-    (Queue { jobs, status: status.clone() }, taken, status)
+    (
+        Queue {
+            jobs,
+            status: status.clone(),
+        },
+        taken,
+        status,
+    )
 }
 
 impl Queue {
     /// Add a job.
     pub fn send(&self, job: Job) {
         self.status.waiting.fetch_add(1, Ordering::AcqRel);
-        self.status.background.lock().unwrap_or_else(PoisonError::into_inner).cancel();
+        self.status
+            .background
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .cancel();
         // the other end is gone only when the process ends
         let _ = self.jobs.send(job);
     }

@@ -106,26 +106,44 @@ pub(super) struct TreeNode {
     pub mass: Option<f64>,
 }
 
-pub fn roots(state: &mut State, params: RootsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
+pub fn roots(
+    state: &mut State,
+    params: RootsParams,
+    cancel: &CancelFlag,
+) -> Result<Roots, Failure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     let context = state.world.context(&path);
     let mut args = Vec::new();
     if let Some(root) = &context.root {
-        let analyzed = state.world.analyzed(root, cancel).ok_or(Failure::Cancelled)?;
+        let analyzed = state
+            .world
+            .analyzed(root, cancel)
+            .ok_or(Failure::Cancelled)?;
         let known = analyzed.declared_arguments().into_iter();
         args.extend(known.map(|(name, value)| {
             let declared = ide::declared_argument(&analyzed.expansion, name);
             let (default, doc) = declared.unwrap_or_default();
-            Argument { name: name.to_string(), value: value.to_string(), default, doc }
+            Argument {
+                name: name.to_string(),
+                value: value.to_string(),
+                default,
+                doc,
+            }
         }));
     }
     let text = context_text(state, &path, &context, cancel);
     let candidates = with_calls(state, &context.candidates);
     let candidates = candidates.iter().filter_map(|(root, distance)| {
-        Some(Candidate { root: named(state, root).ok()?, distance: *distance })
+        Some(Candidate {
+            root: named(state, root).ok()?,
+            distance: *distance,
+        })
     });
     Ok(Roots {
-        active: context.root.as_ref().and_then(|root| named(state, root).ok()),
+        active: context
+            .root
+            .as_ref()
+            .and_then(|root| named(state, root).ok()),
         text,
         reason: context.reason.text(),
         candidates: candidates.collect(),
@@ -140,13 +158,22 @@ fn with_calls(state: &State, candidates: &[(RootChoice, u32)]) -> Vec<(RootChoic
     for (root, distance) in candidates {
         found.push((root.clone(), *distance));
         if root == &RootChoice::plain(&root.file) {
-            found.extend(session.launched_roots(&root.file).into_iter().map(|call| (call, *distance)));
+            found.extend(
+                session
+                    .launched_roots(&root.file)
+                    .into_iter()
+                    .map(|call| (call, *distance)),
+            );
         }
     }
     found
 }
 
-pub fn set_root(state: &mut State, params: SetRootParams, cancel: &CancelFlag) -> Result<Value, Failure> {
+pub fn set_root(
+    state: &mut State,
+    params: SetRootParams,
+    cancel: &CancelFlag,
+) -> Result<Value, Failure> {
     let root = params.root.map(|root| chosen(state, root)).transpose()?;
     match &params.text_document {
         Some(document) => {
@@ -161,23 +188,38 @@ pub fn set_root(state: &mut State, params: SetRootParams, cancel: &CancelFlag) -
 
 /// Run the active root of a file with other values of some arguments for as long as the server lives; none:
 /// back to those of the configuration. Answers with what holds then.
-pub fn set_args(state: &mut State, params: SetArgsParams, cancel: &CancelFlag) -> Result<Roots, Failure> {
+pub fn set_args(
+    state: &mut State,
+    params: SetArgsParams,
+    cancel: &CancelFlag,
+) -> Result<Roots, Failure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     if let Some(args) = params.args {
-        let mut root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
+        let mut root = state
+            .world
+            .context(&path)
+            .root
+            .unwrap_or_else(|| RootChoice::plain(&path));
         let file = root.file.clone();
         root.args.retain(|(known, _)| !args.contains_key(known));
         let taken_back = args.is_empty();
         root.args.extend(args);
         // all files of the robot are seen with these values
         for open in state.documents.keys().chain([&path]) {
-            if state.world.context(open).root.is_some_and(|other| other.file == file) {
+            if state
+                .world
+                .context(open)
+                .root
+                .is_some_and(|other| other.file == file)
+            {
                 state.world.pick(open, (!taken_back).then(|| root.clone()));
             }
         }
         context_changed(state, cancel);
     }
-    let text_document = TextDocumentIdentifier { uri: params.text_document.uri };
+    let text_document = TextDocumentIdentifier {
+        uri: params.text_document.uri,
+    };
     roots(state, RootsParams { text_document }, cancel)
 }
 
@@ -203,31 +245,64 @@ pub fn tell_contexts(state: &mut State, cancel: &CancelFlag) {
 fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
     let context = state.world.context(path);
     let Some(uri) = state.uri(path) else { return };
-    let active = context.root.as_ref().and_then(|root| named(state, root).ok());
+    let active = context
+        .root
+        .as_ref()
+        .and_then(|root| named(state, root).ok());
     let text = context_text(state, path, &context, cancel);
     let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
-    if state.told.insert(path.to_path_buf(), params.clone()).as_ref() == Some(&params) {
+    if state
+        .told
+        .insert(path.to_path_buf(), params.clone())
+        .as_ref()
+        == Some(&params)
+    {
         return;
     }
     state.outbox.tell("xacro/contextChanged", &params);
 }
 
 /// The call that was picked, or else the root with its arguments, or else why there is none.
-fn context_text(state: &mut State, path: &std::path::Path, context: &Context, cancel: &CancelFlag) -> String {
-    let Some(root) = &context.root else { return context.reason.text().to_owned() };
+fn context_text(
+    state: &mut State,
+    path: &std::path::Path,
+    context: &Context,
+    cancel: &CancelFlag,
+) -> String {
+    let Some(root) = &context.root else {
+        return context.reason.text().to_owned();
+    };
     pinned_label(state, path, root, cancel).unwrap_or_else(|| root.label())
 }
 
 pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
-    let asked = params.root.as_ref().map(|root| TextDocumentIdentifier { uri: root.uri.clone() });
+    let asked = params.root.as_ref().map(|root| TextDocumentIdentifier {
+        uri: root.uri.clone(),
+    });
     let Some(document) = params.text_document.or(asked) else {
-        return Err(Failure::Invalid("missing parameter: pass `root` or `textDocument`".to_owned()));
+        return Err(Failure::Invalid(
+            "missing parameter: pass `root` or `textDocument`".to_owned(),
+        ));
     };
     let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
-    let beside = state.world.session().files_beside(&analyzed.root.file).into_iter();
-    let beside =
-        beside.filter_map(|(path, kind)| Some(FileBeside { uri: state.uri(&path)?, kind })).collect();
-    Ok(Tree { nodes: nodes(state, &analyzed), beside, problems: errors(state, &analyzed.expansion) })
+    let beside = state
+        .world
+        .session()
+        .files_beside(&analyzed.root.file)
+        .into_iter();
+    let beside = beside
+        .filter_map(|(path, kind)| {
+            Some(FileBeside {
+                uri: state.uri(&path)?,
+                kind,
+            })
+        })
+        .collect();
+    Ok(Tree {
+        nodes: nodes(state, &analyzed),
+        beside,
+        problems: errors(state, &analyzed.expansion),
+    })
 }
 
 /// The links of a robot, each with its joint, roots first.
@@ -239,11 +314,19 @@ fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
     let mut open: Vec<usize> = kinematics.roots(robot).into_iter().rev().collect();
     let mut seen = vec![false; robot.links.len()];
     while let Some(index) = open.pop() {
-        let Some(link) = robot.links.get(index) else { continue };
-        if seen.get_mut(index).is_none_or(|seen| std::mem::replace(seen, true)) {
+        let Some(link) = robot.links.get(index) else {
+            continue;
+        };
+        if seen
+            .get_mut(index)
+            .is_none_or(|seen| std::mem::replace(seen, true))
+        {
             continue;
         }
-        let joint = kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint));
+        let joint = kinematics
+            .up(index)
+            .first()
+            .and_then(|&joint| robot.joints.get(joint));
         let parent = joint.and_then(|joint| joint.parent.as_ref());
         let origin = link.name.as_ref().map(|name| name.origin);
         let location = origin.and_then(|origin| origin_location(state, analyzed, origin));
@@ -262,6 +345,17 @@ fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
 
 fn origin_location(state: &State, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
     let place = analyzed.expansion.place(origin)?;
-    let file = analyzed.expansion.files.get(place.file.0 as usize)?.source.id;
-    location(state, base::Span { file, range: place.range })
+    let file = analyzed
+        .expansion
+        .files
+        .get(place.file.0 as usize)?
+        .source
+        .id;
+    location(
+        state,
+        base::Span {
+            file,
+            range: place.range,
+        },
+    )
 }

@@ -51,7 +51,12 @@ pub(super) enum Cause {
 
 impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = |path: &Path| {
+            path.file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned()
+        };
         match self {
             Self::Start => f.write_str("server started"),
             Self::Opened(path) => write!(f, "`{}` opened", name(path)),
@@ -169,7 +174,10 @@ impl State {
 
     /// How a file is called towards the client: as the client called it, if it did.
     pub fn uri(&self, path: &Path) -> Option<Url> {
-        let open = self.documents.get(path).map(|document| document.uri.clone());
+        let open = self
+            .documents
+            .get(path)
+            .map(|document| document.uri.clone());
         open.or_else(|| Url::from_file_path(path).ok())
     }
 
@@ -177,16 +185,24 @@ impl State {
     pub fn source(&self, uri: &Url) -> Result<(PathBuf, Arc<SourceFile>), Failure> {
         let path = self.path(uri);
         let known = self.documents.contains_key(&path);
-        let source = if known || self.may_read(&path) { self.world.document(&path) } else { None };
-        let source =
-            source.ok_or_else(|| Failure::Invalid(format!("cannot read `{uri}`, which is not open")))?;
+        let source = if known || self.may_read(&path) {
+            self.world.document(&path)
+        } else {
+            None
+        };
+        let source = source
+            .ok_or_else(|| Failure::Invalid(format!("cannot read `{uri}`, which is not open")))?;
         Ok((path, source))
     }
 
     /// Files may be read that lie in a workspace folder or take part in something open.
     pub fn may_read(&self, path: &Path) -> bool {
         self.documents.contains_key(path)
-            || self.world.folders().iter().any(|folder| path.starts_with(folder))
+            || self
+                .world
+                .folders()
+                .iter()
+                .any(|folder| path.starts_with(folder))
             || self.world.session().packages.containing(path).is_some()
     }
 }

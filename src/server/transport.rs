@@ -39,11 +39,16 @@ pub(super) struct Outgoing {
 /// called for each edit as soon as it is read.
 pub(super) async fn serve<S>(
     service: S,
-    Outgoing { notifications, socket }: Outgoing,
+    Outgoing {
+        notifications,
+        socket,
+    }: Outgoing,
     shutdown: &Shutdown,
     announce: impl Fn() + Send + 'static,
 ) where
-    S: Service<Request, Response = Option<Response>, Future: Send + Unpin + 'static> + Send + 'static,
+    S: Service<Request, Response = Option<Response>, Future: Send + Unpin + 'static>
+        + Send
+        + 'static,
     S::Error: Send + 'static,
 {
     let (outgoing, answers) = unbounded_channel();
@@ -98,7 +103,11 @@ where
 
     /// Call the service. With its first step a handler posts its job: jobs are posted in the order of the messages.
     fn call(&mut self, request: Request) {
-        if self.runtime.block_on(poll_fn(|cx| self.service.poll_ready(cx))).is_err() {
+        if self
+            .runtime
+            .block_on(poll_fn(|cx| self.service.poll_ready(cx)))
+            .is_err()
+        {
             return;
         }
         let mut handler = self.service.call(request);
@@ -125,7 +134,10 @@ fn send<E>(outgoing: &UnboundedSender<Response>, answer: Result<Option<Response>
 }
 
 /// Hand replies to who asked.
-async fn pass_on(mut replies: UnboundedReceiver<Response>, mut answers: impl SinkExt<Response> + Unpin) {
+async fn pass_on(
+    mut replies: UnboundedReceiver<Response>,
+    mut answers: impl SinkExt<Response> + Unpin,
+) {
     while let Some(reply) = replies.recv().await {
         let _ = answers.send(reply).await;
     }
@@ -138,7 +150,9 @@ async fn write(
     mut requests: impl StreamExt<Item = Request> + Unpin,
     shutdown: &Shutdown,
 ) {
-    let Ok(mut output) = unbuffered_stdout() else { shutdown.end() };
+    let Ok(mut output) = unbuffered_stdout() else {
+        shutdown.end()
+    };
     loop {
         let message = tokio::select! {
             biased;

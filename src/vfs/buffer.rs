@@ -24,7 +24,14 @@ impl Buffer {
     /// A buffer without content yet.
     fn new(id: FileId, path: Arc<Path>, revision: u64) -> Self {
         let identity = read::stat(&path).ok().and_then(|stat| stat.identity);
-        Self { id, path, revision, identity, text: Mutex::default(), source: OnceLock::new() }
+        Self {
+            id,
+            path,
+            revision,
+            identity,
+            text: Mutex::default(),
+            source: OnceLock::new(),
+        }
     }
 
     /// A buffer that holds `text`.
@@ -53,7 +60,13 @@ impl Buffer {
             // Reading the whole text for a hash would cost more than the edit.
             let hash = read::hash(&("revision", revision));
             let (id, path) = (buffer.id, buffer.path.clone());
-            Arc::new(SourceFile { id, path, document, hash, encoding_error: None })
+            Arc::new(SourceFile {
+                id,
+                path,
+                document,
+                hash,
+                encoding_error: None,
+            })
         });
         buffer
     }
@@ -74,7 +87,9 @@ impl Buffer {
             return text.clone();
         }
         let source = self.source.get();
-        let text = source.map(|source| source.document.text()).unwrap_or_default();
+        let text = source
+            .map(|source| source.document.text())
+            .unwrap_or_default();
         self.text_file(text, source.map_or(0, |source| source.hash))
     }
 
@@ -84,31 +99,52 @@ impl Buffer {
 
     /// The hash of the text, without making text or tree.
     pub(super) fn hash(&self) -> u64 {
-        self.source.get().map_or_else(|| self.text().hash, |source| source.hash)
+        self.source
+            .get()
+            .map_or_else(|| self.text().hash, |source| source.hash)
     }
 
     /// The tree.
     pub(super) fn source(&self) -> Arc<SourceFile> {
-        let source = self.source.get_or_init(|| SourceFile::parse(&self.text())).clone();
+        let source = self
+            .source
+            .get_or_init(|| SourceFile::parse(&self.text()))
+            .clone();
         *self.held_text() = None;
         source
     }
 
     fn text_file(&self, text: String, hash: u64) -> Arc<TextFile> {
         let (id, path) = (self.id, self.path.clone());
-        Arc::new(TextFile { id, path, text, hash, encoding_error: None })
+        Arc::new(TextFile {
+            id,
+            path,
+            text,
+            hash,
+            encoding_error: None,
+        })
     }
 }
 
 /// The smallest edit that makes `new` of `old`.
 fn difference<'n>(old: &str, new: &'n str) -> (TextRange, &'n str) {
-    let same_start = old.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
+    let same_start = old
+        .bytes()
+        .zip(new.bytes())
+        .take_while(|(a, b)| a == b)
+        .count();
     let mut start = same_start;
     while !(old.is_char_boundary(start) && new.is_char_boundary(start)) {
         start -= 1;
     }
     let most = old.len().min(new.len()) - start;
-    let same_end = old.bytes().rev().zip(new.bytes().rev()).take(most).take_while(|(a, b)| a == b).count();
+    let same_end = old
+        .bytes()
+        .rev()
+        .zip(new.bytes().rev())
+        .take(most)
+        .take_while(|(a, b)| a == b)
+        .count();
     let mut tail = same_end;
     while !(old.is_char_boundary(old.len() - tail) && new.is_char_boundary(new.len() - tail)) {
         tail -= 1;
@@ -137,7 +173,11 @@ mod tests {
         ];
         for (old, new, (start, end, text)) in table {
             let (range, replacement) = difference(old, new);
-            assert_eq!((range.start, range.end, replacement), (start, end, text), "{old} {new}");
+            assert_eq!(
+                (range.start, range.end, replacement),
+                (start, end, text),
+                "{old} {new}"
+            );
             let mut edited = old.to_owned();
             edited.replace_range(range.start as usize..range.end as usize, replacement);
             assert_eq!(edited, new);

@@ -37,7 +37,10 @@ impl<T> Cache<T> {
         if result.is_err() {
             // An error may go away without a change of the stamp (permissions): ask again next time.
             let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            if slots.get(&id).is_some_and(|slot| Arc::ptr_eq(&slot.cell, &cell)) {
+            if slots
+                .get(&id)
+                .is_some_and(|slot| Arc::ptr_eq(&slot.cell, &cell))
+            {
                 slots.remove(&id);
             }
         }
@@ -47,7 +50,9 @@ impl<T> Cache<T> {
     /// Whether there is a value for the file as it is now.
     pub(super) fn knows(&self, id: FileId, stamp: Stamp) -> bool {
         let slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        slots.get(&id).is_some_and(|slot| slot.stamp == stamp && slot.settled)
+        slots
+            .get(&id)
+            .is_some_and(|slot| slot.stamp == stamp && slot.settled)
     }
 
     fn cell(&self, id: FileId, stamp: Stamp) -> Cell<T> {
@@ -56,7 +61,14 @@ impl<T> Cache<T> {
             Some(slot) if slot.stamp == stamp && slot.settled => slot.cell.clone(),
             _ => {
                 let cell = Cell::default();
-                slots.insert(id, Slot { stamp, settled: stamp.is_settled(), cell: cell.clone() });
+                slots.insert(
+                    id,
+                    Slot {
+                        stamp,
+                        settled: stamp.is_settled(),
+                        cell: cell.clone(),
+                    },
+                );
                 cell
             }
         }

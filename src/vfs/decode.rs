@@ -24,8 +24,13 @@ pub(super) fn decode(bytes: Vec<u8>) -> Decoded {
         _ => None,
     };
     if let Some((encoding, rest)) = marked {
-        let error = utf8(bytes.clone(), 0).error.or_else(|| Some((0, "the file is UTF-16".to_owned())));
-        return Decoded { text: encoding.decode_without_bom_handling(rest).0.into_owned(), error };
+        let error = utf8(bytes.clone(), 0)
+            .error
+            .or_else(|| Some((0, "the file is UTF-16".to_owned())));
+        return Decoded {
+            text: encoding.decode_without_bom_handling(rest).0.into_owned(),
+            error,
+        };
     }
     let guess = declared(&bytes).and_then(|label| Encoding::for_label(label.as_bytes()));
     let guess = guess.filter(|encoding| *encoding != UTF_8 && encoding.is_ascii_compatible());
@@ -33,7 +38,10 @@ pub(super) fn decode(bytes: Vec<u8>) -> Decoded {
         Some(encoding) if std::str::from_utf8(&bytes).is_err() => {
             let (text, _) = encoding.decode_without_bom_handling(&bytes);
             let text = text.into_owned();
-            Decoded { text, error: utf8(bytes, 0).error }
+            Decoded {
+                text,
+                error: utf8(bytes, 0).error,
+            }
         }
         _ => utf8(bytes, 0),
     }
@@ -46,7 +54,10 @@ fn declared(bytes: &[u8]) -> Option<String> {
     let declaration = std::str::from_utf8(head.get(..end)?).ok()?;
     let (_, rest) = declaration.split_once("encoding")?;
     let value = rest.trim_start().strip_prefix('=')?.trim_start();
-    let quote = value.chars().next().filter(|quote| matches!(quote, '"' | '\''))?;
+    let quote = value
+        .chars()
+        .next()
+        .filter(|quote| matches!(quote, '"' | '\''))?;
     let (label, _) = value.get(1..)?.split_once(quote)?;
     Some(label.to_owned())
 }
@@ -66,8 +77,12 @@ fn utf8(bytes: Vec<u8>, skipped: usize) -> Decoded {
         Some(_) => "invalid start byte",
     };
     let at = skipped + at;
-    let message = format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {at}: {reason}");
-    Decoded { text: String::from_utf8_lossy(bytes).into_owned(), error: Some((offset(at), message)) }
+    let message =
+        format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {at}: {reason}");
+    Decoded {
+        text: String::from_utf8_lossy(bytes).into_owned(),
+        error: Some((offset(at), message)),
+    }
 }
 
 fn offset(at: usize) -> u32 {
@@ -81,26 +96,57 @@ mod tests {
     #[test]
     fn encodings() {
         let utf16 = |text: &str, mark: &[u8]| -> Vec<u8> {
-            mark.iter().copied().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect()
+            mark.iter()
+                .copied()
+                .chain(text.encode_utf16().flat_map(u16::to_le_bytes))
+                .collect()
         };
         let table: Vec<(Vec<u8>, &str, Option<u32>)> = vec![
             (b"plain".to_vec(), "plain", None),
             ("\u{FEFF}<a/>é".into(), "<a/>é", None),
             ("\u{FEFF}\u{FEFF}<a/>".into(), "\u{FEFF}\u{FEFF}<a/>", None),
             (utf16("<a>ä€</a>", &[0xFF, 0xFE]), "<a>ä€</a>", Some(0)),
-            (utf16("<?xml version='1.0'?><a/>", &[]), "<?xml version='1.0'?><a/>", Some(0)),
+            (
+                utf16("<?xml version='1.0'?><a/>", &[]),
+                "<?xml version='1.0'?><a/>",
+                Some(0),
+            ),
             (vec![0xFE, 0xFF, 0, b'<', 0, b'a'], "<a", Some(0)),
-            ("<?xml encoding='ISO-8859-1'?>é".into(), "<?xml encoding='ISO-8859-1'?>é", None),
-            (b"<?xml encoding='ISO-8859-1'?>\xe9".to_vec(), "<?xml encoding='ISO-8859-1'?>é", Some(29)),
+            (
+                "<?xml encoding='ISO-8859-1'?>é".into(),
+                "<?xml encoding='ISO-8859-1'?>é",
+                None,
+            ),
+            (
+                b"<?xml encoding='ISO-8859-1'?>\xe9".to_vec(),
+                "<?xml encoding='ISO-8859-1'?>é",
+                Some(29),
+            ),
             (
                 b"<?xml encoding = \"windows-1252\" ?>\x80".to_vec(),
                 "<?xml encoding = \"windows-1252\" ?>€",
                 Some(34),
             ),
-            (b"<?xml encoding='utf-8'?>a\xe9b".to_vec(), "<?xml encoding='utf-8'?>a\u{FFFD}b", Some(25)),
-            (b"<?xml encoding='utf-16'?><a/>".to_vec(), "<?xml encoding='utf-16'?><a/>", None),
-            (b"<?xml encoding='klingon'?>".to_vec(), "<?xml encoding='klingon'?>", None),
-            (b"<?xml version='1.0'?>\xff".to_vec(), "<?xml version='1.0'?>\u{FFFD}", Some(21)),
+            (
+                b"<?xml encoding='utf-8'?>a\xe9b".to_vec(),
+                "<?xml encoding='utf-8'?>a\u{FFFD}b",
+                Some(25),
+            ),
+            (
+                b"<?xml encoding='utf-16'?><a/>".to_vec(),
+                "<?xml encoding='utf-16'?><a/>",
+                None,
+            ),
+            (
+                b"<?xml encoding='klingon'?>".to_vec(),
+                "<?xml encoding='klingon'?>",
+                None,
+            ),
+            (
+                b"<?xml version='1.0'?>\xff".to_vec(),
+                "<?xml version='1.0'?>\u{FFFD}",
+                Some(21),
+            ),
         ];
         for (bytes, text, bad) in table {
             let decoded = decode(bytes);
@@ -112,13 +158,31 @@ mod tests {
     #[test]
     fn utf8_errors_read_like_python() {
         let table: [(&[u8], &str); 4] = [
-            (b"ab\xe9", "'utf-8' codec can't decode byte 0xe9 in position 2: unexpected end of data"),
-            (b"\xe9ab", "'utf-8' codec can't decode byte 0xe9 in position 0: invalid continuation byte"),
-            (b"a\xff", "'utf-8' codec can't decode byte 0xff in position 1: invalid start byte"),
-            (b"\x80", "'utf-8' codec can't decode byte 0x80 in position 0: invalid start byte"),
+            (
+                b"ab\xe9",
+                "'utf-8' codec can't decode byte 0xe9 in position 2: unexpected end of data",
+            ),
+            (
+                b"\xe9ab",
+                "'utf-8' codec can't decode byte 0xe9 in position 0: invalid continuation byte",
+            ),
+            (
+                b"a\xff",
+                "'utf-8' codec can't decode byte 0xff in position 1: invalid start byte",
+            ),
+            (
+                b"\x80",
+                "'utf-8' codec can't decode byte 0x80 in position 0: invalid start byte",
+            ),
         ];
         for (bytes, message) in table {
-            assert_eq!(decode(bytes.to_vec()).error.map(|(_, message)| message).as_deref(), Some(message));
+            assert_eq!(
+                decode(bytes.to_vec())
+                    .error
+                    .map(|(_, message)| message)
+                    .as_deref(),
+                Some(message)
+            );
         }
     }
 }

@@ -33,7 +33,9 @@ impl Vfs {
         let id = self.file_id(path);
         let path = self.path(id);
         let stat = self.stat(id, &path)?;
-        cache.0.get(id, stat.stamp, || Ok(Arc::new(make(self.shared.disk.bytes(&path, &stat, limit)?))))
+        cache.0.get(id, stat.stamp, || {
+            Ok(Arc::new(make(self.shared.disk.bytes(&path, &stat, limit)?)))
+        })
     }
 
     /// The bytes of a file on disk, at most `limit` of them.
@@ -42,16 +44,20 @@ impl Vfs {
     /// Whatever keeps the file from being read; also more than `limit` bytes.
     pub fn bytes(&self, path: &Path, limit: u64) -> Result<Vec<u8>, LoadError> {
         let path = self.absolute(path);
-        self.shared.disk.bytes(&path, &self.shared.disk.stat(&path)?, limit)
+        self.shared
+            .disk
+            .bytes(&path, &self.shared.disk.stat(&path)?, limit)
     }
 
     /// The names in a folder as [`list_dir`](Self::list_dir) gives them; not read again while it stays as it is.
     pub fn names(&self, folder: &Path) -> Arc<Vec<DirEntry>> {
         let id = self.file_id(folder);
         let path = self.path(id);
-        let listed = self
-            .stat(id, &path)
-            .and_then(|stat| self.shared.folders.get(id, stat.stamp, || Ok(self.list_dir(&path))));
+        let listed = self.stat(id, &path).and_then(|stat| {
+            self.shared
+                .folders
+                .get(id, stat.stamp, || Ok(self.list_dir(&path)))
+        });
         listed.unwrap_or_default()
     }
 
@@ -59,7 +65,9 @@ impl Vfs {
     /// that differs in the case of its letters; none when a folder has neither. On a disk that does not tell
     /// cases apart, this tells whether another system would find the file.
     pub fn as_listed(&self, base: &Path, path: &Path) -> Option<PathBuf> {
-        let Ok(rest) = path.strip_prefix(base) else { return self.exists(path).then(|| path.to_owned()) };
+        let Ok(rest) = path.strip_prefix(base) else {
+            return self.exists(path).then(|| path.to_owned());
+        };
         let mut found = base.to_owned();
         for component in rest.components() {
             match component {
@@ -76,13 +84,18 @@ impl Vfs {
     /// How `folder` spells `name`.
     fn spelling(&self, folder: &Path, name: &str) -> Option<String> {
         let names = self.names(folder);
-        let exact = names.binary_search_by(|entry| entry.name.as_str().cmp(name)).is_ok();
+        let exact = names
+            .binary_search_by(|entry| entry.name.as_str().cmp(name))
+            .is_ok();
         // a folder may be entered without being read
         if exact || names.is_empty() && self.exists(&folder.join(name)) {
             return Some(name.to_owned());
         }
         let folded = name.to_lowercase();
-        names.iter().find(|entry| entry.name.to_lowercase() == folded).map(|entry| entry.name.clone())
+        names
+            .iter()
+            .find(|entry| entry.name.to_lowercase() == folded)
+            .map(|entry| entry.name.clone())
     }
 }
 
@@ -104,7 +117,13 @@ mod tests {
         }
         let found = |path: &str| {
             let found = tree.vfs().as_listed(tree.root(), &tree.path(path))?;
-            Some(found.strip_prefix(tree.root()).unwrap().display().to_string())
+            Some(
+                found
+                    .strip_prefix(tree.root())
+                    .unwrap()
+                    .display()
+                    .to_string(),
+            )
         };
         assert_eq!(found("Meshes/Base.STL").as_deref(), Some("Meshes/Base.STL"));
         assert_eq!(found("meshes/base.stl").as_deref(), Some("Meshes/Base.STL"));
@@ -127,7 +146,10 @@ mod tests {
             };
             tree.vfs().derive(&cache, &tree.path("a"), limit, make)
         };
-        assert_eq!((*length(9).unwrap(), *length(9).unwrap(), made.get()), (1, 1, 1));
+        assert_eq!(
+            (*length(9).unwrap(), *length(9).unwrap(), made.get()),
+            (1, 1, 1)
+        );
         tree.write("a", "123");
         assert_eq!((*length(9).unwrap(), made.get()), (3, 2));
         tree.write("a", "12345");

@@ -37,10 +37,18 @@ impl Disk {
 
     /// Put a file in memory, or take it away; whether this is the place for it.
     pub(super) fn put(&self, path: PathBuf, bytes: Option<Vec<u8>>, revision: u64) -> bool {
-        let Self::Memory(files) = self else { return false };
+        let Self::Memory(files) = self else {
+            return false;
+        };
         let mut files = files.write().unwrap_or_else(PoisonError::into_inner);
         match bytes {
-            Some(bytes) => files.insert(path, File { bytes: bytes.into(), revision }),
+            Some(bytes) => files.insert(
+                path,
+                File {
+                    bytes: bytes.into(),
+                    revision,
+                },
+            ),
             None => files.remove(&path),
         };
         true
@@ -51,17 +59,25 @@ impl Disk {
     /// # Errors
     /// When there is none, or none that may be looked at.
     pub(super) fn stat(&self, path: &Path) -> Result<Stat, LoadError> {
-        self.in_memory(|files| stat(files, path)).unwrap_or_else(|| read::stat(path))
+        self.in_memory(|files| stat(files, path))
+            .unwrap_or_else(|| read::stat(path))
     }
 
     /// The bytes of a regular file of at most `limit` bytes, `known` to be one since a moment ago.
     ///
     /// # Errors
     /// When it is not one, or cannot be read.
-    pub(super) fn bytes(&self, path: &Path, known: &Stat, limit: u64) -> Result<Vec<u8>, LoadError> {
+    pub(super) fn bytes(
+        &self,
+        path: &Path,
+        known: &Stat,
+        limit: u64,
+    ) -> Result<Vec<u8>, LoadError> {
         let in_memory = self.in_memory(|files| {
             read::may_be_read(known.kind, known.size, path, limit)?;
-            let file = files.get(path).ok_or_else(|| LoadError::new(LoadErrorKind::NotFound, path))?;
+            let file = files
+                .get(path)
+                .ok_or_else(|| LoadError::new(LoadErrorKind::NotFound, path))?;
             Ok(file.bytes.to_vec())
         });
         in_memory.unwrap_or_else(|| read::bytes(path, known, limit))
@@ -71,7 +87,10 @@ impl Disk {
     pub(super) fn entries(&self, path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
         let in_memory = self.in_memory(|files| entries(files, path));
         let on_disk = in_memory.is_none().then(|| read::entries(path));
-        in_memory.into_iter().flatten().chain(on_disk.into_iter().flatten())
+        in_memory
+            .into_iter()
+            .flatten()
+            .chain(on_disk.into_iter().flatten())
     }
 
     /// A path with links and `..` resolved; none when it does not exist.
@@ -91,7 +110,8 @@ impl Disk {
 
     /// Whether there is a folder at `path` that is no link.
     pub(super) fn is_own_folder(&self, path: &Path) -> bool {
-        let in_memory = self.in_memory(|files| stat(files, path).is_ok_and(|stat| stat.kind == Kind::Folder));
+        let in_memory =
+            self.in_memory(|files| stat(files, path).is_ok_and(|stat| stat.kind == Kind::Folder));
         in_memory.unwrap_or_else(|| path.symlink_metadata().is_ok_and(|found| found.is_dir()))
     }
 
@@ -103,7 +123,9 @@ impl Disk {
     fn in_memory<T>(&self, look: impl FnOnce(&Files) -> T) -> Option<T> {
         match self {
             Self::System => None,
-            Self::Memory(files) => Some(look(&files.read().unwrap_or_else(PoisonError::into_inner))),
+            Self::Memory(files) => {
+                Some(look(&files.read().unwrap_or_else(PoisonError::into_inner)))
+            }
         }
     }
 }
@@ -111,13 +133,20 @@ impl Disk {
 /// The files below a folder, in the order of their paths.
 fn below<'a>(files: &'a Files, folder: &'a Path) -> impl Iterator<Item = (&'a PathBuf, &'a File)> {
     let after = (Bound::Excluded(folder), Bound::Unbounded);
-    files.range::<Path, _>(after).take_while(move |(path, _)| path.starts_with(folder))
+    files
+        .range::<Path, _>(after)
+        .take_while(move |(path, _)| path.starts_with(folder))
 }
 
 fn stat(files: &Files, path: &Path) -> Result<Stat, LoadError> {
     if let Some(file) = files.get(path) {
         let size = file.bytes.len() as u64;
-        return Ok(Stat { kind: Kind::Regular, size, stamp: Stamp::Buffer(file.revision), identity: None });
+        return Ok(Stat {
+            kind: Kind::Regular,
+            size,
+            stamp: Stamp::Buffer(file.revision),
+            identity: None,
+        });
     }
     // what changes when names in it come and go
     let mut inside = below(files, path).peekable();
@@ -137,11 +166,18 @@ fn stat(files: &Files, path: &Path) -> Result<Stat, LoadError> {
 fn entries(files: &Files, folder: &Path) -> Vec<DirEntry> {
     let mut found: Vec<DirEntry> = Vec::new();
     for (path, _) in below(files, folder) {
-        let Ok(rest) = path.strip_prefix(folder) else { continue };
+        let Ok(rest) = path.strip_prefix(folder) else {
+            continue;
+        };
         let mut parts = rest.components();
-        let Some(name) = parts.next().and_then(|name| name.as_os_str().to_str()) else { continue };
+        let Some(name) = parts.next().and_then(|name| name.as_os_str().to_str()) else {
+            continue;
+        };
         if found.last().is_none_or(|last| last.name != name) {
-            found.push(DirEntry { name: name.to_owned(), is_dir: parts.next().is_some() });
+            found.push(DirEntry {
+                name: name.to_owned(),
+                is_dir: parts.next().is_some(),
+            });
         }
     }
     found
@@ -163,31 +199,65 @@ mod tests {
 
     #[test]
     fn files_and_the_folders_they_make() {
-        let vfs = vfs(&[("a/urdf/arm.xacro", "<robot/>"), ("a/package.xml", "<package/>"), ("ab/x", "")]);
-        assert_eq!(vfs.text(Path::new("a/urdf/../urdf/arm.xacro")).unwrap().text, "<robot/>");
-        assert!(vfs.is_dir(Path::new("a/urdf")) && vfs.is_dir(Path::new("/")) && !vfs.exists(Path::new("b")));
+        let vfs = vfs(&[
+            ("a/urdf/arm.xacro", "<robot/>"),
+            ("a/package.xml", "<package/>"),
+            ("ab/x", ""),
+        ]);
+        assert_eq!(
+            vfs.text(Path::new("a/urdf/../urdf/arm.xacro"))
+                .unwrap()
+                .text,
+            "<robot/>"
+        );
+        assert!(
+            vfs.is_dir(Path::new("a/urdf"))
+                && vfs.is_dir(Path::new("/"))
+                && !vfs.exists(Path::new("b"))
+        );
         let names = |folder: &str| {
             let list = vfs.list_dir(Path::new(folder));
-            list.iter().map(|entry| (entry.name.clone(), entry.is_dir)).collect::<Vec<_>>()
+            list.iter()
+                .map(|entry| (entry.name.clone(), entry.is_dir))
+                .collect::<Vec<_>>()
         };
         assert_eq!(names("/w"), [("a".into(), true), ("ab".into(), true)]);
-        assert_eq!(names("a"), [("package.xml".into(), false), ("urdf".into(), true)]);
-        assert_eq!(vfs.text(Path::new("a")).unwrap_err().strerror, "Is a directory");
+        assert_eq!(
+            names("a"),
+            [("package.xml".into(), false), ("urdf".into(), true)]
+        );
+        assert_eq!(
+            vfs.text(Path::new("a")).unwrap_err().strerror,
+            "Is a directory"
+        );
         let mut left = 100;
-        assert_eq!(vfs.glob("a/*/*.xacro", Path::new("/w"), &mut left).unwrap().len(), 1);
-        assert_eq!(vfs.canonical(Path::new("/w/b/../a")), without_parents(Path::new("/w/a")));
+        assert_eq!(
+            vfs.glob("a/*/*.xacro", Path::new("/w"), &mut left)
+                .unwrap()
+                .len(),
+            1
+        );
+        assert_eq!(
+            vfs.canonical(Path::new("/w/b/../a")),
+            without_parents(Path::new("/w/a"))
+        );
     }
 
     #[test]
     fn what_is_put_again_is_read_again() {
         let vfs = vfs(&[("a", "<a/>")]);
-        let root =
-            || vfs.document(Path::new("a")).map(|file| file.document.root().unwrap().name().to_owned());
+        let root = || {
+            vfs.document(Path::new("a"))
+                .map(|file| file.document.root().unwrap().name().to_owned())
+        };
         assert_eq!(root().unwrap(), "a");
         vfs.put(Path::new("a"), Some(b"<b/>".to_vec()));
         assert_eq!(root().unwrap(), "b");
         vfs.put(Path::new("a"), None);
         assert_eq!(root().unwrap_err().strerror, "No such file or directory");
-        assert!(!Vfs::new(1).put(Path::new("a"), None), "files on a disk are not replaced");
+        assert!(
+            !Vfs::new(1).put(Path::new("a"), None),
+            "files on a disk are not replaced"
+        );
     }
 }

@@ -19,30 +19,48 @@ impl Environment {
     /// The environment of this process. Bytes that are not UTF-8 become U+FFFD.
     pub fn capture() -> Self {
         let vars = std::env::vars_os()
-            .map(|(name, value)| (name.to_string_lossy().into_owned(), value.to_string_lossy().into_owned()))
+            .map(|(name, value)| {
+                (
+                    name.to_string_lossy().into_owned(),
+                    value.to_string_lossy().into_owned(),
+                )
+            })
             .collect();
-        Self { vars, cwd: spelled(std::env::current_dir().unwrap_or_default()) }
+        Self {
+            vars,
+            cwd: spelled(std::env::current_dir().unwrap_or_default()),
+        }
     }
 
     /// The value of a variable that is set.
     pub fn var(&self, name: &str) -> Option<&str> {
         let named = || {
-            self.vars.iter().find(|(own, _)| HERE.folded(own) == HERE.folded(name)).map(|(_, value)| value)
+            self.vars
+                .iter()
+                .find(|(own, _)| HERE.folded(own) == HERE.folded(name))
+                .map(|(_, value)| value)
         };
-        let found = self.vars.get(name).or_else(|| if HERE == System::Posix { None } else { named() });
+        let found = self
+            .vars
+            .get(name)
+            .or_else(|| if HERE == System::Posix { None } else { named() });
         found.map(String::as_str)
     }
 
     /// The folder of the user.
     pub fn home(&self) -> Option<&str> {
         let profile = || self.var("USERPROFILE").filter(|_| HERE == System::Windows);
-        self.var("HOME").or_else(profile).filter(|home| !home.is_empty())
+        self.var("HOME")
+            .or_else(profile)
+            .filter(|home| !home.is_empty())
     }
 
     /// The non-empty entries of a list of folders, as they are spelled in the variable.
     pub fn paths(&self, name: &str) -> Vec<PathBuf> {
         // where there is no environment, as in a browser, lists cannot be split either
-        let Some(value) = self.var(name) else { return Vec::new() };
+        let Some(value) = self.var(name) else {
+            return Vec::new();
+        };
         let paths = std::env::split_paths(value).filter(|path| !path.as_os_str().is_empty());
         paths.map(spelled).collect()
     }

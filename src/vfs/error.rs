@@ -50,12 +50,22 @@ impl LoadError {
             LoadErrorKind::TooLarge { .. } => (27, "File too large"),
             LoadErrorKind::Other => (5, "Input/output error"),
         };
-        Self { kind, errno, strerror: strerror.to_owned(), path: path.to_owned() }
+        Self {
+            kind,
+            errno,
+            strerror: strerror.to_owned(),
+            path: path.to_owned(),
+        }
     }
 
     /// A path that is no name of a file here, and why.
     pub(super) fn refused(reason: &str, path: &Path) -> Self {
-        Self { kind: LoadErrorKind::Other, errno: 22, strerror: reason.to_owned(), path: path.to_owned() }
+        Self {
+            kind: LoadErrorKind::Other,
+            errno: 22,
+            strerror: reason.to_owned(),
+            path: path.to_owned(),
+        }
     }
 
     /// The reason in words: for a file that is too large with the limit.
@@ -80,15 +90,30 @@ impl LoadError {
             return Self::new(kind, path);
         }
         let text = error.to_string();
-        let strerror = text.split(" (os error").next().unwrap_or_default().to_owned();
-        Self { kind, errno: error.raw_os_error().unwrap_or(22), strerror, path: path.to_owned() }
+        let strerror = text
+            .split(" (os error")
+            .next()
+            .unwrap_or_default()
+            .to_owned();
+        Self {
+            kind,
+            errno: error.raw_os_error().unwrap_or(22),
+            strerror,
+            path: path.to_owned(),
+        }
     }
 }
 
 impl fmt::Display for LoadError {
     /// As Python prints an `OSError`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "[Errno {}] {}: '{}'", self.errno, self.strerror, slashed(&self.path))
+        write!(
+            f,
+            "[Errno {}] {}: '{}'",
+            self.errno,
+            self.strerror,
+            slashed(&self.path)
+        )
     }
 }
 

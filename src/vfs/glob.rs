@@ -16,14 +16,25 @@ pub enum TooMany {
 }
 
 /// The sorted matches of `pattern`; a relative one starts at `base`. What is looked at is taken off `left`.
-pub(super) fn glob(vfs: &Vfs, pattern: &str, base: &Path, left: &mut usize) -> Result<Vec<PathBuf>, TooMany> {
+pub(super) fn glob(
+    vfs: &Vfs,
+    pattern: &str,
+    base: &Path,
+    left: &mut usize,
+) -> Result<Vec<PathBuf>, TooMany> {
     if pattern.is_empty() {
         return Ok(Vec::new());
     }
     let (start, names) = stages(pattern);
     let mut found = vec![start.to_owned()];
     for (index, name) in names.iter().enumerate().rev() {
-        found = Stage { vfs, base, name, is_last: index == 0 }.run(&found, left)?;
+        found = Stage {
+            vfs,
+            base,
+            name,
+            is_last: index == 0,
+        }
+        .run(&found, left)?;
     }
     if !has_magic(pattern) {
         // such a path is given back as it is spelled
@@ -92,15 +103,26 @@ impl Stage<'_> {
             return self.vfs.is_dir(folder);
         }
         // also true for a link that leads nowhere
-        self.vfs.shared.disk.is_present(&self.vfs.absolute(&folder.join(self.name)))
+        self.vfs
+            .shared
+            .disk
+            .is_present(&self.vfs.absolute(&folder.join(self.name)))
     }
 
-    fn matching(&self, folder: &Path, wildcard: &Wildcard, left: &mut usize) -> Result<Vec<String>, TooMany> {
+    fn matching(
+        &self,
+        folder: &Path,
+        wildcard: &Wildcard,
+        left: &mut usize,
+    ) -> Result<Vec<String>, TooMany> {
         let mut names = Vec::new();
         for entry in self.vfs.shared.disk.entries(&self.vfs.absolute(folder)) {
             *left = left.checked_sub(1).ok_or(TooMany::Entries)?;
             let is_hidden = entry.name.starts_with('.') && !self.name.starts_with('.');
-            if !is_hidden && (entry.is_dir || self.is_last) && wildcard.matches(&HERE.folded(&entry.name)) {
+            if !is_hidden
+                && (entry.is_dir || self.is_last)
+                && wildcard.matches(&HERE.folded(&entry.name))
+            {
                 names.push(entry.name);
             }
         }
@@ -114,7 +136,14 @@ fn split(path: &str) -> (&str, &str) {
     let (folder, name) = path.split_at(cut);
     let trimmed = folder.trim_end_matches('/');
     // what a path begins with keeps its slash
-    (if trimmed.len() < HERE.root(folder).len() { folder } else { trimmed }, name)
+    (
+        if trimmed.len() < HERE.root(folder).len() {
+            folder
+        } else {
+            trimmed
+        },
+        name,
+    )
 }
 
 fn join(folder: &str, name: &str) -> String {
@@ -140,7 +169,10 @@ impl Wildcard {
             _ => None,
         };
         let tokens = compile(text);
-        Self { literal: tokens.iter().map(letter).collect(), tokens }
+        Self {
+            literal: tokens.iter().map(letter).collect(),
+            tokens,
+        }
     }
 
     /// The only name that fits, where there is only one.
@@ -154,7 +186,12 @@ impl Wildcard {
             return literal == name;
         }
         let name: Vec<char> = name.chars().collect();
-        covers(&self.tokens, &name, |token| matches!(token, Token::Many), |token, c| token.takes(*c))
+        covers(
+            &self.tokens,
+            &name,
+            |token| matches!(token, Token::Many),
+            |token, c| token.takes(*c),
+        )
     }
 }
 
@@ -164,7 +201,10 @@ enum Token {
     Literal(char),
     Any,
     Many,
-    Class { negated: bool, ranges: Vec<(char, char)> },
+    Class {
+        negated: bool,
+        ranges: Vec<(char, char)>,
+    },
 }
 
 fn compile(pattern: &str) -> Vec<Token> {
@@ -304,7 +344,11 @@ mod tests {
             ("a.b", "axb", false),
         ];
         for (pattern, name, expected) in table {
-            assert_eq!(Wildcard::new(pattern).matches(name), expected, "{pattern} {name:?}");
+            assert_eq!(
+                Wildcard::new(pattern).matches(name),
+                expected,
+                "{pattern} {name:?}"
+            );
         }
     }
 
@@ -345,17 +389,28 @@ mod tests {
         let mut wrong = Vec::new();
         for case in oracle["cases"].as_array().unwrap() {
             let pattern = case[0].as_str().unwrap();
-            let found = tree.vfs().glob(pattern, &tree.path(root), &mut 10_000).unwrap();
+            let found = tree
+                .vfs()
+                .glob(pattern, &tree.path(root), &mut 10_000)
+                .unwrap();
             let found: Vec<&str> = found.iter().filter_map(|path| path.to_str()).collect();
-            let expected: Vec<&str> =
-                case[1].as_array().unwrap().iter().filter_map(|path| path.as_str()).collect();
+            let expected: Vec<&str> = case[1]
+                .as_array()
+                .unwrap()
+                .iter()
+                .filter_map(|path| path.as_str())
+                .collect();
             if found != expected {
-                wrong.push(format!("{pattern:?}\n  expected {expected:?}\n  found    {found:?}"));
+                wrong.push(format!(
+                    "{pattern:?}\n  expected {expected:?}\n  found    {found:?}"
+                ));
             }
         }
         assert!(wrong.is_empty(), "{}", wrong.join("\n"));
         let absolute = tree.path(root).join("s*/c.x");
-        let found = tree.vfs().glob(absolute.to_str().unwrap(), tree.root(), &mut 10_000);
+        let found = tree
+            .vfs()
+            .glob(absolute.to_str().unwrap(), tree.root(), &mut 10_000);
         assert_eq!(found.unwrap(), [tree.path(root).join("sub/c.x")]);
     }
 }

@@ -54,7 +54,10 @@ impl Vfs {
 
     /// The state of a file or folder.
     pub(super) fn stat(&self, id: FileId, path: &Path) -> Result<Stat, LoadError> {
-        let known = self.shared.asked.with(|answers| answers.known.get(&id).cloned());
+        let known = self
+            .shared
+            .asked
+            .with(|answers| answers.known.get(&id).cloned());
         known.unwrap_or_else(|| {
             let found = self.shared.disk.stat(path);
             self.shared.asked.with(|answers| {
@@ -74,10 +77,12 @@ impl Vfs {
             return self.shared.disk.stat(&path).ok();
         }
         let id = self.shared.ids.id(path);
-        let known = self
-            .shared
-            .asked
-            .with(|answers| answers.known.get(&id).map(|found| found.as_ref().ok().copied()));
+        let known = self.shared.asked.with(|answers| {
+            answers
+                .known
+                .get(&id)
+                .map(|found| found.as_ref().ok().copied())
+        });
         known.unwrap_or_else(|| self.stat(id, &self.path(id)).ok())
     }
 
@@ -91,11 +96,16 @@ impl Vfs {
             return Arc::new(list(&path));
         }
         let id = self.shared.ids.id(path);
-        self.shared.asked.with(|answers| answers.listed.get(&id).cloned()).unwrap_or_else(|| {
-            let names = Arc::new(list(&self.path(id)));
-            self.shared.asked.with(|answers| answers.listed.insert(id, names.clone()));
-            names
-        })
+        self.shared
+            .asked
+            .with(|answers| answers.listed.get(&id).cloned())
+            .unwrap_or_else(|| {
+                let names = Arc::new(list(&self.path(id)));
+                self.shared
+                    .asked
+                    .with(|answers| answers.listed.insert(id, names.clone()));
+                names
+            })
     }
 }
 
@@ -106,7 +116,12 @@ mod tests {
     #[test]
     fn what_changes_in_the_meantime_is_seen_later() {
         let tree = Tree::new();
-        let text = || tree.vfs().text(&tree.path("a")).map(|file| file.text.clone()).ok();
+        let text = || {
+            tree.vfs()
+                .text(&tree.path("a"))
+                .map(|file| file.text.clone())
+                .ok()
+        };
         {
             let _outer = tree.vfs().hold();
             drop(tree.vfs().hold());
@@ -123,7 +138,13 @@ mod tests {
         let answers = || {
             let (vfs, path) = (tree.vfs(), tree.path("d/a"));
             let names = vfs.list_dir(&tree.path("d")).len();
-            (vfs.is_file(&path), vfs.exists(&path), vfs.is_dir(&tree.path("d")), vfs.size(&path), names)
+            (
+                vfs.is_file(&path),
+                vfs.exists(&path),
+                vfs.is_dir(&tree.path("d")),
+                vfs.size(&path),
+                names,
+            )
         };
         {
             let _held = tree.vfs().hold();

@@ -45,7 +45,12 @@ impl Borrow<OsStr> for Spelled {
 impl Ids {
     /// The number of an absolute path.
     pub(super) fn id(&self, path: PathBuf) -> FileId {
-        if let Some(id) = self.0.read().unwrap_or_else(PoisonError::into_inner).by_path.get(path.as_os_str())
+        if let Some(id) = self
+            .0
+            .read()
+            .unwrap_or_else(PoisonError::into_inner)
+            .by_path
+            .get(path.as_os_str())
         {
             return *id;
         }
@@ -63,6 +68,10 @@ impl Ids {
     /// The path of a number; empty for one that was never given out.
     pub(super) fn path(&self, id: FileId) -> Arc<Path> {
         let table = self.0.read().unwrap_or_else(PoisonError::into_inner);
-        table.paths.get(id.0 as usize).cloned().unwrap_or_else(|| Path::new("").into())
+        table
+            .paths
+            .get(id.0 as usize)
+            .cloned()
+            .unwrap_or_else(|| Path::new("").into())
     }
 }

@@ -111,7 +111,11 @@ impl YamlFile {
         let value = match &file.encoding_error {
             Some((_, message)) => {
                 let range = TextRange::default();
-                Err(YamlError { message: message.clone(), range, short: message.clone() })
+                Err(YamlError {
+                    message: message.clone(),
+                    range,
+                    short: message.clone(),
+                })
             }
             None => yaml::load(&file.text, name),
         };
@@ -159,7 +163,10 @@ impl Vfs {
     /// A file system whose relative paths start at the working directory of the process. Files larger
     /// than `max_file_bytes` are not read.
     pub fn new(max_file_bytes: u64) -> Self {
-        Self::with_cwd(max_file_bytes, spelled(std::env::current_dir().unwrap_or_default()))
+        Self::with_cwd(
+            max_file_bytes,
+            spelled(std::env::current_dir().unwrap_or_default()),
+        )
     }
 
     /// The same with relative paths starting at `cwd`.
@@ -174,14 +181,22 @@ impl Vfs {
 
     /// Files in memory, at first none: see [`Vfs::put`]. Nothing of the machine is seen.
     pub fn in_memory(max_file_bytes: u64, cwd: PathBuf) -> Self {
-        let shared = Arc::new(Shared { disk: Disk::memory(), ..Shared::default() });
-        Self { shared, ..Self::with_cwd(max_file_bytes, cwd) }
+        let shared = Arc::new(Shared {
+            disk: Disk::memory(),
+            ..Shared::default()
+        });
+        Self {
+            shared,
+            ..Self::with_cwd(max_file_bytes, cwd)
+        }
     }
 
     /// Put a file among those in memory, or take it away (`None`); false where files are on a disk, which stay as they
     /// are.
     pub fn put(&self, path: &Path, bytes: Option<Vec<u8>>) -> bool {
-        self.shared.disk.put(self.absolute(path), bytes, self.next_revision())
+        self.shared
+            .disk
+            .put(self.absolute(path), bytes, self.next_revision())
     }
 
     /// The files in memory below a folder, in the order of their paths; none where files are on a disk.
@@ -192,7 +207,11 @@ impl Vfs {
     /// These files as they would be with other texts. The original is not touched, whatever becomes of the overlay; file
     /// numbers are the same in both.
     pub fn overlay(&self, texts: impl IntoIterator<Item = (PathBuf, String)>) -> Self {
-        let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner).clone();
+        let buffers = self
+            .buffers
+            .read()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone();
         let overlay = Self {
             max_file_bytes: AtomicU64::new(self.max_file_bytes.load(Ordering::Relaxed)),
             cwd: self.cwd.clone(),
@@ -229,7 +248,11 @@ impl Vfs {
         }
         let path: PathBuf = self.cwd.join(path).components().collect();
         let leads_back = path.components().any(|part| part == Component::ParentDir);
-        spelled(if leads_back { tidy(&path, &self.shared.disk) } else { path })
+        spelled(if leads_back {
+            tidy(&path, &self.shared.disk)
+        } else {
+            path
+        })
     }
 
     /// `path` with links and `..` resolved; as given when it does not exist.
@@ -244,19 +267,31 @@ impl Vfs {
     /// When the file holds something else, or something other than UTF-8; and those of the system.
     pub fn rewrite(&self, path: &Path, before: &str, after: &str) -> std::io::Result<()> {
         const MARK: &[u8] = b"\xEF\xBB\xBF";
-        output::change(&self.absolute(path), self.max_file_bytes.load(Ordering::Relaxed), |old| {
-            let (mark, text) = if old.starts_with(MARK) { old.split_at(MARK.len()) } else { old.split_at(0) };
-            if text == before.as_bytes() {
-                return Ok(Some([mark, after.as_bytes()].concat()));
-            }
-            if text == after.as_bytes() {
-                // another run was faster
-                return Ok(None);
-            }
-            let is_utf8 = std::str::from_utf8(text).is_ok();
-            let why = if is_utf8 { "it was changed by another program" } else { "it is not UTF-8" };
-            Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why))
-        })
+        output::change(
+            &self.absolute(path),
+            self.max_file_bytes.load(Ordering::Relaxed),
+            |old| {
+                let (mark, text) = if old.starts_with(MARK) {
+                    old.split_at(MARK.len())
+                } else {
+                    old.split_at(0)
+                };
+                if text == before.as_bytes() {
+                    return Ok(Some([mark, after.as_bytes()].concat()));
+                }
+                if text == after.as_bytes() {
+                    // another run was faster
+                    return Ok(None);
+                }
+                let is_utf8 = std::str::from_utf8(text).is_ok();
+                let why = if is_utf8 {
+                    "it was changed by another program"
+                } else {
+                    "it is not UTF-8"
+                };
+                Err(std::io::Error::new(std::io::ErrorKind::InvalidData, why))
+            },
+        )
     }
 
     /// Lay `text` over the file (an editor opened or changed it), or uncover the disk (`None`).
@@ -294,22 +329,40 @@ impl Vfs {
         let path = self.path(id);
         match self.state(id, &path)? {
             State::Buffer(buffer) if buffer.id == id => Ok(buffer.text()),
-            State::Buffer(buffer) => self.shared.texts.get(id, Stamp::Buffer(buffer.revision), || {
-                let file = buffer.text();
-                let (text, hash) = (file.text.clone(), file.hash);
-                Ok(Arc::new(TextFile { id, path, text, hash, encoding_error: None }))
-            }),
-            State::Disk(stat) => {
-                self.shared.texts.get(id, stat.stamp, || self.read(id, &path, &stat).map(Arc::new))
+            State::Buffer(buffer) => {
+                self.shared
+                    .texts
+                    .get(id, Stamp::Buffer(buffer.revision), || {
+                        let file = buffer.text();
+                        let (text, hash) = (file.text.clone(), file.hash);
+                        Ok(Arc::new(TextFile {
+                            id,
+                            path,
+                            text,
+                            hash,
+                            encoding_error: None,
+                        }))
+                    })
             }
+            State::Disk(stat) => self
+                .shared
+                .texts
+                .get(id, stat.stamp, || self.read(id, &path, &stat).map(Arc::new)),
         }
     }
 
     fn read(&self, id: FileId, path: &Arc<Path>, known: &Stat) -> Result<TextFile, LoadError> {
         let limit = self.max_file_bytes.load(Ordering::Relaxed);
-        let decode::Decoded { text, error } = decode::decode(self.shared.disk.bytes(path, known, limit)?);
+        let decode::Decoded { text, error } =
+            decode::decode(self.shared.disk.bytes(path, known, limit)?);
         let hash = read::hash(&text);
-        Ok(TextFile { id, path: path.clone(), text, hash, encoding_error: error })
+        Ok(TextFile {
+            id,
+            path: path.clone(),
+            text,
+            hash,
+            encoding_error: error,
+        })
     }
 
     /// An XML file, parsed; not again while its text stays the same. Of a buffer that was edited, only
@@ -322,19 +375,32 @@ impl Vfs {
         let path = self.path(id);
         match self.state(id, &path)? {
             State::Buffer(buffer) if buffer.id == id => Ok(buffer.source()),
-            State::Buffer(buffer) => self.shared.sources.get(id, Stamp::Buffer(buffer.revision), || {
-                let source = buffer.source();
-                let (document, hash) = (source.document.clone(), source.hash);
-                Ok(Arc::new(SourceFile { id, path, document, hash, encoding_error: None }))
-            }),
+            State::Buffer(buffer) => {
+                self.shared
+                    .sources
+                    .get(id, Stamp::Buffer(buffer.revision), || {
+                        let source = buffer.source();
+                        let (document, hash) = (source.document.clone(), source.hash);
+                        Ok(Arc::new(SourceFile {
+                            id,
+                            path,
+                            document,
+                            hash,
+                            encoding_error: None,
+                        }))
+                    })
+            }
             // the document holds the text: it need not be kept a second time
-            State::Disk(stat) if stat.stamp.is_settled() => self
-                .shared
-                .sources
-                .get(id, stat.stamp, || Ok(SourceFile::parse(&self.read(id, &path, &stat)?))),
+            State::Disk(stat) if stat.stamp.is_settled() => {
+                self.shared.sources.get(id, stat.stamp, || {
+                    Ok(SourceFile::parse(&self.read(id, &path, &stat)?))
+                })
+            }
             State::Disk(_) => {
                 let text = self.text(&path)?;
-                self.shared.sources.get(id, Stamp::Content(text.hash), || Ok(SourceFile::parse(&text)))
+                self.shared.sources.get(id, Stamp::Content(text.hash), || {
+                    Ok(SourceFile::parse(&text))
+                })
             }
         }
     }
@@ -359,12 +425,17 @@ impl Vfs {
     pub fn yaml(&self, path: &Path, name: &str) -> Result<Arc<YamlFile>, LoadError> {
         let file = self.text(path)?;
         let stamp = Stamp::Content(read::hash(&(file.hash, name)));
-        self.shared.yaml.get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
+        self.shared
+            .yaml
+            .get(file.id, stamp, || Ok(Arc::new(YamlFile::load(file, name))))
     }
 
     /// A number that changes when the content of a file on disk does, or when it comes or goes.
     pub fn state_on_disk(&self, path: &Path) -> u64 {
-        self.shared.disk.stat(&self.absolute(path)).map_or(0, |stat| read::hash(&stat.stamp))
+        self.shared
+            .disk
+            .stat(&self.absolute(path))
+            .map_or(0, |stat| read::hash(&stat.stamp))
     }
 
     /// Whether there is a file, folder or buffer at `path`.
@@ -379,12 +450,16 @@ impl Vfs {
 
     /// Whether there is a file (of any kind but a folder) or a buffer at `path`.
     pub fn is_file(&self, path: &Path) -> bool {
-        self.has_buffer(path) || self.look(path).is_some_and(|found| found.kind != Kind::Folder)
+        self.has_buffer(path)
+            || self
+                .look(path)
+                .is_some_and(|found| found.kind != Kind::Folder)
     }
 
     /// Whether there is a folder at `path`.
     pub fn is_dir(&self, path: &Path) -> bool {
-        self.look(path).is_some_and(|found| found.kind == Kind::Folder)
+        self.look(path)
+            .is_some_and(|found| found.kind == Kind::Folder)
     }
 
     /// The size of a file on the disk, in bytes.
@@ -397,7 +472,10 @@ impl Vfs {
     /// not exist.
     pub fn identity(&self, path: &Path) -> Option<u128> {
         let stat = self.look(path)?;
-        Some(stat.identity.map_or_else(|| u128::from(read::hash(&self.canonical(path))), Identity::number))
+        Some(stat.identity.map_or_else(
+            || u128::from(read::hash(&self.canonical(path))),
+            Identity::number,
+        ))
     }
 
     /// The names in a folder, sorted; none when it cannot be read. Names that are not UTF-8 are left
@@ -417,7 +495,12 @@ impl Vfs {
     ///
     /// # Errors
     /// When it matches too much, or more would have to be looked at.
-    pub fn glob(&self, pattern: &str, base: &Path, left: &mut usize) -> Result<Vec<PathBuf>, TooMany> {
+    pub fn glob(
+        &self,
+        pattern: &str,
+        base: &Path,
+        left: &mut usize,
+    ) -> Result<Vec<PathBuf>, TooMany> {
         glob::glob(self, pattern, &self.absolute(base), left)
     }
 
@@ -437,7 +520,8 @@ impl Vfs {
             return Ok(State::Buffer(buffer.clone()));
         }
         let stat = self.stat(id, path)?;
-        let is_same = |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
+        let is_same =
+            |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
         Ok(match buffers.values().find(is_same) {
             Some(buffer) => State::Buffer(buffer.clone()),
             None => State::Disk(stat),
@@ -449,7 +533,10 @@ impl Vfs {
 fn is_tidy(path: &Path) -> bool {
     let text = path.as_os_str().as_encoded_bytes();
     let is_odd = |pair: &[u8]| matches!(pair, b"//" | b"/.");
-    !cfg!(windows) && text.starts_with(b"/") && !text.ends_with(b"/") && !text.windows(2).any(is_odd)
+    !cfg!(windows)
+        && text.starts_with(b"/")
+        && !text.ends_with(b"/")
+        && !text.windows(2).any(is_odd)
 }
 
 /// A path without `folder/..`, where the system sees it so too: a link leads elsewhere, and nothing leads back from a

@@ -29,9 +29,15 @@ fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Resul
     let existing = std::fs::metadata(&target).ok();
     if existing.as_ref().is_some_and(|found| !found.is_file()) {
         // A pipe or device (`/dev/stdout`) has no content to protect; a folder gives its error.
-        return OpenOptions::new().write(true).open(&target)?.write_all(bytes);
+        return OpenOptions::new()
+            .write(true)
+            .open(&target)?
+            .write_all(bytes);
     }
-    if let Some(parent) = target.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+    if let Some(parent) = target
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+    {
         std::fs::create_dir_all(parent)?;
     }
     if existing.is_some() {
@@ -43,7 +49,11 @@ fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Resul
         if !as_before() {
             return Err(changed_meanwhile());
         }
-        return OpenOptions::new().write(true).truncate(true).open(&target)?.write_all(bytes);
+        return OpenOptions::new()
+            .write(true)
+            .truncate(true)
+            .open(&target)?
+            .write_all(bytes);
     }
     remove_left_over(&target);
     let (temporary, file) = new_beside(&target)?;
@@ -82,14 +92,24 @@ fn end_of_links(path: &Path) -> PathBuf {
 fn remove_left_over(target: &Path) {
     /// Processes of another machine, which the folder may be shared with, are not seen: theirs are at work no longer.
     const OLD: Duration = Duration::from_secs(600);
-    let (Some(folder), Some(prefix)) = (target.parent(), temporary_prefix(target)) else { return };
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let (Some(folder), Some(prefix)) = (target.parent(), temporary_prefix(target)) else {
+        return;
+    };
+    let folder = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
-        let rest = name.to_str().and_then(|name| name.strip_prefix(&prefix)?.strip_suffix(".tmp"));
+        let rest = name
+            .to_str()
+            .and_then(|name| name.strip_prefix(&prefix)?.strip_suffix(".tmp"));
         let process = rest.and_then(|rest| rest.split('-').next()?.parse().ok());
         let age = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
-        if process.is_some_and(|process| !is_process_alive(process)) && age().is_some_and(|age| age > OLD) {
+        if process.is_some_and(|process| !is_process_alive(process))
+            && age().is_some_and(|age| age > OLD)
+        {
             let _ = std::fs::remove_file(entry.path());
         }
     }
@@ -120,7 +140,10 @@ fn lock(path: &Path) -> io::Result<File> {
     loop {
         // asked before it is opened: opening a pipe would wait for somebody at its other end
         if !std::fs::metadata(path)?.is_file() {
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is not a regular file"));
+            return Err(io::Error::new(
+                io::ErrorKind::InvalidInput,
+                "it is not a regular file",
+            ));
         }
         let file = read::open(path)?;
         match file.try_lock() {
@@ -131,7 +154,10 @@ fn lock(path: &Path) -> io::Result<File> {
             Ok(()) | Err(std::fs::TryLockError::WouldBlock) => {}
         }
         if begin.elapsed() > PATIENCE {
-            return Err(io::Error::new(io::ErrorKind::WouldBlock, "another program has locked it"));
+            return Err(io::Error::new(
+                io::ErrorKind::WouldBlock,
+                "another program has locked it",
+            ));
         }
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -175,7 +201,10 @@ fn fill(mut file: File, bytes: &[u8], existing: Option<&Metadata>) -> io::Result
 #[cfg(unix)]
 fn keep_owner(file: &File, found: &Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
-    if file.metadata().is_ok_and(|new| (new.uid(), new.gid()) != (found.uid(), found.gid())) {
+    if file
+        .metadata()
+        .is_ok_and(|new| (new.uid(), new.gid()) != (found.uid(), found.gid()))
+    {
         let _ = fchown(file, Some(found.uid()), Some(found.gid()));
     }
 }
@@ -188,7 +217,10 @@ fn keep_owner(_: &File, _: &Metadata) {}
 fn new_beside(target: &Path) -> io::Result<(PathBuf, File)> {
     static NUMBER: AtomicU64 = AtomicU64::new(0);
     let Some(prefix) = temporary_prefix(target) else {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "not a file name"));
+        return Err(io::Error::new(
+            io::ErrorKind::IsADirectory,
+            "not a file name",
+        ));
     };
     let (process, options) = (std::process::id(), new_file(target.exists()));
     loop {
@@ -208,14 +240,21 @@ fn temporary_prefix(target: &Path) -> Option<String> {
     /// Longest part of the old name that is kept: names have at most 255 bytes.
     const KEPT: usize = 100;
     let name = target.file_name()?.to_string_lossy();
-    Some(format!(".{}.", name.get(..name.floor_char_boundary(KEPT)).unwrap_or_default()))
+    Some(format!(
+        ".{}.",
+        name.get(..name.floor_char_boundary(KEPT))
+            .unwrap_or_default()
+    ))
 }
 
 #[cfg(unix)]
 fn new_file(is_private: bool) -> OpenOptions {
     use std::os::unix::fs::OpenOptionsExt;
     let mut options = OpenOptions::new();
-    options.write(true).create_new(true).mode(if is_private { 0o600 } else { 0o666 });
+    options
+        .write(true)
+        .create_new(true)
+        .mode(if is_private { 0o600 } else { 0o666 });
     options
 }
 
@@ -238,7 +277,10 @@ mod tests {
         write_atomically(&path, b"one").unwrap();
         write_atomically(&path, b"two").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"two");
-        assert_eq!(std::fs::read_dir(path.parent().unwrap()).unwrap().count(), 1);
+        assert_eq!(
+            std::fs::read_dir(path.parent().unwrap()).unwrap().count(),
+            1
+        );
     }
 
     #[cfg(unix)]
@@ -258,14 +300,22 @@ mod tests {
         std::fs::hard_link(tree.path("one"), tree.path("two")).unwrap();
         write_atomically(&tree.path("one"), b"new").unwrap();
         assert_eq!(std::fs::read(tree.path("one")).unwrap(), b"new");
-        assert_eq!(std::fs::read(tree.path("two")).unwrap() == b"new", cfg!(unix));
+        assert_eq!(
+            std::fs::read(tree.path("two")).unwrap() == b"new",
+            cfg!(unix)
+        );
     }
 
     #[test]
     fn what_a_killed_run_left_goes() {
         let tree = Tree::new();
         let long_ago = std::time::SystemTime::now() - std::time::Duration::from_secs(3600);
-        for name in [".a.4000000-1.tmp", ".a.4000000-x.bak", ".b.4000000-1.tmp", ".a.young-1.tmp"] {
+        for name in [
+            ".a.4000000-1.tmp",
+            ".a.4000000-x.bak",
+            ".b.4000000-1.tmp",
+            ".a.young-1.tmp",
+        ] {
             tree.write(name, "");
             std::fs::File::options()
                 .write(true)
@@ -276,10 +326,18 @@ mod tests {
         }
         tree.write(".a.4000000-2.tmp", "");
         write_atomically(&tree.path("a"), b"new").unwrap();
-        let mut left: Vec<_> =
-            std::fs::read_dir(tree.root()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        let mut left: Vec<_> = std::fs::read_dir(tree.root())
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name())
+            .collect();
         left.sort();
-        let expected = [".a.4000000-2.tmp", ".a.4000000-x.bak", ".a.young-1.tmp", ".b.4000000-1.tmp", "a"];
+        let expected = [
+            ".a.4000000-2.tmp",
+            ".a.4000000-x.bak",
+            ".a.young-1.tmp",
+            ".b.4000000-1.tmp",
+            "a",
+        ];
         assert_eq!(left, expected);
     }
 
@@ -297,11 +355,15 @@ mod tests {
         use std::os::unix::fs::PermissionsExt;
         let tree = Tree::new();
         tree.write("real", "old");
-        std::fs::set_permissions(tree.path("real"), std::fs::Permissions::from_mode(0o640)).unwrap();
+        std::fs::set_permissions(tree.path("real"), std::fs::Permissions::from_mode(0o640))
+            .unwrap();
         std::os::unix::fs::symlink("real", tree.path("link")).unwrap();
         write_atomically(&tree.path("link"), b"new").unwrap();
         assert_eq!(std::fs::read(tree.path("real")).unwrap(), b"new");
         assert!(tree.path("link").symlink_metadata().unwrap().is_symlink());
-        assert_eq!(tree.path("real").metadata().unwrap().permissions().mode() & 0o777, 0o640);
+        assert_eq!(
+            tree.path("real").metadata().unwrap().permissions().mode() & 0o777,
+            0o640
+        );
     }
 }

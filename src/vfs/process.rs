@@ -8,7 +8,9 @@ pub fn is_process_alive(process: u32) -> bool {
     if !cfg!(target_os = "linux") {
         return true;
     }
-    let Ok(stat) = std::fs::read_to_string(format!("/proc/{process}/stat")) else { return false };
+    let Ok(stat) = std::fs::read_to_string(format!("/proc/{process}/stat")) else {
+        return false;
+    };
     // `1234 (name) S ...`; a name may hold brackets
     let state = stat.rsplit(')').next().unwrap_or("").trim_start();
     !state.starts_with(['Z', 'X'])
@@ -24,7 +26,9 @@ pub fn first_stack() -> Option<usize> {
 
 /// The soft limit in a text like `/proc/self/limits`.
 fn stack_limit(limits: &str) -> Option<usize> {
-    let line = limits.lines().find_map(|line| line.strip_prefix("Max stack size"))?;
+    let line = limits
+        .lines()
+        .find_map(|line| line.strip_prefix("Max stack size"))?;
     match line.split_whitespace().next()? {
         "unlimited" => Some(usize::MAX),
         bytes => bytes.parse().ok(),
@@ -58,12 +62,21 @@ mod tests {
     #[test]
     fn limits_of_the_stack() {
         let limits = |soft: &str| {
-            format!("Limit    Soft Limit  Hard Limit  Units\nMax stack size   {soft}   unlimited  bytes\n")
+            format!(
+                "Limit    Soft Limit  Hard Limit  Units\nMax stack size   {soft}   unlimited  bytes\n"
+            )
         };
-        for (soft, expected) in [("8388608", Some(8 << 20)), ("unlimited", Some(usize::MAX)), ("?", None)] {
+        for (soft, expected) in [
+            ("8388608", Some(8 << 20)),
+            ("unlimited", Some(usize::MAX)),
+            ("?", None),
+        ] {
             assert_eq!(stack_limit(&limits(soft)), expected);
         }
-        assert_eq!(stack_limit("Max cpu time   unlimited   unlimited   seconds"), None);
+        assert_eq!(
+            stack_limit("Max cpu time   unlimited   unlimited   seconds"),
+            None
+        );
         assert_eq!(first_stack().is_some(), cfg!(target_os = "linux"));
     }
 }

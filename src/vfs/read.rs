@@ -23,7 +23,10 @@ pub(super) struct Identity {
 impl Identity {
     /// That of a folder in memory, by a hash of its path.
     pub(super) fn of_name(hash: u64) -> Self {
-        Self { device: 0, inode: hash }
+        Self {
+            device: 0,
+            inode: hash,
+        }
     }
 
     /// Both in one.
@@ -96,8 +99,17 @@ pub(super) fn stat(path: &Path) -> Result<Stat, LoadError> {
     let (identity, changed) = node(path, &found);
     let number = identity.map_or(0, Identity::number);
     let size = found.len();
-    let stamp = Stamp::Disk { modified: found.modified().ok(), size, node: (number, changed.0, changed.1) };
-    Ok(Stat { kind: kind(&found), size, stamp, identity })
+    let stamp = Stamp::Disk {
+        modified: found.modified().ok(),
+        size,
+        node: (number, changed.0, changed.1),
+    };
+    Ok(Stat {
+        kind: kind(&found),
+        size,
+        stamp,
+        identity,
+    })
 }
 
 fn kind(found: &Metadata) -> Kind {
@@ -111,7 +123,10 @@ fn kind(found: &Metadata) -> Kind {
 #[cfg(unix)]
 fn node(_: &Path, found: &Metadata) -> (Option<Identity>, (i64, i64)) {
     use std::os::unix::fs::MetadataExt;
-    let identity = Identity { device: found.dev(), inode: found.ino() };
+    let identity = Identity {
+        device: found.dev(),
+        inode: found.ino(),
+    };
     (Some(identity), (found.ctime(), found.ctime_nsec()))
 }
 
@@ -119,9 +134,13 @@ fn node(_: &Path, found: &Metadata) -> (Option<Identity>, (i64, i64)) {
 #[cfg(windows)]
 fn node(path: &Path, _: &Metadata) -> (Option<Identity>, (i64, i64)) {
     let handle = winapi_util::Handle::from_path_any(path);
-    let found = handle.and_then(|handle| winapi_util::file::information(&handle)).ok();
-    let identity =
-        found.map(|found| Identity { device: found.volume_serial_number(), inode: found.file_index() });
+    let found = handle
+        .and_then(|handle| winapi_util::file::information(&handle))
+        .ok();
+    let identity = found.map(|found| Identity {
+        device: found.volume_serial_number(),
+        inode: found.file_index(),
+    });
     (identity, (0, 0))
 }
 
@@ -136,7 +155,10 @@ pub(super) fn entries(path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
     entries.filter_map(|entry| {
         let kind = entry.file_type().ok()?;
         let is_dir = kind.is_dir() || kind.is_symlink() && entry.path().is_dir();
-        Some(DirEntry { name: entry.file_name().into_string().ok()?, is_dir })
+        Some(DirEntry {
+            name: entry.file_name().into_string().ok()?,
+            is_dir,
+        })
     })
 }
 
@@ -154,7 +176,9 @@ pub(super) fn bytes(path: &Path, known: &Stat, limit: u64) -> Result<Vec<u8>, Lo
     may_be_read(kind(&found), found.len(), path, limit)?;
     // Files of /proc and files that grow say a smaller size than they have.
     let mut bytes = Vec::with_capacity(usize::try_from(found.len()).unwrap_or(0));
-    file.take(limit.saturating_add(1)).read_to_end(&mut bytes).map_err(io)?;
+    file.take(limit.saturating_add(1))
+        .read_to_end(&mut bytes)
+        .map_err(io)?;
     if bytes.len() as u64 > limit {
         return Err(LoadError::new(LoadErrorKind::TooLarge { limit }, path));
     }
@@ -179,7 +203,10 @@ pub(super) fn open(path: &Path) -> std::io::Result<File> {
     use std::os::unix::fs::OpenOptionsExt;
     /// `O_NONBLOCK` of Linux.
     const NON_BLOCKING: i32 = 0o4000;
-    std::fs::OpenOptions::new().read(true).custom_flags(NON_BLOCKING).open(path)
+    std::fs::OpenOptions::new()
+        .read(true)
+        .custom_flags(NON_BLOCKING)
+        .open(path)
 }
 
 #[cfg(not(target_os = "linux"))]

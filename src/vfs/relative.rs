@@ -56,19 +56,31 @@ mod tests {
 
     #[test]
     fn parents() {
-        for (path, expected) in
-            [("/a/../b", "/b"), ("/a/b/../../../c", "/c"), ("/a/./b//c/..", "/a/b"), ("/..", "/")]
-        {
-            assert_eq!(without_parents(Path::new(path)), Path::new(expected), "{path}");
+        for (path, expected) in [
+            ("/a/../b", "/b"),
+            ("/a/b/../../../c", "/c"),
+            ("/a/./b//c/..", "/a/b"),
+            ("/..", "/"),
+        ] {
+            assert_eq!(
+                without_parents(Path::new(path)),
+                Path::new(expected),
+                "{path}"
+            );
         }
     }
 
     #[test]
     fn relative_paths() {
-        for (path, folder, expected) in
-            [("/a/b/c.x", "/a/b", "c.x"), ("/a/b/c.x", "/a/d/e", "../../b/c.x"), ("/a/c.x", "/a/d", "../c.x")]
-        {
-            assert_eq!(slashed(&relative(Path::new(folder), Path::new(path))), expected);
+        for (path, folder, expected) in [
+            ("/a/b/c.x", "/a/b", "c.x"),
+            ("/a/b/c.x", "/a/d/e", "../../b/c.x"),
+            ("/a/c.x", "/a/d", "../c.x"),
+        ] {
+            assert_eq!(
+                slashed(&relative(Path::new(folder), Path::new(path))),
+                expected
+            );
         }
     }
 }

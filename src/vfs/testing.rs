@@ -57,8 +57,13 @@ impl Tree {
     /// An environment with the root as working directory; `{root}` in values stands for it.
     pub fn environment(&self, vars: &[(&str, &str)]) -> Environment {
         let root = self.root.to_str().unwrap();
-        let vars = vars.iter().map(|(name, value)| ((*name).to_owned(), value.replace("{root}", root)));
-        Environment { vars: vars.collect(), cwd: self.root.clone() }
+        let vars = vars
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), value.replace("{root}", root)));
+        Environment {
+            vars: vars.collect(),
+            cwd: self.root.clone(),
+        }
     }
 }
 

@@ -21,7 +21,12 @@ fn text_is_read_once_and_again_after_a_change() {
     tree.write("a.yaml", "a: 1");
     let path = tree.path("a.yaml");
     let old = std::time::SystemTime::now() - std::time::Duration::from_secs(60);
-    std::fs::File::options().write(true).open(&path).unwrap().set_modified(old).unwrap();
+    std::fs::File::options()
+        .write(true)
+        .open(&path)
+        .unwrap()
+        .set_modified(old)
+        .unwrap();
     let first = tree.vfs().text(&path).unwrap();
     assert!(Arc::ptr_eq(&first, &tree.vfs().text(&path).unwrap()));
     tree.write("a.yaml", "a: 2");
@@ -67,7 +72,11 @@ fn ways_back_are_left_out_where_the_system_goes_them_too() {
         ("gone/../d.x", "gone/../d.x"),
         ("a/b/c.x/../d.x", "a/b/c.x/../d.x"),
     ] {
-        assert_eq!(vfs.absolute(&tree.path(path)), tree.path(expected), "{path}");
+        assert_eq!(
+            vfs.absolute(&tree.path(path)),
+            tree.path(expected),
+            "{path}"
+        );
     }
 }
 
@@ -77,11 +86,19 @@ fn buffers_are_found_through_links_and_parents() {
     let tree = Tree::new();
     tree.write("src/a.x", "disk");
     std::os::unix::fs::symlink(tree.path("src"), tree.path("installed")).unwrap();
-    tree.vfs().set_buffer(&tree.path("src/a.x"), Some("buffer".to_owned()));
+    tree.vfs()
+        .set_buffer(&tree.path("src/a.x"), Some("buffer".to_owned()));
     for alias in ["installed/a.x", "src/../src/a.x"] {
-        assert_eq!(tree.vfs().text(&tree.path(alias)).unwrap().text, "buffer", "{alias}");
+        assert_eq!(
+            tree.vfs().text(&tree.path(alias)).unwrap().text,
+            "buffer",
+            "{alias}"
+        );
     }
-    assert_eq!(tree.vfs().identity(&tree.path("installed")), tree.vfs().identity(&tree.path("src")));
+    assert_eq!(
+        tree.vfs().identity(&tree.path("installed")),
+        tree.vfs().identity(&tree.path("src"))
+    );
 }
 
 #[test]
@@ -92,23 +109,35 @@ fn load_errors() {
     let error = |name: &str| tree.vfs().text(&tree.path(name)).unwrap_err();
     let missing = error("gone.x");
     assert_eq!((missing.kind, missing.errno), (LoadErrorKind::NotFound, 2));
-    let text = format!("[Errno 2] No such file or directory: '{}'", tree.path("gone.x").display());
+    let text = format!(
+        "[Errno 2] No such file or directory: '{}'",
+        tree.path("gone.x").display()
+    );
     assert_eq!(missing.to_string(), text);
     let folder = error("folder");
     assert_eq!(
         (folder.kind, folder.errno, folder.strerror.as_str()),
         (LoadErrorKind::IsDirectory, 21, "Is a directory")
     );
-    assert_eq!(error("large").kind, LoadErrorKind::TooLarge { limit: 1 << 20 });
+    assert_eq!(
+        error("large").kind,
+        LoadErrorKind::TooLarge { limit: 1 << 20 }
+    );
     if cfg!(target_os = "linux") {
         let through_file = error("folder/file/x");
-        assert_eq!((through_file.errno, through_file.strerror.as_str()), (20, "Not a directory"));
+        assert_eq!(
+            (through_file.errno, through_file.strerror.as_str()),
+            (20, "Not a directory")
+        );
         let device = tree.vfs().text(Path::new("/dev/zero")).unwrap_err();
         assert_eq!(device.kind, LoadErrorKind::NotRegular);
         let long = "n".repeat(300);
         assert_eq!(error(&long).strerror, "File name too long");
     }
-    assert_eq!(tree.vfs().text(Path::new("a\0b")).unwrap_err().kind, LoadErrorKind::Other);
+    assert_eq!(
+        tree.vfs().text(Path::new("a\0b")).unwrap_err().kind,
+        LoadErrorKind::Other
+    );
 }
 
 #[test]
@@ -116,8 +145,12 @@ fn folders_are_listed_sorted() {
     let tree = Tree::new();
     tree.write("b", "");
     tree.write("a/x", "");
-    let names: Vec<(String, bool)> =
-        tree.vfs().list_dir(tree.root()).iter().map(|entry| (entry.name.clone(), entry.is_dir)).collect();
+    let names: Vec<(String, bool)> = tree
+        .vfs()
+        .list_dir(tree.root())
+        .iter()
+        .map(|entry| (entry.name.clone(), entry.is_dir))
+        .collect();
     assert_eq!(names, [("a".to_owned(), true), ("b".to_owned(), false)]);
     assert!(tree.vfs().list_dir(&tree.path("none")).is_empty());
 }
@@ -134,7 +167,13 @@ fn documents_are_parsed_once() {
     let second = tree.vfs().document(&path).unwrap();
     assert!(second.document.text().contains("'b'"));
     assert_ne!(first.hash, second.hash);
-    assert_eq!(tree.vfs().document(&tree.path("gone")).err().map(|error| error.errno), Some(2));
+    assert_eq!(
+        tree.vfs()
+            .document(&tree.path("gone"))
+            .err()
+            .map(|error| error.errno),
+        Some(2)
+    );
 }
 
 #[test]
@@ -144,13 +183,30 @@ fn yaml_is_loaded_once() {
     let load = |name: &str| tree.vfs().yaml(&tree.path("a.yaml"), name).unwrap();
     let broken = load("./a.yaml");
     assert!(Arc::ptr_eq(&broken, &load("./a.yaml")));
-    assert!(broken.value.as_ref().unwrap_err().message.contains("in \"./a.yaml\", line 1"));
-    assert!(load("x/a.yaml").value.as_ref().unwrap_err().message.contains("in \"x/a.yaml\""));
+    assert!(
+        broken
+            .value
+            .as_ref()
+            .unwrap_err()
+            .message
+            .contains("in \"./a.yaml\", line 1")
+    );
+    assert!(
+        load("x/a.yaml")
+            .value
+            .as_ref()
+            .unwrap_err()
+            .message
+            .contains("in \"x/a.yaml\"")
+    );
     tree.write("a.yaml", "a: [1]");
     assert!(load("./a.yaml").value.is_ok());
     std::fs::write(tree.path("a.yaml"), b"a: \xff").unwrap();
     let message = "'utf-8' codec can't decode byte 0xff in position 3: invalid start byte";
-    assert_eq!(load("./a.yaml").value.as_ref().unwrap_err().message, message);
+    assert_eq!(
+        load("./a.yaml").value.as_ref().unwrap_err().message,
+        message
+    );
 }
 
 #[test]
@@ -168,7 +224,10 @@ fn edits_of_buffers() {
         vfs.edit_buffer(&path, TextRange::new(4, 4), "x");
         assert_eq!(vfs.text(&path).unwrap().text, "<a><xcé/></a>");
         vfs.set_buffer(&path, Some("<a><xcè/></a>".to_owned()));
-        assert_eq!(vfs.document(&path).unwrap().document.text(), "<a><xcè/></a>");
+        assert_eq!(
+            vfs.document(&path).unwrap().document.text(),
+            "<a><xcè/></a>"
+        );
         assert_eq!(vfs.text(&path).unwrap().text, "<a><xcè/></a>");
     }
 }
@@ -197,7 +256,10 @@ fn threads_read_and_edit() {
                     assert!(vfs.document(&tree.path("a.xacro")).is_ok());
                     assert!(vfs.text(&tree.path("a.xacro")).is_ok());
                     if round % 3 == thread {
-                        vfs.set_buffer(&tree.path("a.xacro"), (round % 2 == 0).then(|| "<b/>".to_owned()));
+                        vfs.set_buffer(
+                            &tree.path("a.xacro"),
+                            (round % 2 == 0).then(|| "<b/>".to_owned()),
+                        );
                     }
                 }
             });
@@ -212,12 +274,19 @@ fn files_are_rewritten_only_as_they_were_read() {
     tree.write("a.urdf", "\u{FEFF}<robot/>\r\n");
     let path = tree.path("a.urdf");
     vfs.set_buffer(&path, Some("<other/>".to_owned()));
-    vfs.rewrite(&path, "<robot/>\r\n", "<robot name='é'/>\r\n").unwrap();
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), "\u{FEFF}<robot name='é'/>\r\n");
+    vfs.rewrite(&path, "<robot/>\r\n", "<robot name='é'/>\r\n")
+        .unwrap();
+    assert_eq!(
+        std::fs::read_to_string(&path).unwrap(),
+        "\u{FEFF}<robot name='é'/>\r\n"
+    );
     assert_eq!(vfs.text(&path).unwrap().text, "<other/>");
     let error = |before: &str| vfs.rewrite(&path, before, "").unwrap_err().to_string();
     assert_eq!(error("<robot/>\r\n"), "it was changed by another program");
     std::fs::write(&path, b"<?xml encoding='latin-1'?><r n='\xe9'/>").unwrap();
-    assert_eq!(error("<?xml encoding='latin-1'?><r n='é'/>"), "it is not UTF-8");
+    assert_eq!(
+        error("<?xml encoding='latin-1'?><r n='é'/>"),
+        "it is not UTF-8"
+    );
     assert!(vfs.rewrite(&tree.path("none"), "", "").is_err());
 }

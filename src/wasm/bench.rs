@@ -37,11 +37,24 @@ pub struct Bench {
 impl Default for Bench {
     fn default() -> Self {
         let cwd = PathBuf::from(FOLDER);
-        let env = Environment { vars: BTreeMap::new(), cwd: cwd.clone() };
-        let vfs = Arc::new(Vfs::in_memory(Config::default().limits.file_bytes(), cwd.clone()));
+        let env = Environment {
+            vars: BTreeMap::new(),
+            cwd: cwd.clone(),
+        };
+        let vfs = Arc::new(Vfs::in_memory(
+            Config::default().limits.file_bytes(),
+            cwd.clone(),
+        ));
         let world = World::over(vfs.clone(), env.clone(), vec![cwd]);
         let (views, changed) = (Views::default(), BTreeSet::new());
-        Self { env, vfs, world, changed, views, shown: None }
+        Self {
+            env,
+            vfs,
+            world,
+            changed,
+            views,
+            shown: None,
+        }
     }
 }
 
@@ -66,8 +79,14 @@ impl Bench {
             Call::Robots => self.robots(),
             Call::Files => json!(self.files()),
             Call::Model(robot) => self.model(robot),
-            Call::Select { link, joint, location } => {
-                let Some((id, _)) = self.shown else { return Ok("null".to_owned()) };
+            Call::Select {
+                link,
+                joint,
+                location,
+            } => {
+                let Some((id, _)) = self.shown else {
+                    return Ok("null".to_owned());
+                };
                 json!(match location {
                     Some(place) if link.is_none() && joint.is_none() =>
                         self.views.made_by(id, &place, &names()),
@@ -100,22 +119,47 @@ impl Bench {
             let path = shown_path(&unreadable.path, &self.env.cwd);
             return Err(format!("{path}: {}", unreadable.error.reason()));
         }
-        let report = if call.no_group { report } else { report.grouped() };
+        let report = if call.no_group {
+            report
+        } else {
+            report.grouped()
+        };
         Ok(report.to_json(&self.env.cwd))
     }
 
     fn fix(&self, call: &CheckCall) -> Result<Value, String> {
         let (session, options) = self.session(call)?;
-        let most = if call.unsafe_fixes { Safety::Unsafe } else { Safety::Safe };
-        let fixed = session.fix(&options, FixOptions { most, shown: Severity::Warning });
-        let files = fixed.files.iter().map(|file| (shown_path(&file.path, &self.env.cwd), json!(file.after)));
+        let most = if call.unsafe_fixes {
+            Safety::Unsafe
+        } else {
+            Safety::Safe
+        };
+        let fixed = session.fix(
+            &options,
+            FixOptions {
+                most,
+                shown: Severity::Warning,
+            },
+        );
+        let files = fixed
+            .files
+            .iter()
+            .map(|file| (shown_path(&file.path, &self.env.cwd), json!(file.after)));
         Ok(json!({ "count": fixed.count, "files": files.collect::<Map<_, _>>() }))
     }
 
     fn expand(&self, robot: &Robot) -> Result<Value, String> {
         let config = Config::for_file(&self.vfs, &self.env.cwd.join(&robot.file)).config;
-        let explicit = robot.package_path.iter().map(|folder| self.env.cwd.join(folder)).collect();
-        let found = PackageOptions { explicit, environment_first: true, ..PackageOptions::default() };
+        let explicit = robot
+            .package_path
+            .iter()
+            .map(|folder| self.env.cwd.join(folder))
+            .collect();
+        let found = PackageOptions {
+            explicit,
+            environment_first: true,
+            ..PackageOptions::default()
+        };
         let packages = Packages::new(self.vfs.clone(), &self.env, found);
         let request = Request {
             file: robot.file.clone(),
@@ -124,17 +168,27 @@ impl Bench {
             keep: true,
             ..Request::default()
         };
-        let world = expand::World { vfs: &self.vfs, packages: &packages, env: &self.env };
+        let world = expand::World {
+            vfs: &self.vfs,
+            packages: &packages,
+            env: &self.env,
+        };
         let expansion = expand::expand(world, &request);
         if let Some(error) = &expansion.root_error {
             return Err(format!("{}: {}", robot.file, error.reason()));
         }
         let name = |path: &Path| shown_path(path, &self.env.cwd);
-        let files: Vec<String> = expansion.files.iter().map(|file| name(&file.source.path)).collect();
+        let files: Vec<String> = expansion
+            .files
+            .iter()
+            .map(|file| name(&file.source.path))
+            .collect();
         let arguments = expansion.arguments.iter();
         let mapped = (!expansion.has_errors()).then(|| {
             let written = expand::write_mapped(&expansion.tree, &robot.file);
-            let map = ide::source_map(&expansion, &written, Encoding::Utf16, |file| name(&file.source.path));
+            let map = ide::source_map(&expansion, &written, Encoding::Utf16, |file| {
+                name(&file.source.path)
+            });
             (written.text, map)
         });
         let (text, map) = mapped.unzip();
@@ -149,7 +203,10 @@ impl Bench {
 
     fn files(&self) -> Vec<String> {
         let files = self.vfs.files_in_memory(&self.env.cwd).unwrap_or_default();
-        files.iter().map(|path| shown_path(path, &self.env.cwd)).collect()
+        files
+            .iter()
+            .map(|path| shown_path(path, &self.env.cwd))
+            .collect()
     }
 
     /// Have the world see what changed.
@@ -163,8 +220,16 @@ impl Bench {
 
     fn robots(&mut self) -> Value {
         self.catch_up();
-        let robots: BTreeSet<PathBuf> = self.world.robots().into_iter().map(|root| root.file).collect();
-        robots.iter().map(|file| Value::from(shown_path(file, &self.env.cwd))).collect()
+        let robots: BTreeSet<PathBuf> = self
+            .world
+            .robots()
+            .into_iter()
+            .map(|root| root.file)
+            .collect();
+        robots
+            .iter()
+            .map(|file| Value::from(shown_path(file, &self.env.cwd)))
+            .collect()
     }
 
     fn model(&mut self, robot: Robot) -> Value {
@@ -173,7 +238,11 @@ impl Bench {
             Some((id, shown)) if *shown == robot => *id,
             shown => {
                 let args = robot.args.clone().into_iter().collect();
-                let root = RootChoice { file: self.vfs.absolute(Path::new(&robot.file)), args, preset: None };
+                let root = RootChoice {
+                    file: self.vfs.absolute(Path::new(&robot.file)),
+                    args,
+                    preset: None,
+                };
                 let id = match shown {
                     Some((id, _)) if self.views.show(*id, root.clone(), None) => *id,
                     _ => self.views.open(root),
@@ -183,7 +252,9 @@ impl Bench {
             }
         };
         let wanted = |one: u32| one == id;
-        let (messages, _) = self.views.update(&mut self.world, &names(), &wanted, &CancelFlag::default());
+        let (messages, _) =
+            self.views
+                .update(&mut self.world, &names(), &wanted, &CancelFlag::default());
         json!(messages.into_iter().next())
     }
 }
@@ -205,7 +276,12 @@ fn problems(expansion: &Expansion, files: &[String]) -> Vec<Value> {
         Some(json!({ "row": at.line + 1, "column": at.col + 1 }))
     };
     let problem = |problem: &Problem| {
-        let Problem { place, message, help, .. } = problem;
+        let Problem {
+            place,
+            message,
+            help,
+            ..
+        } = problem;
         json!({
             "severity": if problem.severity == Weight::Error { "error" } else { "warning" },
             "message": message,

@@ -104,7 +104,9 @@ impl CheckCall {
     pub(super) fn options(&self) -> Result<CheckOptions, String> {
         let selectors = [&self.select, &self.extend_select, &self.ignore];
         let mut names = selectors.into_iter().flatten().flatten();
-        if let Some(unknown) = names.find(|name| *name != "ALL" && rules::find(name).next().is_none()) {
+        if let Some(unknown) =
+            names.find(|name| *name != "ALL" && rules::find(name).next().is_none())
+        {
             return Err(rules::unknown_selector(unknown));
         }
         let paths = if self.paths.is_empty() && self.entry.is_empty() {
@@ -123,7 +125,13 @@ impl CheckCall {
     /// The session for it.
     pub(super) fn setup(&self, options: &CheckOptions, cwd: &std::path::Path) -> Setup {
         Setup {
-            about: options.paths.iter().chain(&options.entries).next().cloned().unwrap_or_default(),
+            about: options
+                .paths
+                .iter()
+                .chain(&options.entries)
+                .next()
+                .cloned()
+                .unwrap_or_default(),
             folders: options.paths.iter().map(|path| cwd.join(path)).collect(),
             package_path: self.package_path.clone(),
             overrides: Overrides {

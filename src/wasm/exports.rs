@@ -67,7 +67,9 @@ extern "C" fn put(path: usize) {
     with(|state| {
         let mut name = std::mem::take(&mut state.input);
         let content = name.split_off(path.min(name.len()));
-        state.bench.put(&String::from_utf8_lossy(&name), Some(content));
+        state
+            .bench
+            .put(&String::from_utf8_lossy(&name), Some(content));
     });
 }
 

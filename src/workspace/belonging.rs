@@ -20,17 +20,32 @@ impl Packages {
     /// above), or below the working directory. The home folder and what is above it are near to nothing, unless a root
     /// file itself lies there.
     pub fn around<'r>(&self, roots: impl IntoIterator<Item = &'r Path>) -> Vicinity<'_> {
-        let home = self.env.home().map(|home| self.vfs.canonical(Path::new(home)));
+        let home = self
+            .env
+            .home()
+            .map(|home| self.vfs.canonical(Path::new(home)));
         let has_all = |folder: &Path| folder.parent().is_none();
-        let is_wide =
-            |folder: &Path| has_all(folder) || home.as_ref().is_some_and(|home| home.starts_with(folder));
+        let is_wide = |folder: &Path| {
+            has_all(folder) || home.as_ref().is_some_and(|home| home.starts_with(folder))
+        };
         let cwd = self.vfs.canonical(&self.env.cwd);
         let mut folders: FastSet<PathBuf> = [cwd].into_iter().filter(|cwd| !is_wide(cwd)).collect();
-        for own in roots.into_iter().filter_map(Path::parent).map(|folder| self.vfs.canonical(folder)) {
-            folders.extend(own.parent().filter(|above| !is_wide(above)).map(Path::to_owned));
+        for own in roots
+            .into_iter()
+            .filter_map(Path::parent)
+            .map(|folder| self.vfs.canonical(folder))
+        {
+            folders.extend(
+                own.parent()
+                    .filter(|above| !is_wide(above))
+                    .map(Path::to_owned),
+            );
             folders.extend(Some(own).filter(|own| !has_all(own)));
         }
-        Vicinity { packages: self, folders }
+        Vicinity {
+            packages: self,
+            folders,
+        }
     }
 }
 
@@ -45,7 +60,10 @@ impl Vicinity<'_> {
             _ => vfs.canonical(file),
         };
         self.packages.containing(&file).is_some()
-            || file.ancestors().skip(1).any(|folder| self.folders.contains(folder))
+            || file
+                .ancestors()
+                .skip(1)
+                .any(|folder| self.folders.contains(folder))
     }
 }
 
@@ -57,9 +75,17 @@ mod tests {
     #[test]
     fn what_belongs() {
         let tree = Tree::new();
-        tree.write("home/ws/src/arm/package.xml", "<package><name>arm</name></package>");
-        for file in ["home/key", "home/loose/r.urdf", "home/ws/token", "home/ws/src/arm/c.yaml", "etc/passwd"]
-        {
+        tree.write(
+            "home/ws/src/arm/package.xml",
+            "<package><name>arm</name></package>",
+        );
+        for file in [
+            "home/key",
+            "home/loose/r.urdf",
+            "home/ws/token",
+            "home/ws/src/arm/c.yaml",
+            "etc/passwd",
+        ] {
             tree.write(file, "secret");
         }
         let packages = |cwd: &str| {
@@ -72,14 +98,29 @@ mod tests {
             ("home/ws/src/arm/c.yaml", "home/loose/r.urdf", "etc", true),
             ("home/loose/c.yaml", "home/loose/r.urdf", "etc", true),
             ("home/loose/c.yaml", "home/loose/urdf/r.urdf", "etc", true),
-            ("home/loose/c.yaml", "home/loose/a/urdf/r.urdf", "etc", false),
-            ("home/loose/c.yaml", "home/ws/src/arm/r.urdf", "home/loose", true),
+            (
+                "home/loose/c.yaml",
+                "home/loose/a/urdf/r.urdf",
+                "etc",
+                false,
+            ),
+            (
+                "home/loose/c.yaml",
+                "home/ws/src/arm/r.urdf",
+                "home/loose",
+                true,
+            ),
             ("home/key", "home/loose/r.urdf", "home/loose", false),
             ("home/key", "home/loose/r.urdf", "home", false),
             ("home/key", "home/r.urdf", "etc", true),
             ("home/ws/token", "home/ws/src/arm/r.urdf", "etc", false),
             ("etc/passwd", "home/loose/r.urdf", "home/ws", false),
-            ("home/loose/../../etc/passwd", "home/loose/r.urdf", "home/ws", false),
+            (
+                "home/loose/../../etc/passwd",
+                "home/loose/r.urdf",
+                "home/ws",
+                false,
+            ),
         ];
         for (file, root, cwd, expected) in table {
             let packages = packages(cwd);
@@ -95,15 +136,26 @@ mod tests {
         tree.write("arm/package.xml", "<package><name>arm</name></package>");
         tree.write("arm/config/c.yaml", "{}");
         tree.write("elsewhere/key", "secret");
-        std::os::unix::fs::symlink(tree.path("elsewhere/key"), tree.path("arm/config/key.yaml")).unwrap();
+        std::os::unix::fs::symlink(tree.path("elsewhere/key"), tree.path("arm/config/key.yaml"))
+            .unwrap();
         std::fs::create_dir_all(tree.path("install/far")).unwrap();
-        std::os::unix::fs::symlink(tree.path("arm/config/c.yaml"), tree.path("install/far/c.yaml")).unwrap();
+        std::os::unix::fs::symlink(
+            tree.path("arm/config/c.yaml"),
+            tree.path("install/far/c.yaml"),
+        )
+        .unwrap();
         let mut env = tree.environment(&[]);
         env.cwd = tree.path("arm");
         let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
         let root = tree.path("arm/urdf/r.urdf");
         let around = packages.around([&*root]);
         let belongs = |file: &str| around.hold(&tree.path(file));
-        assert_eq!((belongs("arm/config/key.yaml"), belongs("install/far/c.yaml")), (false, true));
+        assert_eq!(
+            (
+                belongs("arm/config/key.yaml"),
+                belongs("install/far/c.yaml")
+            ),
+            (false, true)
+        );
     }
 }

@@ -20,20 +20,33 @@ impl Packages {
         if let Some(distribution) = self.env.var("ROS_DISTRO").filter(|name| !name.is_empty()) {
             return BEFORE_JAZZY.contains(&distribution);
         }
-        let Some(package) = self.containing(file) else { return false };
+        let Some(package) = self.containing(file) else {
+            return false;
+        };
         let of_package = self.names_distributions(&package.folder);
         let of_repository = || self.names_distributions(&self.sources_around(file)?);
-        of_package.or_else(of_repository).is_some_and(|is_new| !is_new)
+        of_package
+            .or_else(of_repository)
+            .is_some_and(|is_new| !is_new)
     }
 
     /// Whether the pages below a folder name a distribution since Jazzy; none when they name no distribution.
     fn names_distributions(&self, top: &Path) -> Option<bool> {
         let (mut is_old, mut is_new) = (false, false);
-        for path in FOLDERS.iter().flat_map(|folder| self.pages_in(&top.join(folder))) {
-            let Ok(file) = self.vfs.text(&path) else { continue };
+        for path in FOLDERS
+            .iter()
+            .flat_map(|folder| self.pages_in(&top.join(folder)))
+        {
+            let Ok(file) = self.vfs.text(&path) else {
+                continue;
+            };
             for word in file.text.split(|c: char| !c.is_ascii_alphanumeric()) {
-                is_old |= BEFORE_JAZZY.iter().any(|name| word.eq_ignore_ascii_case(name));
-                is_new |= SINCE_JAZZY.iter().any(|name| word.eq_ignore_ascii_case(name));
+                is_old |= BEFORE_JAZZY
+                    .iter()
+                    .any(|name| word.eq_ignore_ascii_case(name));
+                is_new |= SINCE_JAZZY
+                    .iter()
+                    .any(|name| word.eq_ignore_ascii_case(name));
             }
         }
         (is_old || is_new).then_some(is_new)
@@ -47,9 +60,13 @@ impl Packages {
             name == MANIFEST || name.starts_with("Dockerfile") || ENDINGS.contains(&ending)
         };
         let entries = self.vfs.list_dir(folder);
-        let files = entries.iter().filter(|entry| !entry.is_dir && tells(&entry.name));
+        let files = entries
+            .iter()
+            .filter(|entry| !entry.is_dir && tells(&entry.name));
         let paths = files.map(|entry| folder.join(&entry.name));
-        paths.filter(|path| self.vfs.size(path).is_some_and(|size| size <= CALLER_BYTES)).collect()
+        paths
+            .filter(|path| self.vfs.size(path).is_some_and(|size| size <= CALLER_BYTES))
+            .collect()
     }
 }
 
@@ -65,15 +82,30 @@ mod tests {
             tree.write("ws/arm/package.xml", "<package><name>arm</name></package>");
             tree.write("ws/.git/HEAD", "");
             tree.write(name, text);
-            let packages =
-                Packages::new(tree.vfs().clone(), &tree.environment(vars), PackageOptions::default());
+            let packages = Packages::new(
+                tree.vfs().clone(),
+                &tree.environment(vars),
+                PackageOptions::default(),
+            );
             packages.is_before_jazzy(&tree.path("ws/arm/urdf/arm.xacro"))
         };
         assert!(is_old("ws/arm/README.md", "Install ros-humble-xacro.", &[]));
-        assert!(is_old("ws/.github/workflows/ci.yml", "distribution: [Foxy, Humble]", &[]));
-        assert!(!is_old("ws/arm/README.md", "Tested on Humble and Jazzy.", &[]));
+        assert!(is_old(
+            "ws/.github/workflows/ci.yml",
+            "distribution: [Foxy, Humble]",
+            &[]
+        ));
+        assert!(!is_old(
+            "ws/arm/README.md",
+            "Tested on Humble and Jazzy.",
+            &[]
+        ));
         assert!(!is_old("ws/arm/README.md", "A humbler arm.", &[]));
-        assert!(!is_old("ws/arm/README.md", "For Humble.", &[("ROS_DISTRO", "jazzy")]));
+        assert!(!is_old(
+            "ws/arm/README.md",
+            "For Humble.",
+            &[("ROS_DISTRO", "jazzy")]
+        ));
         assert!(is_old("ws/arm/README.md", "", &[("ROS_DISTRO", "humble")]));
     }
 }

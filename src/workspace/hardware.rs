@@ -30,18 +30,23 @@ impl Packages {
     /// interfaces without reading which ones the description lists.
     pub fn exports_interfaces(&self, plugin: &str, from: &Path) -> bool {
         let class = plugin.rsplit(['/', ':']).next().unwrap_or(plugin);
-        self.hardware_around(from).is_some_and(|hardware| hardware.exporting.contains(class))
+        self.hardware_around(from)
+            .is_some_and(|hardware| hardware.exporting.contains(class))
     }
 
     /// Whether the sources around `from` have hardware of ROS 1 that registers joints: under names that it computes, as
     /// far as anybody knows.
     pub fn registers_joints(&self, from: &Path) -> bool {
-        self.hardware_around(from).is_some_and(|hardware| hardware.registers)
+        self.hardware_around(from)
+            .is_some_and(|hardware| hardware.registers)
     }
 
     fn hardware_around(&self, from: &Path) -> Option<Arc<Hardware>> {
         let top = self.sources_around(from)?;
-        Some(self.hardware.get(top.clone(), || Arc::new(search(&self.vfs, &top))))
+        Some(
+            self.hardware
+                .get(top.clone(), || Arc::new(search(&self.vfs, &top))),
+        )
     }
 }
 
@@ -50,14 +55,18 @@ fn search(vfs: &Vfs, top: &Path) -> Hardware {
     let mut open = vec![(top.to_owned(), 0)];
     let (mut files, mut found) = (0, Hardware::default());
     while let Some((folder, depth)) = open.pop() {
-        let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
+        let is_new = vfs
+            .identity(&folder)
+            .is_some_and(|identity| seen.insert(identity));
         if !is_new || seen.len() > CALLER_FOLDERS {
             continue;
         }
         for entry in vfs.list_dir(&folder).iter() {
             let path = folder.join(&entry.name);
             match entry.is_dir {
-                true if entry.name.starts_with('.') || is_built(&entry.name) || depth >= CALLER_DEPTH => {}
+                true if entry.name.starts_with('.')
+                    || is_built(&entry.name)
+                    || depth >= CALLER_DEPTH => {}
                 true => open.push((path, depth + 1)),
                 false if files < CALLER_FILES && is_source(&entry.name) => {
                     files += 1;
@@ -76,7 +85,9 @@ fn search(vfs: &Vfs, top: &Path) -> Hardware {
 }
 
 fn is_source(name: &str) -> bool {
-    [".cpp", ".cc", ".cxx", ".h", ".hpp"].iter().any(|ending| name.ends_with(ending))
+    [".cpp", ".cc", ".cxx", ".h", ".hpp"]
+        .iter()
+        .any(|ending| name.ends_with(ending))
 }
 
 /// The classes that a source file defines the exports of.
@@ -84,10 +95,15 @@ fn exporting(text: &str) -> Vec<String> {
     if LISTED.iter().any(|list| text.contains(list)) {
         return Vec::new();
     }
-    let ends = EXPORTS.iter().flat_map(|function| text.match_indices(function));
+    let ends = EXPORTS
+        .iter()
+        .flat_map(|function| text.match_indices(function));
     let class = |at: usize| {
         let before = text.get(..at).unwrap_or("");
-        before.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next().map(str::to_owned)
+        before
+            .rsplit(|c: char| !(c.is_alphanumeric() || c == '_'))
+            .next()
+            .map(str::to_owned)
     };
     ends.filter_map(|(at, _)| class(at)).collect()
 }
@@ -103,11 +119,24 @@ mod tests {
         tree.write("arm/package.xml", "<package><name>arm</name></package>");
         let export = "std::vector<StateInterface> arm::Arm::export_state_interfaces() {}";
         tree.write("arm/src/arm.cpp", export);
-        let listed = export.replace("Arm::", "Listed::").replace("{}", "{ joint.state_interfaces; }");
+        let listed = export
+            .replace("Arm::", "Listed::")
+            .replace("{}", "{ joint.state_interfaces; }");
         tree.write("arm/src/listed.cpp", &listed);
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
-        let exports = |plugin: &str| packages.exports_interfaces(plugin, &tree.path("arm/urdf/arm.urdf"));
-        let found = ["arm/Arm", "arm::Arm", "arm/Listed", "mock_components/GenericSystem"].map(exports);
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
+        let exports =
+            |plugin: &str| packages.exports_interfaces(plugin, &tree.path("arm/urdf/arm.urdf"));
+        let found = [
+            "arm/Arm",
+            "arm::Arm",
+            "arm/Listed",
+            "mock_components/GenericSystem",
+        ]
+        .map(exports);
         assert_eq!(found, [true, true, false, false]);
     }
 }

@@ -33,8 +33,13 @@ pub fn named_file(name: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Op
 /// The files that an include with a computed name may bring in, with whatever arguments. None when there are too many, or too many
 /// folders to look into: the name says too little then.
 pub fn admitted_files(name: &str, from: &Path, packages: &Packages, vfs: &Vfs) -> Vec<PathBuf> {
-    let pattern = name.contains('$').then(|| include_pattern(name, from, packages)).flatten();
-    let Some(pattern) = pattern.filter(|pattern| !pattern.start().1) else { return Vec::new() };
+    let pattern = name
+        .contains('$')
+        .then(|| include_pattern(name, from, packages))
+        .flatten();
+    let Some(pattern) = pattern.filter(|pattern| !pattern.start().1) else {
+        return Vec::new();
+    };
     let mut found = pattern.reached(vfs, MOST_FOLDERS);
     if found.len() > MOST_FILES {
         found.clear();
@@ -53,7 +58,9 @@ pub fn include_pattern(name: &str, from: &Path, packages: &Packages) -> Option<P
         let close = if after.starts_with("${") { '}' } else { ')' };
         let end = after.find(close)?;
         match after.get(2..end)?.trim().strip_prefix("find ") {
-            Some(package) => pattern.push_str(&vfs::slashed(&packages.find(package.trim(), from).ok()?.path)),
+            Some(package) => pattern.push_str(&vfs::slashed(
+                &packages.find(package.trim(), from).ok()?.path,
+            )),
             // a whole step of the path may be several
             None if (pattern.is_empty() || pattern.ends_with('/'))
                 && after.get(end + 1..)?.starts_with('/') =>
@@ -71,7 +78,10 @@ pub fn include_pattern(name: &str, from: &Path, packages: &Packages) -> Option<P
     says_something.then(|| {
         let root = HERE.root(&pattern);
         let pattern = tidy(pattern.get(root.len()..).unwrap_or(""), root);
-        Pattern::new(&installed(&pattern, folder, packages).unwrap_or(pattern), folder)
+        Pattern::new(
+            &installed(&pattern, folder, packages).unwrap_or(pattern),
+            folder,
+        )
     })
 }
 
@@ -82,10 +92,19 @@ pub fn included_files(pattern: &Pattern, vfs: &Vfs) -> Vec<PathBuf> {
         (path, true) if vfs.is_file(&path) => vec![path],
         (_, true) => Vec::new(),
         (start, false) => {
-            let folder = if vfs.is_dir(&start) { Some(start.as_path()) } else { start.parent() };
-            let Some(folder) = folder else { return Vec::new() };
+            let folder = if vfs.is_dir(&start) {
+                Some(start.as_path())
+            } else {
+                start.parent()
+            };
+            let Some(folder) = folder else {
+                return Vec::new();
+            };
             let files = vfs.list_dir(folder);
-            let paths = files.iter().filter(|entry| !entry.is_dir).map(|entry| folder.join(&entry.name));
+            let paths = files
+                .iter()
+                .filter(|entry| !entry.is_dir)
+                .map(|entry| folder.join(&entry.name));
             paths.filter(|path| pattern.matches(path)).collect()
         }
     }
@@ -93,7 +112,9 @@ pub fn included_files(pattern: &Pattern, vfs: &Vfs) -> Vec<PathBuf> {
 
 /// A pattern whose folders only the build makes, as a pattern of the source tree.
 fn installed(pattern: &str, folder: &Path, packages: &Packages) -> Option<String> {
-    let end = pattern.find('*').map_or(Some(pattern.len()), |star| pattern.get(..star)?.rfind('/'))?;
+    let end = pattern
+        .find('*')
+        .map_or(Some(pattern.len()), |star| pattern.get(..star)?.rfind('/'))?;
     let (start, rest) = pattern.split_at_checked(end)?;
     let start = folder.join(start);
     let present = packages.present(&start);
@@ -103,7 +124,10 @@ fn installed(pattern: &str, folder: &Path, packages: &Packages) -> Option<String
 /// What follows the root of a path, without `folder/..`, by its text alone.
 fn tidy(path: &str, root: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
-    for part in path.split('/').filter(|part| !part.is_empty() && *part != ".") {
+    for part in path
+        .split('/')
+        .filter(|part| !part.is_empty() && *part != ".")
+    {
         match parts.last() {
             Some(&last) if part == ".." && last != ".." => {
                 parts.pop();

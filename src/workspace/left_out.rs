@@ -28,12 +28,21 @@ impl Packages {
 
     /// Whether the rules of the nearest folder that has one about a file match it.
     fn is_matched(&self, file: &Path, kind: impl Fn(&GitRules) -> Option<&Gitignore>) -> bool {
-        let Some(top) = self.sources_around(file) else { return false };
-        let folders = file.ancestors().skip(1).take_while(|folder| folder.starts_with(&top));
+        let Some(top) = self.sources_around(file) else {
+            return false;
+        };
+        let folders = file
+            .ancestors()
+            .skip(1)
+            .take_while(|folder| folder.starts_with(&top));
         let matched = folders.map(|folder| {
-            let rules = self.git_rules.get(folder.to_owned(), || Arc::new(GitRules::of(&self.vfs, folder)));
+            let rules = self.git_rules.get(folder.to_owned(), || {
+                Arc::new(GitRules::of(&self.vfs, folder))
+            });
             let found = kind(&rules).map(|rules| rules.matched_path_or_any_parents(file, false));
-            found.filter(|found| !found.is_none()).map(|found| found.is_ignore())
+            found
+                .filter(|found| !found.is_none())
+                .map(|found| found.is_ignore())
         });
         matched.flatten().next().unwrap_or(false)
     }
@@ -48,9 +57,14 @@ impl GitRules {
         };
         let ignored = lines(".gitignore");
         let attributes = lines(".gitattributes");
-        let in_lfs = attributes.lines().filter(|line| line.contains("filter=lfs"));
+        let in_lfs = attributes
+            .lines()
+            .filter(|line| line.contains("filter=lfs"));
         let in_lfs = in_lfs.filter_map(|line| line.split_whitespace().next());
-        Self { ignored: patterns(folder, ignored.lines()), in_lfs: patterns(folder, in_lfs) }
+        Self {
+            ignored: patterns(folder, ignored.lines()),
+            in_lfs: patterns(folder, in_lfs),
+        }
     }
 }
 
@@ -74,8 +88,15 @@ mod tests {
         tree.write("arm/package.xml", "<package><name>arm</name></package>");
         tree.write("arm/.gitignore", "# exports\n/meshes/\n*.obj\n");
         tree.write("arm/parts/.gitignore", "!*.obj\n");
-        tree.write("arm/.gitattributes", "*.STL filter=lfs diff=lfs merge=lfs -text\n*.sh text eol=lf\n");
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        tree.write(
+            "arm/.gitattributes",
+            "*.STL filter=lfs diff=lfs merge=lfs -text\n*.sh text eol=lf\n",
+        );
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
         for (file, is_ignored, is_in_lfs) in [
             ("arm/meshes/base.stl", true, false),
             ("arm/urdf/meshes/base.stl", false, false),
@@ -87,7 +108,10 @@ mod tests {
             ("other/base.obj", false, false),
         ] {
             let file = tree.path(file);
-            let found = (packages.is_ignored_by_git(&file), packages.is_in_git_lfs(&file));
+            let found = (
+                packages.is_ignored_by_git(&file),
+                packages.is_in_git_lfs(&file),
+            );
             assert_eq!(found, (is_ignored, is_in_lfs), "{file:?}");
         }
     }

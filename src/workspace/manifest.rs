@@ -18,13 +18,17 @@ pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
 
 /// The name a manifest declares. One that is not well-formed is searched for the first `<name>`.
 pub(super) fn name_in(text: &str) -> Option<String> {
-    let options =
-        ParsingOptions { allow_dtd: true, nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
+    let options = ParsingOptions {
+        allow_dtd: true,
+        nodes_limit: MANIFEST_NODES,
+        ..ParsingOptions::default()
+    };
     let name = match Document::parse_with_options(text, options) {
         Ok(document) => {
             let root = document.root_element();
             let name = root.children().find(|child| child.has_tag_name("name"))?;
-            root.has_tag_name("package").then(|| name.text().unwrap_or_default().to_owned())?
+            root.has_tag_name("package")
+                .then(|| name.text().unwrap_or_default().to_owned())?
         }
         Err(_) => first_name(text)?.to_owned(),
     };
@@ -59,10 +63,19 @@ mod tests {
     fn names() {
         let table = [
             ("<package><name>a_b</name></package>", Some("a_b")),
-            ("<?xml version='1.0'?>\n<package format='3'>\n<name>\n a \n</name></package>", Some("a")),
+            (
+                "<?xml version='1.0'?>\n<package format='3'>\n<name>\n a \n</name></package>",
+                Some("a"),
+            ),
             ("<package><name>a</name><name>b</name></package>", Some("a")),
-            ("<package><export><name>x</name></export><name>a</name></package>", Some("a")),
-            ("<package><!-- <name>no</name> --><name>yes</name>", Some("yes")),
+            (
+                "<package><export><name>x</name></export><name>a</name></package>",
+                Some("a"),
+            ),
+            (
+                "<package><!-- <name>no</name> --><name>yes</name>",
+                Some("yes"),
+            ),
             ("<package><name>a & b</name></package>", Some("a & b")),
             ("<package><name>half", Some("half")),
             ("<package><name/></package>", None),

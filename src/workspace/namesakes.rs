@@ -21,11 +21,20 @@ impl Packages {
         // of a very large workspace, and of folders that tools made, not all files are in the index
         let package = self.containing(from).map(|package| package.folder);
         let own = from.parent().map(Path::to_owned);
-        let folders = package.into_iter().chain(own).chain(self.sources_around(from));
+        let folders = package
+            .into_iter()
+            .chain(own)
+            .chain(self.sources_around(from));
         let mut found: Vec<PathBuf> = folders
             .flat_map(|folder| {
-                let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
-                index.0.get(&name.to_lowercase()).cloned().unwrap_or_default()
+                let index = self
+                    .indexes
+                    .get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
+                index
+                    .0
+                    .get(&name.to_lowercase())
+                    .cloned()
+                    .unwrap_or_default()
             })
             .collect();
         found.sort();
@@ -39,12 +48,24 @@ impl Packages {
         let name = missing.file_name()?.to_str()?.to_lowercase();
         let own = self.containing(from).map(|package| package.folder);
         let around = self.workspace(without_parents(&self.vfs.absolute(from)).parent()?);
-        let folders = package.map(Path::to_owned).into_iter().chain(own).chain(around);
+        let folders = package
+            .map(Path::to_owned)
+            .into_iter()
+            .chain(own)
+            .chain(around);
         folders.into_iter().find_map(|folder| {
-            let index = self.indexes.get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
+            let index = self
+                .indexes
+                .get(folder.clone(), || Arc::new(Index::of(&self.vfs, &folder)));
             let others = index.0.get(&name)?.iter();
-            let others = others.filter(|path| *path != missing && !is_of_another_kind(path, missing));
-            let likeness = |path: &Path| (common_tail(path, missing), has_similar_folder(path, missing));
+            let others =
+                others.filter(|path| *path != missing && !is_of_another_kind(path, missing));
+            let likeness = |path: &Path| {
+                (
+                    common_tail(path, missing),
+                    has_similar_folder(path, missing),
+                )
+            };
             let mut by_likeness: Vec<_> = others.map(|path| (likeness(path), path)).collect();
             by_likeness.sort_by_key(|(likeness, _)| std::cmp::Reverse(*likeness));
             match by_likeness.as_slice() {
@@ -64,7 +85,9 @@ impl Index {
         let mut open = vec![(top.to_owned(), 0)];
         let mut files = 0;
         while let Some((folder, level)) = open.pop() {
-            let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
+            let is_new = vfs
+                .identity(&folder)
+                .is_some_and(|identity| seen.insert(identity));
             if !is_new || files > NAMESAKE_FILES {
                 continue;
             }
@@ -82,7 +105,11 @@ impl Index {
                     true => open.push((path, level + 1)),
                     false => {
                         files += 1;
-                        index.0.entry(entry.name.to_lowercase()).or_default().push(path);
+                        index
+                            .0
+                            .entry(entry.name.to_lowercase())
+                            .or_default()
+                            .push(path);
                     }
                 }
             }
@@ -94,25 +121,44 @@ impl Index {
 /// How many names at the end of two paths are equal but for case.
 fn common_tail(a: &Path, b: &Path) -> usize {
     let names = |path: &Path| -> Vec<String> {
-        path.iter().rev().map(|name| name.to_string_lossy().to_lowercase()).collect()
+        path.iter()
+            .rev()
+            .map(|name| name.to_string_lossy().to_lowercase())
+            .collect()
     };
-    names(a).iter().zip(&names(b)).take_while(|(a, b)| a == b).count()
+    names(a)
+        .iter()
+        .zip(&names(b))
+        .take_while(|(a, b)| a == b)
+        .count()
 }
 
 /// Whether one path is of what is seen and the other one of what collides: they hold files of the same names.
 fn is_of_another_kind(a: &Path, b: &Path) -> bool {
     let kinds = |path: &Path| {
-        let folders = path.parent().unwrap_or(path).to_string_lossy().to_lowercase();
+        let folders = path
+            .parent()
+            .unwrap_or(path)
+            .to_string_lossy()
+            .to_lowercase();
         ["visual", "collision"].map(|kind| folders.contains(kind))
     };
     let (a, b) = (kinds(a), kinds(b));
-    [(a, b), (b, a)].into_iter().any(|pair| pair == ([true, false], [false, true]))
+    [(a, b), (b, a)]
+        .into_iter()
+        .any(|pair| pair == ([true, false], [false, true]))
 }
 
 /// Whether the folders of two files have almost the same name: `visuals`, `visual`.
 fn has_similar_folder(a: &Path, b: &Path) -> bool {
-    let folder = |path: &Path| path.parent()?.file_name().map(|name| name.to_string_lossy().into_owned());
-    let (Some(a), Some(b)) = (folder(a), folder(b)) else { return false };
+    let folder = |path: &Path| {
+        path.parent()?
+            .file_name()
+            .map(|name| name.to_string_lossy().into_owned())
+    };
+    let (Some(a), Some(b)) = (folder(a), folder(b)) else {
+        return false;
+    };
     nearest(&a, [b.as_str()]).is_some()
 }
 
@@ -141,16 +187,29 @@ mod tests {
         let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
         let found = |missing: &str| {
             let from = tree.path("ws/src/a/urdf/r.urdf");
-            let found = packages.namesake(&tree.path(missing), Some(&tree.path("ws/src/a")), &from)?;
-            Some(found.strip_prefix(tree.path("ws/src")).unwrap().display().to_string())
+            let found =
+                packages.namesake(&tree.path(missing), Some(&tree.path("ws/src/a")), &from)?;
+            Some(
+                found
+                    .strip_prefix(tree.path("ws/src"))
+                    .unwrap()
+                    .display()
+                    .to_string(),
+            )
         };
-        assert_eq!(found("ws/src/a/meshes/visual/link.stl").as_deref(), Some("a/models/arm/visual/link.stl"));
+        assert_eq!(
+            found("ws/src/a/meshes/visual/link.stl").as_deref(),
+            Some("a/models/arm/visual/link.stl")
+        );
         assert_eq!(
             found("ws/src/a/meshes/visuals/link.stl").as_deref(),
             Some("a/models/arm/visual/link.stl")
         );
         assert_eq!(found("ws/src/a/meshes/collision/only_seen.stl"), None);
-        assert_eq!(found("ws/src/a/meshes/hand.stl").as_deref(), Some("b/meshes/Hand.STL"));
+        assert_eq!(
+            found("ws/src/a/meshes/hand.stl").as_deref(),
+            Some("b/meshes/Hand.STL")
+        );
         assert_eq!(found("ws/src/a/meshes/secret.stl"), None);
         assert_eq!(found("ws/src/a/meshes/gone.stl"), None);
     }

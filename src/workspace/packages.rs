@@ -172,7 +172,11 @@ impl Packages {
             }
         }
         let nearest = self.meant(name, from_file);
-        Err(NotFound { name: name.to_owned(), tried, nearest })
+        Err(NotFound {
+            name: name.to_owned(),
+            tried,
+            nearest,
+        })
     }
 
     /// The known package that `name` seems to mean.
@@ -180,9 +184,15 @@ impl Packages {
         /// Letters that a slip of the fingers changes.
         const SLIP: usize = 2;
         let known = self.all(from);
-        let text = |folder: &Path| self.vfs.text(&self.env.cwd.join(folder).join(MANIFEST)).ok();
+        let text = |folder: &Path| {
+            self.vfs
+                .text(&self.env.cwd.join(folder).join(MANIFEST))
+                .ok()
+        };
         let manifest = self.containing(from).and_then(|owner| text(&owner.folder));
-        let manifest = manifest.map(|manifest| manifest.text.clone()).unwrap_or_default();
+        let manifest = manifest
+            .map(|manifest| manifest.text.clone())
+            .unwrap_or_default();
         let declared = || between_tags(&manifest);
         // what a package of the workspace depends on is there somewhere
         let mut others = known.iter().filter(|entry| entry.step == Step::Workspace);
@@ -193,14 +203,22 @@ impl Packages {
             return None;
         }
         let names = known.iter().map(|entry| entry.name.as_str());
-        let near = nearest(name, names.chain(declared().filter(|name| is_package_name(name))));
+        let near = nearest(
+            name,
+            names.chain(declared().filter(|name| is_package_name(name))),
+        );
         let near = near.filter(|near| edit_distance(name, near) <= SLIP && !is_another(name, near));
         // only among sources: of all that is installed, something always begins alike
-        let is_source = |entry: &&Entry| entry.step <= Step::Workspace && entry.step != Step::OwnPackage;
+        let is_source =
+            |entry: &&Entry| entry.step <= Step::Workspace && entry.step != Step::OwnPackage;
         let sources = known.iter().filter(is_source);
         let longer = || {
-            let is_alike = |entry: &&Entry| has_part(&entry.name, name) || has_part(name, &entry.name);
-            let alike = sources.clone().filter(is_alike).filter(|entry| !self.is_metapackage(&entry.path));
+            let is_alike =
+                |entry: &&Entry| has_part(&entry.name, name) || has_part(name, &entry.name);
+            let alike = sources
+                .clone()
+                .filter(is_alike)
+                .filter(|entry| !self.is_metapackage(&entry.path));
             // a package that adapts another one carries its name: the own package proves nothing
             let own = self.containing(from).map(|own| own.name);
             let alike = alike.filter(|entry| own.as_ref() != Some(&entry.name));
@@ -220,14 +238,24 @@ impl Packages {
     pub fn declared(&self, from_file: &Path) -> Vec<String> {
         let owner = self.containing(from_file);
         let manifest = owner.and_then(|owner| self.vfs.text(&owner.folder.join(MANIFEST)).ok());
-        let Some(manifest) = manifest else { return Vec::new() };
-        let elements = manifest.text.split('<').filter_map(|part| part.split_once('>'));
+        let Some(manifest) = manifest else {
+            return Vec::new();
+        };
+        let elements = manifest
+            .text
+            .split('<')
+            .filter_map(|part| part.split_once('>'));
         let needs = |tag: &str| {
             let name = tag.split_whitespace().next().unwrap_or("");
             matches!(name, "depend" | "exec_depend" | "run_depend")
         };
-        let names = elements.filter(|(tag, _)| needs(tag)).map(|(_, text)| text.trim());
-        names.filter(|name| is_package_name(name)).map(str::to_owned).collect()
+        let names = elements
+            .filter(|(tag, _)| needs(tag))
+            .map(|(_, text)| text.trim());
+        names
+            .filter(|name| is_package_name(name))
+            .map(str::to_owned)
+            .collect()
     }
 
     /// Every package that can be named from `from_file`, in the order of the look-up.
@@ -239,7 +267,12 @@ impl Packages {
             for (name, path) in self.list(step, from_file) {
                 if places.insert((name.clone(), path.clone())) {
                     let shadowed = !names.insert(name.clone());
-                    entries.push(Entry { name, path, step, shadowed });
+                    entries.push(Entry {
+                        name,
+                        path,
+                        step,
+                        shadowed,
+                    });
                 }
             }
         }
@@ -248,14 +281,24 @@ impl Packages {
 
     /// The package that `file` lies in: the nearest manifest upward.
     pub fn containing(&self, file: &Path) -> Option<Package> {
-        let is_tidy = file.is_absolute() && !file.components().any(|part| part == Component::ParentDir);
-        let file = if is_tidy { Cow::from(file) } else { without_parents(&self.vfs.absolute(file)).into() };
+        let is_tidy =
+            file.is_absolute() && !file.components().any(|part| part == Component::ParentDir);
+        let file = if is_tidy {
+            Cow::from(file)
+        } else {
+            without_parents(&self.vfs.absolute(file)).into()
+        };
         let folder = file.parent()?;
         self.owners.get(folder.to_owned(), || {
             folder.ancestors().find_map(|folder| {
                 let is_package = self.vfs.is_file(&folder.join(MANIFEST));
-                let name = is_package.then(|| package_name(&self.vfs, folder)).flatten()?;
-                Some(Package { name, folder: folder.to_owned() })
+                let name = is_package
+                    .then(|| package_name(&self.vfs, folder))
+                    .flatten()?;
+                Some(Package {
+                    name,
+                    folder: folder.to_owned(),
+                })
             })
         })
     }
@@ -267,10 +310,12 @@ impl Packages {
             return None;
         }
         let mut tops = self.tree_tops(Step::Workspace, file).into_iter();
-        let folder =
-            tops.find_map(|(top, rules)| Some(self.tree(&top, rules).get(&owner.name, file)?.to_owned()))?;
+        let folder = tops.find_map(|(top, rules)| {
+            Some(self.tree(&top, rules).get(&owner.name, file)?.to_owned())
+        })?;
         let source = folder.join(file.strip_prefix(&owner.folder).ok()?);
-        let is_copy = self.vfs.is_file(&source) && self.vfs.canonical(&source) != self.vfs.canonical(file);
+        let is_copy =
+            self.vfs.is_file(&source) && self.vfs.canonical(&source) != self.vfs.canonical(file);
         is_copy.then_some(source)
     }
 
@@ -308,7 +353,13 @@ impl Packages {
     }
 
     /// What `step` says about `name`; the places asked are added to `tried`.
-    fn look(&self, step: Step, name: &str, from: &Path, tried: &mut Vec<(Step, PathBuf)>) -> Option<PathBuf> {
+    fn look(
+        &self,
+        step: Step,
+        name: &str,
+        from: &Path,
+        tried: &mut Vec<(Step, PathBuf)>,
+    ) -> Option<PathBuf> {
         if step == Step::OwnPackage {
             let owner = self.containing(from)?;
             tried.push((step, owner.folder.clone()));
@@ -316,9 +367,12 @@ impl Packages {
         }
         for (top, rules) in self.tree_tops(step, from) {
             let tree = self.tree(&top, rules);
-            let found = tree.get(name, &without_parents(&self.vfs.absolute(from))).map(Path::to_owned);
+            let found = tree
+                .get(name, &without_parents(&self.vfs.absolute(from)))
+                .map(Path::to_owned);
             let unlisted = || {
-                let is_it = |folder: &&PathBuf| self.unlisted_name(folder).is_some_and(|own| own == name);
+                let is_it =
+                    |folder: &&PathBuf| self.unlisted_name(folder).is_some_and(|own| own == name);
                 tree.unlisted().iter().find(is_it).cloned()
             };
             if let Some(found) = found.or_else(unlisted) {
@@ -338,7 +392,11 @@ impl Packages {
 
     fn list(&self, step: Step, from: &Path) -> Vec<(String, PathBuf)> {
         if step == Step::OwnPackage {
-            return self.containing(from).into_iter().map(|owner| (owner.name, owner.folder)).collect();
+            return self
+                .containing(from)
+                .into_iter()
+                .map(|owner| (owner.name, owner.folder))
+                .collect();
         }
         let mut found = Vec::new();
         for (top, rules) in self.tree_tops(step, from) {
@@ -355,17 +413,26 @@ impl Packages {
     fn tree_tops(&self, step: Step, from: &Path) -> Vec<(PathBuf, Rules)> {
         let (tops, rules) = match step {
             Step::PackagePath => (self.options.explicit.clone(), Rules::Explicit),
-            Step::Workspace => (self.workspaces(from, self.options.search_upward), Rules::Workspace),
+            Step::Workspace => (
+                self.workspaces(from, self.options.search_upward),
+                Rules::Workspace,
+            ),
             Step::RosPackagePath => (self.env.paths("ROS_PACKAGE_PATH"), Rules::RosPackagePath),
             _ => return Vec::new(),
         };
-        tops.into_iter().map(|top| (self.env.cwd.join(top), rules)).collect()
+        tops.into_iter()
+            .map(|top| (self.env.cwd.join(top), rules))
+            .collect()
     }
 
     /// The prefixes of installed packages `step` searches.
     fn prefixes(&self, step: Step, from: &Path) -> Vec<Prefix> {
         match step {
-            Step::Overlay => self.workspaces(from, true).iter().flat_map(|folder| overlays(folder)).collect(),
+            Step::Overlay => self
+                .workspaces(from, true)
+                .iter()
+                .flat_map(|folder| overlays(folder))
+                .collect(),
             Step::AmentPrefixPath => self.env_prefixes("AMENT_PREFIX_PATH", &[Layout::Indexed]),
             Step::ColconPrefixPath => {
                 self.env_prefixes("COLCON_PREFIX_PATH", &[Layout::Isolated, Layout::Merged])
@@ -378,21 +445,38 @@ impl Packages {
 
     fn env_prefixes(&self, variable: &str, layouts: &[Layout]) -> Vec<Prefix> {
         let paths = self.env.paths(variable).into_iter();
-        paths.flat_map(|path| layouts.iter().map(move |&layout| Prefix::new(path.clone(), layout))).collect()
+        paths
+            .flat_map(|path| {
+                layouts
+                    .iter()
+                    .map(move |&layout| Prefix::new(path.clone(), layout))
+            })
+            .collect()
     }
 
     /// The folders with sources: those that hold the file first, the narrowest of them first; then, if
     /// `upward`, the workspaces found above the file and above these folders.
     fn workspaces(&self, from: &Path, upward: bool) -> Vec<PathBuf> {
         let file = without_parents(&self.vfs.absolute(from));
-        let mut folders: Vec<PathBuf> =
-            self.options.workspace_folders.iter().map(|folder| self.vfs.absolute(folder)).collect();
+        let mut folders: Vec<PathBuf> = self
+            .options
+            .workspace_folders
+            .iter()
+            .map(|folder| self.vfs.absolute(folder))
+            .collect();
         folders.sort_by_key(|folder| {
             let depth = folder.components().count();
-            if file.starts_with(folder) { (0, usize::MAX - depth) } else { (1, 0) }
+            if file.starts_with(folder) {
+                (0, usize::MAX - depth)
+            } else {
+                (1, 0)
+            }
         });
         if upward {
-            let starts = file.parent().into_iter().chain(folders.iter().map(PathBuf::as_path));
+            let starts = file
+                .parent()
+                .into_iter()
+                .chain(folders.iter().map(PathBuf::as_path));
             let above: Vec<PathBuf> = starts.filter_map(|start| self.workspace(start)).collect();
             folders.extend(above);
         }
@@ -409,7 +493,8 @@ impl Packages {
     /// The workspace that a folder lies in.
     pub fn workspace(&self, start: &Path) -> Option<PathBuf> {
         let home = self.env.home().map(Path::new);
-        self.roots.get(start.to_owned(), || workspace_root(&self.vfs, start, home))
+        self.roots
+            .get(start.to_owned(), || workspace_root(&self.vfs, start, home))
     }
 
     /// The distribution the environment names, else all of them.
@@ -417,12 +502,23 @@ impl Packages {
         let system = &self.options.system;
         let mut all = distributions(&self.vfs, system, self.options.target == Target::Ros1);
         if self.options.use_environment {
-            let named = self.env.var("ROS_DISTRO").filter(|name| is_package_name(name));
+            let named = self
+                .env
+                .var("ROS_DISTRO")
+                .filter(|name| is_package_name(name));
             let named: Vec<PathBuf> = named.map(|name| system.join(name)).into_iter().collect();
-            let of_variables = ["AMENT_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH"];
-            let sourced: Vec<PathBuf> =
-                of_variables.iter().flat_map(|variable| self.env.paths(variable)).chain(named).collect();
-            let is_named = |prefix: &Prefix| sourced.iter().any(|path| path.starts_with(&prefix.path));
+            let of_variables = [
+                "AMENT_PREFIX_PATH",
+                "COLCON_PREFIX_PATH",
+                "ROS_PACKAGE_PATH",
+            ];
+            let sourced: Vec<PathBuf> = of_variables
+                .iter()
+                .flat_map(|variable| self.env.paths(variable))
+                .chain(named)
+                .collect();
+            let is_named =
+                |prefix: &Prefix| sourced.iter().any(|path| path.starts_with(&prefix.path));
             if all.iter().any(is_named) {
                 all.retain(is_named);
             }
@@ -432,15 +528,21 @@ impl Packages {
 
     /// The packages below `top`.
     fn tree(&self, top: &Path, rules: Rules) -> Arc<Tree> {
-        self.trees.get((top.to_owned(), rules), || Arc::new(scan(&self.vfs, top, rules)))
+        self.trees.get((top.to_owned(), rules), || {
+            Arc::new(scan(&self.vfs, top, rules))
+        })
     }
 
     fn installed_names(&self, prefix: &Prefix) -> Arc<Vec<String>> {
-        self.installed.get(prefix.clone(), || Arc::new(prefix.names(&self.vfs, &self.env.cwd)))
+        self.installed.get(prefix.clone(), || {
+            Arc::new(prefix.names(&self.vfs, &self.env.cwd))
+        })
     }
 }
 
 /// Each text between two tags of a manifest: the names of dependencies are among them.
 fn between_tags(manifest: &str) -> impl Iterator<Item = &str> {
-    manifest.split('>').filter_map(|part| Some(part.split_once('<')?.0.trim()))
+    manifest
+        .split('>')
+        .filter_map(|part| Some(part.split_once('<')?.0.trim()))
 }

@@ -21,7 +21,8 @@ pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<Pa
     let start = vfs.absolute(start);
     let mut repository = None;
     for folder in start.ancestors() {
-        let too_wide = folder.parent().is_none() || home.is_some_and(|home| home.starts_with(folder));
+        let too_wide =
+            folder.parent().is_none() || home.is_some_and(|home| home.starts_with(folder));
         if too_wide {
             break;
         }
@@ -38,7 +39,11 @@ pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<Pa
 fn is_workspace(vfs: &Vfs, folder: &Path, start: &Path) -> bool {
     let sources = folder.join("src");
     let is_evident = || {
-        folder == start || BUILT.iter().chain(&[".catkin_tools"]).any(|name| vfs.is_dir(&folder.join(name)))
+        folder == start
+            || BUILT
+                .iter()
+                .chain(&[".catkin_tools"])
+                .any(|name| vfs.is_dir(&folder.join(name)))
     };
     (start.starts_with(&sources) || vfs.is_dir(&sources) && is_evident())
         && !vfs.is_file(&folder.join(MANIFEST))

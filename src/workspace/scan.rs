@@ -28,7 +28,9 @@ impl Rules {
             Rules::Workspace => &["COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"],
             Rules::RosPackagePath => &["CATKIN_IGNORE"],
         };
-        names.iter().any(|entry| markers.contains(&entry.name.as_str()))
+        names
+            .iter()
+            .any(|entry| markers.contains(&entry.name.as_str()))
     }
 
     fn descends_into(self, name: &str) -> bool {
@@ -51,8 +53,13 @@ impl Tree {
     /// `from`, and of those the first.
     pub(super) fn get(&self, name: &str, from: &Path) -> Option<&Path> {
         let folders = self.by_name.get(name)?;
-        let shared =
-            |folder: &Path| folder.components().zip(from.components()).take_while(|(a, b)| a == b).count();
+        let shared = |folder: &Path| {
+            folder
+                .components()
+                .zip(from.components())
+                .take_while(|(a, b)| a == b)
+                .count()
+        };
         let best = folders.iter().rev().max_by_key(|folder| shared(folder))?;
         Some(best)
     }
@@ -74,10 +81,17 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
     let mut tree = Tree::default();
     let mut seen: FastSet<u128> = FastSet::default();
     // A link to a folder above the top would lead out into the rest of the disk.
-    seen.extend(vfs.canonical(top).ancestors().skip(1).filter_map(|folder| vfs.identity(folder)));
+    seen.extend(
+        vfs.canonical(top)
+            .ancestors()
+            .skip(1)
+            .filter_map(|folder| vfs.identity(folder)),
+    );
     let mut queue = VecDeque::from([(top.to_owned(), 0)]);
     while let Some((folder, depth)) = queue.pop_front() {
-        let is_new = vfs.identity(&folder).is_some_and(|identity| seen.insert(identity));
+        let is_new = vfs
+            .identity(&folder)
+            .is_some_and(|identity| seen.insert(identity));
         if !is_new || seen.len() > SCAN_FOLDERS {
             continue;
         }
@@ -86,9 +100,17 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
         if rules.is_ignored(&names) && !asked_for {
             continue;
         }
-        let is_package = names.iter().any(|entry| entry.name == MANIFEST && !entry.is_dir);
-        if let Some(name) = is_package.then(|| manifest::package_name(vfs, &folder)).flatten() {
-            tree.by_name.entry(name.clone()).or_default().push(folder.clone());
+        let is_package = names
+            .iter()
+            .any(|entry| entry.name == MANIFEST && !entry.is_dir);
+        if let Some(name) = is_package
+            .then(|| manifest::package_name(vfs, &folder))
+            .flatten()
+        {
+            tree.by_name
+                .entry(name.clone())
+                .or_default()
+                .push(folder.clone());
             tree.packages.push((name, folder.clone()));
         } else if names.iter().any(|entry| entry.name == BUILD_FILES[0]) {
             tree.unlisted.push(folder.clone());
@@ -96,7 +118,9 @@ pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
         let closed = rules == Rules::RosPackagePath
             && (is_package || names.iter().any(|entry| entry.name == "rospack_nosubdirs"));
         if !closed && depth < SCAN_DEPTH {
-            let folders = names.iter().filter(|entry| entry.is_dir && rules.descends_into(&entry.name));
+            let folders = names
+                .iter()
+                .filter(|entry| entry.is_dir && rules.descends_into(&entry.name));
             queue.extend(folders.map(|entry| (folder.join(&entry.name), depth + 1)));
         }
     }
@@ -112,15 +136,27 @@ mod tests {
         let tree = testing::Tree::new();
         for file in files {
             let folder = file.rsplit('/').nth(1).unwrap_or("top");
-            tree.write(file, &format!("<package><name>{folder}_name</name></package>"));
+            tree.write(
+                file,
+                &format!("<package><name>{folder}_name</name></package>"),
+            );
         }
         tree
     }
 
     fn found(tree: &testing::Tree, rules: Rules) -> Vec<String> {
         let found = scan(tree.vfs(), tree.root(), rules);
-        let relative = |path: &std::path::Path| path.strip_prefix(tree.root()).unwrap().display().to_string();
-        found.packages().iter().map(|(name, path)| format!("{name} {}", relative(path))).collect()
+        let relative = |path: &std::path::Path| {
+            path.strip_prefix(tree.root())
+                .unwrap()
+                .display()
+                .to_string()
+        };
+        found
+            .packages()
+            .iter()
+            .map(|(name, path)| format!("{name} {}", relative(path)))
+            .collect()
     }
 
     #[test]
@@ -142,7 +178,10 @@ mod tests {
             "i/package.xml",
             "COLCON_IGNORE",
         ]);
-        assert_eq!(found(&tree, Rules::Workspace), ["a_name a", "inner_name a/inner"]);
+        assert_eq!(
+            found(&tree, Rules::Workspace),
+            ["a_name a", "inner_name a/inner"]
+        );
         assert_eq!(
             found(&tree, Rules::Explicit),
             [
@@ -179,7 +218,10 @@ mod tests {
         tree.write("y/package.xml", "<package><name>real</name></package>");
         tree.write("z/package.xml", "not a manifest");
         let result = scan(tree.vfs(), tree.root(), Rules::Workspace);
-        assert_eq!(result.get("real", tree.root()), Some(tree.path("x").as_path()));
+        assert_eq!(
+            result.get("real", tree.root()),
+            Some(tree.path("x").as_path())
+        );
         assert_eq!(result.packages().len(), 2);
         assert_eq!(result.get("x", tree.root()), None);
     }
@@ -195,7 +237,10 @@ mod tests {
         symlink("gone", tree.path("ws/dangling")).unwrap();
         symlink("../outside/p", tree.path("ws/z")).unwrap();
         let result = scan(tree.vfs(), &tree.path("ws"), Rules::Workspace);
-        let expected = [("a_name".to_owned(), tree.path("ws/a")), ("p_name".to_owned(), tree.path("ws/z"))];
+        let expected = [
+            ("a_name".to_owned(), tree.path("ws/a")),
+            ("p_name".to_owned(), tree.path("ws/z")),
+        ];
         assert_eq!(result.packages(), expected);
     }
 }

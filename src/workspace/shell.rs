@@ -37,7 +37,8 @@ impl Packages {
         let manifest = self.vfs.text(&package.folder.join(MANIFEST)).ok()?;
         let tools = manifest.text.split("<buildtool_depend").skip(1);
         let mut tools = tools.filter_map(|tool| tool.split_once('>')?.1.split('<').next());
-        let is_ros1 = tools.any(|tool| tool.trim() == "catkin") && !manifest.text.contains("ament_");
+        let is_ros1 =
+            tools.any(|tool| tool.trim() == "catkin") && !manifest.text.contains("ament_");
         Some(if is_ros1 { Target::Ros1 } else { Target::Ros2 })
     }
 }
@@ -51,15 +52,30 @@ mod tests {
     fn the_generation_follows_the_build_type() {
         let tree = Tree::new();
         let manifest = |name: &str, tool: &str| {
-            format!("<package><name>{name}</name><buildtool_depend>{tool}</buildtool_depend></package>")
+            format!(
+                "<package><name>{name}</name><buildtool_depend>{tool}</buildtool_depend></package>"
+            )
         };
         tree.write("old/package.xml", &manifest("old", "catkin"));
         tree.write("new/package.xml", &manifest("new", "ament_cmake"));
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
         let variable = |name: &str, file: &str| packages.ros_variable(name, &tree.path(file));
-        assert_eq!(variable("ROS_VERSION", "old/urdf/r.xacro"), Some(RosVariable::Value("1")));
-        assert_eq!(variable("ROS_VERSION", "new/urdf/r.xacro"), Some(RosVariable::Value("2")));
-        assert_eq!(variable("ROS_VERSION", "r.xacro"), Some(RosVariable::Unknown));
+        assert_eq!(
+            variable("ROS_VERSION", "old/urdf/r.xacro"),
+            Some(RosVariable::Value("1"))
+        );
+        assert_eq!(
+            variable("ROS_VERSION", "new/urdf/r.xacro"),
+            Some(RosVariable::Value("2"))
+        );
+        assert_eq!(
+            variable("ROS_VERSION", "r.xacro"),
+            Some(RosVariable::Unknown)
+        );
         assert_eq!(variable("ROBOT", "old/urdf/r.xacro"), None);
     }
 }

@@ -11,12 +11,16 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         return None;
     }
     let counts = counts(&letters);
-    let mut limit = if letters.len() == 2 { 1 } else { (letters.len() / 3).min(3) };
+    let mut limit = if letters.len() == 2 {
+        1
+    } else {
+        (letters.len() / 3).min(3)
+    };
     let mut best = None;
     for candidate in candidates {
         // a letter takes one to four bytes
-        let possible =
-            letters.len() <= candidate.len() + limit && candidate.len() <= 4 * (letters.len() + limit);
+        let possible = letters.len() <= candidate.len() + limit
+            && candidate.len() <= 4 * (letters.len() + limit);
         if candidate == word || !possible || !fold(candidate, &mut other) {
             continue;
         }
@@ -65,12 +69,16 @@ fn far(mut counts: Counts, other: &[char]) -> usize {
             *count -= 1;
         }
     }
-    counts.iter().map(|count| usize::from(count.unsigned_abs())).sum()
+    counts
+        .iter()
+        .map(|count| usize::from(count.unsigned_abs()))
+        .sum()
 }
 
 /// Whether a name is `part` with further words in front or behind, joined by `_`.
 pub(super) fn has_part(name: &str, part: &str) -> bool {
-    let rest = |rest: Option<&str>, joint: fn(&str) -> bool| !part.is_empty() && rest.is_some_and(joint);
+    let rest =
+        |rest: Option<&str>, joint: fn(&str) -> bool| !part.is_empty() && rest.is_some_and(joint);
     rest(name.strip_prefix(part), |rest| rest.starts_with('_'))
         || rest(name.strip_suffix(part), |rest| rest.ends_with('_'))
 }
@@ -79,16 +87,27 @@ pub(super) fn has_part(name: &str, part: &str) -> bool {
 pub(super) fn is_another(a: &str, b: &str) -> bool {
     let (one, other): (Vec<&str>, Vec<&str>) = (a.split('_').collect(), b.split('_').collect());
     let mut pairs = one.iter().zip(&other).filter(|(one, other)| one != other);
-    let (Some((one, other)), None, true) = (pairs.next(), pairs.next(), one.len() == other.len()) else {
+    let (Some((one, other)), None, true) = (pairs.next(), pairs.next(), one.len() == other.len())
+    else {
         return false;
     };
-    let letters = |word: &str| word.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
-    letters(one) == letters(other) || !one.is_empty() && edit_distance(one, other) >= one.chars().count()
+    let letters = |word: &str| {
+        word.chars()
+            .filter(|c| !c.is_ascii_digit())
+            .collect::<String>()
+    };
+    letters(one) == letters(other)
+        || !one.is_empty() && edit_distance(one, other) >= one.chars().count()
 }
 
 /// The candidate that is almost surely meant by `word`, which is none of them: it differs by one slip of the fingers.
-pub fn misspelled<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    candidates.into_iter().find(|candidate| word != *candidate && is_slip(word, candidate))
+pub fn misspelled<'a>(
+    word: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    candidates
+        .into_iter()
+        .find(|candidate| word != *candidate && is_slip(word, candidate))
 }
 
 /// Whether one name is the other with one slip of the fingers: two neighboring letters swapped, one doubled, dropped or
@@ -103,8 +122,11 @@ fn is_slip(a: &str, b: &str) -> bool {
         return false;
     }
     let all = |text: &str| text.chars().collect::<Vec<char>>();
-    let (long, short) =
-        if a.chars().count() < b.chars().count() { (all(b), all(a)) } else { (all(a), all(b)) };
+    let (long, short) = if a.chars().count() < b.chars().count() {
+        (all(b), all(a))
+    } else {
+        (all(a), all(b))
+    };
     let same = long.iter().zip(&short).take_while(|(x, y)| x == y).count();
     let (left, right) = different(&long, &short);
     let is_name = |letters: &[char]| letters.iter().all(|letter| letter.is_alphabetic());
@@ -150,8 +172,11 @@ fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
     for (i, &x) in a.iter().enumerate() {
         let mut next = vec![i + 1];
         for (j, &y) in b.iter().enumerate() {
-            let at = |row: &[usize], column: usize| row.get(column).copied().unwrap_or(usize::MAX - 1);
-            let mut cost = (at(&row, j) + usize::from(x != y)).min(at(&row, j + 1) + 1).min(at(&next, j) + 1);
+            let at =
+                |row: &[usize], column: usize| row.get(column).copied().unwrap_or(usize::MAX - 1);
+            let mut cost = (at(&row, j) + usize::from(x != y))
+                .min(at(&row, j + 1) + 1)
+                .min(at(&next, j) + 1);
             let swapped = i > 0 && j > 0 && a.get(i - 1) == Some(&y) && b.get(j - 1) == Some(&x);
             if swapped {
                 cost = cost.min(at(&before, j - 1) + 1);
@@ -170,9 +195,20 @@ fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
 /// What lies between the letters that both begin with and those that both end with.
 fn different<'a>(a: &'a [char], b: &'a [char]) -> (&'a [char], &'a [char]) {
     let same = a.iter().zip(b).take_while(|(x, y)| x == y).count();
-    let (a, b) = (a.get(same..).unwrap_or_default(), b.get(same..).unwrap_or_default());
-    let same = a.iter().rev().zip(b.iter().rev()).take_while(|(x, y)| x == y).count();
-    (a.get(..a.len() - same).unwrap_or_default(), b.get(..b.len() - same).unwrap_or_default())
+    let (a, b) = (
+        a.get(same..).unwrap_or_default(),
+        b.get(same..).unwrap_or_default(),
+    );
+    let same = a
+        .iter()
+        .rev()
+        .zip(b.iter().rev())
+        .take_while(|(x, y)| x == y)
+        .count();
+    (
+        a.get(..a.len() - same).unwrap_or_default(),
+        b.get(..b.len() - same).unwrap_or_default(),
+    )
 }
 
 #[cfg(test)]
@@ -198,10 +234,16 @@ mod tests {
         for (word, expected) in table {
             assert_eq!(nearest(word, known), expected, "{word}");
         }
-        assert_eq!((edit_distance("orgin", "origin"), edit_distance("ab", "ba")), (1, 1));
+        assert_eq!(
+            (edit_distance("orgin", "origin"), edit_distance("ab", "ba")),
+            (1, 1)
+        );
         assert_eq!(nearest("abc", ["abd", "abe"]), Some("abd"));
         assert_eq!(nearest("ab", ["a", "b"]), None);
-        assert_eq!(nearest(&"x".repeat(2000), ["y".repeat(2000).as_str()]), None);
+        assert_eq!(
+            nearest(&"x".repeat(2000), ["y".repeat(2000).as_str()]),
+            None
+        );
     }
 
     #[test]
@@ -222,13 +264,27 @@ mod tests {
     #[test]
     fn a_bound_changes_no_distance_below_it() {
         let words: Vec<Vec<char>> = (0..3_usize.pow(5))
-            .map(|n| (0..5).map(|i| char::from(b'a' + (n / 3_usize.pow(i) % 3) as u8)).collect())
-            .map(|word: Vec<char>| word[..1 + word.iter().filter(|c| **c == 'a').count().min(4)].to_vec())
+            .map(|n| {
+                (0..5)
+                    .map(|i| char::from(b'a' + (n / 3_usize.pow(i) % 3) as u8))
+                    .collect()
+            })
+            .map(|word: Vec<char>| {
+                word[..1 + word.iter().filter(|c| **c == 'a').count().min(4)].to_vec()
+            })
             .collect();
-        for (a, b) in words.iter().zip(words.iter().rev()).chain(words.iter().zip(words.iter().skip(7))) {
+        for (a, b) in words
+            .iter()
+            .zip(words.iter().rev())
+            .chain(words.iter().zip(words.iter().skip(7)))
+        {
             let exact = distance(a, b, 9).unwrap();
             for most in 0..6 {
-                assert_eq!(distance(a, b, most), Some(exact).filter(|&exact| exact <= most), "{a:?} {b:?}");
+                assert_eq!(
+                    distance(a, b, most),
+                    Some(exact).filter(|&exact| exact <= most),
+                    "{a:?} {b:?}"
+                );
                 assert!(far(counts(a), b) <= 2 * exact, "{a:?} {b:?}");
             }
         }
@@ -245,7 +301,10 @@ mod tests {
             ("wheel_rsdius", "wheel_radius"),
             ("arm_1_loewr_limit", "arm_1_lower_limit"),
         ] {
-            assert!(is_slip(name, meant) && is_slip(meant, name), "{name} {meant}");
+            assert!(
+                is_slip(name, meant) && is_slip(meant, name),
+                "{name} {meant}"
+            );
         }
         for (name, other) in [
             ("link_1", "link_2"),
@@ -259,7 +318,10 @@ mod tests {
             ("lr", "rl"),
             ("same", "same"),
         ] {
-            assert!(!is_slip(name, other) && !is_slip(other, name), "{name} {other}");
+            assert!(
+                !is_slip(name, other) && !is_slip(other, name),
+                "{name} {other}"
+            );
         }
     }
 }

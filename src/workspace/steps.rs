@@ -47,7 +47,10 @@ impl Step {
 
     /// Whether the environment decides.
     pub(super) fn is_environment(self) -> bool {
-        matches!(self, Step::AmentPrefixPath | Step::ColconPrefixPath | Step::RosPackagePath)
+        matches!(
+            self,
+            Step::AmentPrefixPath | Step::ColconPrefixPath | Step::RosPackagePath
+        )
     }
 }
 
@@ -105,9 +108,16 @@ impl Prefix {
             Layout::Indexed => is_marked(),
             Layout::Merged => vfs.is_file(&on_disk(&share.join(MANIFEST))) || is_marked(),
             Layout::Isolated => vfs.is_dir(&on_disk(&share)),
-            Layout::Devel => vfs.list_dir(&on_disk(&share)).iter().any(|entry| entry.name != "cmake"),
+            Layout::Devel => vfs
+                .list_dir(&on_disk(&share))
+                .iter()
+                .any(|entry| entry.name != "cmake"),
         };
-        let place = if self.layout == Layout::Indexed { marker } else { share.clone() };
+        let place = if self.layout == Layout::Indexed {
+            marker
+        } else {
+            share.clone()
+        };
         (installed.then_some(share), place)
     }
 
@@ -120,7 +130,10 @@ impl Prefix {
         };
         let listed = vfs.list_dir(&cwd.join(folder));
         let names = listed.iter().map(|entry| &entry.name);
-        names.filter(|name| self.find(vfs, cwd, name).0.is_some()).cloned().collect()
+        names
+            .filter(|name| self.find(vfs, cwd, name).0.is_some())
+            .cloned()
+            .collect()
     }
 
     /// Where package `name` would be.
@@ -145,12 +158,22 @@ pub(super) fn overlays(workspace: &Path) -> [Prefix; 3] {
 /// The prefixes that a file is installed in: the one with an ament index above it, and where each package has a prefix of
 /// its own, those beside it.
 pub(super) fn own_prefixes(vfs: &Vfs, file: &Path) -> Vec<Prefix> {
-    let mut shares = file.ancestors().filter(|folder| folder.file_name().is_some_and(|name| name == "share"));
-    let Some(share) = shares.find(|share| vfs.is_dir(&share.join("ament_index"))) else { return Vec::new() };
-    let Some(prefix) = share.parent() else { return Vec::new() };
-    let beside = prefix.parent().filter(|base| vfs.is_file(&base.join(".colcon_install_layout")));
+    let mut shares = file
+        .ancestors()
+        .filter(|folder| folder.file_name().is_some_and(|name| name == "share"));
+    let Some(share) = shares.find(|share| vfs.is_dir(&share.join("ament_index"))) else {
+        return Vec::new();
+    };
+    let Some(prefix) = share.parent() else {
+        return Vec::new();
+    };
+    let beside = prefix
+        .parent()
+        .filter(|base| vfs.is_file(&base.join(".colcon_install_layout")));
     let beside = beside.map(|base| Prefix::new(base.to_owned(), Layout::Isolated));
-    std::iter::once(Prefix::new(prefix.to_owned(), Layout::Merged)).chain(beside).collect()
+    std::iter::once(Prefix::new(prefix.to_owned(), Layout::Merged))
+        .chain(beside)
+        .collect()
 }
 
 /// ROS 1 distributions; every other name is one of ROS 2.
@@ -174,8 +197,14 @@ const ROS1: [&str; 13] = [
 /// alphabet), those of the wanted generation before the others.
 pub(super) fn distributions(vfs: &Vfs, system: &Path, ros1: bool) -> Vec<Prefix> {
     let listed = vfs.list_dir(system);
-    let mut names: Vec<&str> =
-        listed.iter().filter(|entry| entry.is_dir).map(|entry| entry.name.as_str()).collect();
+    let mut names: Vec<&str> = listed
+        .iter()
+        .filter(|entry| entry.is_dir)
+        .map(|entry| entry.name.as_str())
+        .collect();
     names.sort_by_key(|name| std::cmp::Reverse((ROS1.contains(name) == ros1, *name)));
-    names.into_iter().map(|name| Prefix::new(system.join(name), Layout::Merged)).collect()
+    names
+        .into_iter()
+        .map(|name| Prefix::new(system.join(name), Layout::Merged))
+        .collect()
 }

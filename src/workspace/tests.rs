@@ -8,11 +8,17 @@ use vfs::testing::Tree;
 const INDEX: &str = "share/ament_index/resource_index/packages";
 
 fn package(tree: &Tree, folder: &str, name: &str) {
-    tree.write(&format!("{folder}/package.xml"), &format!("<package><name>{name}</name></package>"));
+    tree.write(
+        &format!("{folder}/package.xml"),
+        &format!("<package><name>{name}</name></package>"),
+    );
 }
 
 fn options(tree: &Tree) -> PackageOptions {
-    PackageOptions { system: tree.path("opt/ros"), ..PackageOptions::default() }
+    PackageOptions {
+        system: tree.path("opt/ros"),
+        ..PackageOptions::default()
+    }
 }
 
 fn packages(tree: &Tree, vars: &[(&str, &str)], options: PackageOptions) -> Packages {
@@ -22,7 +28,10 @@ fn packages(tree: &Tree, vars: &[(&str, &str)], options: PackageOptions) -> Pack
 /// `step path` with the root of the tree left out, or the nearest name.
 fn find(tree: &Tree, packages: &Packages, name: &str, from: &str) -> String {
     let relative = |path: PathBuf| {
-        path.strip_prefix(tree.root()).map_or_else(|_| path.clone(), PathBuf::from).display().to_string()
+        path.strip_prefix(tree.root())
+            .map_or_else(|_| path.clone(), PathBuf::from)
+            .display()
+            .to_string()
     };
     match packages.find(name, &tree.path(from)) {
         Ok(found) => format!("{} {}", found.step, relative(found.path)),
@@ -57,7 +66,10 @@ const FULL: [(&str, &str); 3] = [
 #[test]
 fn steps_are_asked_in_order() {
     let tree = full_tree();
-    let explicit = PackageOptions { explicit: vec!["explicit".into()], ..options(&tree) };
+    let explicit = PackageOptions {
+        explicit: vec!["explicit".into()],
+        ..options(&tree)
+    };
     let from = "ws/src/own/urdf/a.xacro";
     let found = find(&tree, &packages(&tree, &FULL, explicit), "p", from);
     assert_eq!(found, "package-path explicit/any");
@@ -71,40 +83,81 @@ fn steps_are_asked_in_order() {
         ("opt", "/opt/ros opt/ros/jazzy/share/p"),
     ];
     for (remove, expected) in expected {
-        assert_eq!(find(&tree, &packages(&tree, &FULL, options(&tree)), "p", from), expected);
+        assert_eq!(
+            find(&tree, &packages(&tree, &FULL, options(&tree)), "p", from),
+            expected
+        );
         std::fs::remove_dir_all(tree.path(remove)).unwrap();
     }
-    assert_eq!(find(&tree, &packages(&tree, &FULL, options(&tree)), "p", from), "none, near None");
+    assert_eq!(
+        find(&tree, &packages(&tree, &FULL, options(&tree)), "p", from),
+        "none, near None"
+    );
 }
 
 #[test]
 fn environment_can_come_first_or_not_at_all() {
     let tree = full_tree();
     let from = "ws/src/own/urdf/a.xacro";
-    let first = PackageOptions { environment_first: true, ..options(&tree) };
+    let first = PackageOptions {
+        environment_first: true,
+        ..options(&tree)
+    };
     assert_eq!(
         find(&tree, &packages(&tree, &FULL, first.clone()), "p", from),
         "AMENT_PREFIX_PATH ament/share/p"
     );
-    let ros = find(&tree, &packages(&tree, &FULL[2..], first.clone()), "p", from);
+    let ros = find(
+        &tree,
+        &packages(&tree, &FULL[2..], first.clone()),
+        "p",
+        from,
+    );
     assert_eq!(ros, "ROS_PACKAGE_PATH ros/path/p");
-    assert_eq!(find(&tree, &packages(&tree, &[], first.clone()), "p", from), "own package ws/src/own");
-    let explicit = PackageOptions { explicit: vec![tree.path("explicit")], ..first };
-    assert_eq!(find(&tree, &packages(&tree, &FULL, explicit), "p", from), "package-path explicit/any");
-    let without = PackageOptions { use_environment: false, ..options(&tree) };
-    let elsewhere = find(&tree, &packages(&tree, &FULL, without), "p", "elsewhere/a.xacro");
+    assert_eq!(
+        find(&tree, &packages(&tree, &[], first.clone()), "p", from),
+        "own package ws/src/own"
+    );
+    let explicit = PackageOptions {
+        explicit: vec![tree.path("explicit")],
+        ..first
+    };
+    assert_eq!(
+        find(&tree, &packages(&tree, &FULL, explicit), "p", from),
+        "package-path explicit/any"
+    );
+    let without = PackageOptions {
+        use_environment: false,
+        ..options(&tree)
+    };
+    let elsewhere = find(
+        &tree,
+        &packages(&tree, &FULL, without),
+        "p",
+        "elsewhere/a.xacro",
+    );
     assert_eq!(elsewhere, "/opt/ros opt/ros/jazzy/share/p");
 }
 
 #[test]
 fn failures_list_the_places_and_a_near_name() {
     let tree = full_tree();
-    let explicit = PackageOptions { explicit: vec!["explicit".into()], ..options(&tree) };
-    let error = packages(&tree, &FULL, explicit).find("q", &tree.path("ws/src/own/a.xacro")).unwrap_err();
+    let explicit = PackageOptions {
+        explicit: vec!["explicit".into()],
+        ..options(&tree)
+    };
+    let error = packages(&tree, &FULL, explicit)
+        .find("q", &tree.path("ws/src/own/a.xacro"))
+        .unwrap_err();
     let tried: Vec<String> = error
         .tried
         .iter()
-        .map(|(step, path)| format!("{step} {}", path.strip_prefix(tree.root()).unwrap().display()))
+        .map(|(step, path)| {
+            format!(
+                "{step} {}",
+                path.strip_prefix(tree.root()).unwrap().display()
+            )
+        })
         .collect();
     assert_eq!(
         tried,
@@ -123,8 +176,12 @@ fn failures_list_the_places_and_a_near_name() {
         ]
     );
     package(&tree, "ws/src/arm", "arm_description");
-    let near = packages(&tree, &[], options(&tree)).find("arm_descripton", &tree.path("ws/src/own/a.xacro"));
-    assert_eq!(near.unwrap_err().nearest.as_deref(), Some("arm_description"));
+    let near = packages(&tree, &[], options(&tree))
+        .find("arm_descripton", &tree.path("ws/src/own/a.xacro"));
+    assert_eq!(
+        near.unwrap_err().nearest.as_deref(),
+        Some("arm_description")
+    );
 }
 
 #[test]
@@ -153,7 +210,9 @@ fn the_package_that_is_meant() {
         // a package without files
         ("cell_gazebo", None),
     ] {
-        let error = packages.find(name, &tree.path("ws/src/own/a.xacro")).unwrap_err();
+        let error = packages
+            .find(name, &tree.path("ws/src/own/a.xacro"))
+            .unwrap_err();
         assert_eq!(error.nearest.as_deref(), expected, "{name}");
     }
 }
@@ -163,7 +222,9 @@ fn strange_names_are_found_nowhere() {
     let tree = full_tree();
     let packages = packages(&tree, &FULL, options(&tree));
     for name in ["", ".", "..", "../ament", "p/../p", "/", "p\0", "p/"] {
-        let error = packages.find(name, &tree.path("ws/src/own/a.xacro")).unwrap_err();
+        let error = packages
+            .find(name, &tree.path("ws/src/own/a.xacro"))
+            .unwrap_err();
         assert!(error.tried.is_empty(), "{name:?}");
     }
 }
@@ -175,13 +236,32 @@ fn the_own_package_is_named_by_its_manifest() {
     package(&tree, "folder_name/test/inner", "inner");
     tree.write("folder_name/broken/package.xml", "<package/>");
     let packages = packages(&tree, &[], options(&tree));
-    let owner = |file: &str| packages.containing(&tree.path(file)).map(|package| package.name);
-    assert_eq!(owner("folder_name/urdf/a.xacro").as_deref(), Some("real_name"));
-    assert_eq!(owner("folder_name/test/inner/a.xacro").as_deref(), Some("inner"));
-    assert_eq!(owner("folder_name/test/inner/../a.xacro").as_deref(), Some("real_name"));
-    assert_eq!(owner("folder_name/broken/a.xacro").as_deref(), Some("real_name"));
+    let owner = |file: &str| {
+        packages
+            .containing(&tree.path(file))
+            .map(|package| package.name)
+    };
+    assert_eq!(
+        owner("folder_name/urdf/a.xacro").as_deref(),
+        Some("real_name")
+    );
+    assert_eq!(
+        owner("folder_name/test/inner/a.xacro").as_deref(),
+        Some("inner")
+    );
+    assert_eq!(
+        owner("folder_name/test/inner/../a.xacro").as_deref(),
+        Some("real_name")
+    );
+    assert_eq!(
+        owner("folder_name/broken/a.xacro").as_deref(),
+        Some("real_name")
+    );
     assert_eq!(owner("other/a.xacro"), None);
-    assert_eq!(find(&tree, &packages, "folder_name", "folder_name/urdf/a.xacro"), "none, near None");
+    assert_eq!(
+        find(&tree, &packages, "folder_name", "folder_name/urdf/a.xacro"),
+        "none, near None"
+    );
 }
 
 #[test]
@@ -194,8 +274,18 @@ fn workspaces() {
     package(&tree, "repo/x", "x");
     package(&tree, "repo/y", "y");
     tree.write("repo/.git/HEAD", "");
-    let folders = PackageOptions { workspace_folders: vec!["one".into(), "two".into()], ..options(&tree) };
-    let editor = packages(&tree, &[], PackageOptions { search_upward: false, ..folders.clone() });
+    let folders = PackageOptions {
+        workspace_folders: vec!["one".into(), "two".into()],
+        ..options(&tree)
+    };
+    let editor = packages(
+        &tree,
+        &[],
+        PackageOptions {
+            search_upward: false,
+            ..folders.clone()
+        },
+    );
     let table = [
         ("shared", "one/src/a/x.xacro", "workspace one/src/shared"),
         ("shared", "two/b/x.xacro", "workspace two/shared"),
@@ -206,8 +296,14 @@ fn workspaces() {
         assert_eq!(find(&tree, &editor, name, from), expected, "{name} {from}");
     }
     let program = packages(&tree, &[], folders);
-    assert_eq!(find(&tree, &program, "y", "repo/x/x.xacro"), "workspace repo/y");
-    assert_eq!(find(&tree, &program, "b", "repo/x/x.xacro"), "workspace two/b");
+    assert_eq!(
+        find(&tree, &program, "y", "repo/x/x.xacro"),
+        "workspace repo/y"
+    );
+    assert_eq!(
+        find(&tree, &program, "b", "repo/x/x.xacro"),
+        "workspace two/b"
+    );
 }
 
 #[test]
@@ -223,7 +319,11 @@ fn overlays_lie_beside_the_workspace() {
     tree.write(&format!("ws/install/{INDEX}/indexed"), "");
     for folder in ["ws", "ws/src", "ws/src/repo"] {
         let folders = vec![PathBuf::from(folder)];
-        let editor = PackageOptions { workspace_folders: folders, search_upward: false, ..options(&tree) };
+        let editor = PackageOptions {
+            workspace_folders: folders,
+            search_upward: false,
+            ..options(&tree)
+        };
         let packages = packages(&tree, &[], editor);
         let table = [
             ("merged", "overlay ws/install/share/merged"),
@@ -234,7 +334,11 @@ fn overlays_lie_beside_the_workspace() {
             ("elsewhere", "none, near None"),
         ];
         for (name, expected) in table {
-            assert_eq!(find(&tree, &packages, name, "ws/src/repo/a/x.xacro"), expected, "{folder}");
+            assert_eq!(
+                find(&tree, &packages, name, "ws/src/repo/a/x.xacro"),
+                expected,
+                "{folder}"
+            );
         }
     }
 }
@@ -252,8 +356,14 @@ fn an_installed_file_finds_what_is_installed_beside_it() {
     tree.write("alone/.colcon_install_layout", "isolated");
     let packages = packages(&tree, &[], options(&tree));
     let table = [
-        ("merged/share/a/urdf/a.xacro", "installed beside merged/share/b"),
-        ("alone/a/share/a/urdf/a.xacro", "installed beside alone/b/share/b"),
+        (
+            "merged/share/a/urdf/a.xacro",
+            "installed beside merged/share/b",
+        ),
+        (
+            "alone/a/share/a/urdf/a.xacro",
+            "installed beside alone/b/share/b",
+        ),
         ("plain/share/a/urdf/a.xacro", "none, near None"),
     ];
     for (from, expected) in table {
@@ -267,17 +377,26 @@ fn an_installed_copy_has_a_source() {
     package(&tree, "ws/src/a", "a");
     package(&tree, "ws/install/a/share/a", "a");
     tree.write(&format!("ws/install/a/{INDEX}/a"), "");
-    for file in
-        ["ws/src/a/urdf/a.xacro", "ws/install/a/share/a/urdf/a.xacro", "ws/install/a/share/a/made.xacro"]
-    {
+    for file in [
+        "ws/src/a/urdf/a.xacro",
+        "ws/install/a/share/a/urdf/a.xacro",
+        "ws/install/a/share/a/made.xacro",
+    ] {
         tree.write(file, "<robot/>");
     }
     // built with --symlink-install
     #[cfg(unix)]
-    std::os::unix::fs::symlink(tree.path("ws/src/a"), tree.path("ws/install/a/share/a/linked")).unwrap();
+    std::os::unix::fs::symlink(
+        tree.path("ws/src/a"),
+        tree.path("ws/install/a/share/a/linked"),
+    )
+    .unwrap();
     let packages = packages(&tree, &[], options(&tree));
     let source = |file: &str| packages.source_of(&tree.path(file));
-    assert_eq!(source("ws/install/a/share/a/urdf/a.xacro"), Some(tree.path("ws/src/a/urdf/a.xacro")));
+    assert_eq!(
+        source("ws/install/a/share/a/urdf/a.xacro"),
+        Some(tree.path("ws/src/a/urdf/a.xacro"))
+    );
     assert_eq!(source("ws/install/a/share/a/made.xacro"), None);
     assert_eq!(source("ws/src/a/urdf/a.xacro"), None);
     assert_eq!(source("ws/install/a/share/a/linked/urdf/a.xacro"), None);
@@ -309,7 +428,11 @@ fn ros_package_path_is_crawled() {
     package(&tree, "direct", "direct");
     package(&tree, "path/ignored/i", "i");
     tree.write("path/ignored/CATKIN_IGNORE", "");
-    let packages = packages(&tree, &[("ROS_PACKAGE_PATH", "{root}/path:direct")], options(&tree));
+    let packages = packages(
+        &tree,
+        &[("ROS_PACKAGE_PATH", "{root}/path:direct")],
+        options(&tree),
+    );
     let table = [
         ("a", "ROS_PACKAGE_PATH path/group/a"),
         ("direct", "ROS_PACKAGE_PATH direct"),
@@ -332,12 +455,31 @@ fn distributions_go_newest_first_unless_one_is_named() {
     let table: [(Vars<'_>, Target, &str); 5] = [
         (&[], Target::Ros2, "/opt/ros opt/ros/jazzy/share/p"),
         (&[], Target::Ros1, "/opt/ros opt/ros/noetic/share/p"),
-        (&[("ROS_DISTRO", "humble")], Target::Ros2, "/opt/ros opt/ros/humble/share/p"),
-        (&[("AMENT_PREFIX_PATH", "{root}/opt/ros/humble")], Target::Ros2, "/opt/ros opt/ros/humble/share/p"),
-        (&[("ROS_DISTRO", "gone")], Target::Ros2, "/opt/ros opt/ros/jazzy/share/p"),
+        (
+            &[("ROS_DISTRO", "humble")],
+            Target::Ros2,
+            "/opt/ros opt/ros/humble/share/p",
+        ),
+        (
+            &[("AMENT_PREFIX_PATH", "{root}/opt/ros/humble")],
+            Target::Ros2,
+            "/opt/ros opt/ros/humble/share/p",
+        ),
+        (
+            &[("ROS_DISTRO", "gone")],
+            Target::Ros2,
+            "/opt/ros opt/ros/jazzy/share/p",
+        ),
     ];
     for (vars, target, expected) in table {
-        let packages = packages(&tree, vars, PackageOptions { target, ..options(&tree) });
+        let packages = packages(
+            &tree,
+            vars,
+            PackageOptions {
+                target,
+                ..options(&tree)
+            },
+        );
         assert_eq!(find(&tree, &packages, "p", "x.xacro"), expected, "{vars:?}");
     }
     let sourced = packages(&tree, &[("ROS_DISTRO", "humble")], options(&tree));
@@ -378,11 +520,20 @@ fn answers_are_remembered_until_told_to_forget() {
     let tree = Tree::new();
     package(&tree, "ws/src/a", "a");
     let packages = packages(&tree, &[], options(&tree));
-    assert_eq!(find(&tree, &packages, "b", "ws/src/a/x.xacro"), "none, near None");
+    assert_eq!(
+        find(&tree, &packages, "b", "ws/src/a/x.xacro"),
+        "none, near None"
+    );
     package(&tree, "ws/src/b", "b");
-    assert_eq!(find(&tree, &packages, "b", "ws/src/a/x.xacro"), "none, near None");
+    assert_eq!(
+        find(&tree, &packages, "b", "ws/src/a/x.xacro"),
+        "none, near None"
+    );
     packages.forget();
-    assert_eq!(find(&tree, &packages, "b", "ws/src/a/x.xacro"), "workspace ws/src/b");
+    assert_eq!(
+        find(&tree, &packages, "b", "ws/src/a/x.xacro"),
+        "workspace ws/src/b"
+    );
 }
 
 #[test]
@@ -393,8 +544,16 @@ fn threads_share_a_search() {
         for _ in 0..8 {
             scope.spawn(|| {
                 for _ in 0..50 {
-                    assert!(packages.find("p", &tree.path("ws/src/repo/x.xacro")).is_ok());
-                    assert!(packages.find("none", &tree.path("ws/src/repo/x.xacro")).is_err());
+                    assert!(
+                        packages
+                            .find("p", &tree.path("ws/src/repo/x.xacro"))
+                            .is_ok()
+                    );
+                    assert!(
+                        packages
+                            .find("none", &tree.path("ws/src/repo/x.xacro"))
+                            .is_err()
+                    );
                 }
             });
         }
@@ -405,14 +564,24 @@ fn threads_share_a_search() {
 fn of_several_packages_of_one_name_the_one_in_the_same_workspace() {
     let tree = Tree::new();
     for copy in ["1/ros2/src", "2/ros2/src"] {
-        tree.write(&format!("{copy}/arm/package.xml"), "<package><name>arm</name></package>");
-        tree.write(&format!("{copy}/cell/package.xml"), "<package><name>cell</name></package>");
+        tree.write(
+            &format!("{copy}/arm/package.xml"),
+            "<package><name>arm</name></package>",
+        );
+        tree.write(
+            &format!("{copy}/cell/package.xml"),
+            "<package><name>cell</name></package>",
+        );
     }
-    let options =
-        PackageOptions { workspace_folders: vec![tree.root().to_owned()], ..PackageOptions::default() };
+    let options = PackageOptions {
+        workspace_folders: vec![tree.root().to_owned()],
+        ..PackageOptions::default()
+    };
     let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), options);
     for copy in ["1/ros2/src", "2/ros2/src"] {
-        let found = packages.find("arm", &tree.path(&format!("{copy}/cell/urdf/r.xacro"))).unwrap();
+        let found = packages
+            .find("arm", &tree.path(&format!("{copy}/cell/urdf/r.xacro")))
+            .unwrap();
         assert_eq!(found.path, tree.path(&format!("{copy}/arm")));
     }
 }

@@ -7,7 +7,11 @@ use super::steps::Step;
 use base::paths::HERE;
 
 /// Variables that list the folders `model://` is looked for in.
-const MODEL_PATHS: [&str; 3] = ["GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "GAZEBO_MODEL_PATH"];
+const MODEL_PATHS: [&str; 3] = [
+    "GZ_SIM_RESOURCE_PATH",
+    "IGN_GAZEBO_RESOURCE_PATH",
+    "GAZEBO_MODEL_PATH",
+];
 
 /// The forms of a URI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +60,12 @@ pub struct UriResult {
 
 impl UriResult {
     fn new(kind: UriKind, outcome: UriOutcome) -> Self {
-        Self { kind, outcome, step: None, tried: Vec::new() }
+        Self {
+            kind,
+            outcome,
+            step: None,
+            tried: Vec::new(),
+        }
     }
 }
 
@@ -64,7 +73,11 @@ impl Packages {
     /// Resolve the URI or path of a resource named in `from_file`, as RViz and Gazebo do.
     pub fn resolve_uri(&self, uri: &str, from_file: &Path) -> UriResult {
         let Some((scheme, rest)) = split_scheme(uri) else {
-            let kind = if HERE.is_absolute(uri) { UriKind::Absolute } else { UriKind::Relative };
+            let kind = if HERE.is_absolute(uri) {
+                UriKind::Absolute
+            } else {
+                UriKind::Relative
+            };
             let folder = from_file.parent().unwrap_or(Path::new(""));
             return if uri.is_empty() {
                 UriResult::new(kind, UriOutcome::Malformed("an empty path"))
@@ -88,7 +101,9 @@ impl Packages {
         };
         let (name, path) = match rest.split_once('/') {
             Some((name, path)) => (name, path),
-            None if kind == UriKind::Package => return malformed("missing path after the package name"),
+            None if kind == UriKind::Package => {
+                return malformed("missing path after the package name");
+            }
             None => (rest, ""),
         };
         if name.is_empty() {
@@ -97,10 +112,14 @@ impl Packages {
         // readers put a slash between the folder and the path: a second one changes nothing
         let path = path.trim_start_matches('/');
         let package = self.find(name, from_file);
-        let mut places: Vec<PathBuf> =
-            package.iter().map(|found| self.env.cwd.join(&found.path).join(path)).collect();
+        let mut places: Vec<PathBuf> = package
+            .iter()
+            .map(|found| self.env.cwd.join(&found.path).join(path))
+            .collect();
         if kind == UriKind::Model {
-            let folders = MODEL_PATHS.iter().flat_map(|variable| self.env.paths(variable));
+            let folders = MODEL_PATHS
+                .iter()
+                .flat_map(|variable| self.env.paths(variable));
             places.extend(folders.map(|folder| self.env.cwd.join(folder).join(name).join(path)));
         }
         let mut result = self.first_existing(kind, places);
@@ -121,20 +140,30 @@ impl Packages {
             return UriResult::new(UriKind::File, UriOutcome::Malformed(why));
         };
         let decoded = percent_decoded(&path).map(PathBuf::from);
-        let places = std::iter::once(PathBuf::from(path)).chain(decoded).collect();
+        let places = std::iter::once(PathBuf::from(path))
+            .chain(decoded)
+            .collect();
         self.first_existing(UriKind::File, places)
     }
 
     /// The first place that exists or that the build puts something at, else the first one as missing.
     fn first_existing(&self, kind: UriKind, places: Vec<PathBuf>) -> UriResult {
         let found = places.iter().find(|place| self.vfs.exists(place)).cloned();
-        let built = || places.iter().find_map(|place| self.built(place)).map(|built| built.path);
+        let built = || {
+            places
+                .iter()
+                .find_map(|place| self.built(place))
+                .map(|built| built.path)
+        };
         let outcome = match (found.or_else(built), places.first()) {
             (Some(found), _) => UriOutcome::Found(found),
             (None, Some(first)) => UriOutcome::Missing(first.clone()),
             (None, None) => UriOutcome::Elsewhere,
         };
-        UriResult { tried: places, ..UriResult::new(kind, outcome) }
+        UriResult {
+            tried: places,
+            ..UriResult::new(kind, outcome)
+        }
     }
 }
 
@@ -144,8 +173,11 @@ fn split_scheme(uri: &str) -> Option<(&str, &str)> {
     let (scheme, rest) = uri.split_once(':')?;
     let is_scheme = scheme.len() > 1
         && scheme.starts_with(|c: char| c.is_ascii_alphabetic())
-        && scheme.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '+' | '-' | '.'));
-    (is_scheme && (rest.starts_with('/') || scheme.eq_ignore_ascii_case("file"))).then_some((scheme, rest))
+        && scheme
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || matches!(c, '+' | '-' | '.'));
+    (is_scheme && (rest.starts_with('/') || scheme.eq_ignore_ascii_case("file")))
+        .then_some((scheme, rest))
 }
 
 /// The text with `%41` and the like replaced, if there is any.
@@ -154,7 +186,10 @@ pub fn percent_decoded(text: &str) -> Option<String> {
     let mut bytes = parts.next()?.as_bytes().to_vec();
     let mut changed = false;
     for part in parts {
-        match part.get(..2).and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
+        match part
+            .get(..2)
+            .and_then(|digits| u8::from_str_radix(digits, 16).ok())
+        {
             Some(byte) => {
                 bytes.push(byte);
                 bytes.extend_from_slice(part.get(2..).unwrap_or_default().as_bytes());
@@ -179,43 +214,100 @@ mod tests {
     fn forms() {
         let tree = Tree::new();
         tree.write("bot/package.xml", "<package><name>bot</name></package>");
-        for file in ["bot/meshes/a.stl", "bot/urdf/b.stl", "models/table/mesh.dae", "sp ace.stl"] {
+        for file in [
+            "bot/meshes/a.stl",
+            "bot/urdf/b.stl",
+            "models/table/mesh.dae",
+            "sp ace.stl",
+        ] {
             tree.write(file, "");
         }
         let env = tree.environment(&[("GAZEBO_MODEL_PATH", "{root}/models")]);
         let system = tree.path("none");
-        let packages =
-            Packages::new(tree.vfs().clone(), &env, PackageOptions { system, ..Default::default() });
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &env,
+            PackageOptions {
+                system,
+                ..Default::default()
+            },
+        );
         let root = tree.root().to_str().unwrap();
         let table = [
-            ("package://bot/meshes/a.stl", UriKind::Package, "found bot/meshes/a.stl"),
-            ("package://bot/meshes/x.stl", UriKind::Package, "missing bot/meshes/x.stl"),
-            ("package://bit/meshes/a.stl", UriKind::Package, "unknown bit"),
+            (
+                "package://bot/meshes/a.stl",
+                UriKind::Package,
+                "found bot/meshes/a.stl",
+            ),
+            (
+                "package://bot/meshes/x.stl",
+                UriKind::Package,
+                "missing bot/meshes/x.stl",
+            ),
+            (
+                "package://bit/meshes/a.stl",
+                UriKind::Package,
+                "unknown bit",
+            ),
             ("package://bot", UriKind::Package, "malformed"),
             ("package:///meshes/a.stl", UriKind::Package, "malformed"),
             ("package:/bot/a.stl", UriKind::Package, "malformed"),
             ("package://../bot/a.stl", UriKind::Package, "unknown .."),
-            ("model://bot/meshes/a.stl", UriKind::Model, "found bot/meshes/a.stl"),
-            ("model://table/mesh.dae", UriKind::Model, "found models/table/mesh.dae"),
+            (
+                "model://bot/meshes/a.stl",
+                UriKind::Model,
+                "found bot/meshes/a.stl",
+            ),
+            (
+                "model://table/mesh.dae",
+                UriKind::Model,
+                "found models/table/mesh.dae",
+            ),
             ("model://table", UriKind::Model, "found models/table/"),
             ("model://chair/mesh.dae", UriKind::Model, "unknown chair"),
-            ("file://{root}/bot/meshes/a.stl", UriKind::File, "found bot/meshes/a.stl"),
-            ("file:{root}/bot/meshes/a.stl", UriKind::File, "found bot/meshes/a.stl"),
-            ("file://localhost{root}/bot/meshes/a.stl", UriKind::File, "found bot/meshes/a.stl"),
-            ("file://{root}/sp%20ace.stl", UriKind::File, "found sp ace.stl"),
+            (
+                "file://{root}/bot/meshes/a.stl",
+                UriKind::File,
+                "found bot/meshes/a.stl",
+            ),
+            (
+                "file:{root}/bot/meshes/a.stl",
+                UriKind::File,
+                "found bot/meshes/a.stl",
+            ),
+            (
+                "file://localhost{root}/bot/meshes/a.stl",
+                UriKind::File,
+                "found bot/meshes/a.stl",
+            ),
+            (
+                "file://{root}/sp%20ace.stl",
+                UriKind::File,
+                "found sp ace.stl",
+            ),
             ("file://{root}/100%.stl", UriKind::File, "missing 100%.stl"),
             ("file://meshes/a.stl", UriKind::File, "malformed"),
-            ("{root}/bot/meshes/a.stl", UriKind::Absolute, "found bot/meshes/a.stl"),
+            (
+                "{root}/bot/meshes/a.stl",
+                UriKind::Absolute,
+                "found bot/meshes/a.stl",
+            ),
             ("b.stl", UriKind::Relative, "found bot/urdf/b.stl"),
-            ("../meshes/a.stl", UriKind::Relative, "found bot/urdf/../meshes/a.stl"),
+            (
+                "../meshes/a.stl",
+                UriKind::Relative,
+                "found bot/urdf/../meshes/a.stl",
+            ),
             ("c.stl", UriKind::Relative, "missing bot/urdf/c.stl"),
             ("", UriKind::Relative, "malformed"),
             ("https://example.org/a.stl", UriKind::Other, "elsewhere"),
         ];
         for (uri, kind, expected) in table {
-            let result = packages.resolve_uri(&uri.replace("{root}", root), &tree.path("bot/urdf/x.xacro"));
-            let relative =
-                |path: &std::path::Path| path.display().to_string().replace(&format!("{root}/"), "");
+            let result =
+                packages.resolve_uri(&uri.replace("{root}", root), &tree.path("bot/urdf/x.xacro"));
+            let relative = |path: &std::path::Path| {
+                path.display().to_string().replace(&format!("{root}/"), "")
+            };
             let outcome = match &result.outcome {
                 UriOutcome::Found(path) => format!("found {}", relative(path)),
                 UriOutcome::Missing(path) => format!("missing {}", relative(path)),
@@ -225,10 +317,12 @@ mod tests {
             };
             assert_eq!((result.kind, outcome.as_str()), (kind, expected), "{uri}");
         }
-        let found = packages.resolve_uri("package://bot/meshes/a.stl", &tree.path("bot/urdf/x.xacro"));
+        let found =
+            packages.resolve_uri("package://bot/meshes/a.stl", &tree.path("bot/urdf/x.xacro"));
         assert_eq!(found.step, Some(Step::OwnPackage));
-        let UriOutcome::UnknownPackage(error) =
-            packages.resolve_uri("package://bit/a", &tree.path("bot/urdf/x.xacro")).outcome
+        let UriOutcome::UnknownPackage(error) = packages
+            .resolve_uri("package://bit/a", &tree.path("bot/urdf/x.xacro"))
+            .outcome
         else {
             panic!("bit is unknown")
         };

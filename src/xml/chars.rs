@@ -51,11 +51,15 @@ pub(super) fn stops_value(b: u8) -> bool {
 /// Length in bytes of the name character at `at`, 0 when there is none. The colon is no name character
 /// here: namespaces give it a grammar of its own.
 pub(super) fn name_char(text: &str, at: usize, first: bool) -> usize {
-    let Some(&b) = text.as_bytes().get(at) else { return 0 };
+    let Some(&b) = text.as_bytes().get(at) else {
+        return 0;
+    };
     if b < 0x80 {
         return usize::from(CLASS[b as usize] & if first { START } else { NAME } != 0);
     }
-    let Some(c) = text.get(at..).and_then(|rest| rest.chars().next()) else { return 0 };
+    let Some(c) = text.get(at..).and_then(|rest| rest.chars().next()) else {
+        return 0;
+    };
     let known = in_table(c, NAME_START) || (!first && in_table(c, NAME_REST));
     if known { c.len_utf8() } else { 0 }
 }
@@ -69,7 +73,10 @@ pub(super) fn skip_ascii_name(bytes: &[u8], at: usize) -> usize {
         _ => return at,
     }
     let rest = bytes.get(at..).unwrap_or(&[]);
-    at + rest.iter().position(|&b| class(b) & NAME == 0).unwrap_or(rest.len())
+    at + rest
+        .iter()
+        .position(|&b| class(b) & NAME == 0)
+        .unwrap_or(rest.len())
 }
 
 /// Offset behind the run of name characters at `at`, without regard to colons.
@@ -83,7 +90,9 @@ pub(super) fn skip_name(text: &str, mut at: usize) -> usize {
 }
 
 fn in_table(c: char, table: &[(u16, u16)]) -> bool {
-    let Ok(c) = u16::try_from(c as u32) else { return false };
+    let Ok(c) = u16::try_from(c as u32) else {
+        return false;
+    };
     let at = table.partition_point(|&(_, last)| last < c);
     table.get(at).is_some_and(|&(first, _)| first <= c)
 }
@@ -94,7 +103,9 @@ pub(super) fn first_illegal(text: &str) -> Option<usize> {
     if !may_be_illegal(text.as_bytes()) {
         return None;
     }
-    text.char_indices().find(|&(_, c)| !is_legal(c)).map(|(at, _)| at)
+    text.char_indices()
+        .find(|&(_, c)| !is_legal(c))
+        .map(|(at, _)| at)
 }
 
 /// Whether XML 1.0 allows this character at all.

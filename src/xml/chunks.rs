@@ -152,12 +152,18 @@ impl Chunks {
             skip -= chunk.items.len();
         }
         let chunks = self.list.get(first..).unwrap_or(&[]);
-        chunks.iter().flat_map(|chunk| chunk.items.iter()).skip(skip)
+        chunks
+            .iter()
+            .flat_map(|chunk| chunk.items.iter())
+            .skip(skip)
     }
 
     /// The items, with their offsets, of the chunks that may have errors if `bound` says which prefixes the
     /// root declares.
-    pub(super) fn iter_loud(&self, bound: impl Fn(&str) -> bool) -> impl Iterator<Item = (u32, &Arc<Item>)> {
+    pub(super) fn iter_loud(
+        &self,
+        bound: impl Fn(&str) -> bool,
+    ) -> impl Iterator<Item = (u32, &Arc<Item>)> {
         let mut next = 0;
         let chunks = self.list.iter().filter_map(move |chunk| {
             let start = next;
@@ -219,13 +225,25 @@ impl Chunks {
         let same = |(a, b): &(&Chunk, &Chunk)| Arc::ptr_eq(&a.items, &b.items);
         let same_item = |(a, b): &(&Arc<Item>, &Arc<Item>)| Arc::ptr_eq(a, b);
         let count = |(chunk, _): (&Chunk, &Chunk)| chunk.items.len();
-        let whole: usize = self.list.iter().zip(&other.list).take_while(same).map(count).sum();
-        let more = self.iter_from(whole).zip(other.iter_from(whole)).take_while(same_item).count();
+        let whole: usize = self
+            .list
+            .iter()
+            .zip(&other.list)
+            .take_while(same)
+            .map(count)
+            .sum();
+        let more = self
+            .iter_from(whole)
+            .zip(other.iter_from(whole))
+            .take_while(same_item)
+            .count();
         let start = whole + more;
         let (own, others) = (self.count(), other.count());
         let back = self.list.iter().rev().zip(other.list.iter().rev());
         let whole: usize = back.take_while(same).map(count).sum();
-        let behind = self.iter_before(own - whole).zip(other.iter_before(others - whole));
+        let behind = self
+            .iter_before(own - whole)
+            .zip(other.iter_before(others - whole));
         let end = whole + behind.take_while(same_item).count();
         (start, end.min(own - start).min(others - start))
     }
@@ -234,11 +252,9 @@ impl Chunks {
     pub(super) fn splice(&mut self, range: Range<usize>, new: Vec<Arc<Item>>) {
         let (first, before) = self.locate(range.start);
         let (mut last, behind) = self.locate(range.end);
-        if let Some(chunk) = self
-            .list
-            .get_mut(first)
-            .filter(|chunk| first == last && chunk.items.len() - (behind - before) + new.len() <= MAX)
-        {
+        if let Some(chunk) = self.list.get_mut(first).filter(|chunk| {
+            first == last && chunk.items.len() - (behind - before) + new.len() <= MAX
+        }) {
             Arc::make_mut(&mut chunk.items).splice(before..behind, new);
             chunk.sum();
             return;
@@ -275,5 +291,8 @@ fn cut(items: Vec<Arc<Item>>) -> Vec<Chunk> {
     if items.len() <= MAX {
         return vec![Chunk::new(items)];
     }
-    items.chunks(TARGET).map(|part| Chunk::new(part.to_vec())).collect()
+    items
+        .chunks(TARGET)
+        .map(|part| Chunk::new(part.to_vec()))
+        .collect()
 }

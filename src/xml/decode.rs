@@ -32,7 +32,11 @@ pub(super) fn read_reference(text: &str, at: usize) -> Reference<'_> {
             _ => Reference::Bad(end),
         };
     }
-    let (radix, start) = if bytes.get(after + 1) == Some(&b'x') { (16, after + 2) } else { (10, after + 1) };
+    let (radix, start) = if bytes.get(after + 1) == Some(&b'x') {
+        (16, after + 2)
+    } else {
+        (10, after + 1)
+    };
     let mut end = start;
     let mut code = 0u32;
     while let Some(digit) = bytes.get(end).and_then(|b| (*b as char).to_digit(radix)) {
@@ -63,7 +67,11 @@ pub(super) enum Place {
 
 impl Place {
     fn new(is_attr: bool) -> Self {
-        if is_attr { Place::Attribute } else { Place::Text }
+        if is_attr {
+            Place::Attribute
+        } else {
+            Place::Text
+        }
     }
 }
 
@@ -107,8 +115,15 @@ fn special(raw: &str, at: usize, place: Place) -> Option<(Piece<'_>, usize)> {
             Reference::Char(None, _) | Reference::Bad(_) => None,
         },
         b'\r' if place != Place::Replacement => {
-            let len = if bytes.get(at + 1) == Some(&b'\n') { 2 } else { 1 };
-            Some((Piece::Char(if place == Place::Attribute { ' ' } else { '\n' }), at + len))
+            let len = if bytes.get(at + 1) == Some(&b'\n') {
+                2
+            } else {
+                1
+            };
+            Some((
+                Piece::Char(if place == Place::Attribute { ' ' } else { '\n' }),
+                at + len,
+            ))
         }
         b'\n' | b'\t' if place == Place::Attribute => Some((Piece::Char(' '), at + 1)),
         _ => None,
@@ -149,7 +164,12 @@ fn push(
 
 /// The offset in raw text that made the byte at `decoded_offset` of its value; inside the value of a
 /// reference: the offset of its `&`. Offsets behind the end give the end.
-pub fn source_offset(raw: &str, entities: &Entities, is_attr: bool, decoded_offset: usize) -> usize {
+pub fn source_offset(
+    raw: &str,
+    entities: &Entities,
+    is_attr: bool,
+    decoded_offset: usize,
+) -> usize {
     source_offsets(raw, entities, is_attr)(decoded_offset)
 }
 
@@ -164,13 +184,19 @@ pub fn source_offsets(raw: &str, entities: &Entities, is_attr: bool) -> impl FnM
             (rest, begin, end) = (from_start(), 0, 0);
         }
         while offset >= end {
-            let Some((piece, range)) = rest.next() else { return raw.len() };
+            let Some((piece, range)) = rest.next() else {
+                return raw.len();
+            };
             out.clear();
             (start, is_text) = (range.start, matches!(piece, Piece::Text(_)));
             push(&mut out, &piece, raw, range, entities, is_attr);
             (begin, end) = (end, end + out.len());
         }
-        if is_text { start + (offset - begin) } else { start }
+        if is_text {
+            start + (offset - begin)
+        } else {
+            start
+        }
     }
 }
 
@@ -202,7 +228,9 @@ mod tests {
         let raw = "ab&amp;c\r\nd&#65;";
         let none = Entities::default();
         assert_eq!(decode(raw, &none, false), "ab&c\ndA");
-        let offsets: Vec<usize> = (0..8).map(|at| source_offset(raw, &none, false, at)).collect();
+        let offsets: Vec<usize> = (0..8)
+            .map(|at| source_offset(raw, &none, false, at))
+            .collect();
         assert_eq!(offsets, [0, 1, 2, 7, 8, 10, 11, 16]);
         let mut at = source_offsets(raw, &none, false);
         assert_eq!([0, 2, 2, 5, 9, 3, 7].map(&mut at), [0, 2, 2, 10, 16, 7, 16]);

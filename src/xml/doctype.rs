@@ -9,15 +9,24 @@ pub fn printed_doctype(raw: &str, with_subset: bool) -> String {
     let name = word(&mut rest);
     let local_name = name.split_once(':').map_or(name, |(_, local)| local);
     let mut out = format!("<!DOCTYPE {local_name}");
-    let public = if word(&mut rest) == "PUBLIC" { literal(&mut rest) } else { "" };
-    let public: Vec<&str> = public.split([' ', '\n', '\r']).filter(|word| !word.is_empty()).collect();
+    let public = if word(&mut rest) == "PUBLIC" {
+        literal(&mut rest)
+    } else {
+        ""
+    };
+    let public: Vec<&str> = public
+        .split([' ', '\n', '\r'])
+        .filter(|word| !word.is_empty())
+        .collect();
     let system = literal(&mut rest);
     if !public.is_empty() {
         out += &format!("\n  PUBLIC '{}'\n  '{system}'", public.join(" "));
     } else if !system.is_empty() {
         out += &format!("\n  SYSTEM '{system}'");
     }
-    if let Some((subset, _)) = skip_space(rest).strip_prefix('[').and_then(|inner| inner.rsplit_once(']'))
+    if let Some((subset, _)) = skip_space(rest)
+        .strip_prefix('[')
+        .and_then(|inner| inner.rsplit_once(']'))
         && with_subset
     {
         out += &format!(" [{subset}]");
@@ -42,8 +51,12 @@ fn word<'t>(rest: &mut &'t str) -> &'t str {
 /// Take the text in quotes that comes next; empty when there is none.
 fn literal<'t>(rest: &mut &'t str) -> &'t str {
     *rest = skip_space(rest);
-    let Some(quote) = rest.chars().next().filter(|c| matches!(c, '"' | '\'')) else { return "" };
-    let Some((found, behind)) = rest.get(1..).and_then(|inner| inner.split_once(quote)) else { return "" };
+    let Some(quote) = rest.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
+        return "";
+    };
+    let Some((found, behind)) = rest.get(1..).and_then(|inner| inner.split_once(quote)) else {
+        return "";
+    };
     *rest = behind;
     found
 }
@@ -57,11 +70,23 @@ mod tests {
         for (raw, printed) in [
             ("<!DOCTYPE   robot  >", "<!DOCTYPE robot>"),
             ("<!DOCTYPE q:robot>", "<!DOCTYPE robot>"),
-            ("<!DOCTYPE robot SYSTEM \"a.dtd\">", "<!DOCTYPE robot\n  SYSTEM 'a.dtd'>"),
+            (
+                "<!DOCTYPE robot SYSTEM \"a.dtd\">",
+                "<!DOCTYPE robot\n  SYSTEM 'a.dtd'>",
+            ),
             ("<!DOCTYPE robot SYSTEM \"\">", "<!DOCTYPE robot>"),
-            ("<!DOCTYPE robot PUBLIC ' p  \nq ' 's'>", "<!DOCTYPE robot\n  PUBLIC 'p q'\n  's'>"),
-            ("<!DOCTYPE robot PUBLIC '' 's' []>", "<!DOCTYPE robot\n  SYSTEM 's' []>"),
-            ("<!DOCTYPE robot[ <!ENTITY a \"]\"> ] >", "<!DOCTYPE robot [ <!ENTITY a \"]\"> ]>"),
+            (
+                "<!DOCTYPE robot PUBLIC ' p  \nq ' 's'>",
+                "<!DOCTYPE robot\n  PUBLIC 'p q'\n  's'>",
+            ),
+            (
+                "<!DOCTYPE robot PUBLIC '' 's' []>",
+                "<!DOCTYPE robot\n  SYSTEM 's' []>",
+            ),
+            (
+                "<!DOCTYPE robot[ <!ENTITY a \"]\"> ] >",
+                "<!DOCTYPE robot [ <!ENTITY a \"]\"> ]>",
+            ),
         ] {
             assert_eq!(printed_doctype(raw, true), printed, "{raw}");
         }

@@ -56,7 +56,9 @@ impl Document {
     /// Parse a whole file. Never fails: what is wrong is in [`errors`](Self::errors).
     /// Of a text longer than 1 GiB only that much is read.
     pub fn parse(text: &str) -> Document {
-        let text = text.get(..text.floor_char_boundary(XML_BYTES)).unwrap_or("");
+        let text = text
+            .get(..text.floor_char_boundary(XML_BYTES))
+            .unwrap_or("");
         let mut parser = Parser::new(text, "", true);
         let header = parser.header();
         let mut items = Vec::new();
@@ -111,16 +113,24 @@ impl Document {
 
     /// The text in front of and behind `range`, on each side about `most` bytes.
     pub fn beside(&self, range: TextRange, most: u32) -> (String, String) {
-        let wide = TextRange::new(range.start.saturating_sub(most), range.end.saturating_add(most));
+        let wide = TextRange::new(
+            range.start.saturating_sub(most),
+            range.end.saturating_add(most),
+        );
         let (start, end) = self.whole_characters(wide);
-        (self.slice(TextRange::new(start, range.start)), self.slice(TextRange::new(range.end, end)))
+        (
+            self.slice(TextRange::new(start, range.start)),
+            self.slice(TextRange::new(range.end, end)),
+        )
     }
 
     /// The line around an offset, and the offset in it; none when it has more than `most` bytes.
     pub fn line_around(&self, offset: u32, most: u32) -> Option<(String, usize)> {
         let (mut line, behind) = self.beside(TextRange::empty(offset), most.saturating_add(1));
         if line.ends_with('\r') && behind.starts_with('\n') {
-            return self.line_around(offset - 1, most).map(|(line, inside)| (line, inside + 1));
+            return self
+                .line_around(offset - 1, most)
+                .map(|(line, inside)| (line, inside + 1));
         }
         if let Some(start) = last_line_start(&line) {
             line.drain(..start);
@@ -158,8 +168,8 @@ impl Document {
 
     /// The items that an older state of this document does not have; none when its header or footer differs.
     pub fn items_not_in(&self, older: &Document) -> Option<Range<usize>> {
-        let same_ends =
-            Arc::ptr_eq(older.header(), self.header()) && Arc::ptr_eq(older.footer(), self.footer());
+        let same_ends = Arc::ptr_eq(older.header(), self.header())
+            && Arc::ptr_eq(older.footer(), self.footer());
         let (start, kept) = older.items.shared(&self.items);
         same_ends.then(|| start..self.item_count() - kept)
     }
@@ -179,13 +189,19 @@ impl Document {
     pub fn line_end(&self) -> &'static str {
         let mut parts = self.parts().map(|(_, item)| item.text());
         let first = parts.find_map(|text| text.get(..text.find('\n')?));
-        if first.is_some_and(|line| line.ends_with('\r')) { "\r\n" } else { "\n" }
+        if first.is_some_and(|line| line.ends_with('\r')) {
+            "\r\n"
+        } else {
+            "\n"
+        }
     }
 
     /// Header, items, footer, with their absolute offsets.
     pub fn parts(&self) -> impl Iterator<Item = (u32, &Arc<Item>)> {
         let footer = std::iter::once((self.footer_start(), &self.footer.item));
-        std::iter::once((0, &self.header)).chain(self.items()).chain(footer)
+        std::iter::once((0, &self.header))
+            .chain(self.items())
+            .chain(footer)
     }
 
     pub(super) fn parts_from(&self, part: Part) -> impl Iterator<Item = &Arc<Item>> {
@@ -194,27 +210,46 @@ impl Document {
             Part::Item(index) => (None, index),
             Part::Footer => (None, usize::MAX),
         };
-        header.into_iter().chain(self.items.iter_from(index)).chain(std::iter::once(&self.footer.item))
+        header
+            .into_iter()
+            .chain(self.items.iter_from(index))
+            .chain(std::iter::once(&self.footer.item))
     }
 
     /// The characters from `offset` on, which must be the start of one.
     pub(super) fn chars_from(&self, offset: u32) -> impl Iterator<Item = char> {
         let place = self.item_at(offset);
         let mut skip = (offset - place.start) as usize;
-        self.parts_from(place.part)
-            .flat_map(move |item| item.text().get(std::mem::take(&mut skip)..).unwrap_or("").chars())
+        self.parts_from(place.part).flat_map(move |item| {
+            item.text()
+                .get(std::mem::take(&mut skip)..)
+                .unwrap_or("")
+                .chars()
+        })
     }
 
     /// The part that holds the byte at `offset`.
     pub fn item_at(&self, offset: u32) -> Place<'_> {
         let head = self.header.len();
         if offset < head || self.context.root == RootState::Missing {
-            return Place { part: Part::Header, start: 0, item: &self.header };
+            return Place {
+                part: Part::Header,
+                start: 0,
+                item: &self.header,
+            };
         }
         let mark = self.items.at_offset(offset - head);
         match self.items.get(mark.index) {
-            Some(item) => Place { part: Part::Item(mark.index), start: head + mark.bytes, item },
-            None => Place { part: Part::Footer, start: head + mark.bytes, item: &self.footer.item },
+            Some(item) => Place {
+                part: Part::Item(mark.index),
+                start: head + mark.bytes,
+                item,
+            },
+            None => Place {
+                part: Part::Footer,
+                start: head + mark.bytes,
+                item: &self.footer.item,
+            },
         }
     }
 
@@ -230,7 +265,9 @@ impl Document {
 
     /// The root's end tag; absolute.
     pub fn root_end_tag(&self) -> Option<TextRange> {
-        self.footer.root_end.map(|range| range.shift(self.footer_start()))
+        self.footer
+            .root_end
+            .map(|range| range.shift(self.footer_start()))
     }
 
     /// The nodes of the footer that are inside the root.
@@ -240,7 +277,11 @@ impl Document {
 
     /// The nodes behind the root's end tag.
     pub fn epilog(&self) -> Siblings<'_> {
-        Siblings::new(&self.footer.item, self.footer.inner, self.footer.item.nodes.len() as u32)
+        Siblings::new(
+            &self.footer.item,
+            self.footer.inner,
+            self.footer.item.nodes.len() as u32,
+        )
     }
 
     /// The entities the document declares.
@@ -256,7 +297,21 @@ impl Document {
 
 impl Context {
     pub(super) fn split(header: Header) -> (Arc<Item>, Context) {
-        let Header { item, root, root_name, entities, namespaces } = header;
-        (item, Context { root, root_name, entities: Arc::new(entities), namespaces })
+        let Header {
+            item,
+            root,
+            root_name,
+            entities,
+            namespaces,
+        } = header;
+        (
+            item,
+            Context {
+                root,
+                root_name,
+                entities: Arc::new(entities),
+                namespaces,
+            },
+        )
     }
 }

@@ -37,15 +37,28 @@ impl Document {
         let mut window = Window::new(self.parts_from(first), self.number(first), offset);
         window.fill(end);
         window.replace(start, end, replacement);
-        let header = if first == Part::Header { Some(window.header()) } else { None };
-        let name = header.as_ref().map_or(&self.context.root_name, |header| &header.root_name);
-        if header.as_ref().is_some_and(|header| header.root != RootState::Open)
+        let header = if first == Part::Header {
+            Some(window.header())
+        } else {
+            None
+        };
+        let name = header
+            .as_ref()
+            .map_or(&self.context.root_name, |header| &header.root_name);
+        if header
+            .as_ref()
+            .is_some_and(|header| header.root != RootState::Open)
             || (*name != self.context.root_name && !self.fits_any_root_name())
         {
             return None;
         }
         let (items, rest) = window.run(name);
-        Some(Change { header, first: self.number(first).saturating_sub(1), items, rest })
+        Some(Change {
+            header,
+            first: self.number(first).saturating_sub(1),
+            items,
+            rest,
+        })
     }
 
     fn apply(&mut self, change: Change) {
@@ -88,7 +101,11 @@ impl Document {
 
     /// Whether no item depends on the name of the root.
     fn fits_any_root_name(&self) -> bool {
-        self.items.iter_from(0).all(|item| item.extra.as_ref().is_none_or(|extra| !extra.needs_root_name))
+        self.items.iter_from(0).all(|item| {
+            item.extra
+                .as_ref()
+                .is_none_or(|extra| !extra.needs_root_name)
+        })
     }
 
     /// The range, cut to the text and widened to character boundaries.
@@ -106,7 +123,10 @@ impl Document {
 
     fn is_char_boundary(&self, offset: u32) -> bool {
         let place = self.item_at(offset);
-        place.item.text().is_char_boundary((offset - place.start) as usize)
+        place
+            .item
+            .text()
+            .is_char_boundary((offset - place.start) as usize)
     }
 
     /// The first part that a change of the text from `offset` on touches, and its offset.
@@ -176,7 +196,9 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
     }
 
     fn push_part(&mut self) {
-        let Some(part) = self.parts.next() else { return };
+        let Some(part) = self.parts.next() else {
+            return;
+        };
         self.text.push_str(part.text());
         self.next += 1;
         self.is_final = self.parts.peek().is_none();
@@ -229,7 +251,10 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
         while self.bounds.front().is_some_and(|&(bound, _)| bound < at) {
             self.bounds.pop_front();
         }
-        self.bounds.front().filter(|&&(bound, _)| bound == at && !self.forced).map(|&(_, part)| part)
+        self.bounds
+            .front()
+            .filter(|&&(bound, _)| bound == at && !self.forced)
+            .map(|&(_, part)| part)
     }
 
     /// Parse the header and move behind it.

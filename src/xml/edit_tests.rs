@@ -80,23 +80,48 @@ type Edit = (u16, u8, Vec<usize>);
 fn edits() -> impl Strategy<Value = (usize, Vec<Edit>)> {
     let piece = prop::collection::vec(0..PIECES.len(), 0..3);
     let delete = prop_oneof![3 => 0u8..1, 3 => 1u8..4, 1 => 1u8..120];
-    (0..SEEDS.len(), prop::collection::vec((0u16..1000, delete, piece), 1..12))
+    (
+        0..SEEDS.len(),
+        prop::collection::vec((0u16..1000, delete, piece), 1..12),
+    )
 }
 
 fn assert_same(edited: &Document, fresh: &Document) {
-    let parts = |document: &Document| document.parts().map(|(_, item)| Arc::clone(item)).collect::<Vec<_>>();
-    let texts: Vec<String> = parts(edited).iter().map(|item| item.text().to_owned()).collect();
-    let fresh_texts: Vec<String> = parts(fresh).iter().map(|item| item.text().to_owned()).collect();
+    let parts = |document: &Document| {
+        document
+            .parts()
+            .map(|(_, item)| Arc::clone(item))
+            .collect::<Vec<_>>()
+    };
+    let texts: Vec<String> = parts(edited)
+        .iter()
+        .map(|item| item.text().to_owned())
+        .collect();
+    let fresh_texts: Vec<String> = parts(fresh)
+        .iter()
+        .map(|item| item.text().to_owned())
+        .collect();
     assert_eq!(texts, fresh_texts);
     for (one, two) in parts(edited).iter().zip(parts(fresh)) {
-        assert_eq!((&one.nodes, &one.attrs, one.lines), (&two.nodes, &two.attrs, two.lines), "{one:?}");
+        assert_eq!(
+            (&one.nodes, &one.attrs, one.lines),
+            (&two.nodes, &two.attrs, two.lines),
+            "{one:?}"
+        );
         let errors = |item: &Item| item.errors().map(Cow::into_owned).collect::<Vec<_>>();
         assert_eq!(errors(one), errors(&two), "{one:?}");
-        assert_eq!((one.reach(), one.entity_uses()), (two.reach(), two.entity_uses()), "{one:?}");
+        assert_eq!(
+            (one.reach(), one.entity_uses()),
+            (two.reach(), two.entity_uses()),
+            "{one:?}"
+        );
     }
     assert_eq!(edited.errors(), fresh.errors());
     assert_eq!(edited.root_end_tag(), fresh.root_end_tag());
-    assert_eq!(edited.footer_content().count(), fresh.footer_content().count());
+    assert_eq!(
+        edited.footer_content().count(),
+        fresh.footer_content().count()
+    );
     assert_eq!(edited.entities(), fresh.entities());
     assert_eq!(edited.len(), fresh.len());
 }
@@ -106,7 +131,10 @@ fn reference_line_col(text: &str, offset: usize, encoding: Encoding) -> LineCol 
     let normal = text[..offset].replace("\r\n", "\n").replace('\r', "\n");
     let line = normal.matches('\n').count() as u32;
     let tail = normal.rsplit('\n').next().unwrap_or("");
-    LineCol { line, col: encoding.width(tail) }
+    LineCol {
+        line,
+        col: encoding.width(tail),
+    }
 }
 
 fn check_positions(document: &Document, text: &str) {
@@ -116,8 +144,16 @@ fn check_positions(document: &Document, text: &str) {
         }
         for encoding in [Encoding::Utf8, Encoding::Utf16, Encoding::Utf32] {
             let expected = reference_line_col(text, offset, encoding);
-            assert_eq!(document.line_col(offset as u32, encoding), expected, "{offset} of {text:?}");
-            assert_eq!(document.offset(expected, encoding), offset as u32, "{expected:?} of {text:?}");
+            assert_eq!(
+                document.line_col(offset as u32, encoding),
+                expected,
+                "{offset} of {text:?}"
+            );
+            assert_eq!(
+                document.offset(expected, encoding),
+                offset as u32,
+                "{expected:?} of {text:?}"
+            );
         }
     }
 }
@@ -145,15 +181,20 @@ proptest! {
 }
 
 fn many_links(count: usize) -> String {
-    let links: String =
-        (0..count).map(|n| format!("  <link name=\"l{n}\">\n    <visual/>\n  </link>\n")).collect();
+    let links: String = (0..count)
+        .map(|n| format!("  <link name=\"l{n}\">\n    <visual/>\n  </link>\n"))
+        .collect();
     format!("<robot name=\"r\">\n{links}</robot>\n")
 }
 
 /// How many items of `before` are no longer in `after`.
 fn lost(before: &Document, after: &Document) -> usize {
-    let kept: std::collections::HashSet<_> = after.items().map(|(_, item)| Arc::as_ptr(item)).collect();
-    before.items().filter(|(_, item)| !kept.contains(&Arc::as_ptr(item))).count()
+    let kept: std::collections::HashSet<_> =
+        after.items().map(|(_, item)| Arc::as_ptr(item)).collect();
+    before
+        .items()
+        .filter(|(_, item)| !kept.contains(&Arc::as_ptr(item)))
+        .count()
 }
 
 #[test]
@@ -163,7 +204,13 @@ fn an_edit_keeps_the_other_items() {
     assert_eq!(original.item_count(), 300);
     let at = |needle: &str| text.find(needle).expect("in the text") as u32;
     for (name, range, insert, expected_lost, expected_count) in [
-        ("a letter in a value", TextRange::empty(at("l150")), "x", 1, 300),
+        (
+            "a letter in a value",
+            TextRange::empty(at("l150")),
+            "x",
+            1,
+            300,
+        ),
         (
             "a new element between two",
             TextRange::empty(at("  <link name=\"l150\"") - 1),
@@ -178,9 +225,27 @@ fn an_edit_keeps_the_other_items() {
             1,
             299,
         ),
-        ("an attribute of the root", TextRange::empty(at(" name=\"r\"")), " xmlns:a=\"u\"", 0, 300),
-        ("the name of the root", TextRange::empty(at(" name=\"r\"")), "s", 0, 300),
-        ("a half-typed tag", TextRange::empty(at("  <link name=\"l9\"")), "  <joint na\n", 1, 301),
+        (
+            "an attribute of the root",
+            TextRange::empty(at(" name=\"r\"")),
+            " xmlns:a=\"u\"",
+            0,
+            300,
+        ),
+        (
+            "the name of the root",
+            TextRange::empty(at(" name=\"r\"")),
+            "s",
+            0,
+            300,
+        ),
+        (
+            "a half-typed tag",
+            TextRange::empty(at("  <link name=\"l9\"")),
+            "  <joint na\n",
+            1,
+            301,
+        ),
         (
             "a start tag without end",
             TextRange::empty(at("  <link name=\"l9\"")),
@@ -188,9 +253,27 @@ fn an_edit_keeps_the_other_items() {
             1,
             301,
         ),
-        ("a half-typed comment", TextRange::empty(at("  <link name=\"l9\"")), "  <!-- half\n", 1, 300),
-        ("text behind the root", TextRange::empty(text.len() as u32), "x", 0, 300),
-        ("a change of the last item", TextRange::empty(at("</robot>") - 2), "x", 1, 300),
+        (
+            "a half-typed comment",
+            TextRange::empty(at("  <link name=\"l9\"")),
+            "  <!-- half\n",
+            1,
+            300,
+        ),
+        (
+            "text behind the root",
+            TextRange::empty(text.len() as u32),
+            "x",
+            0,
+            300,
+        ),
+        (
+            "a change of the last item",
+            TextRange::empty(at("</robot>") - 2),
+            "x",
+            1,
+            300,
+        ),
     ] {
         let mut document = original.clone();
         document.edit(range, insert);

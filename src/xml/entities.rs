@@ -62,7 +62,10 @@ pub(super) enum EntityFault {
 impl Entities {
     pub(super) fn declare(&mut self, name: &str, entity: Entity) {
         // The first declaration counts.
-        let declared = Declared { entity, values: [None, None] };
+        let declared = Declared {
+            entity,
+            values: [None, None],
+        };
         self.declared.entry(name.into()).or_insert(declared);
     }
 
@@ -80,7 +83,9 @@ impl Entities {
     /// Whether the blanks of an attribute are reduced to single ones between its words.
     pub(super) fn is_tokenized(&self, element: &str, attribute: &str) -> bool {
         let declared = self.attributes.get(element);
-        declared.and_then(|known| known.get(attribute)).is_some_and(|tokenized| *tokenized)
+        declared
+            .and_then(|known| known.get(attribute))
+            .is_some_and(|tokenized| *tokenized)
     }
 
     /// Work out all values; to be called when all declarations are known.
@@ -94,7 +99,12 @@ impl Entities {
         }
     }
 
-    fn resolve_one(&mut self, name: &str, is_attr: bool, depth: u32) -> Result<Cow<'_, str>, EntityFault> {
+    fn resolve_one(
+        &mut self,
+        name: &str,
+        is_attr: bool,
+        depth: u32,
+    ) -> Result<Cow<'_, str>, EntityFault> {
         let place = usize::from(is_attr);
         let known = |entry: &Declared| entry.values.get(place).is_some_and(Option::is_some);
         if self.declared.get(name).is_some_and(|entry| !known(entry)) {
@@ -108,7 +118,11 @@ impl Entities {
 
     fn store(&mut self, name: &str, place: usize, value: Result<Box<str>, EntityFault>) {
         self.total += value.as_ref().map_or(0, |text| text.len());
-        if let Some(slot) = self.declared.get_mut(name).and_then(|entry| entry.values.get_mut(place)) {
+        if let Some(slot) = self
+            .declared
+            .get_mut(name)
+            .and_then(|entry| entry.values.get_mut(place))
+        {
             *slot = Some(value);
         }
     }
@@ -129,7 +143,14 @@ impl Entities {
             return Ok(text);
         }
         let mut out = String::new();
-        for (piece, _) in pieces(&text, if is_attr { Place::Attribute } else { Place::Replacement }) {
+        for (piece, _) in pieces(
+            &text,
+            if is_attr {
+                Place::Attribute
+            } else {
+                Place::Replacement
+            },
+        ) {
             match piece {
                 Piece::Text(text) => out.push_str(text),
                 Piece::Char(c) => out.push(c),
@@ -150,12 +171,24 @@ impl Entities {
         let name = "e".repeat(longest + 1);
         let start = name.len() + 2;
         let document = Document::parse(&format!("<{name}>{text}</{name}>"));
-        let depends =
-            |kind| matches!(kind, SyntaxErrorKind::UndefinedEntity | SyntaxErrorKind::UnboundPrefix);
-        if let Some(error) = document.errors().into_iter().find(|error| !depends(error.kind)) {
+        let depends = |kind| {
+            matches!(
+                kind,
+                SyntaxErrorKind::UndefinedEntity | SyntaxErrorKind::UnboundPrefix
+            )
+        };
+        if let Some(error) = document
+            .errors()
+            .into_iter()
+            .find(|error| !depends(error.kind))
+        {
             let is_left_open = error.expat_offset as usize >= start + text.len();
             let is_wrapper_hit = error.expat == expat::MISMATCH && is_left_open;
-            return Err(EntityFault::Markup(if is_wrapper_hit { expat::ASYNC_ENTITY } else { error.expat }));
+            return Err(EntityFault::Markup(if is_wrapper_hit {
+                expat::ASYNC_ENTITY
+            } else {
+                error.expat
+            }));
         }
         for (_, item) in document.parts() {
             for used in item.entity_uses() {
@@ -170,7 +203,11 @@ impl Entities {
         if let Some(text) = predefined(name) {
             return Ok(Cow::Borrowed(text));
         }
-        match self.declared.get(name).and_then(|entry| entry.values.get(usize::from(is_attr))?.as_ref()) {
+        match self
+            .declared
+            .get(name)
+            .and_then(|entry| entry.values.get(usize::from(is_attr))?.as_ref())
+        {
             Some(Ok(text)) => Ok(Cow::Borrowed(text)),
             Some(Err(fault)) => Err(*fault),
             None if self.incomplete => Ok(Cow::Borrowed("")),
@@ -197,7 +234,9 @@ impl Entities {
 
     fn holds_markup(&self, name: &str) -> bool {
         // Faults are transitive, and `<` in the text of any entity below is one for attributes.
-        let Some(entry) = self.declared.get(name) else { return false };
+        let Some(entry) = self.declared.get(name) else {
+            return false;
+        };
         let [text, attribute] = &entry.values;
         matches!((text, attribute), (Some(Ok(text)), Some(Err(EntityFault::Malformed))) if text.contains('<'))
     }
@@ -205,7 +244,11 @@ impl Entities {
 
 /// Whether the replacement text can stand where a reference to it does.
 fn check_replacement(text: &str, is_attr: bool) -> Result<(), EntityFault> {
-    if if is_attr { text.contains('<') } else { text.contains("]]>") && !text.contains('<') } {
+    if if is_attr {
+        text.contains('<')
+    } else {
+        text.contains("]]>") && !text.contains('<')
+    } {
         return Err(EntityFault::Malformed);
     }
     if !is_attr && text.contains('<') {
@@ -213,7 +256,9 @@ fn check_replacement(text: &str, is_attr: bool) -> Result<(), EntityFault> {
     }
     for (_, reference) in references(text) {
         match reference {
-            Reference::Bad(stop) if stop >= text.len() && !is_attr => return Err(EntityFault::Unfinished),
+            Reference::Bad(stop) if stop >= text.len() && !is_attr => {
+                return Err(EntityFault::Unfinished);
+            }
             Reference::Bad(_) => return Err(EntityFault::Malformed),
             Reference::Char(None, _) => return Err(EntityFault::BadCharacter),
             Reference::Char(..) | Reference::Entity { .. } => {}

@@ -143,8 +143,10 @@ pub(super) mod expat {
     pub(crate) const UNDECLARED: &str = "must not undeclare prefix";
     pub(crate) const RESERVED_XML: &str =
         "reserved prefix (xml) must not be undeclared or bound to another namespace name";
-    pub(crate) const RESERVED_XMLNS: &str = "reserved prefix (xmlns) must not be declared or undeclared";
-    pub(crate) const RESERVED_URI: &str = "prefix must not be bound to one of the reserved namespace names";
+    pub(crate) const RESERVED_XMLNS: &str =
+        "reserved prefix (xmlns) must not be declared or undeclared";
+    pub(crate) const RESERVED_URI: &str =
+        "prefix must not be bound to one of the reserved namespace names";
     pub(crate) const PARAMETER_REFERENCE: &str = "illegal parameter entity reference";
     pub(crate) const PUBLIC_ID: &str = "illegal character(s) in public id";
     pub(crate) const AMPLIFICATION: &str =

@@ -33,13 +33,26 @@ struct OuterPrefix {
 impl OuterPrefix {
     /// The only error of an item, if it is one of these.
     fn of(extra: &Extra) -> Option<Self> {
-        let Extra { errors, entity_uses, reach: 0, needs_root_name: false } = extra else { return None };
+        let Extra {
+            errors,
+            entity_uses,
+            reach: 0,
+            needs_root_name: false,
+        } = extra
+        else {
+            return None;
+        };
         match &**errors {
-            [ItemError { error, condition: Condition::UnlessBound, diverges: false }]
-                if entity_uses.is_empty() && error.related.is_none() =>
-            {
-                Some(Self { range: error.range, expat_offset: error.expat_offset })
-            }
+            [
+                ItemError {
+                    error,
+                    condition: Condition::UnlessBound,
+                    diverges: false,
+                },
+            ] if entity_uses.is_empty() && error.related.is_none() => Some(Self {
+                range: error.range,
+                expat_offset: error.expat_offset,
+            }),
             _ => None,
         }
     }
@@ -53,7 +66,11 @@ impl OuterPrefix {
             expat: expat::UNBOUND,
             expat_offset: self.expat_offset,
         };
-        ItemError { error, condition: Condition::UnlessBound, diverges: false }
+        ItemError {
+            error,
+            condition: Condition::UnlessBound,
+            diverges: false,
+        }
     }
 }
 
@@ -129,14 +146,21 @@ impl Item {
     pub fn element_at(&self, start: u32) -> Option<Node<'_>> {
         // parents come before their children, and siblings in order, so starts never go back
         let first = self.nodes.partition_point(|node| node.start < start);
-        let here = self.nodes.iter().enumerate().skip(first).take_while(|(_, node)| node.start == start);
+        let here = self
+            .nodes
+            .iter()
+            .enumerate()
+            .skip(first)
+            .take_while(|(_, node)| node.start == start);
         let mut elements = here.filter(|(_, node)| node.kind == super::NodeKind::Element);
         elements.next().map(|(id, _)| self.node(NodeId(id as u32)))
     }
 
     /// The element of this item: the last top-level node, if that is an element.
     pub fn element(&self) -> Option<Node<'_>> {
-        self.nodes().filter(|node| node.kind() == super::NodeKind::Element).last()
+        self.nodes()
+            .filter(|node| node.kind() == super::NodeKind::Element)
+            .last()
     }
 
     /// Whether the item holds errors of its own (those that depend on the header not counted).
@@ -146,7 +170,11 @@ impl Item {
 
     pub(super) fn errors(&self) -> impl Iterator<Item = Cow<'_, ItemError>> {
         let outer = self.outer.map(|outer| Cow::Owned(outer.error()));
-        let stored = self.extra.iter().flat_map(|extra| &extra.errors).map(Cow::Borrowed);
+        let stored = self
+            .extra
+            .iter()
+            .flat_map(|extra| &extra.errors)
+            .map(Cow::Borrowed);
         outer.into_iter().chain(stored)
     }
 
@@ -156,13 +184,20 @@ impl Item {
 
     /// Length of the text this item depends on; at least its own.
     pub(super) fn reach(&self) -> u32 {
-        self.extra.as_ref().map_or(0, |extra| extra.reach).max(self.len())
+        self.extra
+            .as_ref()
+            .map_or(0, |extra| extra.reach)
+            .max(self.len())
     }
 
     /// What was read off this item; made on first use. One type is kept: for another type, `make` is called every
     /// time.
     pub fn cached<T: Any + Send + Sync>(&self, make: impl FnOnce(&Item) -> Arc<T>) -> Arc<T> {
-        if let Some(Ok(value)) = self.cache.get().map(|value| Arc::clone(value).downcast::<T>()) {
+        if let Some(Ok(value)) = self
+            .cache
+            .get()
+            .map(|value| Arc::clone(value).downcast::<T>())
+        {
             return value;
         }
         let value = make(self);

@@ -22,8 +22,15 @@ pub(super) struct LineTable {
 
 impl Clone for LineTable {
     fn clone(&self) -> Self {
-        let table = self.table.get().cloned().map_or_else(OnceLock::new, OnceLock::from);
-        Self { spent: AtomicU32::new(self.spent.load(Ordering::Relaxed)), table }
+        let table = self
+            .table
+            .get()
+            .cloned()
+            .map_or_else(OnceLock::new, OnceLock::from);
+        Self {
+            spent: AtomicU32::new(self.spent.load(Ordering::Relaxed)),
+            table,
+        }
     }
 }
 
@@ -78,7 +85,13 @@ impl Table {
             let crlf = c == '\r' && chars.peek().is_some_and(|&c| c == '\n');
             now.offset = end;
             if (c == '\n' || c == '\r') && !crlf {
-                now = Entry { offset: end, line: now.line + 1, start: end, utf16: 0, utf32: 0 };
+                now = Entry {
+                    offset: end,
+                    line: now.line + 1,
+                    start: end,
+                    utf16: 0,
+                    utf32: 0,
+                };
             } else {
                 now.utf16 += c.len_utf16() as u32;
                 now.utf32 += 1;
@@ -89,7 +102,10 @@ impl Table {
 
     /// Line and column of an offset inside of the text.
     pub fn line_col(&self, document: &Document, offset: u32, encoding: Encoding) -> LineCol {
-        let index = self.entries.partition_point(|entry| entry.offset <= offset).saturating_sub(1);
+        let index = self
+            .entries
+            .partition_point(|entry| entry.offset <= offset)
+            .saturating_sub(1);
         let mut now = self.entries.get(index).copied().unwrap_or_default();
         let mut chars = document.chars_from(now.offset).peekable();
         while let Some(c) = chars.next() {
@@ -101,7 +117,13 @@ impl Table {
             }
             now.offset = end;
             if (c == '\n' || c == '\r') && !crlf {
-                now = Entry { offset: end, line: now.line + 1, start: end, utf16: 0, utf32: 0 };
+                now = Entry {
+                    offset: end,
+                    line: now.line + 1,
+                    start: end,
+                    utf16: 0,
+                    utf32: 0,
+                };
             } else {
                 now.utf16 += c.len_utf16() as u32;
                 now.utf32 += 1;
@@ -112,7 +134,10 @@ impl Table {
             Encoding::Utf16 => now.utf16,
             Encoding::Utf32 => now.utf32,
         };
-        LineCol { line: now.line, col }
+        LineCol {
+            line: now.line,
+            col,
+        }
     }
 }
 
@@ -129,7 +154,11 @@ mod tests {
             let asked = Document::parse(&text);
             for offset in 0..=text.len() as u32 + 2 {
                 let fresh = Document::parse(&text);
-                assert_eq!(asked.line_col(offset, encoding), fresh.line_col(offset, encoding), "{offset}");
+                assert_eq!(
+                    asked.line_col(offset, encoding),
+                    fresh.line_col(offset, encoding),
+                    "{offset}"
+                );
             }
         }
     }

@@ -151,7 +151,9 @@ impl<'a> Node<'a> {
     /// The part of the name behind the prefix.
     #[inline]
     pub fn local_name(self) -> &'a str {
-        self.name().split_once(':').map_or(self.name(), |(_, local)| local)
+        self.name()
+            .split_once(':')
+            .map_or(self.name(), |(_, local)| local)
     }
 
     /// Where the name of the start tag stands.
@@ -184,7 +186,9 @@ impl<'a> Node<'a> {
     pub fn end_name_range(self) -> Option<TextRange> {
         let tag = self.end_tag()?;
         let name = tag.slice(&self.item.text).trim_start_matches("</");
-        let len = name.find(|c: char| c.is_ascii_whitespace() || c == '>').unwrap_or(name.len());
+        let len = name
+            .find(|c: char| c.is_ascii_whitespace() || c == '>')
+            .unwrap_or(name.len());
         Some(TextRange::new(tag.start + 2, tag.start + 2 + len as u32))
     }
 
@@ -218,7 +222,8 @@ impl<'a> Node<'a> {
     /// The elements inside, in order.
     #[inline]
     pub fn child_elements(self) -> impl Iterator<Item = Node<'a>> {
-        self.children().filter(|node| node.kind() == NodeKind::Element)
+        self.children()
+            .filter(|node| node.kind() == NodeKind::Element)
     }
 
     /// The first node inside.
@@ -240,7 +245,10 @@ impl<'a> Node<'a> {
     #[inline]
     pub fn parent(self) -> Option<Node<'a>> {
         let parent = self.data().parent;
-        (parent != NONE).then_some(Node { item: self.item, id: NodeId(parent) })
+        (parent != NONE).then_some(Node {
+            item: self.item,
+            id: NodeId(parent),
+        })
     }
 
     /// Text as written; comments, CDATA and instructions without their delimiters (an instruction also
@@ -331,7 +339,10 @@ impl<'a> Iterator for Siblings<'a> {
         if self.next >= self.end {
             return None;
         }
-        let node = Node { item: self.item, id: NodeId(self.next) };
+        let node = Node {
+            item: self.item,
+            id: NodeId(self.next),
+        };
         self.next = node.data().subtree_end.max(self.next + 1);
         Some(node)
     }
@@ -409,7 +420,10 @@ impl<'a> Attr<'a> {
 
     fn is_tokenized(self, entities: &Entities) -> bool {
         // nothing begins inside a start tag, so the last node that begins in front of the name is the element
-        let behind = self.item.nodes.partition_point(|node| node.start <= self.data.name);
+        let behind = self
+            .item
+            .nodes
+            .partition_point(|node| node.start <= self.data.name);
         let element = self.item.node(NodeId(behind.saturating_sub(1) as u32));
         entities.is_tokenized(element.name(), self.name())
     }

@@ -34,7 +34,10 @@ impl Document {
             // Between CR and LF: still the line that ends here.
             Some(at)
                 if before.ends_with('\r')
-                    && item.text().get(inside..).is_some_and(|t| t.starts_with('\n')) =>
+                    && item
+                        .text()
+                        .get(inside..)
+                        .is_some_and(|t| t.starts_with('\n')) =>
             {
                 let line_text = before.get(..at - 1).unwrap_or("");
                 return self.counted(start + line_text.len() as u32, encoding);
@@ -69,13 +72,20 @@ impl Document {
         }
         let mark = self.items.at_offset(offset - head);
         let item = self.items.get(mark.index).unwrap_or(&self.footer.item);
-        (mark.index + 1, head + mark.bytes, self.header.lines + mark.lines, item)
+        (
+            mark.index + 1,
+            head + mark.bytes,
+            self.header.lines + mark.lines,
+            item,
+        )
     }
 
     /// The byte offset of a position. Behind the end of a line: the end of the line; behind the last line:
     /// the end of the text; inside a character: its start.
     pub fn offset(&self, position: LineCol, encoding: Encoding) -> u32 {
-        let Some((part, start, inside)) = self.line_start(position.line) else { return self.len() };
+        let Some((part, start, inside)) = self.line_start(position.line) else {
+            return self.len();
+        };
         let mut at = start + inside as u32;
         let mut skip = inside;
         let mut col = position.col;
@@ -99,7 +109,11 @@ impl Document {
     /// Where a line begins: the part, its offset, the offset in it.
     fn line_start(&self, line: u32) -> Option<(Part, u32, usize)> {
         if line <= self.header.lines {
-            let inside = if line == 0 { 0 } else { nth_line_start(self.header.text(), line)? };
+            let inside = if line == 0 {
+                0
+            } else {
+                nth_line_start(self.header.text(), line)?
+            };
             return Some((Part::Header, 0, inside));
         }
         let line = line - self.header.lines;
@@ -118,7 +132,13 @@ impl Document {
             return String::new();
         }
         let start = self.offset(LineCol { line, col: 0 }, Encoding::Utf8);
-        let end = self.offset(LineCol { line, col: u32::MAX }, Encoding::Utf8);
+        let end = self.offset(
+            LineCol {
+                line,
+                col: u32::MAX,
+            },
+            Encoding::Utf8,
+        );
         self.slice(TextRange::new(start, end))
     }
 }

@@ -5,7 +5,8 @@ use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
 use super::item::Item;
 use base::limits::{
-    ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH, ENTITY_FACTOR, ENTITY_GROWTH, XML_ERRORS, XML_ERRORS_SEEN,
+    ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH, ENTITY_FACTOR, ENTITY_GROWTH, XML_ERRORS,
+    XML_ERRORS_SEEN,
 };
 use base::{FastSet, TextRange};
 
@@ -44,21 +45,27 @@ struct Found<'a> {
 impl<'a> Found<'a> {
     fn add(&mut self, context: &Context, start: u32, item: &'a Item) {
         for stored in item.errors() {
-            let Some(mut error) = context.judge(&stored, item) else { continue };
+            let Some(mut error) = context.judge(&stored, item) else {
+                continue;
+            };
             if stored.condition == Condition::UnlessBound {
                 let prefix = error.range.slice(&item.text);
                 if !self.prefixes.insert(prefix) {
                     continue;
                 }
-                error.message =
-                    format!("undeclared prefix `{prefix}`\nadd xmlns:{prefix}=\"...\" to the root element");
+                error.message = format!(
+                    "undeclared prefix `{prefix}`\nadd xmlns:{prefix}=\"...\" to the root element"
+                );
             }
             error.range = error.range.shift(start);
-            error.related = error.related.map(|(range, label)| (range.shift(start), label));
+            error.related = error
+                .related
+                .map(|(range, label)| (range.shift(start), label));
             error.expat_offset = (error.expat_offset + start).max(self.floor);
             if stored.diverges {
                 self.floor = error.expat_offset;
-                self.divergence.get_or_insert((error.range.start, error.expat_offset));
+                self.divergence
+                    .get_or_insert((error.range.start, error.expat_offset));
             }
             self.errors.push(error);
         }
@@ -70,7 +77,11 @@ impl<'a> Found<'a> {
             // The end of an element that began before a guess lies behind it: expat never sees it. And that
             // nothing more comes, it notices last.
             let hidden = error.expat_offset > from && error.range.start < from;
-            let offset = if hidden { error.expat_offset.max(stop) } else { error.expat_offset };
+            let offset = if hidden {
+                error.expat_offset.max(stop)
+            } else {
+                error.expat_offset
+            };
             (offset, hidden, error.expat == expat::NO_ELEMENT)
         };
         for error in &mut self.errors {
@@ -92,7 +103,9 @@ impl Document {
         let mut bytes = 0u64;
         for (start, item) in self.parts() {
             for used in item.entity_uses() {
-                let value = entities.value(&used.name, used.in_attribute).map_or(0, |text| text.len());
+                let value = entities
+                    .value(&used.name, used.in_attribute)
+                    .map_or(0, |text| text.len());
                 bytes = bytes.saturating_add(u64::from(used.count).saturating_mul(value as u64));
             }
             if bytes > ENTITY_GROWTH && bytes > ENTITY_FACTOR * u64::from(self.len()) {
@@ -138,7 +151,12 @@ impl Context {
             Condition::Entity { name, in_attribute } => {
                 let fault = self.entities.value(name, *in_attribute).err()?;
                 let (kind, verdict, message) = describe(fault, name);
-                Some(SyntaxError { kind, expat: verdict, message, ..error() })
+                Some(SyntaxError {
+                    kind,
+                    expat: verdict,
+                    message,
+                    ..error()
+                })
             }
         }
     }
@@ -154,9 +172,11 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
                 "undefined entity `{name}`\nuse `amp`, `lt`, `gt`, `quot` or `apos`, or write `&amp;` for a literal `&`"
             ),
         ),
-        EntityFault::Recursive => {
-            (BadEntity, expat::RECURSIVE_ENTITY, format!("entity `{name}` refers to itself"))
-        }
+        EntityFault::Recursive => (
+            BadEntity,
+            expat::RECURSIVE_ENTITY,
+            format!("entity `{name}` refers to itself"),
+        ),
         EntityFault::TooLarge => {
             let message = format!(
                 "entity `{name}` exceeds a limit: {} MB for one entity, {} MB for all, {ENTITY_DEPTH} levels",
@@ -165,7 +185,11 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
             );
             (BadEntity, expat::AMPLIFICATION, message)
         }
-        EntityFault::Unparsed => (BadEntity, expat::BINARY_ENTITY, format!("entity `{name}` is not text")),
+        EntityFault::Unparsed => (
+            BadEntity,
+            expat::BINARY_ENTITY,
+            format!("entity `{name}` is not text"),
+        ),
         EntityFault::ExternalInAttribute => (
             BadEntity,
             expat::EXTERNAL_IN_ATTRIBUTE,
@@ -176,15 +200,19 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
             expat::BAD_CHAR_REF,
             format!("entity `{name}` contains a character that is not allowed in XML"),
         ),
-        EntityFault::Unfinished => {
-            (BadEntity, expat::UNCLOSED_TOKEN, format!("text of entity `{name}` ends inside a reference"))
-        }
+        EntityFault::Unfinished => (
+            BadEntity,
+            expat::UNCLOSED_TOKEN,
+            format!("text of entity `{name}` ends inside a reference"),
+        ),
         EntityFault::Markup(verdict) => {
             let message = format!("markup in entity `{name}` is not well-formed");
             (BadEntity, verdict, message)
         }
-        EntityFault::Malformed => {
-            (BadEntity, expat::INVALID, format!("text of entity `{name}` is not allowed here"))
-        }
+        EntityFault::Malformed => (
+            BadEntity,
+            expat::INVALID,
+            format!("text of entity `{name}` is not allowed here"),
+        ),
     }
 }

@@ -18,7 +18,11 @@ impl Composer<'_> {
         let mut items = Vec::new();
         while let Some(dash) = self.take(&TokenKind::BlockEntry)? {
             let none = matches!(self.peek()?, TokenKind::BlockEntry | TokenKind::BlockEnd);
-            items.push(if none { self.empty(dash) } else { self.node(Place::Block)? });
+            items.push(if none {
+                self.empty(dash)
+            } else {
+                self.node(Place::Block)?
+            });
         }
         if self.take(&TokenKind::BlockEnd)?.is_none() {
             let problem = "expected <block end>, but found";
@@ -35,7 +39,11 @@ impl Composer<'_> {
                 self.peek()?,
                 TokenKind::BlockEntry | TokenKind::Key | TokenKind::Value | TokenKind::BlockEnd
             );
-            items.push(if none { self.empty(dash) } else { self.node(Place::Block)? });
+            items.push(if none {
+                self.empty(dash)
+            } else {
+                self.node(Place::Block)?
+            });
         }
         let end = self.last_end(items.last().copied());
         Ok((Content::Sequence(items), end))
@@ -43,11 +51,19 @@ impl Composer<'_> {
 
     pub(super) fn block_mapping(&mut self) -> Result<Filled, Failure> {
         let start = self.scanner.next()?.start;
-        let is_none =
-            |kind: &TokenKind| matches!(kind, TokenKind::Key | TokenKind::Value | TokenKind::BlockEnd);
+        let is_none = |kind: &TokenKind| {
+            matches!(
+                kind,
+                TokenKind::Key | TokenKind::Value | TokenKind::BlockEnd
+            )
+        };
         let mut items = Vec::new();
         while let Some(mark) = self.take(&TokenKind::Key)? {
-            let key = if is_none(self.peek()?) { self.empty(mark) } else { self.node(Place::BlockValue)? };
+            let key = if is_none(self.peek()?) {
+                self.empty(mark)
+            } else {
+                self.node(Place::BlockValue)?
+            };
             let value = match self.take(&TokenKind::Value)? {
                 Some(_) if !is_none(self.peek()?) => self.node(Place::BlockValue)?,
                 Some(colon) => self.empty(colon),
@@ -62,7 +78,9 @@ impl Composer<'_> {
             let problem = "expected <block end>, but found";
             return Err(self.expected("while parsing a block mapping", start, problem));
         }
-        let end = items.last().map(|&(key, value)| self.end(key).max(self.end(value)));
+        let end = items
+            .last()
+            .map(|&(key, value)| self.end(key).max(self.end(value)));
         Ok((Content::Mapping(items), end))
     }
 
@@ -98,7 +116,11 @@ impl Composer<'_> {
         let ends = |kind: &TokenKind| *kind == TokenKind::FlowEntry || kind == close;
         let next = self.peek()?;
         let none = *next == TokenKind::Value || ends(next);
-        let key = if none { self.empty(mark) } else { self.node(Place::Flow)? };
+        let key = if none {
+            self.empty(mark)
+        } else {
+            self.node(Place::Flow)?
+        };
         let value = match self.take(&TokenKind::Value)? {
             Some(_) if !ends(self.peek()?) => self.node(Place::Flow)?,
             Some(colon) => self.empty(colon),

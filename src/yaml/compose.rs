@@ -86,18 +86,28 @@ pub(super) fn compose(text: &str) -> Result<Option<(Tree, Id)>, Failure> {
         handles: default_handles(),
         depth: 0,
     };
-    let Some(root) = composer.document()? else { return Ok(None) };
+    let Some(root) = composer.document()? else {
+        return Ok(None);
+    };
     if let Some(other) = composer.next_document()? {
         let start = composer.start(root);
         let context = "expected a single document in the stream";
-        return Err(Failure::within(context, start, "but found another document", other));
+        return Err(Failure::within(
+            context,
+            start,
+            "but found another document",
+            other,
+        ));
     }
     Ok(Some((composer.tree, root)))
 }
 
 fn default_handles() -> FastMap<String, String> {
     let handles = [("!", "!"), ("!!", "tag:yaml.org,2002:")];
-    handles.iter().map(|(handle, prefix)| ((*handle).to_owned(), (*prefix).to_owned())).collect()
+    handles
+        .iter()
+        .map(|(handle, prefix)| ((*handle).to_owned(), (*prefix).to_owned()))
+        .collect()
 }
 
 impl Composer<'_> {
@@ -111,7 +121,11 @@ impl Composer<'_> {
 
     /// Take the next token if it is `kind`; its end.
     pub(super) fn take(&mut self, kind: &TokenKind) -> Result<Option<Mark>, Failure> {
-        if self.peek()? == kind { self.scanner.next().map(|token| Some(token.end)) } else { Ok(None) }
+        if self.peek()? == kind {
+            self.scanner.next().map(|token| Some(token.end))
+        } else {
+            Ok(None)
+        }
     }
 
     pub(super) fn here(&mut self) -> Result<Mark, Failure> {
@@ -119,7 +133,9 @@ impl Composer<'_> {
     }
 
     fn start(&self, id: Id) -> Mark {
-        self.tree.get(id).map_or_else(Mark::default, |node| node.start)
+        self.tree
+            .get(id)
+            .map_or_else(Mark::default, |node| node.start)
     }
 
     pub(super) fn end(&self, id: Id) -> u32 {
@@ -133,7 +149,12 @@ impl Composer<'_> {
         start: Mark,
         end: u32,
     ) -> Id {
-        self.tree.push(Raw { tag: tag.into(), content, start, end });
+        self.tree.push(Raw {
+            tag: tag.into(),
+            content,
+            start,
+            end,
+        });
         self.tree.len() - 1
     }
 
@@ -154,8 +175,10 @@ impl Composer<'_> {
     // Documents.
 
     fn document(&mut self) -> Result<Option<Id>, Failure> {
-        let explicit =
-            matches!(self.peek()?, TokenKind::Directive(_) | TokenKind::DocumentStart | TokenKind::StreamEnd);
+        let explicit = matches!(
+            self.peek()?,
+            TokenKind::Directive(_) | TokenKind::DocumentStart | TokenKind::StreamEnd
+        );
         let root = if !explicit {
             self.node(Place::Block)?
         } else if self.next_document()?.is_none() {
@@ -169,7 +192,11 @@ impl Composer<'_> {
                     | TokenKind::StreamEnd
             );
             let here = self.here()?;
-            if no_content { self.empty(here) } else { self.node(Place::Block)? }
+            if no_content {
+                self.empty(here)
+            } else {
+                self.node(Place::Block)?
+            }
         };
         self.take(&TokenKind::DocumentEnd)?;
         Ok(Some(root))
@@ -186,7 +213,10 @@ impl Composer<'_> {
         if self.take(&TokenKind::DocumentStart)?.is_none() {
             let at = self.here()?;
             let found = repr(self.peek()?.name());
-            return Err(Failure::new(format!("expected '<document start>', but found {found}"), at));
+            return Err(Failure::new(
+                format!("expected '<document start>', but found {found}"),
+                at,
+            ));
         }
         Ok(Some(start))
     }
@@ -227,21 +257,35 @@ impl Composer<'_> {
     pub(super) fn node(&mut self, place: Place) -> Result<Id, Failure> {
         let at = self.here()?;
         if self.depth >= YAML_DEPTH {
-            return Err(Failure::new(format!("found more than {YAML_DEPTH} levels of nesting"), at));
+            return Err(Failure::new(
+                format!("found more than {YAML_DEPTH} levels of nesting"),
+                at,
+            ));
         }
         self.depth += 1;
-        let node =
-            if matches!(self.peek()?, TokenKind::Alias(_)) { self.alias() } else { self.content(place) };
+        let node = if matches!(self.peek()?, TokenKind::Alias(_)) {
+            self.alias()
+        } else {
+            self.content(place)
+        };
         self.depth -= 1;
         node
     }
 
     fn alias(&mut self) -> Result<Id, Failure> {
         let token = self.scanner.next()?;
-        let name = if let TokenKind::Alias(name) = token.kind { name } else { String::new() };
+        let name = if let TokenKind::Alias(name) = token.kind {
+            name
+        } else {
+            String::new()
+        };
         self.anchors.get(&name).copied().ok_or_else(|| {
             let range = TextRange::new(token.start.offset, token.end.offset);
-            Failure::new(format!("found undefined alias {}", repr(&name)), token.start).blaming(range)
+            Failure::new(
+                format!("found undefined alias {}", repr(&name)),
+                token.start,
+            )
+            .blaming(range)
         })
     }
 
@@ -255,11 +299,17 @@ impl Composer<'_> {
         let begins = match self.peek()? {
             TokenKind::BlockEntry => place == Place::BlockValue,
             TokenKind::BlockSequenceStart | TokenKind::BlockMappingStart => block,
-            TokenKind::Scalar(..) | TokenKind::FlowSequenceStart | TokenKind::FlowMappingStart => true,
+            TokenKind::Scalar(..) | TokenKind::FlowSequenceStart | TokenKind::FlowMappingStart => {
+                true
+            }
             _ => false,
         };
         if !begins && properties.start.is_none() {
-            let context = if block { "while parsing a block node" } else { "while parsing a flow node" };
+            let context = if block {
+                "while parsing a block node"
+            } else {
+                "while parsing a flow node"
+            };
             return Err(self.expected(context, start, "expected the node content, but found"));
         }
         // A scalar is taken, with what must be read to know whether it is a key, before its anchor counts.
@@ -270,7 +320,9 @@ impl Composer<'_> {
         self.check_anchor(properties.anchor.as_deref(), start)?;
         let (tag, end) = (properties.tag, properties.end);
         if let Some(token) = scalar {
-            let TokenKind::Scalar(text, plain) = token.kind else { return Ok(self.empty(start)) };
+            let TokenKind::Scalar(text, plain) = token.kind else {
+                return Ok(self.empty(start));
+            };
             let tag = match tag {
                 Some(tag) => tag,
                 None if plain || properties.is_bare => Cow::Borrowed(resolve(&text)),
@@ -308,7 +360,9 @@ impl Composer<'_> {
                 _ => {}
             }
         }
-        let Some((handle, suffix, at)) = tag else { return Ok(found) };
+        let Some((handle, suffix, at)) = tag else {
+            return Ok(found);
+        };
         let tag = match handle {
             None => suffix,
             Some(handle) => match self.handles.get(&handle) {
@@ -329,7 +383,12 @@ impl Composer<'_> {
         match anchor.and_then(|anchor| Some((anchor, *self.anchors.get(anchor)?))) {
             Some((anchor, first)) => {
                 let context = format!("found duplicate anchor {}; first occurrence", repr(anchor));
-                Err(Failure::within(&context, self.start(first), "second occurrence", start))
+                Err(Failure::within(
+                    &context,
+                    self.start(first),
+                    "second occurrence",
+                    start,
+                ))
             }
             None => Ok(()),
         }
@@ -356,7 +415,12 @@ impl Composer<'_> {
         } else {
             (MAP, Content::Mapping(Vec::new()))
         };
-        let id = self.add(tag.unwrap_or(Cow::Borrowed(default)), content, start, start.offset);
+        let id = self.add(
+            tag.unwrap_or(Cow::Borrowed(default)),
+            content,
+            start,
+            start.offset,
+        );
         // Known from here on: what it holds may refer to it.
         self.register(anchor, id);
         let (content, end) = match self.peek()? {

@@ -19,7 +19,12 @@ use base::{FastMap, TextRange};
 /// The one PyYAML would report.
 pub(super) fn construct(tree: Tree, root: Id) -> Result<Node, Failure> {
     let active = vec![false; tree.len()];
-    let mut constructor = Constructor { tree, active, made: 0, failure: None };
+    let mut constructor = Constructor {
+        tree,
+        active,
+        made: 0,
+        failure: None,
+    };
     let node = constructor.node(root, 0);
     match constructor.failure {
         Some((_, failure)) => Err(failure),
@@ -37,7 +42,11 @@ struct Constructor {
 
 impl Constructor {
     fn fail(&mut self, level: u32, failure: Failure) -> Kind {
-        if self.failure.as_ref().is_none_or(|(least, _)| level < *least) {
+        if self
+            .failure
+            .as_ref()
+            .is_none_or(|(least, _)| level < *least)
+        {
             self.failure = Some((level, failure));
         }
         Kind::Null
@@ -58,7 +67,13 @@ impl Constructor {
     }
 
     /// A failure at the beginning of a node, found while `outer` is made.
-    fn problem_within(&self, context: &str, outer: Id, id: Id, problem: impl Into<String>) -> Failure {
+    fn problem_within(
+        &self,
+        context: &str,
+        outer: Id,
+        id: Id,
+        problem: impl Into<String>,
+    ) -> Failure {
         let start = |id| self.raw(id).map(|node| node.start).unwrap_or_default();
         Failure::within(context, start(outer), problem, start(id)).blaming(self.range(id))
     }
@@ -89,8 +104,15 @@ impl Constructor {
     }
 
     fn kind(&mut self, id: Id, level: u32) -> Kind {
-        let tag = self.raw(id).map(|node| node.tag.clone()).unwrap_or_default();
-        let unit = |tag: &str| Unit::ALL.into_iter().find(|unit| tag.strip_prefix('!') == Some(unit.name()));
+        let tag = self
+            .raw(id)
+            .map(|node| node.tag.clone())
+            .unwrap_or_default();
+        let unit = |tag: &str| {
+            Unit::ALL
+                .into_iter()
+                .find(|unit| tag.strip_prefix('!') == Some(unit.name()))
+        };
         match tag.as_ref() {
             SEQ => self.list(id, level),
             MAP => Kind::Map(self.mapping(id, level)),
@@ -108,7 +130,10 @@ impl Constructor {
                     Err(failure) => self.fail(level, failure),
                 },
                 _ => {
-                    let problem = format!("could not determine a constructor for the tag {}", repr(&tag));
+                    let problem = format!(
+                        "could not determine a constructor for the tag {}",
+                        repr(&tag)
+                    );
                     let failure = self.problem(id, problem);
                     self.fail(level, failure)
                 }
@@ -124,12 +149,16 @@ impl Constructor {
             Some(Content::Scalar(text)) => Ok(text.clone()),
             Some(content) => {
                 let default = match content {
-                    Content::Mapping(items) => items.iter().find(|(key, _)| self.has_tag(*key, VALUE)),
+                    Content::Mapping(items) => {
+                        items.iter().find(|(key, _)| self.has_tag(*key, VALUE))
+                    }
                     _ => None,
                 };
-                let text = default.and_then(|&(_, value)| match self.raw(value).map(|node| &node.content) {
-                    Some(Content::Scalar(text)) => Some(text.clone()),
-                    _ => None,
+                let text = default.and_then(|&(_, value)| {
+                    match self.raw(value).map(|node| &node.content) {
+                        Some(Content::Scalar(text)) => Some(text.clone()),
+                        _ => None,
+                    }
                 });
                 let problem = format!("expected a scalar node, but found {}", content.name());
                 text.ok_or_else(|| self.problem(id, problem))
@@ -165,7 +194,8 @@ impl Constructor {
     fn binary(&mut self, id: Id, level: u32, text: &str) -> Kind {
         let made = match not_ascii(text) {
             Some(error) => Err(format!("failed to convert base64 data into ascii: {error}")),
-            None => numbers::base64(text).map_err(|error| format!("failed to decode base64 data: {error}")),
+            None => numbers::base64(text)
+                .map_err(|error| format!("failed to decode base64 data: {error}")),
         };
         match made {
             Ok(bytes) => Kind::Binary(bytes),
@@ -183,11 +213,17 @@ impl Constructor {
             Some(Content::Sequence(items)) => items.clone(),
             content => {
                 let found = content.map_or("", Content::name);
-                let failure = self.problem(id, format!("expected a sequence node, but found {found}"));
+                let failure =
+                    self.problem(id, format!("expected a sequence node, but found {found}"));
                 return self.fail(level + 1, failure);
             }
         };
-        Kind::List(items.into_iter().map(|item| self.node(item, level + 1)).collect())
+        Kind::List(
+            items
+                .into_iter()
+                .map(|item| self.node(item, level + 1))
+                .collect(),
+        )
     }
 
     /// The items of a mapping: merged, one per key.
@@ -201,7 +237,8 @@ impl Constructor {
             Some(Content::Mapping(items)) => items.clone(),
             content => {
                 let found = content.map_or("", Content::name);
-                let failure = self.problem(id, format!("expected a mapping node, but found {found}"));
+                let failure =
+                    self.problem(id, format!("expected a mapping node, but found {found}"));
                 self.fail(level, failure);
                 return Vec::new();
             }
@@ -210,7 +247,8 @@ impl Constructor {
         let mut places: FastMap<Key, usize> = FastMap::default();
         for (key_id, value_id) in items {
             let key = (!self.makes_collection(key_id)).then(|| self.node(key_id, level));
-            let Some((key, hashed)) = key.and_then(|key| Key::of(&key.kind).map(|hashed| (key, hashed)))
+            let Some((key, hashed)) =
+                key.and_then(|key| Key::of(&key.kind).map(|hashed| (key, hashed)))
             else {
                 let context = "while constructing a mapping";
                 let failure = self.problem_within(context, id, key_id, "found unhashable key");
@@ -231,30 +269,42 @@ impl Constructor {
 
     /// Whether the value of a node is a list, mapping or set, so that it cannot be a key.
     fn makes_collection(&self, id: Id) -> bool {
-        self.raw(id).and_then(|node| node.tag.strip_prefix(YAML)).is_some_and(is_collection)
+        self.raw(id)
+            .and_then(|node| node.tag.strip_prefix(YAML))
+            .is_some_and(is_collection)
     }
 
     /// Replace the merge keys of a mapping by the items they bring, which go before its own.
     fn flatten(&mut self, id: Id, merges: u32) -> Result<(), Failure> {
-        let Some(Content::Mapping(items)) = self.raw(id).map(|node| &node.content) else { return Ok(()) };
-        let is_plain = |&(key, _): &(Id, Id)| !self.has_tag(key, MERGE) && !self.has_tag(key, VALUE);
+        let Some(Content::Mapping(items)) = self.raw(id).map(|node| &node.content) else {
+            return Ok(());
+        };
+        let is_plain =
+            |&(key, _): &(Id, Id)| !self.has_tag(key, MERGE) && !self.has_tag(key, VALUE);
         if items.iter().all(is_plain) {
             return Ok(());
         }
         let items = items.clone();
         if merges > YAML_MERGES {
-            return Err(self.problem(id, format!("found more than {YAML_MERGES} merges into each other")));
+            return Err(self.problem(
+                id,
+                format!("found more than {YAML_MERGES} merges into each other"),
+            ));
         }
         let (mut merged, mut own) = (Vec::new(), Vec::new());
         for (key, value) in items {
             if self.has_tag(key, MERGE) {
                 for source in self.merge_sources(id, value)? {
                     self.flatten(source, merges + 1)?;
-                    if let Some(Content::Mapping(items)) = self.raw(source).map(|node| &node.content) {
+                    if let Some(Content::Mapping(items)) =
+                        self.raw(source).map(|node| &node.content)
+                    {
                         merged.extend_from_slice(items);
                     }
                     if merged.len() > YAML_NODES {
-                        return Err(self.problem(id, format!("found more than {YAML_NODES} merged items")));
+                        return Err(
+                            self.problem(id, format!("found more than {YAML_NODES} merged items"))
+                        );
                     }
                 }
                 continue;
@@ -280,14 +330,25 @@ impl Constructor {
             let found = self.raw(at).map_or("", |node| node.content.name());
             self.problem_within(context, id, at, format!("{problem}, but found {found}"))
         };
-        let is_mapping = |id: Id| matches!(self.raw(id), Some(Raw { content: Content::Mapping(_), .. }));
+        let is_mapping = |id: Id| {
+            matches!(
+                self.raw(id),
+                Some(Raw {
+                    content: Content::Mapping(_),
+                    ..
+                })
+            )
+        };
         match self.raw(value).map(|node| &node.content) {
             Some(Content::Mapping(_)) => Ok(vec![value]),
             Some(Content::Sequence(items)) => match items.iter().find(|&&item| !is_mapping(item)) {
                 Some(&item) => Err(wrong("expected a mapping for merging", item)),
                 None => Ok(items.iter().rev().copied().collect()),
             },
-            _ => Err(wrong("expected a mapping or list of mappings for merging", value)),
+            _ => Err(wrong(
+                "expected a mapping or list of mappings for merging",
+                value,
+            )),
         }
     }
 
@@ -297,7 +358,10 @@ impl Constructor {
         let items = match self.raw(id).map(|node| &node.content) {
             Some(Content::Sequence(items)) => items.clone(),
             content => {
-                let problem = format!("expected a sequence, but found {}", content.map_or("", Content::name));
+                let problem = format!(
+                    "expected a sequence, but found {}",
+                    content.map_or("", Content::name)
+                );
                 let failure = self.problem_within(context, id, id, problem);
                 return self.fail(level, failure);
             }
@@ -310,7 +374,10 @@ impl Constructor {
                         made.push((self.node(key, level), self.node(value, level)));
                         continue;
                     }
-                    pairs => format!("expected a single mapping item, but found {} items", pairs.len()),
+                    pairs => format!(
+                        "expected a single mapping item, but found {} items",
+                        pairs.len()
+                    ),
                 },
                 content => {
                     let found = content.map_or("", Content::name);
@@ -338,8 +405,8 @@ fn bool(text: &str) -> Result<bool, String> {
 }
 
 fn time(text: &str) -> Result<Kind, String> {
-    let parts =
-        timestamp::parse(text).ok_or_else(|| "'NoneType' object has no attribute 'groupdict'".to_owned())?;
+    let parts = timestamp::parse(text)
+        .ok_or_else(|| "'NoneType' object has no attribute 'groupdict'".to_owned())?;
     let (text, repr) = parts.show()?;
     Ok(Kind::Timestamp { text, repr })
 }
@@ -347,7 +414,11 @@ fn time(text: &str) -> Result<Kind, String> {
 /// Python's message about the first run of characters that are not ASCII.
 fn not_ascii(text: &str) -> Option<String> {
     let first = text.chars().position(|c| !c.is_ascii())?;
-    let run: Vec<char> = text.chars().skip(first).take_while(|c| !c.is_ascii()).collect();
+    let run: Vec<char> = text
+        .chars()
+        .skip(first)
+        .take_while(|c| !c.is_ascii())
+        .collect();
     let what = match run.as_slice() {
         [c] => {
             let code = *c as u32;
@@ -360,7 +431,9 @@ fn not_ascii(text: &str) -> Option<String> {
         }
         _ => format!("characters in position {first}-{}", first + run.len() - 1),
     };
-    Some(format!("'ascii' codec can't encode {what}: ordinal not in range(128)"))
+    Some(format!(
+        "'ascii' codec can't encode {what}: ordinal not in range(128)"
+    ))
 }
 
 /// A key as Python's dictionaries compare it: `1`, `1.0` and `True` are one.

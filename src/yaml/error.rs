@@ -28,7 +28,11 @@ impl std::error::Error for YamlError {}
 #[derive(Clone, Debug)]
 pub(super) enum Failure {
     /// A character that is not allowed anywhere.
-    Character { c: char, index: usize, offset: usize },
+    Character {
+        c: char,
+        index: usize,
+        offset: usize,
+    },
     /// An error with places.
     Marked(Box<Marked>),
     /// An exception of Python, raised while a value was made.
@@ -48,7 +52,12 @@ pub(super) struct Marked {
 impl Failure {
     /// A problem at a place.
     pub(super) fn new(problem: impl Into<String>, at: Mark) -> Self {
-        Self::Marked(Box::new(Marked { context: None, problem: problem.into(), at, range: None }))
+        Self::Marked(Box::new(Marked {
+            context: None,
+            problem: problem.into(),
+            at,
+            range: None,
+        }))
     }
 
     /// A problem at a place while doing something that began elsewhere.
@@ -64,7 +73,12 @@ impl Failure {
     /// The same with a place for the problem only.
     pub(super) fn during(context: &str, problem: impl Into<String>, at: Mark) -> Self {
         let context = Some((context.to_owned(), None));
-        Self::Marked(Box::new(Marked { context, problem: problem.into(), at, range: None }))
+        Self::Marked(Box::new(Marked {
+            context,
+            problem: problem.into(),
+            at,
+            range: None,
+        }))
     }
 
     /// The same failure, with `range` as the part to blame.
@@ -79,8 +93,10 @@ impl Failure {
     pub(super) fn finish(self, text: &str, name: &str) -> YamlError {
         match self {
             Self::Character { c, index, offset } => {
-                let problem =
-                    format!("unacceptable character #x{:04x}: special characters are not allowed", c as u32);
+                let problem = format!(
+                    "unacceptable character #x{:04x}: special characters are not allowed",
+                    c as u32
+                );
                 let start = offset as u32;
                 YamlError {
                     message: format!("{problem}\n  in \"{name}\", position {index}"),
@@ -88,7 +104,11 @@ impl Failure {
                     short: problem,
                 }
             }
-            Self::Python { message, range } => YamlError { short: message.clone(), message, range },
+            Self::Python { message, range } => YamlError {
+                short: message.clone(),
+                message,
+                range,
+            },
             Self::Marked(marked) => marked.finish(text, name),
         }
     }
@@ -96,8 +116,13 @@ impl Failure {
 
 impl Marked {
     fn finish(self, text: &str, name: &str) -> YamlError {
-        let place =
-            |mark: Mark| format!("  in \"{name}\", line {}, column {}", mark.line + 1, mark.column + 1);
+        let place = |mark: Mark| {
+            format!(
+                "  in \"{name}\", line {}, column {}",
+                mark.line + 1,
+                mark.column + 1
+            )
+        };
         let mut lines = Vec::new();
         let mut short = self.problem.clone();
         if let Some((context, began)) = self.context {
@@ -110,20 +135,30 @@ impl Marked {
         lines.push(self.problem);
         lines.push(place(self.at));
         let range = self.range.unwrap_or_else(|| one_character(text, self.at));
-        YamlError { message: lines.join("\n"), range, short }
+        YamlError {
+            message: lines.join("\n"),
+            range,
+            short,
+        }
     }
 }
 
 /// The character at a mark; nothing at the end of a line.
 fn one_character(text: &str, at: Mark) -> TextRange {
-    let c = text.get(at.offset as usize..).and_then(|rest| rest.chars().next());
+    let c = text
+        .get(at.offset as usize..)
+        .and_then(|rest| rest.chars().next());
     let length = c.filter(|&c| !is_break_or_end(c)).map_or(0, char::len_utf8);
     TextRange::new(at.offset, at.offset + length as u32)
 }
 
 /// Python's `repr` of a text.
 pub(super) fn repr(text: &str) -> String {
-    let quote = if text.contains('\'') && !text.contains('"') { '"' } else { '\'' };
+    let quote = if text.contains('\'') && !text.contains('"') {
+        '"'
+    } else {
+        '\''
+    };
     let mut out = String::from(quote);
     for c in text.chars() {
         match c {

@@ -87,8 +87,14 @@ pub enum Unit {
 
 impl Unit {
     /// All units.
-    pub const ALL: [Unit; 6] =
-        [Unit::Radians, Unit::Degrees, Unit::Meters, Unit::Millimeters, Unit::Foot, Unit::Inches];
+    pub const ALL: [Unit; 6] = [
+        Unit::Radians,
+        Unit::Degrees,
+        Unit::Meters,
+        Unit::Millimeters,
+        Unit::Foot,
+        Unit::Inches,
+    ];
 
     /// The tag without its `!`.
     pub fn name(self) -> &'static str {
@@ -122,7 +128,12 @@ impl Unit {
 pub fn load(text: &str, name: &str) -> Result<Node, YamlError> {
     let tree = compose::compose(text).map_err(|error| error.finish(text, name))?;
     match tree {
-        Some((tree, root)) => construct::construct(tree, root).map_err(|error| error.finish(text, name)),
-        None => Ok(Node { kind: Kind::Null, range: TextRange::default() }),
+        Some((tree, root)) => {
+            construct::construct(tree, root).map_err(|error| error.finish(text, name))
+        }
+        None => Ok(Node {
+            kind: Kind::Null,
+            range: TextRange::default(),
+        }),
     }
 }

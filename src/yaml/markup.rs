@@ -19,14 +19,25 @@ impl Scanner<'_> {
     pub(super) fn scan_anchor(&mut self) -> Result<Token, Failure> {
         let start = self.reader.mark();
         let is_alias = self.reader.advance() == '*';
-        let context = if is_alias { "while scanning an alias" } else { "while scanning an anchor" };
+        let context = if is_alias {
+            "while scanning an alias"
+        } else {
+            "while scanning an anchor"
+        };
         let name = self.reader.take_while(is_name);
         let next = self.reader.peek();
         if name.is_empty() || !is_blank_or_end(next) && !"?:,]}%@`".contains(next) {
             return Err(self.unexpected(context, start, "alphabetic or numeric character"));
         }
         let name = name.to_owned();
-        Ok(self.token(if is_alias { TokenKind::Alias(name) } else { TokenKind::Anchor(name) }, start))
+        Ok(self.token(
+            if is_alias {
+                TokenKind::Alias(name)
+            } else {
+                TokenKind::Anchor(name)
+            },
+            start,
+        ))
     }
 
     /// `!`, `!suffix`, `!handle!suffix` or `!<uri>`
@@ -123,7 +134,8 @@ impl Scanner<'_> {
                 (Some(_), 0xC2..=0xF4) => "invalid continuation byte",
                 _ => "invalid start byte",
             };
-            let problem = format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {bad}: {reason}");
+            let problem =
+                format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {bad}: {reason}");
             Failure::within(&context, start, problem, at)
         })
     }

@@ -52,7 +52,10 @@ fn python_int(text: &str, base: u32) -> Result<BigInt, String> {
         16 => &["0x", "0X"],
         _ => &[],
     };
-    let digits = prefixes.iter().find_map(|prefix| digits.strip_prefix(prefix)).unwrap_or(digits);
+    let digits = prefixes
+        .iter()
+        .find_map(|prefix| digits.strip_prefix(prefix))
+        .unwrap_or(digits);
     if digits.is_empty() || !digits.chars().all(|c| c.is_digit(base)) {
         return Err(invalid());
     }
@@ -96,7 +99,9 @@ pub(super) fn float(text: &str) -> Result<f64, String> {
 
 /// `float(text)`
 fn python_float(text: &str) -> Result<f64, String> {
-    text.trim().parse().map_err(|_| format!("could not convert string to float: {}", repr(text)))
+    text.trim()
+        .parse()
+        .map_err(|_| format!("could not convert string to float: {}", repr(text)))
 }
 
 /// The bytes of base64 text; what is no base64 digit is skipped.
@@ -116,7 +121,9 @@ pub(super) fn base64(text: &str) -> Result<Vec<u8>, String> {
             }
             continue;
         }
-        let Some(value) = base64_digit(byte) else { continue };
+        let Some(value) = base64_digit(byte) else {
+            continue;
+        };
         pads = 0;
         digits += 1;
         pending = pending << 6 | value;

@@ -49,10 +49,17 @@ impl<'t> Reader<'t> {
             if !is_printable(c) {
                 // Python counts a line end of two characters as one.
                 let pairs = text.get(..offset).unwrap_or("").matches("\r\n").count();
-                return Err(Failure::Character { c, index: index - pairs, offset });
+                return Err(Failure::Character {
+                    c,
+                    index: index - pairs,
+                    offset,
+                });
             }
         }
-        Ok(Self { text, mark: Mark::default() })
+        Ok(Self {
+            text,
+            mark: Mark::default(),
+        })
     }
 
     /// The place of the cursor.
@@ -84,12 +91,20 @@ impl<'t> Reader<'t> {
 
     /// The text up to the next blank (a tab is none) or line break.
     pub(super) fn word(&self) -> &'t str {
-        self.rest().split(|c| c == ' ' || is_break(c)).next().unwrap_or("")
+        self.rest()
+            .split(|c| c == ' ' || is_break(c))
+            .next()
+            .unwrap_or("")
     }
 
     /// The offset at which the line of `mark` ends.
     pub(super) fn line_end(&self, mark: Mark) -> u32 {
-        let line = self.text.get(mark.offset as usize..).unwrap_or("").split(is_break).next();
+        let line = self
+            .text
+            .get(mark.offset as usize..)
+            .unwrap_or("")
+            .split(is_break)
+            .next();
         mark.offset + line.map_or(0, str::len) as u32
     }
 
@@ -121,7 +136,10 @@ impl<'t> Reader<'t> {
         loop {
             let c = self.peek();
             if c == END || !wanted(c) {
-                return self.text.get(start..self.mark.offset as usize).unwrap_or("");
+                return self
+                    .text
+                    .get(start..self.mark.offset as usize)
+                    .unwrap_or("");
             }
             self.advance();
         }
@@ -136,7 +154,11 @@ impl<'t> Reader<'t> {
         if self.advance() == '\r' && self.peek() == '\n' {
             self.advance();
         }
-        Some(if matches!(c, '\u{2028}' | '\u{2029}') { c } else { '\n' })
+        Some(if matches!(c, '\u{2028}' | '\u{2029}') {
+            c
+        } else {
+            '\n'
+        })
     }
 }
 

@@ -31,7 +31,10 @@ pub(super) fn resolve(text: &str) -> &'static str {
 
 fn is_bool(text: &str) -> bool {
     let lower = text.to_ascii_lowercase();
-    let known = matches!(lower.as_str(), "yes" | "no" | "true" | "false" | "on" | "off");
+    let known = matches!(
+        lower.as_str(),
+        "yes" | "no" | "true" | "false" | "on" | "off"
+    );
     let mut behind_first = text.chars().skip(1);
     let capitalised = text == lower || behind_first.clone().all(|c| c.is_ascii_lowercase());
     known && (capitalised || behind_first.all(|c| c.is_ascii_uppercase()) && is_upper_start(text))
@@ -65,7 +68,9 @@ fn is_int(text: &str) -> bool {
     if let Some(octal) = text.strip_prefix('0') {
         return octal.chars().all(|c| matches!(c, '0'..='7' | '_'));
     }
-    let (first, sixtieths) = text.split_once(':').map_or((text, None), |(first, rest)| (first, Some(rest)));
+    let (first, sixtieths) = text
+        .split_once(':')
+        .map_or((text, None), |(first, rest)| (first, Some(rest)));
     first.starts_with(is_digit)
         && first.chars().all(is_digit_or_bar)
         && sixtieths.is_none_or(|rest| rest.split(':').all(is_sixtieth))
@@ -85,7 +90,9 @@ fn is_float(text: &str) -> bool {
     if matches!(number, ".inf" | ".Inf" | ".INF") || matches!(text, ".nan" | ".NaN" | ".NAN") {
         return true;
     }
-    let Some((whole, rest)) = number.split_once('.') else { return false };
+    let Some((whole, rest)) = number.split_once('.') else {
+        return false;
+    };
     if let Some((first, sixtieths)) = whole.split_once(':') {
         return first.starts_with(is_digit)
             && first.chars().all(is_digit_or_bar)

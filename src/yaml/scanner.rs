@@ -69,7 +69,9 @@ impl<'t> Scanner<'t> {
         if self.tokens.is_empty() {
             self.push(TokenKind::StreamEnd, here);
         }
-        self.tokens.front().ok_or_else(|| Failure::new("found unexpected end of stream", here))
+        self.tokens
+            .front()
+            .ok_or_else(|| Failure::new("found unexpected end of stream", here))
     }
 
     /// The next token.
@@ -77,7 +79,11 @@ impl<'t> Scanner<'t> {
         self.peek()?;
         self.taken += 1;
         let here = self.reader.mark();
-        let end = Token { kind: TokenKind::StreamEnd, start: here, end: here };
+        let end = Token {
+            kind: TokenKind::StreamEnd,
+            start: here,
+            end: here,
+        };
         Ok(self.tokens.pop_front().unwrap_or(end))
     }
 
@@ -106,11 +112,20 @@ impl<'t> Scanner<'t> {
             return Ok(false);
         }
         self.drop_stale_candidates()?;
-        Ok(self.candidates.iter().map(|candidate| candidate.token).min() == Some(self.taken))
+        Ok(self
+            .candidates
+            .iter()
+            .map(|candidate| candidate.token)
+            .min()
+            == Some(self.taken))
     }
 
     fn push(&mut self, kind: TokenKind, start: Mark) {
-        self.tokens.push_back(Token { kind, start, end: self.reader.mark() });
+        self.tokens.push_back(Token {
+            kind,
+            start,
+            end: self.reader.mark(),
+        });
     }
 
     /// Scan the next token, and the ends of blocks before it.
@@ -144,8 +159,15 @@ impl<'t> Scanner<'t> {
             '\'' | '"' => self.fetch_word(Self::scan_quoted),
             _ if self.starts_plain(c, next) => self.fetch_word(Self::scan_plain),
             _ => {
-                let problem = format!("found character {} that cannot start any token", repr(&c.to_string()));
-                Err(Failure::during("while scanning for the next token", problem, self.reader.mark()))
+                let problem = format!(
+                    "found character {} that cannot start any token",
+                    repr(&c.to_string())
+                );
+                Err(Failure::during(
+                    "while scanning for the next token",
+                    problem,
+                    self.reader.mark(),
+                ))
             }
         }
     }
@@ -183,9 +205,18 @@ impl<'t> Scanner<'t> {
 
     fn missing_colon(&self, candidate: &Candidate) -> Failure {
         let (start, end) = (candidate.mark, self.reader.mark());
-        let reach = if start.line == end.line { end.offset } else { self.reader.line_end(start) };
-        Failure::within("while scanning a simple key", start, "could not find expected ':'", end)
-            .blaming(TextRange::new(start.offset, reach))
+        let reach = if start.line == end.line {
+            end.offset
+        } else {
+            self.reader.line_end(start)
+        };
+        Failure::within(
+            "while scanning a simple key",
+            start,
+            "could not find expected ':'",
+            end,
+        )
+        .blaming(TextRange::new(start.offset, reach))
     }
 
     fn drop_stale_candidates(&mut self) -> Result<(), Failure> {
@@ -193,7 +224,10 @@ impl<'t> Scanner<'t> {
         let is_stale = |candidate: &Candidate| {
             candidate.mark.line != here.line || here.index - candidate.mark.index > KEY_REACH
         };
-        let lost = self.candidates.iter().find(|candidate| candidate.required && is_stale(candidate));
+        let lost = self
+            .candidates
+            .iter()
+            .find(|candidate| candidate.required && is_stale(candidate));
         if let Some(lost) = lost {
             return Err(self.missing_colon(lost));
         }
@@ -202,7 +236,10 @@ impl<'t> Scanner<'t> {
     }
 
     fn take_candidate(&mut self) -> Option<Candidate> {
-        let at = self.candidates.iter().position(|candidate| candidate.flow_level == self.flow_level)?;
+        let at = self
+            .candidates
+            .iter()
+            .position(|candidate| candidate.flow_level == self.flow_level)?;
         Some(self.candidates.swap_remove(at))
     }
 
@@ -219,7 +256,12 @@ impl<'t> Scanner<'t> {
             let required = !self.in_flow() && self.indent == self.column();
             let token = self.taken + self.tokens.len();
             let mark = self.reader.mark();
-            self.candidates.push(Candidate { flow_level: self.flow_level, token, required, mark });
+            self.candidates.push(Candidate {
+                flow_level: self.flow_level,
+                token,
+                required,
+                mark,
+            });
         }
         Ok(())
     }
@@ -290,7 +332,14 @@ impl<'t> Scanner<'t> {
         for _ in 0..3 {
             self.reader.advance();
         }
-        self.push(if c == '-' { TokenKind::DocumentStart } else { TokenKind::DocumentEnd }, start);
+        self.push(
+            if c == '-' {
+                TokenKind::DocumentStart
+            } else {
+                TokenKind::DocumentEnd
+            },
+            start,
+        );
         Ok(())
     }
 
@@ -318,7 +367,10 @@ impl<'t> Scanner<'t> {
     }
 
     fn fetch_dash(&mut self) -> Result<(), Failure> {
-        self.begin_entry(TokenKind::BlockSequenceStart, "sequence entries are not allowed here")?;
+        self.begin_entry(
+            TokenKind::BlockSequenceStart,
+            "sequence entries are not allowed here",
+        )?;
         self.key_allowed = true;
         self.drop_candidate()?;
         self.fetch_character(TokenKind::BlockEntry);
@@ -326,7 +378,10 @@ impl<'t> Scanner<'t> {
     }
 
     fn fetch_question_mark(&mut self) -> Result<(), Failure> {
-        self.begin_entry(TokenKind::BlockMappingStart, "mapping keys are not allowed here")?;
+        self.begin_entry(
+            TokenKind::BlockMappingStart,
+            "mapping keys are not allowed here",
+        )?;
         self.key_allowed = !self.in_flow();
         self.drop_candidate()?;
         self.fetch_character(TokenKind::Key);
@@ -335,15 +390,35 @@ impl<'t> Scanner<'t> {
 
     fn fetch_colon(&mut self) -> Result<(), Failure> {
         if let Some(candidate) = self.take_candidate() {
-            let at = candidate.token.saturating_sub(self.taken).min(self.tokens.len());
+            let at = candidate
+                .token
+                .saturating_sub(self.taken)
+                .min(self.tokens.len());
             let mark = candidate.mark;
-            self.tokens.insert(at, Token { kind: TokenKind::Key, start: mark, end: mark });
+            self.tokens.insert(
+                at,
+                Token {
+                    kind: TokenKind::Key,
+                    start: mark,
+                    end: mark,
+                },
+            );
             if !self.in_flow() && self.open_block(i64::from(mark.column)) {
-                self.tokens.insert(at, Token { kind: TokenKind::BlockMappingStart, start: mark, end: mark });
+                self.tokens.insert(
+                    at,
+                    Token {
+                        kind: TokenKind::BlockMappingStart,
+                        start: mark,
+                        end: mark,
+                    },
+                );
             }
             self.key_allowed = false;
         } else {
-            self.begin_entry(TokenKind::BlockMappingStart, "mapping values are not allowed here")?;
+            self.begin_entry(
+                TokenKind::BlockMappingStart,
+                "mapping values are not allowed here",
+            )?;
             self.key_allowed = !self.in_flow();
         }
         self.fetch_character(TokenKind::Value);
@@ -351,7 +426,10 @@ impl<'t> Scanner<'t> {
     }
 
     /// A token that may be, or begin, a key.
-    fn fetch_word(&mut self, scan: impl FnOnce(&mut Self) -> Result<Token, Failure>) -> Result<(), Failure> {
+    fn fetch_word(
+        &mut self,
+        scan: impl FnOnce(&mut Self) -> Result<Token, Failure>,
+    ) -> Result<(), Failure> {
         self.save_candidate()?;
         self.key_allowed = false;
         let token = scan(self)?;

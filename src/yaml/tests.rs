@@ -16,7 +16,12 @@ fn show(node: &Node) -> String {
         Kind::Timestamp { repr, .. } => repr.clone(),
         Kind::Binary(bytes) => {
             // As characters, of which `repr` shows those that are not ASCII.
-            let text = repr(&bytes.iter().map(|&byte| char::from(byte)).collect::<String>());
+            let text = repr(
+                &bytes
+                    .iter()
+                    .map(|&byte| char::from(byte))
+                    .collect::<String>(),
+            );
             let escaped = text.chars().map(|c| match c {
                 '\u{80}'.. => format!("\\x{:02x}", c as u32),
                 c => c.to_string(),
@@ -25,8 +30,10 @@ fn show(node: &Node) -> String {
         }
         Kind::List(items) => format!("[{}]", list(items)),
         Kind::Map(items) => {
-            let items: Vec<String> =
-                items.iter().map(|(key, value)| format!("{}: {}", show(key), show(value))).collect();
+            let items: Vec<String> = items
+                .iter()
+                .map(|(key, value)| format!("{}: {}", show(key), show(value)))
+                .collect();
             format!("{{{}}}", items.join(", "))
         }
         Kind::Set(items) if items.is_empty() => "set()".to_owned(),
@@ -36,8 +43,10 @@ fn show(node: &Node) -> String {
             format!("{{{}}}", items.join(", "))
         }
         Kind::Pairs(items) => {
-            let items: Vec<String> =
-                items.iter().map(|(key, value)| format!("({}, {})", show(key), show(value))).collect();
+            let items: Vec<String> = items
+                .iter()
+                .map(|(key, value)| format!("({}, {})", show(key), show(value)))
+                .collect();
             format!("[{}]", items.join(", "))
         }
         Kind::Tagged { unit, text } => format!("Unit({}, {})", repr(unit.name()), repr(text)),
@@ -58,11 +67,20 @@ fn float(value: f64) -> String {
 }
 
 fn answer(text: &str) -> Result<String, String> {
-    load(text, "f.yaml").map(|node| show(&node)).map_err(|error| {
-        assert!(error.range.end as usize <= text.len() && text.is_char_boundary(error.range.start as usize));
-        assert!(!error.short.is_empty() && !error.short.contains('\n'), "{}", error.short);
-        error.message
-    })
+    load(text, "f.yaml")
+        .map(|node| show(&node))
+        .map_err(|error| {
+            assert!(
+                error.range.end as usize <= text.len()
+                    && text.is_char_boundary(error.range.start as usize)
+            );
+            assert!(
+                !error.short.is_empty() && !error.short.contains('\n'),
+                "{}",
+                error.short
+            );
+            error.message
+        })
 }
 
 #[test]
@@ -82,14 +100,23 @@ fn all_cases_of_the_oracle() {
             let found = answer(text);
             // A value that contains itself is a value for Python, and an error here.
             let recursive = expected == Err("recursion".to_owned())
-                && found.as_ref().is_err_and(|error| error.contains("recursive"));
+                && found
+                    .as_ref()
+                    .is_err_and(|error| error.contains("recursive"));
             if found != expected && !recursive {
-                wrong.push(format!("{text:?}\n  expected {expected:?}\n  found    {found:?}"));
+                wrong.push(format!(
+                    "{text:?}\n  expected {expected:?}\n  found    {found:?}"
+                ));
             }
         }
     }
     assert!(count > 700);
-    assert!(wrong.is_empty(), "{} of {count}:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} of {count}:\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }
 
 fn short(text: &str) -> String {
@@ -98,11 +125,14 @@ fn short(text: &str) -> String {
 
 #[test]
 fn values_know_their_place() {
-    let text =
-        "a: 1\nlist:\n  - x  # first\n  - 'y'\n\n# end\nmap: {k: [1, 2]}\nnone:\nalias: &v 7\nagain: *v\n";
-    let Kind::Map(items) = load(text, "f.yaml").unwrap().kind else { panic!("a mapping") };
-    let places: Vec<(&str, &str)> =
-        items.iter().map(|(key, value)| (key.range.slice(text), value.range.slice(text))).collect();
+    let text = "a: 1\nlist:\n  - x  # first\n  - 'y'\n\n# end\nmap: {k: [1, 2]}\nnone:\nalias: &v 7\nagain: *v\n";
+    let Kind::Map(items) = load(text, "f.yaml").unwrap().kind else {
+        panic!("a mapping")
+    };
+    let places: Vec<(&str, &str)> = items
+        .iter()
+        .map(|(key, value)| (key.range.slice(text), value.range.slice(text)))
+        .collect();
     let expected = [
         ("a", "1"),
         ("list", "- x  # first\n  - 'y'"),
@@ -112,26 +142,48 @@ fn values_know_their_place() {
         ("again", "&v 7"),
     ];
     assert_eq!(places, expected);
-    assert_eq!(items[3].1.range.start as usize, text.find("none:").unwrap() + 5);
+    assert_eq!(
+        items[3].1.range.start as usize,
+        text.find("none:").unwrap() + 5
+    );
 }
 
 #[test]
 fn errors_blame_a_part_of_the_text() {
     let table = [
-        ("a: 1\nspeed 2\nb: 3\n", "speed 2", "while scanning a simple key: could not find expected ':'"),
+        (
+            "a: 1\nspeed 2\nb: 3\n",
+            "speed 2",
+            "while scanning a simple key: could not find expected ':'",
+        ),
         ("a: *gone\n", "*gone", "found undefined alias 'gone'"),
-        ("a: !nope 1\n", "!nope 1", "could not determine a constructor for the tag '!nope'"),
-        ("a: [1, 2\nb: 3\n", ":", "while parsing a flow sequence: expected ',' or ']', but got ':'"),
+        (
+            "a: !nope 1\n",
+            "!nope 1",
+            "could not determine a constructor for the tag '!nope'",
+        ),
+        (
+            "a: [1, 2\nb: 3\n",
+            ":",
+            "while parsing a flow sequence: expected ',' or ']', but got ':'",
+        ),
         (
             "a:\n\tb: 1\n",
             "\t",
             "while scanning for the next token: found character '\\t' that cannot start any token",
         ),
-        ("a: !!int x\n", "!!int x", "invalid literal for int() with base 10: 'x'"),
+        (
+            "a: !!int x\n",
+            "!!int x",
+            "invalid literal for int() with base 10: 'x'",
+        ),
     ];
     for (text, blamed, message) in table {
         let error = load(text, "f.yaml").unwrap_err();
-        assert_eq!((error.range.slice(text), error.short.as_str()), (blamed, message));
+        assert_eq!(
+            (error.range.slice(text), error.short.as_str()),
+            (blamed, message)
+        );
     }
 }
 
@@ -139,9 +191,18 @@ fn errors_blame_a_part_of_the_text() {
 fn nesting_is_limited() {
     let deep = |count: usize| format!("{}{}", "[".repeat(count), "]".repeat(count));
     assert!(load(&deep(190), "f.yaml").is_ok());
-    assert_eq!(short(&deep(100_000)), "found more than 200 levels of nesting");
-    assert_eq!(short(&"- ".repeat(100_000)), "found more than 200 levels of nesting");
-    assert_eq!(short(&"? ".repeat(100_000)), "found more than 200 levels of nesting");
+    assert_eq!(
+        short(&deep(100_000)),
+        "found more than 200 levels of nesting"
+    );
+    assert_eq!(
+        short(&"- ".repeat(100_000)),
+        "found more than 200 levels of nesting"
+    );
+    assert_eq!(
+        short(&"? ".repeat(100_000)),
+        "found more than 200 levels of nesting"
+    );
 }
 
 #[test]
@@ -150,22 +211,36 @@ fn multiplication_is_limited() {
         let rest: Vec<String> = (1..12).map(next).collect();
         format!("{first}\n{}", rest.join("\n"))
     };
-    let lists =
-        lines("a0: &a0 [x, x]", &|n| format!("a{n}: &a{n} [{}]", vec![format!("*a{}", n - 1); 9].join(", ")));
+    let lists = lines("a0: &a0 [x, x]", &|n| {
+        format!(
+            "a{n}: &a{n} [{}]",
+            vec![format!("*a{}", n - 1); 9].join(", ")
+        )
+    });
     assert_eq!(short(&lists), "found more than 500000 values");
     let merges = lines("a0: &a0 {x: 1}", &|n| {
-        format!("a{n}: &a{n} {{<<: [{}]}}", vec![format!("*a{}", n - 1); 9].join(", "))
+        format!(
+            "a{n}: &a{n} {{<<: [{}]}}",
+            vec![format!("*a{}", n - 1); 9].join(", ")
+        )
     });
     assert!(short(&merges).starts_with("found more than 500000"));
 }
 
 #[test]
 fn recursion_is_an_error() {
-    for text in ["a: &x [*x]", "&a {k: *a}", "a: &a {<<: {k: *a}}", "&a [[[*a]]]", "a: &a\n  <<: *a\n  b: 1"]
-    {
+    for text in [
+        "a: &x [*x]",
+        "&a {k: *a}",
+        "a: &a {<<: {k: *a}}",
+        "&a [[[*a]]]",
+        "a: &a\n  <<: *a\n  b: 1",
+    ] {
         assert!(load(text, "f.yaml").is_err(), "{text}");
     }
-    let chain: String = (1..200).map(|n| format!("k{n}: &a{n} {{<<: *a{}}}, ", n - 1)).collect();
+    let chain: String = (1..200)
+        .map(|n| format!("k{n}: &a{n} {{<<: *a{}}}, ", n - 1))
+        .collect();
     assert_eq!(
         short(&format!("{{k0: &a0 {{}}, {chain} <<: *a199}}")),
         "found more than 100 merges into each other"

@@ -19,12 +19,19 @@ pub(super) fn is_space_or_end(c: char) -> bool {
 impl Scanner<'_> {
     /// A token from `start` to the cursor.
     pub(super) fn token(&self, kind: TokenKind, start: Mark) -> Token {
-        Token { kind, start, end: self.reader.mark() }
+        Token {
+            kind,
+            start,
+            end: self.reader.mark(),
+        }
     }
 
     /// "expected X, but found Y", Y being the character at the cursor.
     pub(super) fn unexpected(&self, context: &str, began: Mark, expected: &str) -> Failure {
-        let problem = format!("expected {expected}, but found {}", shown(self.reader.peek()));
+        let problem = format!(
+            "expected {expected}, but found {}",
+            shown(self.reader.peek())
+        );
         Failure::within(context, began, problem, self.reader.mark())
     }
 
@@ -33,7 +40,9 @@ impl Scanner<'_> {
         let digits = (0..count).map(|ahead| self.reader.peek_at(ahead));
         let value = digits
             .map(|c| c.to_digit(16).ok_or(c))
-            .try_fold(0u64, |value, digit| digit.map(|digit| value * 16 + u64::from(digit)));
+            .try_fold(0u64, |value, digit| {
+                digit.map(|digit| value * 16 + u64::from(digit))
+            });
         let value = value?;
         for _ in 0..count {
             self.reader.advance();
@@ -66,7 +75,11 @@ impl Scanner<'_> {
                 break;
             }
         }
-        Ok(Token { kind: TokenKind::Scalar(text, true), start, end })
+        Ok(Token {
+            kind: TokenKind::Scalar(text, true),
+            start,
+            end,
+        })
     }
 
     fn plain_ends(&self) -> bool {
@@ -84,7 +97,9 @@ impl Scanner<'_> {
     /// What stands between two words of a plain scalar; nothing when the scalar ends here.
     fn scan_plain_blanks(&mut self) -> String {
         let blanks = self.reader.take_while(|c| c == ' ');
-        let Some(first) = self.reader.take_break() else { return blanks.to_owned() };
+        let Some(first) = self.reader.take_break() else {
+            return blanks.to_owned();
+        };
         self.key_allowed = true;
         let mut breaks = String::new();
         loop {
@@ -113,7 +128,12 @@ impl Scanner<'_> {
         Ok(self.token(TokenKind::Scalar(text, false), start))
     }
 
-    fn scan_quoted_words(&mut self, quote: char, start: Mark, text: &mut String) -> Result<(), Failure> {
+    fn scan_quoted_words(
+        &mut self,
+        quote: char,
+        start: Mark,
+        text: &mut String,
+    ) -> Result<(), Failure> {
         loop {
             match self.reader.peek() {
                 c if is_blank_or_end(c) => return Ok(()),
@@ -258,7 +278,11 @@ impl Scanner<'_> {
         if header.chomp == Some('+') {
             text.push_str(&breaks);
         }
-        Ok(Token { kind: TokenKind::Scalar(text, false), start, end })
+        Ok(Token {
+            kind: TokenKind::Scalar(text, false),
+            start,
+            end,
+        })
     }
 
     fn scan_block_header(&mut self, start: Mark) -> Result<BlockHeader, Failure> {
@@ -271,7 +295,9 @@ impl Scanner<'_> {
                     let problem = "expected indentation indicator in the range 1-9, but found 0";
                     return Err(Failure::within(context, start, problem, self.reader.mark()));
                 }
-                c if c.is_ascii_digit() && header.indent.is_none() => header.indent = c.to_digit(10),
+                c if c.is_ascii_digit() && header.indent.is_none() => {
+                    header.indent = c.to_digit(10)
+                }
                 _ => break,
             }
             self.reader.advance();

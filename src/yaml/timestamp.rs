@@ -31,8 +31,16 @@ impl Cursor<'_> {
 
     /// A number of `least` to `most` digits.
     fn number(&mut self, least: usize, most: usize) -> Option<u32> {
-        let length = self.0.bytes().take(most).take_while(u8::is_ascii_digit).count();
-        let (digits, rest) = self.0.split_at_checked(length).filter(|_| length >= least)?;
+        let length = self
+            .0
+            .bytes()
+            .take(most)
+            .take_while(u8::is_ascii_digit)
+            .count();
+        let (digits, rest) = self
+            .0
+            .split_at_checked(length)
+            .filter(|_| length >= least)?;
         self.0 = rest;
         digits.parse().ok()
     }
@@ -53,8 +61,17 @@ pub(super) fn parse(text: &str) -> Option<Parts> {
     let month = cursor.number(1, 2)?;
     cursor.eat('-')?;
     let day = cursor.number(1, 2)?;
-    let time = if cursor.0.is_empty() { None } else { Some(time(&mut cursor)?) };
-    Some(Parts { year, month, day, time })
+    let time = if cursor.0.is_empty() {
+        None
+    } else {
+        Some(time(&mut cursor)?)
+    };
+    Some(Parts {
+        year,
+        month,
+        day,
+        time,
+    })
 }
 
 fn time(cursor: &mut Cursor<'_>) -> Option<Time> {
@@ -68,15 +85,29 @@ fn time(cursor: &mut Cursor<'_>) -> Option<Time> {
     let second = cursor.number(2, 2)?;
     let mut micros = 0;
     if cursor.eat('.').is_some() {
-        let digits = cursor.0.len() - cursor.0.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+        let digits = cursor.0.len()
+            - cursor
+                .0
+                .trim_start_matches(|c: char| c.is_ascii_digit())
+                .len();
         let (fraction, rest) = cursor.0.split_at_checked(digits)?;
         cursor.0 = rest;
-        let six: String = fraction.chars().chain(std::iter::repeat('0')).take(6).collect();
+        let six: String = fraction
+            .chars()
+            .chain(std::iter::repeat('0'))
+            .take(6)
+            .collect();
         micros = six.parse().ok()?;
     }
     cursor.blanks();
     let zone = zone(cursor)?;
-    cursor.0.is_empty().then_some(Time { hour, minute, second, micros, zone })
+    cursor.0.is_empty().then_some(Time {
+        hour,
+        minute,
+        second,
+        micros,
+        zone,
+    })
 }
 
 /// Nothing, `Z`, or an offset.
@@ -87,9 +118,17 @@ fn zone(cursor: &mut Cursor<'_>) -> Option<Option<i32>> {
     if cursor.eat('Z').is_some() {
         return Some(Some(0));
     }
-    let sign = if cursor.eat('-').is_some() { -1 } else { cursor.eat('+').map(|()| 1)? };
+    let sign = if cursor.eat('-').is_some() {
+        -1
+    } else {
+        cursor.eat('+').map(|()| 1)?
+    };
     let hours = cursor.number(1, 2)?;
-    let minutes = if cursor.eat(':').is_some() { cursor.number(2, 2)? } else { 0 };
+    let minutes = if cursor.eat(':').is_some() {
+        cursor.number(2, 2)?
+    } else {
+        0
+    };
     Some(Some(sign * i32::try_from(hours * 60 + minutes).ok()?))
 }
 
@@ -99,14 +138,23 @@ impl Parts {
     /// # Errors
     /// The message of Python's `ValueError` for a date or time that does not exist.
     pub(super) fn show(&self) -> Result<(String, String), String> {
-        let Parts { year, month, day, time } = self;
+        let Parts {
+            year,
+            month,
+            day,
+            time,
+        } = self;
         let days = match month {
             2 if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) => 29,
             2 => 28,
             4 | 6 | 9 | 11 => 30,
             _ => 31,
         };
-        if let Some(minutes) = time.as_ref().and_then(|time| time.zone).filter(|zone| zone.abs() >= 1440) {
+        if let Some(minutes) = time
+            .as_ref()
+            .and_then(|time| time.zone)
+            .filter(|zone| zone.abs() >= 1440)
+        {
             return Err(too_far(minutes));
         }
         let problem = match (year, month, day) {
@@ -132,7 +180,11 @@ impl Parts {
 
 impl Time {
     fn check(&self) -> Result<(), String> {
-        let bounds = [(self.hour, 23, "hour"), (self.minute, 59, "minute"), (self.second, 59, "second")];
+        let bounds = [
+            (self.hour, 23, "hour"),
+            (self.minute, 59, "minute"),
+            (self.second, 59, "second"),
+        ];
         match bounds.iter().find(|(value, most, _)| value > most) {
             Some((_, most, name)) => Err(format!("{name} must be in 0..{most}")),
             None => Ok(()),
@@ -146,7 +198,11 @@ impl Time {
         }
         if let Some(zone) = self.zone {
             let sign = if zone < 0 { '-' } else { '+' };
-            text.push_str(&format!("{sign}{:02}:{:02}", zone.abs() / 60, zone.abs() % 60));
+            text.push_str(&format!(
+                "{sign}{:02}:{:02}",
+                zone.abs() / 60,
+                zone.abs() % 60
+            ));
         }
         text
     }

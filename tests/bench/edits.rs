@@ -4,7 +4,12 @@
 //!     edits dependants ROBOTS                 edit a part that so many open robots include
 //!
 //! The instructions of 2N edits less those of N edits, divided by N, are those of one (`edits.py` does that).
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::print_stdout, clippy::disallowed_methods)] // benches may fail loudly
+#![allow(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::print_stdout,
+    clippy::disallowed_methods
+)] // benches may fail loudly
 
 mod large;
 
@@ -18,17 +23,25 @@ use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
 
 fn main() {
-    let args: Vec<String> = std::env::args().skip(1).filter(|arg| arg != "--bench").collect();
+    let args: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|arg| arg != "--bench")
+        .collect();
     let number = |place: usize| args.get(place).map_or(100, |text| text.parse().unwrap());
     match args.first().map(String::as_str) {
-        None => [(100, 20), (1000, 20)].into_iter().for_each(|(calls, edits)| edit("check", calls, edits)),
+        None => [(100, 20), (1000, 20)]
+            .into_iter()
+            .for_each(|(calls, edits)| edit("check", calls, edits)),
         Some("dependants") => dependants(number(1)),
         Some(what) => edit(what, number(1), number(2)),
     }
 }
 
 fn world(folder: &Path) -> World {
-    let env = Environment { vars: BTreeMap::new(), cwd: folder.to_owned() };
+    let env = Environment {
+        vars: BTreeMap::new(),
+        cwd: folder.to_owned(),
+    };
     World::new(env, vec![folder.to_owned()])
 }
 
@@ -48,7 +61,12 @@ fn edit(what: &str, calls: usize, edits: usize) {
         world.edit(path, TextRange::new(at, at + old.len() as u32), &new);
         old = new;
         seen.push(match what {
-            "expand" => world.analyzed(&RootChoice::plain(path), &none).unwrap().expansion.problems.len(),
+            "expand" => world
+                .analyzed(&RootChoice::plain(path), &none)
+                .unwrap()
+                .expansion
+                .problems
+                .len(),
             _ => world.report(&open, &none).unwrap().findings.len(),
         });
     }
@@ -79,7 +97,11 @@ fn dependants(robots: usize) {
     let at = std::fs::read_to_string(&part).unwrap().find("2.5").unwrap() as u32;
     let (mut own, mut all, mut given_up) = (Vec::new(), Vec::new(), Vec::new());
     for number in 0..20 {
-        world.edit(&part, TextRange::new(at, at + 3), &format!("{}.{}", number % 9 + 1, number % 10));
+        world.edit(
+            &part,
+            TextRange::new(at, at + 3),
+            &format!("{}.{}", number % 9 + 1, number % 10),
+        );
         let start = Instant::now();
         world.report(&open[..1], &none).unwrap();
         own.push(start.elapsed());

@@ -30,7 +30,12 @@ struct Properties(Vec<(&'static str, Value)>);
 impl Properties {
     fn new() -> Self {
         let list = Value::list_from([3, 1, 2].map(Value::Int), false);
-        Self(vec![("a", Value::Int(3)), ("b", Value::Float(1.5)), ("s", "wheel".into()), ("l", list)])
+        Self(vec![
+            ("a", Value::Int(3)),
+            ("b", Value::Float(1.5)),
+            ("s", "wheel".into()),
+            ("l", list),
+        ])
     }
 }
 
@@ -65,7 +70,13 @@ impl Host for Properties {
 fn expression(bencher: Bencher<'_, '_>, text: &str) {
     let parsed = expr::parse(text);
     let mut host = Properties::new();
-    bencher.bench_local(|| expr::evaluate(divan::black_box(&parsed.expr), &mut host, &mut Budget::default()));
+    bencher.bench_local(|| {
+        expr::evaluate(
+            divan::black_box(&parsed.expr),
+            &mut host,
+            &mut Budget::default(),
+        )
+    });
 }
 
 /// Time must grow with the number of items, not faster.
@@ -73,9 +84,13 @@ fn expression(bencher: Bencher<'_, '_>, text: &str) {
 fn comprehension(bencher: Bencher<'_, '_>, items: usize) {
     let parsed = expr::parse(&format!("[i * 2 + a for i in python.range({items})]"));
     let mut host = Properties::new();
-    bencher
-        .counter(items)
-        .bench_local(|| expr::evaluate(divan::black_box(&parsed.expr), &mut host, &mut Budget::default()));
+    bencher.counter(items).bench_local(|| {
+        expr::evaluate(
+            divan::black_box(&parsed.expr),
+            &mut host,
+            &mut Budget::default(),
+        )
+    });
 }
 
 #[divan::bench(args = [0.1, 1234.5678, 1e-7, 0.30000000000000004])]

@@ -41,14 +41,18 @@ fn expression(text: &str) -> expr::Parsed {
 #[divan::bench(args = [100, 1_000, 10_000])]
 fn long_list(bencher: Bencher<'_, '_>, items: usize) {
     let text = format!("[{}]", "a.b * 2 + f(c, d='x'), ".repeat(items));
-    bencher.counter(items).bench(|| expr::parse(divan::black_box(&text)));
+    bencher
+        .counter(items)
+        .bench(|| expr::parse(divan::black_box(&text)));
 }
 
 /// The same for text that is wrong everywhere.
 #[divan::bench(args = [100, 1_000, 10_000])]
 fn long_nonsense(bencher: Bencher<'_, '_>, items: usize) {
     let text = "(a b ] + 'x 0777 {: ".repeat(items);
-    bencher.counter(items).bench(|| expr::parse(divan::black_box(&text)));
+    bencher
+        .counter(items)
+        .bench(|| expr::parse(divan::black_box(&text)));
 }
 
 #[divan::bench(args = ["1.5 0 -0.25", "${prefix}wheel_${side}_link", "$(find pkg)/urdf/${name}.xacro", "${a * 2} 0 ${b / 2}"])]

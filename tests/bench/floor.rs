@@ -11,12 +11,18 @@ use std::path::PathBuf;
 )]
 fn main() {
     // cargo adds an option when it runs a bench
-    let paths = std::env::args_os().skip(1).filter(|argument| argument != "--bench").map(PathBuf::from);
+    let paths = std::env::args_os()
+        .skip(1)
+        .filter(|argument| argument != "--bench")
+        .map(PathBuf::from);
     let (mut bytes, mut nodes) = (0, 0);
     for path in paths {
-        let Ok(text) = std::fs::read_to_string(&path) else { continue };
+        let Ok(text) = std::fs::read_to_string(&path) else {
+            continue;
+        };
         bytes += text.len();
-        nodes += roxmltree::Document::parse(&text).map_or(0, |document| document.descendants().count());
+        nodes +=
+            roxmltree::Document::parse(&text).map_or(0, |document| document.descendants().count());
     }
     println!("{bytes} bytes, {nodes} nodes");
 }

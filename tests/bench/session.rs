@@ -2,7 +2,12 @@
 //! a letter typed in one call, completion and hover. Each also says what it allocates.
 //!
 //! `first_look` is what the author waits for, `whole_check` what follows when no further key is pressed.
-#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, clippy::disallowed_methods)] // benches may fail loudly
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::disallowed_methods
+)] // benches may fail loudly
 
 mod large;
 
@@ -38,16 +43,30 @@ struct Session {
 impl Session {
     fn open(calls: usize) -> Self {
         let folder = Path::new("/nowhere");
-        let env = Environment { vars: BTreeMap::new(), cwd: folder.to_owned() };
-        let (mut world, path, text) = (World::new(env, Vec::new()), folder.join("bench.xacro"), robot(calls));
+        let env = Environment {
+            vars: BTreeMap::new(),
+            cwd: folder.to_owned(),
+        };
+        let (mut world, path, text) = (
+            World::new(env, Vec::new()),
+            folder.join("bench.xacro"),
+            robot(calls),
+        );
         world.set_text(&path, text.clone());
-        let mut session = Self { world, path, text, typed: false };
+        let mut session = Self {
+            world,
+            path,
+            text,
+            typed: false,
+        };
         session.check();
         session
     }
 
     fn check(&mut self) -> usize {
-        let report = self.world.report(std::slice::from_ref(&self.path), &CancelFlag::default());
+        let report = self
+            .world
+            .report(std::slice::from_ref(&self.path), &CancelFlag::default());
         report.unwrap().findings.len()
     }
 
@@ -87,7 +106,10 @@ fn check_of_an_edit_in_a_call(bencher: Bencher<'_, '_>, calls: usize) {
 fn completion(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
     let root = RootChoice::plain(&session.path);
-    let analyzed = session.world.analyzed(&root, &CancelFlag::default()).unwrap();
+    let analyzed = session
+        .world
+        .analyzed(&root, &CancelFlag::default())
+        .unwrap();
     let source = session.world.document(&session.path).unwrap();
     let offset = session.text.find("base_mass *").unwrap() as u32 + 4;
     bencher.bench_local(|| {
@@ -102,7 +124,9 @@ fn completion(bencher: Bencher<'_, '_>, calls: usize) {
             described: &[],
             roots: &[],
         });
-        ide::completions(&scope, black_box(offset), None).items.len()
+        ide::completions(&scope, black_box(offset), None)
+            .items
+            .len()
     });
 }
 
@@ -110,7 +134,10 @@ fn completion(bencher: Bencher<'_, '_>, calls: usize) {
 fn hover(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
     let root = RootChoice::plain(&session.path);
-    let analyzed = session.world.analyzed(&root, &CancelFlag::default()).unwrap();
+    let analyzed = session
+        .world
+        .analyzed(&root, &CancelFlag::default())
+        .unwrap();
     let source = session.world.document(&session.path).unwrap();
     let settings = session.world.session().settings(&session.path);
     let offset = session.text.find("base_mass *").unwrap() as u32 + 4;

@@ -41,13 +41,17 @@ const SIZES: [usize; 4] = [10_000, 100_000, 1_000_000, 5_000_000];
 #[divan::bench(args = SIZES)]
 fn parse(bencher: Bencher<'_, '_>, size: usize) {
     let text = xacro(size);
-    bencher.counter(BytesCount::of_str(&text)).bench_local(|| Document::parse(black_box(&text)));
+    bencher
+        .counter(BytesCount::of_str(&text))
+        .bench_local(|| Document::parse(black_box(&text)));
 }
 
 #[divan::bench(args = SIZES)]
 fn parse_and_check(bencher: Bencher<'_, '_>, size: usize) {
     let text = xacro(size);
-    bencher.counter(BytesCount::of_str(&text)).bench_local(|| Document::parse(black_box(&text)).errors());
+    bencher
+        .counter(BytesCount::of_str(&text))
+        .bench_local(|| Document::parse(black_box(&text)).errors());
 }
 
 #[divan::bench(args = SIZES)]
@@ -63,7 +67,9 @@ fn parse_roxmltree(bencher: Bencher<'_, '_>, size: usize) {
 #[divan::bench(args = [10_000, 50_000, 500_000, 5_000_000])]
 fn edit(bencher: Bencher<'_, '_>, size: usize) {
     let text = xacro(size);
-    let middle = text[text.len() / 2..].find("ixx=\"").map_or(0, |at| text.len() / 2 + at + 5);
+    let middle = text[text.len() / 2..]
+        .find("ixx=\"")
+        .map_or(0, |at| text.len() / 2 + at + 5);
     let mut document = Document::parse(&text);
     let position = document.line_col(middle as u32, Encoding::Utf16);
     let mut typed = false;
@@ -82,12 +88,18 @@ fn edit(bencher: Bencher<'_, '_>, size: usize) {
 #[divan::bench(args = [10_000, 50_000, 500_000, 5_000_000])]
 fn edit_with_snapshot(bencher: Bencher<'_, '_>, size: usize) {
     let text = xacro(size);
-    let middle = text[text.len() / 2..].find("ixx=\"").map_or(0, |at| text.len() / 2 + at + 5) as u32;
+    let middle = text[text.len() / 2..]
+        .find("ixx=\"")
+        .map_or(0, |at| text.len() / 2 + at + 5) as u32;
     let mut document = Document::parse(&text);
     let mut snapshot = document.clone();
     let mut typed = false;
     bencher.bench_local(|| {
-        let (end, letter) = if typed { (middle + 1, "") } else { (middle, "7") };
+        let (end, letter) = if typed {
+            (middle + 1, "")
+        } else {
+            (middle, "7")
+        };
         typed = !typed;
         document.edit(TextRange::new(middle, end), letter);
         snapshot = document.clone();

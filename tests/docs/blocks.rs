@@ -13,7 +13,10 @@ fn texts_of_other_tests() -> String {
     for folder in ["tests/editors", "tests/nvim", "tests/packaging"] {
         for entry in fs::read_dir(root().join(folder)).into_iter().flatten() {
             let path = entry.unwrap().path();
-            if path.extension().is_some_and(|ending| ending == "py" || ending == "lua") {
+            if path
+                .extension()
+                .is_some_and(|ending| ending == "py" || ending == "lua")
+            {
                 texts.push_str(&fs::read_to_string(path).unwrap());
             }
         }
@@ -30,14 +33,22 @@ fn every_block_is_checked_by_somebody() {
         let language = block.language.as_str();
         match block.remark("run:") {
             Some(name)
-                if ['"', '\''].iter().all(|quote| !tests.contains(&format!("{quote}{name}{quote}"))) =>
+                if ['"', '\'']
+                    .iter()
+                    .all(|quote| !tests.contains(&format!("{quote}{name}{quote}"))) =>
             {
                 wrong.push(format!("{place}: no test takes `{name}`"));
             }
             Some(_) => {}
-            None if language.is_empty() => wrong.push(format!("{place}: say the language, or `text`")),
-            None if block.not_run.is_some() || language == "text" || CHECKED.contains(&language) => {}
-            None => wrong.push(format!("{place}: nobody checks `{language}`: say `not-run: reason`")),
+            None if language.is_empty() => {
+                wrong.push(format!("{place}: say the language, or `text`"))
+            }
+            None if block.not_run.is_some()
+                || language == "text"
+                || CHECKED.contains(&language) => {}
+            None => wrong.push(format!(
+                "{place}: nobody checks `{language}`: say `not-run: reason`"
+            )),
         }
         if language == "text" && block.text.lines().any(|line| line.starts_with("$ ")) {
             wrong.push(format!("{place}: a command with its answer is `console`"));
@@ -52,10 +63,21 @@ fn what_is_not_run_is_listed() {
     let mut list = String::new();
     for page in pages::told() {
         for block in pages::blocks(&page) {
-            let Some(reason) = &block.not_run else { continue };
+            let Some(reason) = &block.not_run else {
+                continue;
+            };
             assert!(reason.contains(' '), "{}: give a reason", block.place);
-            let first = block.text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
-            list.push_str(&format!("{} ({}): {reason}\n    {}\n", page.path, block.language, first.trim()));
+            let first = block
+                .text
+                .lines()
+                .find(|line| !line.trim().is_empty())
+                .unwrap_or("");
+            list.push_str(&format!(
+                "{} ({}): {reason}\n    {}\n",
+                page.path,
+                block.language,
+                first.trim()
+            ));
         }
     }
     pages::up_to_date("tests/docs/not-run.txt", &list);

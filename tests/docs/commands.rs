@@ -22,7 +22,9 @@ struct Copy {
 fn copy_into(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
     for entry in fs::read_dir(from).unwrap() {
-        let (path, name) = entry.map(|entry| (entry.path(), entry.file_name())).unwrap();
+        let (path, name) = entry
+            .map(|entry| (entry.path(), entry.file_name()))
+            .unwrap();
         if path.is_dir() {
             copy_into(&path, &to.join(name));
         } else {
@@ -33,16 +35,28 @@ fn copy_into(from: &Path, to: &Path) {
 
 impl Copy {
     fn new(page: &Page, test: &str) -> Copy {
-        let home =
-            Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs").join(test).join(page.path.replace('/', "-"));
+        let home = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join("docs")
+            .join(test)
+            .join(page.path.replace('/', "-"));
         let _ = fs::remove_dir_all(&home);
         let checkout = home.join("xacro-lsp");
-        copy_into(&root().join("docs/examples"), &checkout.join("docs/examples"));
+        copy_into(
+            &root().join("docs/examples"),
+            &checkout.join("docs/examples"),
+        );
         fs::create_dir_all(checkout.join(".git")).unwrap();
         // pages of the repository speak of its top folder, those of the book of the examples
         let inside = page.path.starts_with("docs/") && !page.path.starts_with("docs/examples/");
-        let start = if inside { checkout.join("docs/examples") } else { checkout };
-        Copy { home: home.canonicalize().unwrap(), start: start.canonicalize().unwrap() }
+        let start = if inside {
+            checkout.join("docs/examples")
+        } else {
+            checkout
+        };
+        Copy {
+            home: home.canonicalize().unwrap(),
+            start: start.canonicalize().unwrap(),
+        }
     }
 
     /// The folder of a section with files of its own.
@@ -62,26 +76,40 @@ impl Copy {
 
     /// What a line of a shell prints, and its exit code.
     fn run(&self, line: &str, folder: &Path) -> (String, i32) {
-        let programs = Path::new(env!("CARGO_BIN_EXE_xacro-lint")).parent().unwrap();
+        let programs = Path::new(env!("CARGO_BIN_EXE_xacro-lint"))
+            .parent()
+            .unwrap();
         let mut path = programs.as_os_str().to_owned();
         path.push(":");
         path.push(std::env::var_os("PATH").unwrap_or_default());
         let line = line.replace(FROM_SOURCE, "xacro-lint ");
         let mut shell = Command::new("sh");
-        shell.args(["-c", &format!("exec 2>&1\n{line}")]).current_dir(folder);
-        shell.env_clear().env("PATH", path).env("HOME", &self.home).env("LC_ALL", "C.UTF-8");
+        shell
+            .args(["-c", &format!("exec 2>&1\n{line}")])
+            .current_dir(folder);
+        shell
+            .env_clear()
+            .env("PATH", path)
+            .env("HOME", &self.home)
+            .env("LC_ALL", "C.UTF-8");
         // no ROS of this machine
         shell.env("AMENT_PREFIX_PATH", self.home.join("ros"));
         let done = shell.output().unwrap();
         let code = done.status.code().unwrap_or(-1);
-        (self.for_readers(&String::from_utf8(done.stdout).unwrap()), code)
+        (
+            self.for_readers(&String::from_utf8(done.stdout).unwrap()),
+            code,
+        )
     }
 
     fn for_readers(&self, text: &str) -> String {
         let home = self.home.display().to_string();
         let mut text = text.replace(&format!("{home}/ros"), "/opt/ros/jazzy");
         for number in 0..100 {
-            text = text.replace(&format!("{home}/{number}/robot_ws"), &format!("{HOME}/robot_ws"));
+            text = text.replace(
+                &format!("{home}/{number}/robot_ws"),
+                &format!("{HOME}/robot_ws"),
+            );
         }
         text.replace(&home, HOME)
     }
@@ -89,7 +117,9 @@ impl Copy {
     /// Write the files that the sections of a page show.
     fn write_files(&self, blocks: &[Block]) {
         for block in blocks {
-            let Some(name) = block.remark("file") else { continue };
+            let Some(name) = block.remark("file") else {
+                continue;
+            };
             let path = self.section(block.section).join(name);
             fs::create_dir_all(path.parent().unwrap()).unwrap();
             fs::write(path, &block.text).unwrap();
@@ -103,7 +133,8 @@ fn matches(shown: &[&str], got: &[&str]) -> bool {
         None => got.is_empty(),
         Some((&"...", rest)) => (0..=got.len()).any(|skipped| matches(rest, &got[skipped..])),
         Some((first, rest)) => {
-            got.first().is_some_and(|line| same_everywhere(line) == same_everywhere(first))
+            got.first()
+                .is_some_and(|line| same_everywhere(line) == same_everywhere(first))
                 && matches(rest, &got[1..])
         }
     }
@@ -113,7 +144,10 @@ fn matches(shown: &[&str], got: &[&str]) -> bool {
 fn same_everywhere(line: &str) -> String {
     match line.split_once(" (looked in ") {
         Some((before, after)) => {
-            format!("{before}{}", after.trim_start_matches(|c: char| c.is_ascii_digit()))
+            format!(
+                "{before}{}",
+                after.trim_start_matches(|c: char| c.is_ascii_digit())
+            )
         }
         None => line.to_owned(),
     }
@@ -150,7 +184,11 @@ fn transcript(copy: &Copy, block: &Block) -> String {
     for line in block.text.lines() {
         match line.strip_prefix("$ ") {
             Some(command) => commands.push((command, Vec::new())),
-            None => commands.last_mut().unwrap_or_else(|| panic!("{}: no command", block.place)).1.push(line),
+            None => commands
+                .last_mut()
+                .unwrap_or_else(|| panic!("{}: no command", block.place))
+                .1
+                .push(line),
         }
     }
     let mut new = String::new();
@@ -166,7 +204,8 @@ fn transcript(copy: &Copy, block: &Block) -> String {
         let got: Vec<&str> = text.lines().collect();
         let kept = if matches(&shown, &got) { shown } else { got };
         new.push_str(&format!("$ {command}\n"));
-        kept.iter().for_each(|line| new.push_str(&format!("{line}\n")));
+        kept.iter()
+            .for_each(|line| new.push_str(&format!("{line}\n")));
     }
     new
 }
@@ -174,7 +213,11 @@ fn transcript(copy: &Copy, block: &Block) -> String {
 #[test]
 fn transcripts_are_what_the_program_prints() {
     let mut pages = pages::told();
-    pages.retain(|page| pages::blocks(page).iter().any(|block| block.language == "console"));
+    pages.retain(|page| {
+        pages::blocks(page)
+            .iter()
+            .any(|block| block.language == "console")
+    });
     assert!(pages.len() > 5);
     for page in pages {
         pages::up_to_date(&page.path, &rerun(&page));
@@ -184,8 +227,12 @@ fn transcripts_are_what_the_program_prints() {
 /// Lines of a block of commands: comments left out, continued lines in one.
 fn command_lines(text: &str) -> Vec<String> {
     let joined = text.replace("\\\n", " ");
-    let lines = joined.lines().map(|line| line.split(" # ").next().unwrap_or(line).trim().to_owned());
-    lines.filter(|line| !line.is_empty() && !line.starts_with('#')).collect()
+    let lines = joined
+        .lines()
+        .map(|line| line.split(" # ").next().unwrap_or(line).trim().to_owned());
+    lines
+        .filter(|line| !line.is_empty() && !line.starts_with('#'))
+        .collect()
 }
 
 #[test]
@@ -204,8 +251,13 @@ fn commands_work() {
             for line in command_lines(&block.text) {
                 let (text, code) = copy.run(&line, &folder);
                 // 1: there are findings
-                if code != 0 && !(code == 1 && line.contains("xacro-lint") || line.contains(FROM_SOURCE)) {
-                    wrong.push(format!("{}: `{line}` ends with {code}\n{text}", block.place));
+                if code != 0
+                    && !(code == 1 && line.contains("xacro-lint") || line.contains(FROM_SOURCE))
+                {
+                    wrong.push(format!(
+                        "{}: `{line}` ends with {code}\n{text}",
+                        block.place
+                    ));
                 }
             }
         }
@@ -222,9 +274,13 @@ fn inline_calls() -> BTreeMap<String, Vec<String>> {
                 continue;
             }
             let spans = line.split('`').skip(1).step_by(2);
-            let spans =
-                spans.filter(|span| span.starts_with("xacro-lint ") && !span.starts_with("xacro-lint -"));
-            calls.entry(page.path.clone()).or_default().extend(spans.map(str::to_owned));
+            let spans = spans.filter(|span| {
+                span.starts_with("xacro-lint ") && !span.starts_with("xacro-lint -")
+            });
+            calls
+                .entry(page.path.clone())
+                .or_default()
+                .extend(spans.map(str::to_owned));
         }
     }
     calls

@@ -18,7 +18,9 @@ fn of(language: &str) -> Vec<Block> {
 }
 
 fn scratch(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("docs-data").join(name);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("docs-data")
+        .join(name);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).unwrap();
     folder
@@ -26,19 +28,35 @@ fn scratch(name: &str) -> PathBuf {
 
 /// What `xacro-lint` prints about a file with the words given.
 fn findings(folder: &Path, words: &[&str]) -> String {
-    let vars = [("AMENT_PREFIX_PATH".to_owned(), folder.join("none").display().to_string())];
-    let env = Environment { vars: vars.into(), cwd: folder.to_owned() };
+    let vars = [(
+        "AMENT_PREFIX_PATH".to_owned(),
+        folder.join("none").display().to_string(),
+    )];
+    let env = Environment {
+        vars: vars.into(),
+        cwd: folder.to_owned(),
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();
-    let code = cli::run(&words, &env, &mut Io::plain(&mut out, &mut err, &mut &b""[..]));
-    if code == 0 { String::new() } else { String::from_utf8(out).unwrap() + &String::from_utf8(err).unwrap() }
+    let code = cli::run(
+        &words,
+        &env,
+        &mut Io::plain(&mut out, &mut err, &mut &b""[..]),
+    );
+    if code == 0 {
+        String::new()
+    } else {
+        String::from_utf8(out).unwrap() + &String::from_utf8(err).unwrap()
+    }
 }
 
 #[test]
 fn configurations_are_valid() {
     // with the arguments that the examples give
-    let args = ["axles", "length", "prefix", "reach", "robot_ip", "side", "sim"]
-        .map(|name| format!("<xacro:arg name=\"{name}\" default=\"\"/>"));
+    let args = [
+        "axles", "length", "prefix", "reach", "robot_ip", "side", "sim",
+    ]
+    .map(|name| format!("<xacro:arg name=\"{name}\" default=\"\"/>"));
     let robot = format!(
         "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">{}<link name=\"a\"/></robot>\n",
         args.concat()
@@ -46,14 +64,28 @@ fn configurations_are_valid() {
     let mut wrong = Vec::new();
     for block in of("toml") {
         let folder = scratch("toml");
-        fs::write(folder.join("robot.urdf"), "<robot name=\"r\"><link name=\"a\"/></robot>\n").unwrap();
+        fs::write(
+            folder.join("robot.urdf"),
+            "<robot name=\"r\"><link name=\"a\"/></robot>\n",
+        )
+        .unwrap();
         fs::write(folder.join("xacro-lint.toml"), &block.text).unwrap();
-        let roots = block.text.lines().filter_map(|line| line.strip_prefix("file = "));
+        let roots = block
+            .text
+            .lines()
+            .filter_map(|line| line.strip_prefix("file = "));
         for file in roots.map(|value| folder.join(value.trim_matches('"'))) {
             fs::create_dir_all(file.parent().unwrap()).unwrap();
             fs::write(file, &robot).unwrap();
         }
-        let words = ["check", ".", "--extend-select", "invalid-config", "--format", "concise"];
+        let words = [
+            "check",
+            ".",
+            "--extend-select",
+            "invalid-config",
+            "--format",
+            "concise",
+        ];
         let said = findings(&folder, &words);
         if !said.is_empty() {
             wrong.push(format!("{}: {said}", block.place));
@@ -68,7 +100,9 @@ fn xml_is_well_formed() {
     let mut wrong = Vec::new();
     for block in of("xml") {
         let folder = scratch("xml");
-        let whole = ["<robot", "<?xml", "<package"].iter().any(|first| block.text.contains(first));
+        let whole = ["<robot", "<?xml", "<package"]
+            .iter()
+            .any(|first| block.text.contains(first));
         let text = if whole {
             block.text.clone()
         } else {
@@ -83,7 +117,17 @@ fn xml_is_well_formed() {
         }
         fs::write(folder.join("robot.xacro"), text).unwrap();
         let select = "XML001,unknown-rule-in-suppression,malformed-suppression";
-        let said = findings(&folder, &["check", "robot.xacro", "--select", select, "--format", "concise"]);
+        let said = findings(
+            &folder,
+            &[
+                "check",
+                "robot.xacro",
+                "--select",
+                select,
+                "--format",
+                "concise",
+            ],
+        );
         // a file on purpose without its prefix is shown with what is said about it
         if !said.is_empty() && block.remark("file").is_none() {
             wrong.push(format!("{}: {said}", block.place));

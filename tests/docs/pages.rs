@@ -15,8 +15,12 @@ pub struct Page {
 
 impl Page {
     pub fn read(path: &str) -> Page {
-        let text = fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
-        Page { path: path.to_owned(), text }
+        let text =
+            fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"));
+        Page {
+            path: path.to_owned(),
+            text,
+        }
     }
 
     /// The page named by a path, as it is linked from this one.
@@ -32,7 +36,9 @@ fn markdown(folder: &Path, found: &mut Vec<String>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         if path.is_dir() {
-            let is_made = path.file_name().is_some_and(|name| MADE.iter().any(|made| name == *made));
+            let is_made = path
+                .file_name()
+                .is_some_and(|name| MADE.iter().any(|made| name == *made));
             if !is_made {
                 markdown(&path, found);
             }
@@ -85,20 +91,39 @@ pub struct Block {
 impl Block {
     fn new(place: String, section: usize, info: &str, above: &str) -> Block {
         let (language, rest) = info.split_once(' ').unwrap_or((info, ""));
-        assert!(rest.is_empty() || rest.starts_with("not-run: "), "{place}: `{rest}` behind the language");
+        assert!(
+            rest.is_empty() || rest.starts_with("not-run: "),
+            "{place}: `{rest}` behind the language"
+        );
         let not_run = rest.strip_prefix("not-run: ").map(str::to_owned);
-        let remark = above.strip_prefix("<!-- ").and_then(|rest| rest.strip_suffix(" -->"));
+        let remark = above
+            .strip_prefix("<!-- ")
+            .and_then(|rest| rest.strip_suffix(" -->"));
         let remark = remark.and_then(|remark| remark.split_once(' '));
         let remark = remark.filter(|(word, _)| ["in", "run:"].contains(word));
         // a line that holds a name in backticks and a colon names the file
-        let name = above.strip_prefix('`').and_then(|rest| rest.strip_suffix("`:"));
-        let remark = remark.or(name.filter(|name| !name.contains('`')).map(|name| ("file", name)));
+        let name = above
+            .strip_prefix('`')
+            .and_then(|rest| rest.strip_suffix("`:"));
+        let remark = remark.or(name
+            .filter(|name| !name.contains('`'))
+            .map(|name| ("file", name)));
         let remark = remark.map(|(word, of)| (word.to_owned(), of.to_owned()));
-        Block { place, section, language: language.to_owned(), not_run, remark, text: String::new() }
+        Block {
+            place,
+            section,
+            language: language.to_owned(),
+            not_run,
+            remark,
+            text: String::new(),
+        }
     }
 
     pub fn remark(&self, word: &str) -> Option<&str> {
-        self.remark.as_ref().filter(|(first, _)| first == word).map(|(_, of)| of.as_str())
+        self.remark
+            .as_ref()
+            .filter(|(first, _)| first == word)
+            .map(|(_, of)| of.as_str())
     }
 }
 
@@ -128,7 +153,12 @@ pub fn lines(page: &Page) -> Vec<(&str, Line<'_>)> {
             None if ticks.len() >= 3 => {
                 fence = Some(ticks);
                 let place = format!("{}:{}", page.path, number + 1);
-                Line::Fence(Block::new(place, section, &bare[ticks.len()..], above.trim()))
+                Line::Fence(Block::new(
+                    place,
+                    section,
+                    &bare[ticks.len()..],
+                    above.trim(),
+                ))
             }
             None => {
                 section += usize::from(line.starts_with("## ") || line.starts_with("### "));
@@ -140,7 +170,11 @@ pub fn lines(page: &Page) -> Vec<(&str, Line<'_>)> {
         }
         found.push((line, kind));
     }
-    assert!(fence.is_none(), "{}: a block of code does not end", page.path);
+    assert!(
+        fence.is_none(),
+        "{}: a block of code does not end",
+        page.path
+    );
     found
 }
 
@@ -167,8 +201,18 @@ pub fn up_to_date(path: &str, new: &str) {
         fs::write(&whole, new).unwrap();
     }
     let stored = fs::read_to_string(&whole).unwrap_or_default();
-    let line = stored.lines().zip(new.lines()).position(|(a, b)| a != b).unwrap_or(0);
-    let (old, made) = (stored.lines().nth(line).unwrap_or(""), new.lines().nth(line).unwrap_or(""));
+    let line = stored
+        .lines()
+        .zip(new.lines())
+        .position(|(a, b)| a != b)
+        .unwrap_or(0);
+    let (old, made) = (
+        stored.lines().nth(line).unwrap_or(""),
+        new.lines().nth(line).unwrap_or(""),
+    );
     let place = format!("{path}:{}", line + 1);
-    assert!(stored == new, "{place}: `{old}` is old for `{made}`: run `UPDATE=1 cargo test --test docs`");
+    assert!(
+        stored == new,
+        "{place}: `{old}` is old for `{made}`: run `UPDATE=1 cargo test --test docs`"
+    );
 }

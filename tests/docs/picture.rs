@@ -11,14 +11,21 @@ use crate::pages::{self, root};
 /// Findings that the picture shows; `...` stands for the others. One fits on the first screen of the README.
 const SHOWN: &[&str] = &["[missing-macro-param]"];
 /// Colors of an old terminal, and softer ones.
-const COLORS: &[(&str, &str)] =
-    &[("#000000", "#14161b"), ("#AAAAAA", "#e0e2ea"), ("#FF5555", "#ff7b7b"), ("#5555FF", "#8ab8ff")];
+const COLORS: &[(&str, &str)] = &[
+    ("#000000", "#14161b"),
+    ("#AAAAAA", "#e0e2ea"),
+    ("#FF5555", "#ff7b7b"),
+    ("#5555FF", "#8ab8ff"),
+];
 const EXAMPLE: &str = "docs/examples/broken_cell";
 
 /// What `xacro-lint check` prints on a terminal.
 fn printed() -> String {
     let vars = [("AMENT_PREFIX_PATH".to_owned(), "/none".to_owned())];
-    let env = Environment { vars: vars.into(), cwd: root().to_owned() };
+    let env = Environment {
+        vars: vars.into(),
+        cwd: root().to_owned(),
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut nothing = &b""[..];
     let mut io = Io::plain(&mut out, &mut err, &mut nothing);
@@ -44,7 +51,10 @@ fn shown() -> String {
     let (summary, findings) = parts.split_last().unwrap();
     let mut lines = vec![format!("\u{1b}[1m$ xacro-lint check {EXAMPLE}\u{1b}[0m\n")];
     for name in SHOWN {
-        let finding = findings.iter().find(|finding| finding.contains(name)).expect(name);
+        let finding = findings
+            .iter()
+            .find(|finding| finding.contains(name))
+            .expect(name);
         lines.push(format!("{finding}\n"));
     }
     let left = findings.len() - SHOWN.len();

@@ -12,9 +12,15 @@ const QUESTIONS: &str = "docs/faq/README.md";
 
 /// A page with what stands between the comments of `name` made again.
 pub fn with_part(page: &Page, name: &str, part: &str) -> String {
-    let begin = page.text.find(&format!("<!-- {name}: ")).expect("the comment in front");
+    let begin = page
+        .text
+        .find(&format!("<!-- {name}: "))
+        .expect("the comment in front");
     let begin = begin + page.text[begin..].find('\n').unwrap() + 1;
-    let end = page.text.find(&format!("<!-- end of {name} -->")).expect("the comment behind");
+    let end = page
+        .text
+        .find(&format!("<!-- end of {name} -->"))
+        .expect("the comment behind");
     format!("{}{part}{}", &page.text[..begin], &page.text[end..])
 }
 
@@ -22,7 +28,9 @@ pub fn with_part(page: &Page, name: &str, part: &str) -> String {
 fn lines_of_rules() -> String {
     let mut text = String::from("\n- [All rules](rules/README.md)\n");
     for category in Category::ALL {
-        let mut rules = rules::all().filter(|rule| rule.category == category).peekable();
+        let mut rules = rules::all()
+            .filter(|rule| rule.category == category)
+            .peekable();
         if rules.peek().is_none() {
             continue;
         }
@@ -42,13 +50,24 @@ fn the_book_has_every_rule() {
 /// The questions of the pages, in the order of the book.
 fn questions(summary: &Page) -> String {
     let mut text = String::from("\n");
-    let names = summary.text.split("](faq/").skip(2).filter_map(|rest| rest.split(')').next());
+    let names = summary
+        .text
+        .split("](faq/")
+        .skip(2)
+        .filter_map(|rest| rest.split(')').next());
     for name in names {
         let page = Page::read(&format!("docs/faq/{name}"));
         let title = page.text.lines().next().unwrap().trim_start_matches("# ");
         text.push_str(&format!("## {title}\n\n"));
-        for question in page.text.lines().filter_map(|line| line.strip_prefix("## ")) {
-            text.push_str(&format!("* [{question}]({name}#{})\n", links::anchor(question)));
+        for question in page
+            .text
+            .lines()
+            .filter_map(|line| line.strip_prefix("## "))
+        {
+            text.push_str(&format!(
+                "* [{question}]({name}#{})\n",
+                links::anchor(question)
+            ));
         }
         text.push('\n');
     }
@@ -57,7 +76,11 @@ fn questions(summary: &Page) -> String {
 
 #[test]
 fn the_list_of_questions_is_whole() {
-    let new = with_part(&Page::read(QUESTIONS), "questions", &questions(&Page::read(SUMMARY)));
+    let new = with_part(
+        &Page::read(QUESTIONS),
+        "questions",
+        &questions(&Page::read(SUMMARY)),
+    );
     pages::up_to_date(QUESTIONS, &new);
 }
 
@@ -65,21 +88,37 @@ fn the_list_of_questions_is_whole() {
 #[test]
 fn the_book_has_every_page() {
     let summary = Page::read(SUMMARY);
-    let named: Vec<&str> =
-        summary.text.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    let named: Vec<&str> = summary
+        .text
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next())
+        .collect();
     let named: Vec<&str> = named.into_iter().filter(|path| !path.is_empty()).collect();
     let once: BTreeSet<&str> = named.iter().copied().collect();
     assert_eq!(once.len(), named.len(), "a page is named twice");
     for page in pages::all() {
-        let Some(path) = page.path.strip_prefix("docs/").filter(|path| *path != "SUMMARY.md") else {
+        let Some(path) = page
+            .path
+            .strip_prefix("docs/")
+            .filter(|path| *path != "SUMMARY.md")
+        else {
             continue;
         };
-        assert!(once.contains(path), "docs/{path} is not in {SUMMARY}: add a line");
+        assert!(
+            once.contains(path),
+            "docs/{path} is not in {SUMMARY}: add a line"
+        );
     }
 }
 
 #[test]
 fn the_readme_counts_the_rules() {
     let count = rules::all().count();
-    assert!(Page::read("README.md").text.contains(&format!("[{count} rules]")), "there are {count} rules");
+    assert!(
+        Page::read("README.md")
+            .text
+            .contains(&format!("[{count} rules]")),
+        "there are {count} rules"
+    );
 }

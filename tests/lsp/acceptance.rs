@@ -19,11 +19,18 @@ fn offered(client: &mut Client, file: &str) -> Vec<Value> {
     let mut params = client.of(file);
     params["position"] = position(&text, text.len());
     let found = client.request("textDocument/completion", params);
-    found["items"].as_array().or(found.as_array()).cloned().unwrap_or_default()
+    found["items"]
+        .as_array()
+        .or(found.as_array())
+        .cloned()
+        .unwrap_or_default()
 }
 
 fn labels(items: &[Value]) -> Vec<&str> {
-    items.iter().map(|item| item["label"].as_str().unwrap()).collect()
+    items
+        .iter()
+        .map(|item| item["label"].as_str().unwrap())
+        .collect()
 }
 
 /// `line:text` of the findings of a rule in an open file.
@@ -75,14 +82,18 @@ fn f1_every_feature_is_announced() {
         assert!(!offered[name].is_null() && offered[name] != false, "{name}");
     }
     assert!(!offered["workspace"]["fileOperations"]["willRename"].is_null());
-    assert_eq!(offered["workspace"]["workspaceFolders"]["changeNotifications"], true);
+    assert_eq!(
+        offered["workspace"]["workspaceFolders"]["changeNotifications"],
+        true
+    );
     assert_eq!(offered["experimental"]["xacro"]["expand"], 1);
 }
 
 #[test]
 fn f2_a_syntax_error_and_an_undefined_name_below_are_both_found() {
     let mut client = both();
-    let links = "<link name=\"🤖\"></joint>".to_owned() + &"\n".repeat(10) + "<link name=\"${m1}\"/>";
+    let links =
+        "<link name=\"🤖\"></joint>".to_owned() + &"\n".repeat(10) + "<link name=\"${m1}\"/>";
     client.edit(ROBOT, "<link name=\"$(arg mount)\"/>", &links);
     assert_eq!(marked(&mut client, ROBOT, "xml-syntax-error").len(), 1);
     assert_eq!(marked(&mut client, ROBOT, "undefined-property"), ["16:m1"]);
@@ -97,7 +108,10 @@ fn f2_an_undefined_name_is_one_error_with_a_suggestion() {
         "<link name=\"$(arg mount)\"/><link name=\"${m1}\"/>",
     );
     let found = client.diagnostics(ROBOT);
-    let errors: Vec<&Value> = found.iter().filter(|found| found["severity"] == 1).collect();
+    let errors: Vec<&Value> = found
+        .iter()
+        .filter(|found| found["severity"] == 1)
+        .collect();
     assert_eq!(errors.len(), 1, "{errors:?}");
     assert_eq!(client.slice(ROBOT, &errors[0]["range"]), "m1");
     assert_eq!(errors[0]["code"], "undefined-property");
@@ -122,25 +136,45 @@ fn f2_a_macro_that_an_unsaved_file_renames_is_missed_at_both_calls() {
 
 #[test]
 fn f3_completion_knows_what_the_place_wants() {
-    let capabilities =
-        json!({ "textDocument": { "completion": { "completionItem": { "snippetSupport": true } } } });
-    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    let capabilities = json!({ "textDocument": { "completion": { "completionItem": { "snippetSupport": true } } } });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
-    client.edit(ROBOT, "</robot>", "<joint name=\"🤖\" type=\"fixed\"><parent link=\"");
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<joint name=\"🤖\" type=\"fixed\"><parent link=\"",
+    );
     let cut = client.text(ROBOT).trim_end().to_owned();
     let whole = client.text(ROBOT).to_owned();
     client.edit(ROBOT, &whole, &cut);
     let items = offered(&mut client, ROBOT);
     for name in ["desk", "pan_body", "tilt_body"] {
-        assert!(labels(&items).contains(&name), "{name} in {:?}", labels(&items));
+        assert!(
+            labels(&items).contains(&name),
+            "{name} in {:?}",
+            labels(&items)
+        );
     }
-    client.edit(ROBOT, &cut, &ROBOT_TEXT.replace("</robot>\n", "<link name=\"${cam['"));
+    client.edit(
+        ROBOT,
+        &cut,
+        &ROBOT_TEXT.replace("</robot>\n", "<link name=\"${cam['"),
+    );
     let items = offered(&mut client, ROBOT);
     assert_eq!(labels(&items), ["fov", "mass"]);
     let old = client.text(ROBOT).to_owned();
     client.edit(ROBOT, &old, &ROBOT_TEXT.replace("</robot>\n", "<xacro:un"));
     let items = offered(&mut client, ROBOT);
-    let unit = items.iter().find(|item| item["label"].as_str().unwrap().contains("unit")).unwrap();
+    let unit = items
+        .iter()
+        .find(|item| item["label"].as_str().unwrap().contains("unit"))
+        .unwrap();
     let text = unit["textEdit"]["newText"].as_str().unwrap();
     assert!(text.contains("name=") && text.contains("parent="), "{unit}");
     let old = client.text(ROBOT).to_owned();
@@ -154,13 +188,20 @@ fn f4_hover_shows_values_units_signatures_and_chains() {
     for (file, place, parts) in [
         (ROBOT, "${m0 |/ 3}", &["0.05"] as &[&str]),
         (UNIT, "velo|city", &["rad/s"]),
-        (ROBOT, "<xacro:un|it", &["A motor with its bracket.", "axis", "0 0 1"]),
+        (
+            ROBOT,
+            "<xacro:un|it",
+            &["A motor with its bracket.", "axis", "0 0 1"],
+        ),
         (ROBOT, "parent=\"pan|_body\"", &["desk", "0.3"]),
         (UNIT, "${m0 |* 2}", &["0.3"]),
     ] {
         let found = client.request("textDocument/hover", client.at(file, place));
         let text = found["contents"]["value"].as_str().unwrap();
-        assert!(parts.iter().all(|part| text.contains(part)), "{parts:?} in {text}");
+        assert!(
+            parts.iter().all(|part| text.contains(part)),
+            "{parts:?} in {text}"
+        );
         assert!(!found["range"].is_null() && text.lines().count() <= 25);
     }
 }
@@ -168,11 +209,20 @@ fn f4_hover_shows_values_units_signatures_and_chains() {
 #[test]
 fn f5_the_parameter_that_is_typed_is_active() {
     let mut client = both();
-    client.edit(ROBOT, "</robot>", "<xacro:unit name=\"x\" parent=\"\"></robot>");
-    let help = client.request("textDocument/signatureHelp", client.at(ROBOT, "name=\"x\" parent=\"|\""));
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<xacro:unit name=\"x\" parent=\"\"></robot>",
+    );
+    let help = client.request(
+        "textDocument/signatureHelp",
+        client.at(ROBOT, "name=\"x\" parent=\"|\""),
+    );
     let signature = &help["signatures"][0];
     assert_eq!(signature["label"], "unit(name, parent, axis='0 0 1', *at)");
-    let active = help["activeParameter"].as_u64().or(signature["activeParameter"].as_u64());
+    let active = help["activeParameter"]
+        .as_u64()
+        .or(signature["activeParameter"].as_u64());
     assert_eq!(active, Some(1), "{help}");
 }
 
@@ -180,20 +230,37 @@ fn f5_the_parameter_that_is_typed_is_active() {
 fn f6_a_hint_shows_the_value_on_its_line() {
     let mut client = both();
     let mut params = client.of(ROBOT);
-    params["range"] = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } });
+    params["range"] =
+        json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } });
     let hints = client.request("textDocument/inlayHint", params);
-    let mut on_line = hints.as_array().unwrap().iter().filter(|hint| hint["position"]["line"] == 7);
-    assert!(on_line.any(|hint| hint["label"].as_str().unwrap().contains("0.05")), "{hints}");
+    let mut on_line = hints
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|hint| hint["position"]["line"] == 7);
+    assert!(
+        on_line.any(|hint| hint["label"].as_str().unwrap().contains("0.05")),
+        "{hints}"
+    );
 }
 
 #[test]
 fn f7_a_link_of_the_expanded_robot_leads_to_the_macro() {
     let mut client = both();
-    let found = client.request("textDocument/definition", client.at(ROBOT, "parent=\"pan_b|ody\""));
+    let found = client.request(
+        "textDocument/definition",
+        client.at(ROBOT, "parent=\"pan_b|ody\""),
+    );
     let first = &found[0];
     assert_eq!(first["targetUri"], client.uri(UNIT));
-    assert_eq!(client.slice(UNIT, &first["targetSelectionRange"]), "${name}_body");
-    assert_eq!(client.slice(ROBOT, &first["originSelectionRange"]), "pan_body");
+    assert_eq!(
+        client.slice(UNIT, &first["targetSelectionRange"]),
+        "${name}_body"
+    );
+    assert_eq!(
+        client.slice(ROBOT, &first["originSelectionRange"]),
+        "pan_body"
+    );
     assert_eq!(found[1]["targetUri"], client.uri(ROBOT));
 }
 
@@ -203,20 +270,35 @@ fn f9_a_property_is_used_in_two_files() {
     let mut params = client.at(ROBOT, "name=\"m|0\"");
     params["context"] = json!({ "includeDeclaration": true });
     let found = client.request("textDocument/references", params.clone());
-    let mut files: Vec<&str> =
-        found.as_array().unwrap().iter().map(|place| place["uri"].as_str().unwrap()).collect();
+    let mut files: Vec<&str> = found
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|place| place["uri"].as_str().unwrap())
+        .collect();
     assert_eq!(files.len(), 3);
     files.sort_unstable();
     files.dedup();
     assert_eq!(files.len(), 2);
     params["context"] = json!({ "includeDeclaration": false });
-    assert_eq!(client.request("textDocument/references", params).as_array().unwrap().len(), 2);
+    assert_eq!(
+        client
+            .request("textDocument/references", params)
+            .as_array()
+            .unwrap()
+            .len(),
+        2
+    );
 }
 
 #[test]
 fn f10_conditions_have_no_highlights_and_tags_have_two() {
     let mut client = both();
-    client.edit(ROBOT, "</robot>", "<xacro:if value=\"1\">🤖</xacro:if></robot>");
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<xacro:if value=\"1\">🤖</xacro:if></robot>",
+    );
     let mut count = |file: &str, place: &str| {
         let found = client.request("textDocument/documentHighlight", client.at(file, place));
         found.as_array().unwrap().len()
@@ -233,30 +315,49 @@ fn f11_rename_knows_names_from_elements() {
     params["newName"] = json!("direction");
     let edit = client.request("textDocument/rename", params.clone());
     let unit = client.after(UNIT, &edit);
-    assert!(unit.contains("direction:='0 0 1'") && unit.contains("<axis xyz=\"${direction}\"/>"), "{unit}");
+    assert!(
+        unit.contains("direction:='0 0 1'") && unit.contains("<axis xyz=\"${direction}\"/>"),
+        "{unit}"
+    );
     assert!(client.after(ROBOT, &edit).contains("direction=\"0 1 0\""));
     params["newName"] = json!("m 0");
     let id = client.post("textDocument/rename", params);
     assert!(!client.reply(id)["error"].is_null());
-    assert!(client.request("textDocument/prepareRename", client.at(UNIT, "<li|mit")).is_null());
+    assert!(
+        client
+            .request("textDocument/prepareRename", client.at(UNIT, "<li|mit"))
+            .is_null()
+    );
 }
 
 #[test]
 fn f13_macros_of_files_that_are_not_open_are_found() {
     let mut client = both();
     let found = client.request("workspace/symbol", json!({ "query": "le" }));
-    let macros = found.as_array().unwrap().iter().filter(|symbol| symbol["kind"] == 12);
-    let names: Vec<&str> = macros.map(|symbol| symbol["name"].as_str().unwrap()).collect();
+    let macros = found
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|symbol| symbol["kind"] == 12);
+    let names: Vec<&str> = macros
+        .map(|symbol| symbol["name"].as_str().unwrap())
+        .collect();
     assert!(names.contains(&"lens"), "{found}");
 }
 
 #[test]
 fn f16_a_broken_pair_is_not_linked() {
     let mut client = both();
-    let linked = client.request("textDocument/linkedEditingRange", client.at(UNIT, "<xacro:ma|cro"));
+    let linked = client.request(
+        "textDocument/linkedEditingRange",
+        client.at(UNIT, "<xacro:ma|cro"),
+    );
     assert_eq!(linked["ranges"].as_array().unwrap().len(), 2);
     client.edit(UNIT, "</xacro:macro>", "</xacro:macr>");
-    let linked = client.request("textDocument/linkedEditingRange", client.at(UNIT, "<xacro:ma|cro"));
+    let linked = client.request(
+        "textDocument/linkedEditingRange",
+        client.at(UNIT, "<xacro:ma|cro"),
+    );
     assert!(linked.is_null(), "{linked}");
 }
 
@@ -310,24 +411,43 @@ fn f23_a_lens_counts_the_calls_of_a_macro() {
         .collect();
     assert_eq!(titles, ["2 calls in 1 root", "expand"]);
     let lenses = client.request("textDocument/codeLens", client.of(ROBOT));
-    let titles: Vec<&str> =
-        lenses.as_array().unwrap().iter().filter_map(|lens| lens["command"]["title"].as_str()).collect();
-    assert!(titles.contains(&"Expand") && titles.contains(&"mount:=desk ▾"), "{titles:?}");
+    let titles: Vec<&str> = lenses
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|lens| lens["command"]["title"].as_str())
+        .collect();
+    assert!(
+        titles.contains(&"Expand") && titles.contains(&"mount:=desk ▾"),
+        "{titles:?}"
+    );
 }
 
 #[test]
 fn f25_inertia_and_properties_follow_from_the_text() {
     let mut client = both();
-    let found = super::actions::actions(&mut client, ROBOT, "xyz=\"0 0 0.|1\"", &[], &["refactor.extract"]);
+    let found = super::actions::actions(
+        &mut client,
+        ROBOT,
+        "xyz=\"0 0 0.|1\"",
+        &[],
+        &["refactor.extract"],
+    );
     let text = client.after(ROBOT, &found[0]["edit"]);
-    assert!(text.contains("<xacro:property name=\"origin_xyz\" value=\"0.1\"/>"), "{text}");
+    assert!(
+        text.contains("<xacro:property name=\"origin_xyz\" value=\"0.1\"/>"),
+        "{text}"
+    );
     assert!(text.contains("xyz=\"0 0 ${origin_xyz}\""), "{text}");
 }
 
 #[test]
 fn f27_a_macro_has_one_caller_with_two_calls() {
     let mut client = both();
-    let items = client.request("textDocument/prepareCallHierarchy", client.at(UNIT, "name=\"un|it\""));
+    let items = client.request(
+        "textDocument/prepareCallHierarchy",
+        client.at(UNIT, "name=\"un|it\""),
+    );
     let calls = client.request("callHierarchy/incomingCalls", json!({ "item": items[0] }));
     assert_eq!(calls.as_array().unwrap().len(), 1, "{calls}");
     assert_eq!(calls[0]["fromRanges"].as_array().unwrap().len(), 2);
@@ -336,29 +456,59 @@ fn f27_a_macro_has_one_caller_with_two_calls() {
 #[test]
 fn f31_settings_of_a_wrong_type_are_told_once_and_unknown_ones_are_logged() {
     let settings = json!({ "diagnostics": { "delay": "soon" }, "nonsense": 7 });
-    let mut client = Client::with(pan_tilt(), Options { settings, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            settings,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     let said = |client: &mut Client, method: &str, text: &str| {
         client.request("xacro/roots", client.of(ROBOT));
         let said = client.notes.iter().filter(|note| note["method"] == method);
-        said.filter(|note| note["params"]["message"].as_str().unwrap().contains(text)).count()
+        said.filter(|note| note["params"]["message"].as_str().unwrap().contains(text))
+            .count()
     };
-    assert!(client.eventually(|client| said(client, "window/showMessage", "diagnostics.delay") == 1));
+    assert!(
+        client.eventually(|client| said(client, "window/showMessage", "diagnostics.delay") == 1)
+    );
     assert!(client.eventually(|client| said(client, "window/logMessage", "nonsense") >= 1));
     // asked again, it is not said again
-    client.notify("workspace/didChangeConfiguration", json!({ "settings": {} }));
+    client.notify(
+        "workspace/didChangeConfiguration",
+        json!({ "settings": {} }),
+    );
     let asked = |client: &mut Client| {
         client.request("xacro/roots", client.of(ROBOT));
-        client.asked.iter().filter(|asked| asked["method"] == "workspace/configuration").count() >= 2
+        client
+            .asked
+            .iter()
+            .filter(|asked| asked["method"] == "workspace/configuration")
+            .count()
+            >= 2
     };
     assert!(client.eventually(asked));
-    assert_eq!(said(&mut client, "window/showMessage", "diagnostics.delay"), 1);
+    assert_eq!(
+        said(&mut client, "window/showMessage", "diagnostics.delay"),
+        1
+    );
 }
 
 #[test]
 fn f31_folders_come_and_go_and_single_files_are_served() {
-    let mut client = Client::with(fresh_folder(), Options { no_folder: true, ..Options::default() });
-    write(&client.folder, "one.urdf.xacro", ROBOT_TEXT.replace("unit.xacro", "none.xacro"));
+    let mut client = Client::with(
+        fresh_folder(),
+        Options {
+            no_folder: true,
+            ..Options::default()
+        },
+    );
+    write(
+        &client.folder,
+        "one.urdf.xacro",
+        ROBOT_TEXT.replace("unit.xacro", "none.xacro"),
+    );
     client.open("one.urdf.xacro");
     assert!(!client.findings("one.urdf.xacro").is_empty());
     let lens = "pkg/urdf/lens.xacro";
@@ -369,7 +519,11 @@ fn f31_folders_come_and_go_and_single_files_are_served() {
     );
     let folder = json!({ "uri": client.uri("pkg"), "name": "pkg" });
     let found = |client: &mut Client| {
-        client.request("workspace/symbol", json!({ "query": "far" })).as_array().unwrap().len()
+        client
+            .request("workspace/symbol", json!({ "query": "far" }))
+            .as_array()
+            .unwrap()
+            .len()
     };
     assert_eq!(found(&mut client), 0);
     let event = json!({ "event": { "added": [folder], "removed": [] } });
@@ -399,18 +553,27 @@ fn f35_what_a_place_came_from_made_that_place() {
     let expanded = client.request("xacro/expand", client.of(ROBOT));
     let urdf = expanded["urdf"].as_str().unwrap().to_owned();
     let start = urdf.find("<robot").unwrap();
-    for at in (start..urdf.len()).step_by(7).filter(|at| urdf.is_char_boundary(*at)) {
+    for at in (start..urdf.len())
+        .step_by(7)
+        .filter(|at| urdf.is_char_boundary(*at))
+    {
         let place = position(&urdf, at);
-        let answer =
-            client.request("xacro/toSource", json!({ "root": client.uri(ROBOT), "position": place }));
-        let Some(origin) = answer["locations"].get(0) else { continue };
-        let params =
-            json!({ "textDocument": { "uri": origin["uri"] }, "position": origin["range"]["start"] });
+        let answer = client.request(
+            "xacro/toSource",
+            json!({ "root": client.uri(ROBOT), "position": place }),
+        );
+        let Some(origin) = answer["locations"].get(0) else {
+            continue;
+        };
+        let params = json!({ "textDocument": { "uri": origin["uri"] }, "position": origin["range"]["start"] });
         let back = client.request("xacro/toExpanded", params);
         let holds = |instance: &Value| {
             let range = &instance["range"];
             offset(&urdf, &range["start"]) <= at && at <= offset(&urdf, &range["end"])
         };
-        assert!(back["instances"].as_array().unwrap().iter().any(holds), "{at} {origin} {back}");
+        assert!(
+            back["instances"].as_array().unwrap().iter().any(holds),
+            "{at} {origin} {back}"
+        );
     }
 }

@@ -25,9 +25,12 @@ pub fn actions(
     };
     let plain = marked.replace(['«', '»', '|'], "");
     let text = client.text(file).to_owned();
-    let at = text.find(&plain).unwrap_or_else(|| panic!("`{plain}` in {file}"));
+    let at = text
+        .find(&plain)
+        .unwrap_or_else(|| panic!("`{plain}` in {file}"));
     let mut params = client.of(file);
-    params["range"] = json!({ "start": position(&text, at + start), "end": position(&text, at + end) });
+    params["range"] =
+        json!({ "start": position(&text, at + start), "end": position(&text, at + end) });
     params["context"] = json!({ "diagnostics": diagnostics });
     if !only.is_empty() {
         params["context"]["only"] = json!(only);
@@ -40,7 +43,11 @@ pub fn actions(
 #[track_caller]
 pub fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
     let found = client.diagnostics(file);
-    let of_rule: Vec<Value> = found.iter().filter(|d| d["code"] == rule).cloned().collect();
+    let of_rule: Vec<Value> = found
+        .iter()
+        .filter(|d| d["code"] == rule)
+        .cloned()
+        .collect();
     assert!(!of_rule.is_empty(), "{rule} in {found:?}");
     let mut params = client.of(file);
     params["range"] = of_rule[0]["range"].clone();
@@ -52,7 +59,9 @@ pub fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
 #[track_caller]
 pub fn titled<'a>(actions: &'a [Value], title: &str) -> &'a Value {
     let titles: Vec<&Value> = actions.iter().map(|action| &action["title"]).collect();
-    let found = actions.iter().find(|action| action["title"].as_str().unwrap().contains(title));
+    let found = actions
+        .iter()
+        .find(|action| action["title"].as_str().unwrap().contains(title));
     found.unwrap_or_else(|| panic!("`{title}` in {titles:?}"))
 }
 
@@ -69,7 +78,9 @@ pub fn show(client: &mut Client, text: &str) {
 
 /// A robot with the xacro namespace around some elements.
 pub fn robot(content: &str) -> String {
-    format!("<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n")
+    format!(
+        "<robot name=\"🤖\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n{content}\n</robot>\n"
+    )
 }
 
 #[test]
@@ -97,7 +108,11 @@ fn names_of_unsaved_includes_are_fixed_too() {
     client.edit(UNIT, "name=\"unit\"", "name=\"unitt\"");
     client.edit(ROBOT, "value=\"0.15\"", "value=\"0.16\"");
     let found = fixes(&mut client, ROBOT, "undefined-macro");
-    assert!(client.after(ROBOT, &titled(&found, "unitt")["edit"]).contains("<xacro:unitt name=\"pan\""));
+    assert!(
+        client
+            .after(ROBOT, &titled(&found, "unitt")["edit"])
+            .contains("<xacro:unitt name=\"pan\"")
+    );
     let made = client.after(ROBOT, &titled(&found, "Add macro `unit`")["edit"]);
     assert!(
         made.contains("<xacro:macro name=\"unit\" params=\"name parent *content\"></xacro:macro>"),
@@ -111,7 +126,10 @@ fn a_macro_of_the_workspace_can_be_included() {
     client.open(ROBOT);
     client.edit(ROBOT, "</robot>", "  <xacro:lens prefix=\"a\"/>\n</robot>");
     let found = fixes(&mut client, ROBOT, "undefined-macro");
-    let made = client.after(ROBOT, &titled(&found, "$(find lens)/urdf/lens.xacro")["edit"]);
+    let made = client.after(
+        ROBOT,
+        &titled(&found, "$(find lens)/urdf/lens.xacro")["edit"],
+    );
     let expected = "  <xacro:include filename=\"$(find lens)/urdf/lens.xacro\"/>\n  <xacro:lens prefix=\"a\"/>\n</robot>";
     assert!(made.contains(expected), "{made}");
 }
@@ -162,11 +180,31 @@ fn missing_things_are_created_where_they_are_missed() {
 fn broken_syntax_is_fixed() {
     let mut client = Client::start();
     for (content, title, expected) in [
-        ("<link name=\"a\"></lnk>", "Change end tag to `link`", "<link name=\"a\"></link>"),
-        ("<link name=\"a\" name=\"b\"/>", "Remove duplicate `name`", "<link name=\"a\"/>"),
-        ("<link name=\"a < b\"/>", "Replace with `&lt;`", "<link name=\"a &lt; b\"/>"),
-        ("<link name=\"a & b\"/>", "Replace with `&amp;`", "<link name=\"a &amp; b\"/>"),
-        ("<link name=\"a\"><visual></link>", "Add `</visual>`", "<visual></visual></link>"),
+        (
+            "<link name=\"a\"></lnk>",
+            "Change end tag to `link`",
+            "<link name=\"a\"></link>",
+        ),
+        (
+            "<link name=\"a\" name=\"b\"/>",
+            "Remove duplicate `name`",
+            "<link name=\"a\"/>",
+        ),
+        (
+            "<link name=\"a < b\"/>",
+            "Replace with `&lt;`",
+            "<link name=\"a &lt; b\"/>",
+        ),
+        (
+            "<link name=\"a & b\"/>",
+            "Replace with `&amp;`",
+            "<link name=\"a &amp; b\"/>",
+        ),
+        (
+            "<link name=\"a\"><visual></link>",
+            "Add `</visual>`",
+            "<visual></visual></link>",
+        ),
     ] {
         show(&mut client, &robot(content));
         let found = fixes(&mut client, FILE, "xml-syntax-error");
@@ -179,8 +217,14 @@ fn broken_syntax_is_fixed() {
 fn a_finding_can_be_hidden() {
     let mut client = Client::start();
     for (title, expected) in [
-        ("for this line", "\n  <!-- xacro-lint: disable-next-line undefined-link -->\n  <joint"),
-        ("for this file", "<!-- xacro-lint: disable-file undefined-link -->\n<robot"),
+        (
+            "for this line",
+            "\n  <!-- xacro-lint: disable-next-line undefined-link -->\n  <joint",
+        ),
+        (
+            "for this file",
+            "<!-- xacro-lint: disable-file undefined-link -->\n<robot",
+        ),
     ] {
         // the finding stands at the child: the comment goes in front of its own tag
         show(
@@ -191,10 +235,16 @@ fn a_finding_can_be_hidden() {
         );
         let found = fixes(&mut client, FILE, "undefined-link");
         let made = client.after(FILE, &titled(&found, title)["edit"]);
-        assert!(made.contains(&expected.replace("<joint", "<child")), "{made}");
+        assert!(
+            made.contains(&expected.replace("<joint", "<child")),
+            "{made}"
+        );
         show(&mut client, &made);
         let left = client.findings(FILE);
-        assert!(!left.iter().any(|found| found.contains("undefined-link")), "{left:?}");
+        assert!(
+            !left.iter().any(|found| found.contains("undefined-link")),
+            "{left:?}"
+        );
     }
 }
 
@@ -227,7 +277,9 @@ fn all_safe_fixes_are_made_at_once() {
     let fix = fixes(&mut client, FILE, "string-bool-comparison");
     assert_eq!(titled(&fix, "Replace with `q`")["isPreferred"], Value::Null);
     assert!(
-        actions(&mut client, FILE, "|<robot", &[], &[]).iter().all(|a| a["kind"] != "source.fixAll.xacro")
+        actions(&mut client, FILE, "|<robot", &[], &[])
+            .iter()
+            .all(|a| a["kind"] != "source.fixAll.xacro")
     );
 }
 
@@ -238,7 +290,8 @@ fn what_a_client_makes_up_does_no_harm() {
     let edit = json!({ "uri": "file:///etc/passwd", "newText": "x",
         "range": { "start": { "line": 0, "character": 0 }, "end": { "line": 9, "character": 0 } } });
     let data = json!({ "title": "boo", "safety": "safe", "edits": [edit] });
-    let range = json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 2, "character": 9 } });
+    let range =
+        json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 2, "character": 9 } });
     let forged = |code: Value, data: Value| json!({ "range": range, "message": "m", "source": "xacro", "code": code, "data": data });
     let all = [
         forged(json!("undefined-property"), data.clone()),
@@ -262,14 +315,21 @@ fn inertia_follows_from_the_geometry() {
     for (shape, expected) in [
         ("<box size=\"1 2 3\"/>", ["13", "10", "5"]),
         ("<cylinder radius=\"1\" length=\"2\"/>", ["7", "7", "6"]),
-        ("<capsule radius=\"1\" length=\"2\"/>", ["14.52", "14.52", "5.52"]),
+        (
+            "<capsule radius=\"1\" length=\"2\"/>",
+            ["14.52", "14.52", "5.52"],
+        ),
         ("<sphere radius=\"0.5\"/>", ["1.2", "1.2", "1.2"]),
     ] {
-        show(&mut client, &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)));
+        show(
+            &mut client,
+            &robot(&SOLID.replace("<box size=\"1 2 3\"/>", shape)),
+        );
         let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor.rewrite"]);
         let made = client.after(FILE, &titled(&found, "Compute inertia")["edit"]);
         let [x, y, z] = expected;
-        let inertia = format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
+        let inertia =
+            format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
         assert!(made.contains(&inertia), "{made}");
         assert!(made.contains("<inertial><origin xyz=\"0 0 1\"/>"), "{made}");
     }
@@ -281,19 +341,29 @@ fn inertia_that_differs_by_call_or_is_unknown_is_not_offered() {
     let in_macro = |calls: &str| {
         robot(&format!(
             "  <xacro:macro name=\"m\" params=\"n size\">\n{}\n  </xacro:macro>\n{calls}",
-            SOLID.replace("\"1 2 3\"", "\"${size}\"").replace("\"a\"", "\"${n}\"")
+            SOLID
+                .replace("\"1 2 3\"", "\"${size}\"")
+                .replace("\"a\"", "\"${n}\"")
         ))
     };
     for (text, offered) in [
-        (in_macro("<xacro:m n=\"a\" size=\"1 2 3\"/><xacro:m n=\"b\" size=\"1 2 3\"/>"), true),
-        (in_macro("<xacro:m n=\"a\" size=\"1 2 3\"/><xacro:m n=\"b\" size=\"1 1 3\"/>"), false),
+        (
+            in_macro("<xacro:m n=\"a\" size=\"1 2 3\"/><xacro:m n=\"b\" size=\"1 2 3\"/>"),
+            true,
+        ),
+        (
+            in_macro("<xacro:m n=\"a\" size=\"1 2 3\"/><xacro:m n=\"b\" size=\"1 1 3\"/>"),
+            false,
+        ),
         (in_macro(""), false),
         (robot(&SOLID.replace("1 2 3", "1 x 3")), false),
         (robot(SOLID).replace("</robot>", ""), false),
     ] {
         show(&mut client, &text);
         let found = actions(&mut client, FILE, "<in|ertial>", &[], &["refactor"]);
-        let is_offered = found.iter().any(|action| action["title"].as_str().unwrap().contains("inertia"));
+        let is_offered = found
+            .iter()
+            .any(|action| action["title"].as_str().unwrap().contains("inertia"));
         assert_eq!(is_offered, offered, "{text}");
     }
 }
@@ -310,9 +380,15 @@ fn a_number_becomes_a_property_and_a_property_a_number() {
     let found = actions(&mut client, FILE, "size=\"0|.1", &[], &["refactor.extract"]);
     let one = client.after(FILE, &titled(&found, "Extract `0.1`")["edit"]);
     let property = "  <xacro:property name=\"box_size\" value=\"0.1\"/>\n  <link name=\"🤖 0.1\">";
-    assert!(one.contains(property) && one.contains("size=\"${box_size} 0.2 ${0.1 * 2}\""), "{one}");
+    assert!(
+        one.contains(property) && one.contains("size=\"${box_size} 0.2 ${0.1 * 2}\""),
+        "{one}"
+    );
     let all = client.after(FILE, &titled(&found, "all 2")["edit"]);
-    assert!(all.contains(property) && all.contains("size=\"${box_size} 0.2 ${box_size * 2}\""), "{all}");
+    assert!(
+        all.contains(property) && all.contains("size=\"${box_size} 0.2 ${box_size * 2}\""),
+        "{all}"
+    );
     show(&mut client, &all);
     for place in ["name=\"box|_size\"", "${box|_size}"] {
         let found = actions(&mut client, FILE, place, &[], &["refactor.inline"]);
@@ -336,7 +412,14 @@ fn a_property_that_others_read_is_not_inlined() {
     client.open("src/pan_tilt/urdf/one.urdf.xacro");
     client.open("src/pan_tilt/urdf/shared.xacro");
     let inline = |client: &mut Client| {
-        actions(client, "src/pan_tilt/urdf/one.urdf.xacro", "${sh|ared}", &[], &["refactor.inline"]).len()
+        actions(
+            client,
+            "src/pan_tilt/urdf/one.urdf.xacro",
+            "${sh|ared}",
+            &[],
+            &["refactor.inline"],
+        )
+        .len()
     };
     assert_eq!(inline(&mut client), 1);
     // a second robot reads it as well
@@ -348,7 +431,10 @@ fn a_property_that_others_read_is_not_inlined() {
 #[test]
 fn elements_are_wrapped_in_a_condition() {
     let mut client = Client::start();
-    show(&mut client, &robot("  <link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>"));
+    show(
+        &mut client,
+        &robot("  <link name=\"a\"/>\n  <link name=\"b\">\n    <!-- c -->\n  </link>"),
+    );
     let found = actions(
         &mut client,
         FILE,
@@ -359,8 +445,19 @@ fn elements_are_wrapped_in_a_condition() {
     let made = client.after(FILE, &titled(&found, "Wrap in `xacro:if`")["edit"]);
     let expected = "  <xacro:if value=\"true\">\n    <link name=\"a\"/>\n    <link name=\"b\">\n      <!-- c -->\n    </link>\n  </xacro:if>";
     assert_eq!(made, robot(expected));
-    let found = actions(&mut client, FILE, "  «<link name=\"a\"/>\n  <link name=\"b\">»", &[], &["refactor"]);
-    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().contains("Wrap")), "{found:?}");
+    let found = actions(
+        &mut client,
+        FILE,
+        "  «<link name=\"a\"/>\n  <link name=\"b\">»",
+        &[],
+        &["refactor"],
+    );
+    assert!(
+        found
+            .iter()
+            .all(|action| !action["title"].as_str().unwrap().contains("Wrap")),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -375,8 +472,17 @@ fn nothing_is_rewritten_in_a_broken_file() {
 fn a_call_gives_way_to_what_it_makes() {
     let mut client = Client::start();
     client.open(ROBOT);
-    let found = actions(&mut client, ROBOT, "<xacro:un|it name=\"tilt\"", &[], &["refactor.inline"]);
-    let made = client.after(ROBOT, &titled(&found, "Expand macro call `unit` with evaluated values")["edit"]);
+    let found = actions(
+        &mut client,
+        ROBOT,
+        "<xacro:un|it name=\"tilt\"",
+        &[],
+        &["refactor.inline"],
+    );
+    let made = client.after(
+        ROBOT,
+        &titled(&found, "Expand macro call `unit` with evaluated values")["edit"],
+    );
     let expected = "  <link name=\"tilt_body\">\n    <inertial>\n      <mass value=\"0.3\"/>\n";
     assert!(made.contains(expected), "{made}");
     assert!(
@@ -387,8 +493,13 @@ fn a_call_gives_way_to_what_it_makes() {
     );
     let expand = |client: &mut Client| {
         let params = json!({ "textDocument": { "uri": client.uri(ROBOT) } });
-        let text = client.request("xacro/expand", params)["urdf"].as_str().unwrap().to_owned();
-        let lines = text.lines().filter(|line| !line.trim_start().starts_with("<!--"));
+        let text = client.request("xacro/expand", params)["urdf"]
+            .as_str()
+            .unwrap()
+            .to_owned();
+        let lines = text
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("<!--"));
         lines.map(str::to_owned).collect::<Vec<_>>().join("\n")
     };
     let before = expand(&mut client);
@@ -423,15 +534,26 @@ fn what_links_and_joints_lack_is_added() {
     assert!(made.contains(expected), "{made}");
     let found = actions(&mut client, FILE, "<joi|nt", &[], &["refactor.rewrite"]);
     let axis = client.after(FILE, &titled(&found, "axis")["edit"]);
-    assert!(axis.contains("revolute\">\n    <axis xyz=\"1 0 0\"/>\n  </joint>"), "{axis}");
+    assert!(
+        axis.contains("revolute\">\n    <axis xyz=\"1 0 0\"/>\n  </joint>"),
+        "{axis}"
+    );
     let limit = client.after(FILE, &titled(&found, "limit")["edit"]);
     assert!(
         limit.contains("<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>\n  </joint>"),
         "{limit}"
     );
-    show(&mut client, &robot(content).replace("/>\n</robot>", "><xacro:x/></joint>\n</robot>"));
+    show(
+        &mut client,
+        &robot(content).replace("/>\n</robot>", "><xacro:x/></joint>\n</robot>"),
+    );
     let found = actions(&mut client, FILE, "<joi|nt", &[], &["refactor.rewrite"]);
-    assert!(found.iter().all(|action| !action["title"].as_str().unwrap().starts_with("Add")), "{found:?}");
+    assert!(
+        found
+            .iter()
+            .all(|action| !action["title"].as_str().unwrap().starts_with("Add")),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -441,7 +563,11 @@ fn a_rule_can_be_switched_off_for_the_project() {
     let mut client = Client::with(folder, Options::default());
     show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
     let found = fixes(&mut client, FILE, "undefined-property");
-    let changes = &titled(&found, "for this project")["edit"]["changes"][client.uri("xacro-lint.toml")];
+    let changes =
+        &titled(&found, "for this project")["edit"]["changes"][client.uri("xacro-lint.toml")];
     assert_eq!(changes[0]["newText"], "\"undefined-property\", ");
-    assert_eq!(changes[0]["range"]["start"], json!({ "line": 0, "character": 10 }));
+    assert_eq!(
+        changes[0]["range"]["start"],
+        json!({ "line": 0, "character": 10 })
+    );
 }

@@ -20,14 +20,21 @@ fn copy(from: &Path, to: &Path) {
         let target = to.join(entry.file_name());
         match entry.path().is_dir() {
             true => copy(&entry.path(), &target),
-            false => write(to, entry.file_name().to_str().unwrap(), std::fs::read(entry.path()).unwrap()),
+            false => write(
+                to,
+                entry.file_name().to_str().unwrap(),
+                std::fs::read(entry.path()).unwrap(),
+            ),
         }
     }
 }
 
 fn folder() -> PathBuf {
     let folder = fresh_folder();
-    copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples/pick_arm"), &folder);
+    copy(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples/pick_arm"),
+        &folder,
+    );
     folder
 }
 
@@ -42,12 +49,26 @@ fn started(files: &[&str]) -> (Client, PathBuf) {
 fn places(folder: &Path, answer: &Value) -> Vec<String> {
     let list = answer.as_array().cloned().unwrap_or_default();
     let place = |place: &Value| {
-        let uri = place.get("targetUri").or_else(|| place.get("uri")).unwrap().as_str().unwrap();
-        let range = place.get("targetSelectionRange").or_else(|| place.get("range")).unwrap();
+        let uri = place
+            .get("targetUri")
+            .or_else(|| place.get("uri"))
+            .unwrap()
+            .as_str()
+            .unwrap();
+        let range = place
+            .get("targetSelectionRange")
+            .or_else(|| place.get("range"))
+            .unwrap();
         let path = lsp_path(uri);
         let text = std::fs::read_to_string(&path).unwrap();
         let part = &text[offset(&text, &range["start"])..offset(&text, &range["end"])];
-        let path = path.strip_prefix(folder).unwrap().file_name().unwrap().to_string_lossy().into_owned();
+        let path = path
+            .strip_prefix(folder)
+            .unwrap()
+            .file_name()
+            .unwrap()
+            .to_string_lossy()
+            .into_owned();
         format!("{path} {part}")
     };
     list.iter().map(place).collect()
@@ -70,7 +91,13 @@ fn renamed(
         let mut text = std::fs::read_to_string(&path).unwrap();
         let count = replace_all(&mut text, &edits, new);
         std::fs::write(&path, text).unwrap();
-        let name = path.strip_prefix(folder).unwrap().file_name().unwrap().to_string_lossy().into_owned();
+        let name = path
+            .strip_prefix(folder)
+            .unwrap()
+            .file_name()
+            .unwrap()
+            .to_string_lossy()
+            .into_owned();
         counts.insert(name, count);
     }
     Ok(counts)
@@ -89,16 +116,25 @@ fn check(folder: &Path) -> String {
 #[test]
 fn an_argument_in_a_name_of_srdf_is_one_of_its_file() {
     let folder = folder();
-    let (text, file) = (std::fs::read_to_string(folder.join(SRDF)).unwrap(), format!("{SRDF}.xacro"));
+    let (text, file) = (
+        std::fs::read_to_string(folder.join(SRDF)).unwrap(),
+        format!("{SRDF}.xacro"),
+    );
     std::fs::remove_file(folder.join(SRDF)).unwrap();
     let root = text.find("<robot").unwrap();
     let inside = root + text[root..].find('>').unwrap() + 1;
-    let (name, end) = ("end_effector name=\"", text.find("parent_link=\"").unwrap() + "parent_link=\"".len());
+    let (name, end) = (
+        "end_effector name=\"",
+        text.find("parent_link=\"").unwrap() + "parent_link=\"".len(),
+    );
     let link = &text[end..end + text[end..].find('"').unwrap()];
     let (first, rest) = link.split_at(3);
     assert!(text.contains(name));
     let arg = format!("<xacro:arg name=\"lead\" default=\"{first}\"/>");
-    let tag = text[root..inside].replace("<robot", "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"");
+    let tag = text[root..inside].replace(
+        "<robot",
+        "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"",
+    );
     let text = format!(
         "{}{tag}{arg}{}$(arg lead){rest}{}",
         &text[..root],
@@ -108,7 +144,11 @@ fn an_argument_in_a_name_of_srdf_is_one_of_its_file() {
     write(&folder, &file, text);
     let paired = "src/pick_arm_moveit_config/.setup_assistant";
     let names = std::fs::read_to_string(folder.join(paired)).unwrap();
-    write(&folder, paired, names.replace("pick_arm.srdf", "pick_arm.srdf.xacro"));
+    write(
+        &folder,
+        paired,
+        names.replace("pick_arm.srdf", "pick_arm.srdf.xacro"),
+    );
     let mut client = Client::with(folder.clone(), Options::default());
     client.open(&file);
     let found = client.request("textDocument/definition", client.at(&file, ")t_to|ol"));
@@ -116,14 +156,19 @@ fn an_argument_in_a_name_of_srdf_is_one_of_its_file() {
     let found = client.request("textDocument/definition", client.at(&file, "$(arg le|ad)"));
     assert_eq!(places(&folder, &found), ["pick_arm.srdf.xacro lead"]);
     let counts = renamed(&mut client, &folder, (&file, "$(arg le|ad)"), "start").unwrap();
-    assert_eq!(counts, BTreeMap::from([("pick_arm.srdf.xacro".to_owned(), 2)]));
+    assert_eq!(
+        counts,
+        BTreeMap::from([("pick_arm.srdf.xacro".to_owned(), 2)])
+    );
 }
 
 #[test]
 fn a_joint_of_a_macro_is_renamed_in_all_files() {
-    for (file, at) in
-        [(ARM, "name=\"${prefix}wr|ist\""), (SRDF, "name=\"left_wr|ist\""), (LIMITS, "left_wr|ist")]
-    {
+    for (file, at) in [
+        (ARM, "name=\"${prefix}wr|ist\""),
+        (SRDF, "name=\"left_wr|ist\""),
+        (LIMITS, "left_wr|ist"),
+    ] {
         let (mut client, folder) = started(&[file]);
         let counts = renamed(&mut client, &folder, (file, at), "roll").unwrap();
         let expected = [
@@ -134,7 +179,13 @@ fn a_joint_of_a_macro_is_renamed_in_all_files() {
             ("moveit_controllers.yaml", 1),
             ("pick_arm.srdf", 1),
         ];
-        assert_eq!(counts, expected.map(|(name, count)| (name.to_owned(), count)).into(), "{file}");
+        assert_eq!(
+            counts,
+            expected
+                .map(|(name, count)| (name.to_owned(), count))
+                .into(),
+            "{file}"
+        );
         assert_eq!(check(&folder), "", "{file}");
     }
 }
@@ -142,7 +193,13 @@ fn a_joint_of_a_macro_is_renamed_in_all_files() {
 #[test]
 fn a_link_of_a_macro_is_renamed_in_all_files() {
     let (mut client, folder) = started(&[GRIPPER]);
-    let counts = renamed(&mut client, &folder, (GRIPPER, "link name=\"${prefix}to|ol\""), "grip").unwrap();
+    let counts = renamed(
+        &mut client,
+        &folder,
+        (GRIPPER, "link name=\"${prefix}to|ol\""),
+        "grip",
+    )
+    .unwrap();
     assert!(counts["pick_arm.srdf"] == 2, "{counts:?}");
     assert_eq!(check(&folder), "");
 }
@@ -150,9 +207,20 @@ fn a_link_of_a_macro_is_renamed_in_all_files() {
 #[test]
 fn a_group_is_renamed_in_all_files() {
     let (mut client, folder) = started(&[SRDF]);
-    let counts = renamed(&mut client, &folder, (SRDF, "group name=\"grip|per\""), "hand").unwrap();
+    let counts = renamed(
+        &mut client,
+        &folder,
+        (SRDF, "group name=\"grip|per\""),
+        "hand",
+    )
+    .unwrap();
     let expected = [("ompl_planning.yaml", 1), ("pick_arm.srdf", 4)];
-    assert_eq!(counts, expected.map(|(name, count)| (name.to_owned(), count)).into());
+    assert_eq!(
+        counts,
+        expected
+            .map(|(name, count)| (name.to_owned(), count))
+            .into()
+    );
     assert_eq!(check(&folder), "");
 }
 
@@ -160,7 +228,11 @@ fn a_group_is_renamed_in_all_files() {
 fn names_lead_to_the_robot_and_back() {
     let (mut client, folder) = started(&[SRDF, CONTROLLERS, ARM]);
     for (file, at, expected) in [
-        (SRDF, "tip_link=\"left_|tool\"", "gripper_macro.xacro ${prefix}tool"),
+        (
+            SRDF,
+            "tip_link=\"left_|tool\"",
+            "gripper_macro.xacro ${prefix}tool",
+        ),
         (CONTROLLERS, "- left_|elbow", "arm_macro.xacro ${name}"),
         (SRDF, "group=\"ar|m\"", "pick_arm.srdf arm"),
     ] {
@@ -173,9 +245,11 @@ fn names_lead_to_the_robot_and_back() {
     params["context"] = json!({ "includeDeclaration": false });
     let answer = client.request("textDocument/references", params);
     let found = places(&folder, &answer);
-    for expected in
-        ["pick_arm.srdf left_elbow", "controllers.yaml left_elbow", "joint_limits.yaml left_elbow"]
-    {
+    for expected in [
+        "pick_arm.srdf left_elbow",
+        "controllers.yaml left_elbow",
+        "joint_limits.yaml left_elbow",
+    ] {
         assert!(found.iter().any(|place| place == expected), "{found:?}");
     }
 }
@@ -188,10 +262,22 @@ fn findings_follow_edits_of_the_robot_and_of_the_file() {
     assert_eq!(client.findings(SRDF), ["4:43-51 srdf-unknown-link"]);
     client.edit(SRDF, "tip_link=\"left_tol\"", "tip_link=\"left_tool\"");
     assert!(client.findings(SRDF).is_empty());
-    client.edit(ROBOT, "parent=\"left_hand\">\n    <origin", "parent=\"left_hand\"><!-- -->\n    <origin");
-    client.edit(ROBOT, "<xacro:gripper prefix=\"left_\"", "<xacro:gripper prefix=\"right_\"");
-    let lacks =
-        |client: &mut Client| client.findings(SRDF).iter().any(|one| one.ends_with("srdf-unknown-link"));
+    client.edit(
+        ROBOT,
+        "parent=\"left_hand\">\n    <origin",
+        "parent=\"left_hand\"><!-- -->\n    <origin",
+    );
+    client.edit(
+        ROBOT,
+        "<xacro:gripper prefix=\"left_\"",
+        "<xacro:gripper prefix=\"right_\"",
+    );
+    let lacks = |client: &mut Client| {
+        client
+            .findings(SRDF)
+            .iter()
+            .any(|one| one.ends_with("srdf-unknown-link"))
+    };
     assert!(client.eventually(lacks));
 }
 
@@ -207,7 +293,14 @@ fn a_joint_with_another_name_is_one_finding_at_each_place() {
     // the state has a value, for the old name
     assert_eq!(count("srdf-incomplete-group-state"), 0, "{found}");
     // the controller names what `<ros2_control>` has as well, where it is reported
-    assert_eq!((count("ros2-control-unknown-joint"), count("controller-unknown-joint")), (1, 0), "{found}");
+    assert_eq!(
+        (
+            count("ros2-control-unknown-joint"),
+            count("controller-unknown-joint")
+        ),
+        (1, 0),
+        "{found}"
+    );
 }
 
 /// The labels that completion offers at `|` in a text that is put where `old` is, the best first.
@@ -242,7 +335,13 @@ fn names_are_completed_in_yaml() {
             CONTROLLERS,
             "      - left_wrist\n",
             "      - |\n",
-            &["left_wrist", "left_finger", "left_thumb", "left_mount", "left_tool_mount"][..],
+            &[
+                "left_wrist",
+                "left_finger",
+                "left_thumb",
+                "left_mount",
+                "left_tool_mount",
+            ][..],
         ),
         (
             CONTROLLERS,
@@ -259,8 +358,18 @@ fn names_are_completed_in_yaml() {
             ],
         ),
         (CONTROLLERS, "[position]", "[po|]", &["position"]),
-        (CONTROLLERS, "[position, velocity]", "[position, |]", &["velocity"]),
-        (LIMITS, "  left_wrist:\n", "  left_|:\n", &["left_wrist", "left_finger", "left_thumb"]),
+        (
+            CONTROLLERS,
+            "[position, velocity]",
+            "[position, |]",
+            &["velocity"],
+        ),
+        (
+            LIMITS,
+            "  left_wrist:\n",
+            "  left_|:\n",
+            &["left_wrist", "left_finger", "left_thumb"],
+        ),
         (
             LIMITS,
             "    max_velocity: 1.5\n",
@@ -276,17 +385,37 @@ fn names_are_completed_in_yaml() {
             ],
         ),
         (moveit, "      - left_finger\n", "      - |\n", &driven),
-        (moveit, "    - gripper_controller\n", "    - g|\n", &["gripper_controller"]),
+        (
+            moveit,
+            "    - gripper_controller\n",
+            "    - g|\n",
+            &["gripper_controller"],
+        ),
         (kinematics, "arm:\n", "g|:\n", &["gripper", "arm", "all"]),
         (ompl, "gripper:\n", "g|:\n", &["gripper", "all"]),
-        (ompl, "default_planner_config: RRTConnect", "default_planner_config: |", &["RRTConnect"]),
-        (kinematics, "kinematics_solver_timeout: 0.05", "kinematics_solver_timeout: |", &[]),
+        (
+            ompl,
+            "default_planner_config: RRTConnect",
+            "default_planner_config: |",
+            &["RRTConnect"],
+        ),
+        (
+            kinematics,
+            "kinematics_solver_timeout: 0.05",
+            "kinematics_solver_timeout: |",
+            &[],
+        ),
     ] {
         let mut found = offered(&mut client, file, old, typed);
         let wanted: Vec<&str> = expected.to_vec();
         if file == moveit && expected.len() > 1 {
             found.sort();
-            assert!(wanted.iter().all(|name| found.iter().any(|label| label == name)), "{typed}: {found:?}");
+            assert!(
+                wanted
+                    .iter()
+                    .all(|name| found.iter().any(|label| label == name)),
+                "{typed}: {found:?}"
+            );
             continue;
         }
         assert_eq!(found, wanted, "{file}: {typed}");
@@ -298,10 +427,24 @@ fn names_and_elements_are_completed_in_srdf() {
     let (mut client, _) = started(&[SRDF]);
     let mut check = |old: &str, typed: &str, first: &[&str], never: &[&str]| {
         let found = offered(&mut client, SRDF, old, typed);
-        assert_eq!(found.iter().take(first.len()).collect::<Vec<_>>(), first, "{typed}: {found:?}");
-        assert!(!never.iter().any(|name| found.iter().any(|label| label == name)), "{typed}: {found:?}");
+        assert_eq!(
+            found.iter().take(first.len()).collect::<Vec<_>>(),
+            first,
+            "{typed}: {found:?}"
+        );
+        assert!(
+            !never
+                .iter()
+                .any(|name| found.iter().any(|label| label == name)),
+            "{typed}: {found:?}"
+        );
     };
-    check("tip_link=\"left_tool\"", "tip_link=\"left_to|\"", &["left_tool"], &["left_wrist"]);
+    check(
+        "tip_link=\"left_tool\"",
+        "tip_link=\"left_to|\"",
+        &["left_tool"],
+        &["left_wrist"],
+    );
     check(
         "<joint name=\"left_wrist\" value=\"0.6\"/>",
         "<joint name=\"|\"/>",
@@ -314,16 +457,36 @@ fn names_and_elements_are_completed_in_srdf() {
         &["0", "-1.9198621771937625"],
         &[],
     );
-    check("parent_group=\"arm\"", "parent_group=\"|\"", &["arm", "gripper", "all"], &[]);
-    check("<passive_joint name=\"left_thumb\"/>", "<pas|", &["passive_joint"], &["link", "ros2_control"]);
+    check(
+        "parent_group=\"arm\"",
+        "parent_group=\"|\"",
+        &["arm", "gripper", "all"],
+        &[],
+    );
+    check(
+        "<passive_joint name=\"left_thumb\"/>",
+        "<pas|",
+        &["passive_joint"],
+        &["link", "ros2_control"],
+    );
     check(
         "<group name=\"all\">\n    <group name=\"arm\"/>",
         "<group name=\"all\">\n    <|",
         &["link", "joint", "chain", "group"],
         &["visual", "group_state"],
     );
-    check("reason=\"User\"", "reason=\"|\"", &["Adjacent", "Never", "Default", "Always", "User"], &[]);
-    check("link2=\"left_hand\" reason", "link2=\"left_ha|\" reason", &["left_hand"], &["left_wrist"]);
+    check(
+        "reason=\"User\"",
+        "reason=\"|\"",
+        &["Adjacent", "Never", "Default", "Always", "User"],
+        &[],
+    );
+    check(
+        "link2=\"left_hand\" reason",
+        "link2=\"left_ha|\" reason",
+        &["left_hand"],
+        &["left_wrist"],
+    );
 }
 
 #[test]
@@ -334,19 +497,42 @@ fn hover_says_what_names_mean() {
         (
             CONTROLLERS,
             "- left_el|bow",
-            &["**joint** `left_elbow` (revolute)", "2.0 rad/s", "left_upper_arm"][..],
+            &[
+                "**joint** `left_elbow` (revolute)",
+                "2.0 rad/s",
+                "left_upper_arm",
+            ][..],
         ),
-        (LIMITS, "left_sh|oulder:", &["**joint** `left_shoulder` (revolute)"]),
-        (SRDF, "joint name=\"left_th|umb\"", &["**joint** `left_thumb` (prismatic)", "mimics `left_finger`"]),
+        (
+            LIMITS,
+            "left_sh|oulder:",
+            &["**joint** `left_shoulder` (revolute)"],
+        ),
+        (
+            SRDF,
+            "joint name=\"left_th|umb\"",
+            &["**joint** `left_thumb` (prismatic)", "mimics `left_finger`"],
+        ),
         (SRDF, "tip_link=\"left_|tool\"", &["**link** `left_tool`"]),
-        (SRDF, "group name=\"a|rm\">", &["**group** `arm`", "chain left_base → left_tool"]),
-        (kinematics, "a|rm:", &["**group** `arm`", "chain left_base → left_tool"]),
+        (
+            SRDF,
+            "group name=\"a|rm\">",
+            &["**group** `arm`", "chain left_base → left_tool"],
+        ),
+        (
+            kinematics,
+            "a|rm:",
+            &["**group** `arm`", "chain left_base → left_tool"],
+        ),
         (SRDF, "passive_jo|int", &["A joint that nothing drives"]),
     ] {
         let params = client.at(file, at);
         let answer = client.request("textDocument/hover", params);
         let text = answer["contents"]["value"].as_str().unwrap_or_default();
-        assert!(expected.iter().all(|part| text.contains(part)), "{file} {at}: {answer}");
+        assert!(
+            expected.iter().all(|part| text.contains(part)),
+            "{file} {at}: {answer}"
+        );
     }
 }
 
@@ -354,8 +540,12 @@ fn hover_says_what_names_mean() {
 fn the_tree_lists_the_files_beside_the_robot() {
     let (mut client, _) = started(&[ROBOT]);
     let tree = client.request("xacro/tree", client.of(ROBOT));
-    let mut kinds: Vec<&str> =
-        tree["beside"].as_array().unwrap().iter().map(|file| file["kind"].as_str().unwrap()).collect();
+    let mut kinds: Vec<&str> = tree["beside"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|file| file["kind"].as_str().unwrap())
+        .collect();
     kinds.sort_unstable();
     let expected = [
         "controllers",

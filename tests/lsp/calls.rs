@@ -15,7 +15,10 @@ fn both() -> Client {
 #[test]
 fn a_macro_knows_its_callers() {
     let mut client = both();
-    let items = client.request("textDocument/prepareCallHierarchy", client.at(UNIT, "name=\"un|it\""));
+    let items = client.request(
+        "textDocument/prepareCallHierarchy",
+        client.at(UNIT, "name=\"un|it\""),
+    );
     let item = items[0].clone();
     assert_eq!(
         (&item["name"], client.slice(UNIT, &item["selectionRange"])),
@@ -25,10 +28,22 @@ fn a_macro_knows_its_callers() {
     assert_eq!(incoming.as_array().unwrap().len(), 1, "{incoming}");
     assert_eq!(incoming[0]["from"]["name"], "pan_tilt.urdf.xacro");
     let ranges = incoming[0]["fromRanges"].as_array().unwrap();
-    assert_eq!(ranges.iter().map(|range| client.slice(ROBOT, range)).collect::<Vec<_>>(), ["unit", "unit"]);
+    assert_eq!(
+        ranges
+            .iter()
+            .map(|range| client.slice(ROBOT, range))
+            .collect::<Vec<_>>(),
+        ["unit", "unit"]
+    );
     let from = incoming[0]["from"].clone();
     let outgoing = client.request("callHierarchy/outgoingCalls", json!({ "item": from }));
-    assert_eq!((&outgoing[0]["to"]["name"], outgoing.as_array().unwrap().len()), (&json!("unit"), 1));
+    assert_eq!(
+        (
+            &outgoing[0]["to"]["name"],
+            outgoing.as_array().unwrap().len()
+        ),
+        (&json!("unit"), 1)
+    );
 }
 
 #[test]
@@ -37,15 +52,32 @@ fn macros_that_call_macros_are_callers() {
     let pair = "<!-- 🤖 --><xacro:macro name=\"pair\" params=\"x\"><xacro:unit name=\"${x}\" parent=\"desk\"><origin/>\
         </xacro:unit></xacro:macro>\n<xacro:pair x=\"q\"/><broken";
     client.edit(ROBOT, "</robot>", pair);
-    let items = client.request("textDocument/prepareCallHierarchy", client.at(ROBOT, "<xacro:pa|ir"));
+    let items = client.request(
+        "textDocument/prepareCallHierarchy",
+        client.at(ROBOT, "<xacro:pa|ir"),
+    );
     let outgoing = client.request("callHierarchy/outgoingCalls", json!({ "item": items[0] }));
     assert_eq!(outgoing[0]["to"]["name"], "unit");
     assert_eq!(client.slice(ROBOT, &outgoing[0]["fromRanges"][0]), "unit");
-    let incoming = client.request("callHierarchy/incomingCalls", json!({ "item": outgoing[0]["to"] }));
-    let names: Vec<&str> =
-        incoming.as_array().unwrap().iter().map(|c| c["from"]["name"].as_str().unwrap()).collect();
+    let incoming = client.request(
+        "callHierarchy/incomingCalls",
+        json!({ "item": outgoing[0]["to"] }),
+    );
+    let names: Vec<&str> = incoming
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| c["from"]["name"].as_str().unwrap())
+        .collect();
     assert_eq!(names, ["pan_tilt.urdf.xacro", "pair"]);
-    assert!(client.request("textDocument/prepareCallHierarchy", client.at(UNIT, "<jo|int")).is_null());
+    assert!(
+        client
+            .request(
+                "textDocument/prepareCallHierarchy",
+                client.at(UNIT, "<jo|int")
+            )
+            .is_null()
+    );
 }
 
 fn symbols(client: &mut Client, query: &str) -> Vec<String> {
@@ -64,7 +96,10 @@ fn symbols(client: &mut Client, query: &str) -> Vec<String> {
 #[test]
 fn files_that_are_not_open_are_searched_too() {
     let mut client = Client::start();
-    assert_eq!(symbols(&mut client, "le")[..2], ["lens 12 lens.xacro", "lens 4 package.xml"]);
+    assert_eq!(
+        symbols(&mut client, "le")[..2],
+        ["lens 12 lens.xacro", "lens 4 package.xml"]
+    );
     assert_eq!(symbols(&mut client, "m0"), ["m0 14 pan_tilt.urdf.xacro"]);
     let all = symbols(&mut client, "");
     for expected in [
@@ -73,7 +108,10 @@ fn files_that_are_not_open_are_searched_too() {
         "mount 13 pan_tilt.urdf.xacro",
         "pan_tilt 4 package.xml",
     ] {
-        assert!(all.iter().any(|symbol| symbol == expected), "{expected} in {all:?}");
+        assert!(
+            all.iter().any(|symbol| symbol == expected),
+            "{expected} in {all:?}"
+        );
     }
 }
 

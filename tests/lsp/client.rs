@@ -72,7 +72,11 @@ impl Client {
             .envs(options.log.map(|log| ("XACRO_LOG", log)))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
-            .stderr(if options.log.is_some() { Stdio::piped() } else { Stdio::inherit() })
+            .stderr(if options.log.is_some() {
+                Stdio::piped()
+            } else {
+                Stdio::inherit()
+            })
             .spawn()
             .unwrap();
         let (sender, messages) = mpsc::channel();
@@ -88,7 +92,19 @@ impl Client {
         let input = child.stdin.take();
         let (replies, published, texts) = (HashMap::new(), HashMap::new(), HashMap::new());
         let (notes, asked) = (Vec::new(), Vec::new());
-        Self { folder, child, input, messages, next_id: 0, replies, published, texts, options, notes, asked }
+        Self {
+            folder,
+            child,
+            input,
+            messages,
+            next_id: 0,
+            replies,
+            published,
+            texts,
+            options,
+            notes,
+            asked,
+        }
     }
 
     pub fn initialize(&mut self) -> Value {
@@ -126,7 +142,10 @@ impl Client {
 
     pub fn send_raw(&mut self, bytes: &[u8]) {
         let input = self.input.as_mut().expect("the input is open");
-        input.write_all(bytes).and_then(|()| input.flush()).expect("the server reads");
+        input
+            .write_all(bytes)
+            .and_then(|()| input.flush())
+            .expect("the server reads");
     }
 
     /// Close the server's input.
@@ -148,7 +167,10 @@ impl Client {
 
     /// The whole reply to a request.
     pub fn reply(&mut self, id: i64) -> Value {
-        self.wait(|client| client.replies.remove(&id), || format!("reply to request {id}"))
+        self.wait(
+            |client| client.replies.remove(&id),
+            || format!("reply to request {id}"),
+        )
     }
 
     /// The result of a request that must succeed.
@@ -161,7 +183,11 @@ impl Client {
     }
 
     /// Take messages in until `found` finds something.
-    pub fn wait<T>(&mut self, mut found: impl FnMut(&mut Self) -> Option<T>, what: impl Fn() -> String) -> T {
+    pub fn wait<T>(
+        &mut self,
+        mut found: impl FnMut(&mut Self) -> Option<T>,
+        what: impl Fn() -> String,
+    ) -> T {
         let begin = Instant::now();
         loop {
             if let Some(value) = found(self) {
@@ -181,8 +207,14 @@ impl Client {
             (Some(method), Some(id)) => {
                 let result = match method {
                     "workspace/configuration" => {
-                        let items = message["params"]["items"].as_array().cloned().unwrap_or_default();
-                        items.iter().map(|item| self.settings_of(&item["scopeUri"])).collect()
+                        let items = message["params"]["items"]
+                            .as_array()
+                            .cloned()
+                            .unwrap_or_default();
+                        items
+                            .iter()
+                            .map(|item| self.settings_of(&item["scopeUri"]))
+                            .collect()
                     }
                     _ => Value::Null,
                 };
@@ -194,9 +226,13 @@ impl Client {
             }
             (Some("textDocument/publishDiagnostics"), None) => {
                 let params = &message["params"];
-                let list = params["diagnostics"].as_array().cloned().unwrap_or_default();
+                let list = params["diagnostics"]
+                    .as_array()
+                    .cloned()
+                    .unwrap_or_default();
                 let file = params["uri"].as_str().unwrap().to_owned();
-                self.published.insert(file, (params["version"].as_i64(), list));
+                self.published
+                    .insert(file, (params["version"].as_i64(), list));
             }
             (Some(_), None) => self.notes.push(message),
             (None, _) => {
@@ -208,8 +244,15 @@ impl Client {
 
     /// The settings of a folder: those of all, unless it has its own by its name.
     fn settings_of(&self, scope: &Value) -> Value {
-        let name = scope.as_str().and_then(|uri| uri.rsplit('/').next()).unwrap_or("");
-        self.options.folder_settings.get(name).unwrap_or(&self.options.settings).clone()
+        let name = scope
+            .as_str()
+            .and_then(|uri| uri.rsplit('/').next())
+            .unwrap_or("");
+        self.options
+            .folder_settings
+            .get(name)
+            .unwrap_or(&self.options.settings)
+            .clone()
     }
 
     /// Open a file of the workspace with the text it has on the disk.
@@ -230,8 +273,11 @@ impl Client {
     pub fn edit(&mut self, file: &str, old: &str, new: &str) {
         let uri = self.uri(file);
         let (version, text) = self.texts.get_mut(&uri).expect("open");
-        let start = text.find(old).unwrap_or_else(|| panic!("`{old}` in {file}"));
-        let range = json!({ "start": position(text, start), "end": position(text, start + old.len()) });
+        let start = text
+            .find(old)
+            .unwrap_or_else(|| panic!("`{old}` in {file}"));
+        let range =
+            json!({ "start": position(text, start), "end": position(text, start + old.len()) });
         text.replace_range(start..start + old.len(), new);
         *version += 1;
         let version = *version;
@@ -267,7 +313,9 @@ impl Client {
             let (published, list) = client.published.get(&uri)?;
             (*published == Some(version)).then(|| list.clone())
         };
-        self.wait(current, || format!("diagnostics of {file} at version {version}"))
+        self.wait(current, || {
+            format!("diagnostics of {file} at version {version}")
+        })
     }
 
     /// The first diagnostics of a file that is not open, in short.
@@ -288,7 +336,12 @@ impl Client {
     /// Whether diagnostics of a file arrive that carry a version.
     pub fn have_version(&mut self, file: &str) -> bool {
         let uri = self.uri(file);
-        let found = |client: &mut Self| client.published.get(&uri).map(|(version, _)| version.is_some());
+        let found = |client: &mut Self| {
+            client
+                .published
+                .get(&uri)
+                .map(|(version, _)| version.is_some())
+        };
         self.wait(found, || format!("diagnostics of {file}"))
     }
 
@@ -298,7 +351,9 @@ impl Client {
         let text = self.text(file);
         let (before, behind) = pattern.split_once('|').expect("a `|` in the pattern");
         let whole = format!("{before}{behind}");
-        let start = text.find(&whole).unwrap_or_else(|| panic!("`{whole}` in {file}"));
+        let start = text
+            .find(&whole)
+            .unwrap_or_else(|| panic!("`{whole}` in {file}"));
         json!({ "textDocument": { "uri": self.uri(file) }, "position": position(text, start + before.len()) })
     }
 
@@ -333,7 +388,9 @@ impl Client {
     /// The text of an open file after an edit of the workspace that changes it.
     #[track_caller]
     pub fn after(&self, file: &str, edit: &Value) -> String {
-        let edits = edit["changes"][self.uri(file)].as_array().expect("changes of the file");
+        let edits = edit["changes"][self.uri(file)]
+            .as_array()
+            .expect("changes of the file");
         self.after_edits(file, edits)
     }
 
@@ -342,7 +399,10 @@ impl Client {
         let mut text = self.text(file).to_owned();
         let place = |edit: &Value| {
             let range = &edit["range"];
-            (offset(self.text(file), &range["start"]), offset(self.text(file), &range["end"]))
+            (
+                offset(self.text(file), &range["start"]),
+                offset(self.text(file), &range["end"]),
+            )
         };
         let mut places: Vec<((usize, usize), &Value)> =
             edits.iter().map(|edit| (place(edit), edit)).collect();
@@ -388,7 +448,11 @@ impl Client {
         self.notify("exit", Value::Null);
         self.exit_code();
         let mut text = String::new();
-        let _ = self.child.stderr.take().map(|mut errors| errors.read_to_string(&mut text));
+        let _ = self
+            .child
+            .stderr
+            .take()
+            .map(|mut errors| errors.read_to_string(&mut text));
         text
     }
 
@@ -438,7 +502,10 @@ fn remove(from: &mut Value, pointer: &str) {
     match pointer.rsplit_once('/') {
         None => *from = json!({}),
         Some((parent, key)) => {
-            let parent = from.pointer_mut(parent).and_then(Value::as_object_mut).expect("an object there");
+            let parent = from
+                .pointer_mut(parent)
+                .and_then(Value::as_object_mut)
+                .expect("an object there");
             parent.remove(key).expect("it is there");
         }
     }
@@ -452,7 +519,12 @@ pub fn uri(path: &Path) -> String {
 pub fn short(diagnostic: &Value) -> String {
     let (start, end) = (&diagnostic["range"]["start"], &diagnostic["range"]["end"]);
     let line = start["line"].as_u64().unwrap() + 1;
-    format!("{line}:{}-{} {}", start["character"], end["character"], diagnostic["code"].as_str().unwrap())
+    format!(
+        "{line}:{}-{} {}",
+        start["character"],
+        end["character"],
+        diagnostic["code"].as_str().unwrap()
+    )
 }
 
 /// The position of a byte offset, in UTF-16.
@@ -465,7 +537,11 @@ pub fn position(text: &str, offset: usize) -> Value {
 /// The byte offset of a position in UTF-16.
 pub fn offset(text: &str, position: &Value) -> usize {
     let line = usize::try_from(position["line"].as_u64().unwrap()).unwrap();
-    let start = text.split_inclusive('\n').take(line).map(str::len).sum::<usize>();
+    let start = text
+        .split_inclusive('\n')
+        .take(line)
+        .map(str::len)
+        .sum::<usize>();
     let mut left = position["character"].as_u64().unwrap();
     for (at, c) in text[start..].char_indices() {
         if left == 0 {
@@ -512,7 +588,12 @@ fn read(output: &mut impl BufRead) -> Option<Value> {
 pub fn replace_all(text: &mut String, edits: &Value, new: &str) -> usize {
     let edits = edits.as_array().unwrap().iter();
     let mut edits: Vec<(usize, usize)> = edits
-        .map(|edit| (offset(text, &edit["range"]["start"]), offset(text, &edit["range"]["end"])))
+        .map(|edit| {
+            (
+                offset(text, &edit["range"]["start"]),
+                offset(text, &edit["range"]["end"]),
+            )
+        })
         .collect();
     edits.sort_unstable();
     for &(start, end) in edits.iter().rev() {

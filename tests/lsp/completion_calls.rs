@@ -35,12 +35,18 @@ const HAND: &str = r#"<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
 fn offered(comment: &str, tail: &str) -> Vec<String> {
     let folder = fresh_folder();
     write(&folder, FILE, TEXT);
-    write(&folder, "src/arm/package.xml", "<package format=\"3\"><name>arm</name></package>");
+    write(
+        &folder,
+        "src/arm/package.xml",
+        "<package format=\"3\"><name>arm</name></package>",
+    );
     for kind in ["soft", "hard"] {
         write(&folder, &format!("src/arm/hands/{kind}/{kind}.xacro"), HAND);
     }
-    let simulated =
-        TEXT.replace("$(find arm)/hands/${kind}/${kind}.xacro", "$(find arm_simulation)/all.xacro");
+    let simulated = TEXT.replace(
+        "$(find arm)/hands/${kind}/${kind}.xacro",
+        "$(find arm_simulation)/all.xacro",
+    );
     write(&folder, "src/arm/simulated.xacro", simulated);
     let mut client = Client::with(folder, Options::default());
     let (before, behind) = TEXT.split_once(comment).unwrap();
@@ -61,7 +67,10 @@ fn offered(comment: &str, tail: &str) -> Vec<String> {
 #[track_caller]
 fn holds(comment: &str, tail: &str, expected: &str) {
     let found = offered(comment, tail);
-    assert!(found.iter().any(|label| label == expected), "`{expected}` at `{tail}`: {found:?}");
+    assert!(
+        found.iter().any(|label| label == expected),
+        "`{expected}` at `{tail}`: {found:?}"
+    );
 }
 
 const IN_CHASSIS: &str = "<!-- in chassis -->";
@@ -69,27 +78,48 @@ const IN_WHEEL: &str = "<!-- in wheel -->";
 
 #[test]
 fn links_that_called_macros_make_are_spelled_as_the_caller_would() {
-    holds(IN_CHASSIS, "<joint name=\"j\"><child link=\"${prefix}wheel_l", "${prefix}wheel_left_flat");
+    holds(
+        IN_CHASSIS,
+        "<joint name=\"j\"><child link=\"${prefix}wheel_l",
+        "${prefix}wheel_left_flat",
+    );
     // through another macro
-    let found = offered(IN_CHASSIS, "<joint name=\"j\"><child link=\"${prefix}wheel_r");
-    assert!(found.contains(&"${prefix}wheel_right_outer_flat".to_owned()), "{found:?}");
+    let found = offered(
+        IN_CHASSIS,
+        "<joint name=\"j\"><child link=\"${prefix}wheel_r",
+    );
+    assert!(
+        found.contains(&"${prefix}wheel_right_outer_flat".to_owned()),
+        "{found:?}"
+    );
 }
 
 #[test]
 fn links_that_calls_name_are_offered() {
-    holds(IN_CHASSIS, "<joint name=\"j\"><parent link=\"${prefix}pl", "${prefix}plate_link");
+    holds(
+        IN_CHASSIS,
+        "<joint name=\"j\"><parent link=\"${prefix}pl",
+        "${prefix}plate_link",
+    );
 }
 
 #[test]
 fn what_stands_behind_another_expression_is_offered_behind_this_one() {
-    holds(IN_CHASSIS, "<joint name=\"j\"><parent link=\"${mount_parent}hu", "${mount_parent}hub_link");
+    holds(
+        IN_CHASSIS,
+        "<joint name=\"j\"><parent link=\"${mount_parent}hu",
+        "${mount_parent}hub_link",
+    );
 }
 
 #[test]
 fn a_macro_sees_what_its_callers_have() {
-    for (tail, expected) in
-        [("${pre", "prefix"), ("${tr", "track"), ("${moun", "mount_parent"), ("${joi", "joined")]
-    {
+    for (tail, expected) in [
+        ("${pre", "prefix"),
+        ("${tr", "track"),
+        ("${moun", "mount_parent"),
+        ("${joi", "joined"),
+    ] {
         holds(IN_WHEEL, &format!("<link name=\"{tail}"), expected);
     }
     // a block is no value
@@ -105,5 +135,9 @@ fn files_behind_computed_includes_are_known() {
 
 #[test]
 fn packages_that_the_folder_finds_are_offered() {
-    holds(IN_CHASSIS, "<xacro:include filename=\"$(find arm_s", "arm_simulation");
+    holds(
+        IN_CHASSIS,
+        "<xacro:include filename=\"$(find arm_s",
+        "arm_simulation",
+    );
 }

@@ -45,8 +45,11 @@ fn offered(file: &str, tail: &str) -> Vec<String> {
         write(&folder, &format!("src/arm/meshes/{mesh}"), "");
     }
     let mut client = Client::with(folder, Options::default());
-    let (text, end) =
-        if file == MAIN { (MAIN_TEXT, "</robot>") } else { (PART_TEXT, "  </xacro:macro>\n</robot>") };
+    let (text, end) = if file == MAIN {
+        (MAIN_TEXT, "</robot>")
+    } else {
+        (PART_TEXT, "  </xacro:macro>\n</robot>")
+    };
     client.open(MAIN);
     // what the robot is, as it was before somebody typed
     client.request("textDocument/documentSymbol", client.of(MAIN));
@@ -59,20 +62,34 @@ fn offered(file: &str, tail: &str) -> Vec<String> {
     let answer = client.request("textDocument/completion", params);
     let mut items = answer["items"].as_array().unwrap().clone();
     items.sort_by_key(|item| item["sortText"].as_str().unwrap().to_owned());
-    items.iter().map(|item| item["label"].as_str().unwrap().to_owned()).collect()
+    items
+        .iter()
+        .map(|item| item["label"].as_str().unwrap().to_owned())
+        .collect()
 }
 
 #[track_caller]
 fn holds(file: &str, tail: &str, expected: &str) {
     let found = offered(file, tail);
-    assert!(found.iter().any(|label| label == expected), "`{expected}` at `{tail}`: {found:?}");
+    assert!(
+        found.iter().any(|label| label == expected),
+        "`{expected}` at `{tail}`: {found:?}"
+    );
 }
 
 #[test]
 fn links_that_other_macros_make_are_offered_behind_what_they_begin_with() {
     // the text of the macro refers to it, a robot has it, and it is made by a macro that is called
-    holds(PART, "<joint name=\"j\"><parent link=\"${prefix}kn", "${prefix}knuckle");
-    holds(PART, "<joint name=\"j\"><parent link=\"${prefix}ti", "${prefix}tip");
+    holds(
+        PART,
+        "<joint name=\"j\"><parent link=\"${prefix}kn",
+        "${prefix}knuckle",
+    );
+    holds(
+        PART,
+        "<joint name=\"j\"><parent link=\"${prefix}ti",
+        "${prefix}tip",
+    );
 }
 
 #[test]
@@ -86,15 +103,33 @@ fn what_stands_elsewhere_is_offered_where_nothing_is_known() {
     holds(PART, "<link name=\"${sizes.tip.w", "width");
     holds(MAIN, "<xacro:unheard_of d", "depth");
     holds(MAIN, "<gazebo><plugin_of_mine n", "name");
-    holds(MAIN, "<xacro:include filename=\"$(find hand", "hand_description");
+    holds(
+        MAIN,
+        "<xacro:include filename=\"$(find hand",
+        "hand_description",
+    );
 }
 
 #[test]
 fn the_nearest_name_comes_first() {
-    let found = offered(MAIN, "<joint name=\"joint_3\" type=\"revolute\"><limit upper=\"${jo");
-    assert_eq!(found.first().map(String::as_str), Some("joint_3_upper"), "{found:?}");
-    let found = offered(MAIN, "<joint name=\"joint_2\" type=\"revolute\"><limit upper=\"${jo");
-    assert_eq!(found.first().map(String::as_str), Some("joint_2_upper"), "{found:?}");
+    let found = offered(
+        MAIN,
+        "<joint name=\"joint_3\" type=\"revolute\"><limit upper=\"${jo",
+    );
+    assert_eq!(
+        found.first().map(String::as_str),
+        Some("joint_3_upper"),
+        "{found:?}"
+    );
+    let found = offered(
+        MAIN,
+        "<joint name=\"joint_2\" type=\"revolute\"><limit upper=\"${jo",
+    );
+    assert_eq!(
+        found.first().map(String::as_str),
+        Some("joint_2_upper"),
+        "{found:?}"
+    );
 }
 
 #[test]

@@ -16,7 +16,11 @@ const SIDE: &str = "<xacro:arg name=\"side\" default=\"left\"/>\n  <xacro:if val
 fn started(text: &str) -> Client {
     let folder = pan_tilt();
     let robot = std::fs::read_to_string(folder.join(ROBOT)).unwrap();
-    write(&folder, ROBOT, robot.replace("<link name=\"$(arg mount)\"/>", SIDE));
+    write(
+        &folder,
+        ROBOT,
+        robot.replace("<link name=\"$(arg mount)\"/>", SIDE),
+    );
     let command = "xacro $(find pan_tilt)/urdf/pan_tilt.urdf.xacro mount:=pole";
     write(
         &folder,
@@ -41,7 +45,9 @@ fn offered(text: &str) -> (Vec<String>, String) {
     let answer = client.request("textDocument/completion", params);
     let items = answer["items"].as_array().cloned().unwrap_or_default();
     let label = |item: &Value| item["label"].as_str().unwrap().to_owned();
-    let first = items.first().map(|item| item["textEdit"]["newText"].as_str().unwrap().to_owned());
+    let first = items
+        .first()
+        .map(|item| item["textEdit"]["newText"].as_str().unwrap().to_owned());
     (items.iter().map(label).collect(), first.unwrap_or_default())
 }
 
@@ -49,7 +55,10 @@ fn offered(text: &str) -> (Vec<String>, String) {
 fn check(text: &str, labels: &[&str], first: &str) {
     let (found, written) = offered(text);
     assert_eq!(
-        (found.iter().map(String::as_str).collect::<Vec<_>>(), written.as_str()),
+        (
+            found.iter().map(String::as_str).collect::<Vec<_>>(),
+            written.as_str()
+        ),
         (labels.to_vec(), first),
         "{text}"
     );
@@ -59,14 +68,36 @@ const ROOT: &str = "[[roots]]\nfile = \"src/pan_tilt/urdf/pan_tilt.urdf.xacro\"\
 
 #[test]
 fn keys() {
-    check("[for|", &["severity", "per-file-ignores", "thresholds", "roots", "format", "limits"], "severity");
-    check("[format]\nline|", &["line-width", "attributes", "self-close"], "line-width = ");
-    check("[[roots]]\n|", &["file", "args", "exclude", "choices", "presets", "expect"], "file = ");
+    check(
+        "[for|",
+        &[
+            "severity",
+            "per-file-ignores",
+            "thresholds",
+            "roots",
+            "format",
+            "limits",
+        ],
+        "severity",
+    );
+    check(
+        "[format]\nline|",
+        &["line-width", "attributes", "self-close"],
+        "line-width = ",
+    );
+    check(
+        "[[roots]]\n|",
+        &["file", "args", "exclude", "choices", "presets", "expect"],
+        "file = ",
+    );
     check("target = |\n", &["ros2", "ros1"], "\"ros2\"");
     check("target = \"r|\"\n", &["ros2", "ros1"], "ros2");
     check("use-environment = |\n", &["true", "false"], "true");
     let (rules, first) = offered("[severity]\n|");
-    assert!(rules.contains(&"undefined-link".to_owned()) && first.ends_with(" = "), "{rules:?}");
+    assert!(
+        rules.contains(&"undefined-link".to_owned()) && first.ends_with(" = "),
+        "{rules:?}"
+    );
     check("# |", &[], "");
     check("target = \"ros1\" |", &[], "");
 }
@@ -77,18 +108,42 @@ fn arguments_of_the_robot() {
     check(&format!("{ROOT}args = {{ | }}"), &names, "mount = ");
     check(&format!("{ROOT}args = {{ m| = 1 }}"), &names, "mount");
     check(&format!("{ROOT}args = {{ \"m|"), &names, "mount\" = ");
-    check(&format!("{ROOT}exclude = [{{ side = \"left\", |"), &names, "mount = ");
+    check(
+        &format!("{ROOT}exclude = [{{ side = \"left\", |"),
+        &names,
+        "mount = ",
+    );
     check(&format!("{ROOT}presets.real = {{ |"), &names, "mount = ");
-    check(&format!("{ROOT}[[roots.expect]]\nwhen = {{ |"), &names, "mount = ");
-    check("[[roots]]\nargs = { | }\nfile = \"src/pan_tilt/urdf/pan_tilt.urdf.xacro\"\n", &names, "mount = ");
+    check(
+        &format!("{ROOT}[[roots.expect]]\nwhen = {{ |"),
+        &names,
+        "mount = ",
+    );
+    check(
+        "[[roots]]\nargs = { | }\nfile = \"src/pan_tilt/urdf/pan_tilt.urdf.xacro\"\n",
+        &names,
+        "mount = ",
+    );
     check("[[roots]]\nargs = { | }\n", &[], "");
 }
 
 #[test]
 fn values_of_arguments() {
-    check(&format!("{ROOT}args = {{ mount = |"), &["desk", "pole"], "\"desk\"");
-    check(&format!("{ROOT}args = {{ side = [\"left\", \"|"), &["left", "right"], "left\"");
-    check(&format!("{ROOT}args = {{ sim = | }}"), &["false", "true"], "false");
+    check(
+        &format!("{ROOT}args = {{ mount = |"),
+        &["desk", "pole"],
+        "\"desk\"",
+    );
+    check(
+        &format!("{ROOT}args = {{ side = [\"left\", \"|"),
+        &["left", "right"],
+        "left\"",
+    );
+    check(
+        &format!("{ROOT}args = {{ sim = | }}"),
+        &["false", "true"],
+        "false",
+    );
     check(&format!("{ROOT}args = {{ note = | }}"), &[], "");
     check(&format!("{ROOT}choices = |"), &["launch"], "\"launch\"");
 }
@@ -98,17 +153,32 @@ fn paths_links_and_joints() {
     check("[[roots]]\nfile = \"|\"", &["src/"], "src/");
     check(
         "[[roots]]\nfile = \"src/pan_tilt/urdf/|\"",
-        &["src/pan_tilt/urdf/pan_tilt.urdf.xacro", "src/pan_tilt/urdf/unit.xacro"],
+        &[
+            "src/pan_tilt/urdf/pan_tilt.urdf.xacro",
+            "src/pan_tilt/urdf/unit.xacro",
+        ],
         ROBOT,
     );
-    check(&format!("{ROOT}[[roots.expect]]\nroot = |"), &["desk", "pan_body", "tilt_body"], "\"desk\"");
-    check(&format!("{ROOT}[[roots.expect]]\njoints = [\"|\"]"), &["pan", "tilt"], "pan");
+    check(
+        &format!("{ROOT}[[roots.expect]]\nroot = |"),
+        &["desk", "pan_body", "tilt_body"],
+        "\"desk\"",
+    );
+    check(
+        &format!("{ROOT}[[roots.expect]]\njoints = [\"|\"]"),
+        &["pan", "tilt"],
+        "pan",
+    );
     check(
         &format!("{ROOT}[[roots.expect]]\nchains = [[\"desk\", \"|\"]]"),
         &["desk", "pan_body", "tilt_body"],
         "desk",
     );
-    check(&format!("{ROOT}[[roots.expect]]\njoint.|"), &["pan", "tilt"], "pan = ");
+    check(
+        &format!("{ROOT}[[roots.expect]]\njoint.|"),
+        &["pan", "tilt"],
+        "pan = ",
+    );
 }
 
 #[test]
@@ -116,13 +186,27 @@ fn keys_are_explained_and_nothing_else_is_answered() {
     let mut client = started(&format!("{ROOT}args = {{ side = \"left\" }}\n"));
     let params = client.at(CONFIG, "ar|gs");
     let hover = client.request("textDocument/hover", params.clone());
-    assert!(hover["contents"]["value"].as_str().unwrap().starts_with("Arguments by name"), "{hover}");
-    for method in
-        ["definition", "declaration", "typeDefinition", "documentHighlight", "documentSymbol", "foldingRange"]
-    {
+    assert!(
+        hover["contents"]["value"]
+            .as_str()
+            .unwrap()
+            .starts_with("Arguments by name"),
+        "{hover}"
+    );
+    for method in [
+        "definition",
+        "declaration",
+        "typeDefinition",
+        "documentHighlight",
+        "documentSymbol",
+        "foldingRange",
+    ] {
         let answer = client.request(&format!("textDocument/{method}"), params.clone());
         assert_eq!(answer, Value::Null, "{method}");
     }
-    assert_eq!(client.request("textDocument/hover", client.at(CONFIG, "\"le|ft")), Value::Null);
+    assert_eq!(
+        client.request("textDocument/hover", client.at(CONFIG, "\"le|ft")),
+        Value::Null
+    );
     assert_eq!(client.findings(CONFIG), Vec::<String>::new());
 }

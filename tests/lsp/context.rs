@@ -30,7 +30,11 @@ fn the_nearest_robot_wins_and_the_edited_one_before_it() {
 fn a_comment_names_root_and_arguments() {
     let mut client = Client::start();
     client.open(UNIT);
-    client.edit(UNIT, "<!-- A motor", "<!-- xacro-root: pan_tilt.urdf.xacro mount:=wall -->\n  <!-- A motor");
+    client.edit(
+        UNIT,
+        "<!-- A motor",
+        "<!-- xacro-root: pan_tilt.urdf.xacro mount:=wall -->\n  <!-- A motor",
+    );
     let expanded = client.request("xacro/expand", client.of(UNIT));
     assert_eq!(expanded["args"], json!({ "mount": "wall" }));
 }
@@ -38,7 +42,8 @@ fn a_comment_names_root_and_arguments() {
 #[test]
 fn configured_roots_come_with_their_arguments() {
     let folder = pan_tilt();
-    let config = "[[roots]]\nfile = \"pan_tilt/urdf/pan_tilt.urdf.xacro\"\nargs = { mount = \"mast\" }\n";
+    let config =
+        "[[roots]]\nfile = \"pan_tilt/urdf/pan_tilt.urdf.xacro\"\nargs = { mount = \"mast\" }\n";
     write(&folder, "src/xacro-lint.toml", config);
     let mut client = Client::with(folder, Options::default());
     client.open(UNIT);
@@ -53,7 +58,11 @@ fn what_appears_on_the_disk_is_noticed() {
     client.edit(ROBOT, "filename=\"unit.xacro\"", "filename=\"unit2.xacro\"");
     let expanded = client.request("xacro/expand", client.of(ROBOT));
     assert_eq!(expanded["ok"], Value::Bool(false));
-    write(&client.folder, "src/pan_tilt/urdf/unit2.xacro", super::workspace::UNIT_TEXT);
+    write(
+        &client.folder,
+        "src/pan_tilt/urdf/unit2.xacro",
+        super::workspace::UNIT_TEXT,
+    );
     let expanded = client.request("xacro/expand", client.of(ROBOT));
     assert_eq!(expanded["ok"], Value::Bool(true), "{expanded}");
 }
@@ -70,5 +79,11 @@ fn the_first_answer_about_a_part_knows_its_robot() {
     let report = client.request("textDocument/diagnostic", client.of(part));
     let related = &report["items"][0]["relatedInformation"][0];
     assert_eq!(related["message"], "included here", "{report}");
-    assert!(related["location"]["uri"].as_str().unwrap().ends_with("robots/far.urdf.xacro"), "{report}");
+    assert!(
+        related["location"]["uri"]
+            .as_str()
+            .unwrap()
+            .ends_with("robots/far.urdf.xacro"),
+        "{report}"
+    );
 }

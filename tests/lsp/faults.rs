@@ -8,7 +8,9 @@ use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, write};
 fn notes<'a>(client: &'a Client, method: &str) -> Vec<&'a str> {
     let ours = client.notes.iter().filter(|note| note["method"] == method);
     let texts = ours.filter_map(|note| note["params"]["message"].as_str());
-    texts.filter(|text| text.contains("internal error")).collect()
+    texts
+        .filter(|text| text.contains("internal error"))
+        .collect()
 }
 
 #[cfg(debug_assertions)]
@@ -20,7 +22,10 @@ fn a_fault_in_a_job_is_answered_logged_and_shown_once_and_the_server_lives() {
         let id = client.post("xacro/debug/fail", json!({}));
         let reply = client.reply(id);
         assert_eq!(reply["error"]["code"], -32603, "{reply}");
-        assert_eq!(reply["error"]["message"], "internal error; see the log for details");
+        assert_eq!(
+            reply["error"]["message"],
+            "internal error; see the log for details"
+        );
     }
     client.wait(
         |client| (notes(client, "window/logMessage").len() == 3).then_some(()),
@@ -45,7 +50,11 @@ fn changed(client: &mut Client, file: &str) {
 fn has(client: &mut Client, rule: &str) -> bool {
     client.eventually(|client| {
         client.request("textDocument/foldingRange", client.of(ROBOT));
-        client.findings(ROBOT).iter().any(|finding| finding.contains(rule)) != rule.is_empty()
+        client
+            .findings(ROBOT)
+            .iter()
+            .any(|finding| finding.contains(rule))
+            != rule.is_empty()
     })
 }
 
@@ -58,20 +67,36 @@ fn a_file_that_becomes_something_else_is_named_and_comes_back() {
     let text = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
     changed(&mut client, UNIT);
-    assert!(has(&mut client, "include-not-found"), "{:?}", client.findings(ROBOT));
+    assert!(
+        has(&mut client, "include-not-found"),
+        "{:?}",
+        client.findings(ROBOT)
+    );
     std::fs::create_dir(&path).unwrap();
     changed(&mut client, UNIT);
-    assert!(has(&mut client, "include-not-found"), "{:?}", client.findings(ROBOT));
+    assert!(
+        has(&mut client, "include-not-found"),
+        "{:?}",
+        client.findings(ROBOT)
+    );
     std::fs::remove_dir(&path).unwrap();
     #[cfg(unix)]
     {
         std::os::unix::fs::symlink("/dev/zero", &path).unwrap();
         changed(&mut client, UNIT);
-        assert!(has(&mut client, "include-not-found"), "{:?}", client.findings(ROBOT));
+        assert!(
+            has(&mut client, "include-not-found"),
+            "{:?}",
+            client.findings(ROBOT)
+        );
         std::fs::remove_file(&path).unwrap();
         std::os::unix::fs::symlink("unit.xacro", &path).unwrap();
         changed(&mut client, UNIT);
-        assert!(has(&mut client, "include-not-found"), "{:?}", client.findings(ROBOT));
+        assert!(
+            has(&mut client, "include-not-found"),
+            "{:?}",
+            client.findings(ROBOT)
+        );
         std::fs::remove_file(&path).unwrap();
     }
     write(&client.folder, UNIT, &text[..text.len() / 2]);

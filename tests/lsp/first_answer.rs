@@ -43,9 +43,17 @@ const SIZES_TEXT: &str = "deck:\n  width: 0.5\n";
 
 /// Edits, each on top of those before.
 const EDITS: [(&str, &str, &str); 12] = [
-    (ROBOT, "xacro:property name=\"half\"", "property name=\"half\""),
+    (
+        ROBOT,
+        "xacro:property name=\"half\"",
+        "property name=\"half\"",
+    ),
     (WHEEL, "<parent link=\"deck\"/>", "<parent link=\"decks\"/>"),
-    (ROBOT, "<property name=\"half\"", "<xacro:property name=\"half\""),
+    (
+        ROBOT,
+        "<property name=\"half\"",
+        "<xacro:property name=\"half\"",
+    ),
     (SIZES, "width", "breadth"),
     (WHEEL, "link=\"decks\"", "link=\"deck\""),
     (WHEEL, "name=\"radius\"", "name=\"radiusx\""),
@@ -69,8 +77,18 @@ fn workspace(texts: &[(&str, String)]) -> std::path::PathBuf {
 }
 
 fn start(texts: &[(&str, String)], pulls: bool) -> Client {
-    let capabilities = if pulls { json!({ "textDocument": { "diagnostic": {} } }) } else { Value::Null };
-    let mut client = Client::with(workspace(texts), Options { capabilities, ..Options::default() });
+    let capabilities = if pulls {
+        json!({ "textDocument": { "diagnostic": {} } })
+    } else {
+        Value::Null
+    };
+    let mut client = Client::with(
+        workspace(texts),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     client.open(WHEEL);
     client
@@ -86,14 +104,20 @@ fn edit(client: &mut Client, (file, old, new): (&str, &str, &str)) {
     assert!(text.contains(old), "`{old}` in {file}");
     std::fs::write(&path, text.replacen(old, new, 1)).unwrap();
     let change = json!({ "uri": client.uri(file), "type": 2 });
-    client.notify("workspace/didChangeWatchedFiles", json!({ "changes": [change] }));
+    client.notify(
+        "workspace/didChangeWatchedFiles",
+        json!({ "changes": [change] }),
+    );
 }
 
 /// What the server says of the open files before it does anything else.
 fn first(client: &mut Client, edited: &str, before: &[Value], pulls: bool) -> Vec<Vec<Value>> {
     if pulls {
         let pull = |file| {
-            client.request("textDocument/diagnostic", client.of(file))["items"].as_array().unwrap().clone()
+            client.request("textDocument/diagnostic", client.of(file))["items"]
+                .as_array()
+                .unwrap()
+                .clone()
         };
         return [ROBOT, WHEEL].map(pull).to_vec();
     }
@@ -110,36 +134,67 @@ fn first(client: &mut Client, edited: &str, before: &[Value], pulls: bool) -> Ve
 
 /// Errors and warnings of a file, by line and rule, without the notes at calls.
 fn shown(found: &[Value]) -> BTreeSet<String> {
-    let is_note = |item: &Value| item["message"].as_str().unwrap().starts_with("this call causes: ");
-    let heavy = found.iter().filter(|item| item["severity"].as_i64() <= Some(2) && !is_note(item));
+    let is_note = |item: &Value| {
+        item["message"]
+            .as_str()
+            .unwrap()
+            .starts_with("this call causes: ")
+    };
+    let heavy = found
+        .iter()
+        .filter(|item| item["severity"].as_i64() <= Some(2) && !is_note(item));
     heavy
         .map(short)
-        .map(|line| line.split('-').next().unwrap().to_owned() + " " + line.rsplit(' ').next().unwrap())
+        .map(|line| {
+            line.split('-').next().unwrap().to_owned() + " " + line.rsplit(' ').next().unwrap()
+        })
         .collect()
 }
 
 /// The same as the command line says it.
 fn checked(folder: &Path, file: &str) -> BTreeSet<String> {
     let program = Command::new(env!("CARGO_BIN_EXE_xacro-lint"))
-        .args(["check", "--format", "json", "--show", "all", "--no-group", "--exit-zero", "."])
+        .args([
+            "check",
+            "--format",
+            "json",
+            "--show",
+            "all",
+            "--no-group",
+            "--exit-zero",
+            ".",
+        ])
         .current_dir(folder)
         .env_remove("ROS_PACKAGE_PATH")
         .env("AMENT_PREFIX_PATH", folder.join("none"))
         .output()
         .unwrap();
     let report: Value = serde_json::from_slice(&program.stdout).unwrap();
-    let own = report.as_array().unwrap().iter().filter(|finding| finding["filename"] == file);
-    let heavy = own.filter(|finding| ["error", "warning"].contains(&finding["severity"].as_str().unwrap()));
+    let own = report
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|finding| finding["filename"] == file);
+    let heavy =
+        own.filter(|finding| ["error", "warning"].contains(&finding["severity"].as_str().unwrap()));
     let place = |finding: &Value| {
         let at = &finding["location"];
-        format!("{}:{} {}", at["row"], at["column"].as_i64().unwrap() - 1, finding["name"].as_str().unwrap())
+        format!(
+            "{}:{} {}",
+            at["row"],
+            at["column"].as_i64().unwrap() - 1,
+            finding["name"].as_str().unwrap()
+        )
     };
     heavy.map(place).collect()
 }
 
 fn check_first_answers(pulls: bool) {
-    let mut texts =
-        vec![(ROBOT, ROBOT_TEXT.to_owned()), (WHEEL, WHEEL_TEXT.to_owned()), (SIZES, SIZES_TEXT.to_owned())];
+    let mut texts = vec![
+        (ROBOT, ROBOT_TEXT.to_owned()),
+        (WHEEL, WHEEL_TEXT.to_owned()),
+        (SIZES, SIZES_TEXT.to_owned()),
+    ];
     let mut client = start(&texts, pulls);
     // the one that was opened last: what is said of the other one depends on what is open
     let mut said = first(&mut client, WHEEL, &[], pulls);
@@ -153,10 +208,21 @@ fn check_first_answers(pulls: bool) {
         let fresh = first(&mut other, WHEEL, &[], pulls);
         for ((said, fresh), file) in said.iter().zip(&fresh).zip([ROBOT, WHEEL]) {
             let plain = |found: &[Value], folder: &Path| -> Vec<String> {
-                found.iter().map(|item| item.to_string().replace(&folder.display().to_string(), "")).collect()
+                found
+                    .iter()
+                    .map(|item| item.to_string().replace(&folder.display().to_string(), ""))
+                    .collect()
             };
-            assert_eq!(plain(said, &client.folder), plain(fresh, &other.folder), "{what}: {file}");
-            assert_eq!(shown(said), checked(&other.folder, file), "{what}: {file}, on the command line");
+            assert_eq!(
+                plain(said, &client.folder),
+                plain(fresh, &other.folder),
+                "{what}: {file}"
+            );
+            assert_eq!(
+                shown(said),
+                checked(&other.folder, file),
+                "{what}: {file}, on the command line"
+            );
         }
     }
 }

@@ -38,9 +38,16 @@ fn formatting_twice_is_formatting_once() {
 #[test]
 fn the_editor_says_how_far_lines_are_indented() {
     let mut client = Client::start();
-    client.open_with(FILE, "<robot name=\"🤖\"><link name=\"é\"/>\n\n\n<!-- é --></robot>");
-    for (options, unit) in [(blanks(3), "   "), (json!({ "tabSize": 4, "insertSpaces": false }), "\t")] {
-        let expected = format!("<robot name=\"🤖\">\n{unit}<link name=\"é\"/>\n\n{unit}<!-- é --></robot>");
+    client.open_with(
+        FILE,
+        "<robot name=\"🤖\"><link name=\"é\"/>\n\n\n<!-- é --></robot>",
+    );
+    for (options, unit) in [
+        (blanks(3), "   "),
+        (json!({ "tabSize": 4, "insertSpaces": false }), "\t"),
+    ] {
+        let expected =
+            format!("<robot name=\"🤖\">\n{unit}<link name=\"é\"/>\n\n{unit}<!-- é --></robot>");
         // the end tag closes an element with elements in it, and stands alone
         let expected = expected.replace("--></robot>", "-->\n</robot>");
         assert_eq!(formatted(&mut client, FILE, &options), expected);
@@ -48,7 +55,14 @@ fn the_editor_says_how_far_lines_are_indented() {
     // tabs are what an editor asks for by default: blanks stay
     let text = "<robot name=\"🤖\">\n   <link name=\"é\">\n      <visual/>\n   </link>\n</robot>\n";
     client.open_with(ROBOT, text);
-    assert_eq!(formatted(&mut client, ROBOT, &json!({ "tabSize": 8, "insertSpaces": false })), text);
+    assert_eq!(
+        formatted(
+            &mut client,
+            ROBOT,
+            &json!({ "tabSize": 8, "insertSpaces": false })
+        ),
+        text
+    );
 }
 
 #[test]
@@ -73,7 +87,12 @@ fn a_range_is_formatted_alone() {
 #[test]
 fn a_broken_file_is_left_alone() {
     let mut client = Client::start();
-    for text in ["<robot><link", "<robot><a></b></robot>", "", "<robot>\n<link name=\"a\"/>\n"] {
+    for text in [
+        "<robot><link",
+        "<robot><a></b></robot>",
+        "",
+        "<robot>\n<link name=\"a\"/>\n",
+    ] {
         client.open_with(FILE, text);
         assert_eq!(formatted(&mut client, FILE, &blanks(2)), text);
     }
@@ -82,9 +101,16 @@ fn a_broken_file_is_left_alone() {
 #[test]
 fn the_configuration_counts() {
     let folder = pan_tilt();
-    write(&folder, "xacro-lint.toml", "[format]\nself-close = true\nattributes = 'auto'\nline-width = 20\n");
+    write(
+        &folder,
+        "xacro-lint.toml",
+        "[format]\nself-close = true\nattributes = 'auto'\nline-width = 20\n",
+    );
     let mut client = Client::with(folder, Options::default());
-    client.open_with(FILE, "<robot>\n<link name=\"abc\" other=\"abc\"></link>\n</robot>\n");
+    client.open_with(
+        FILE,
+        "<robot>\n<link name=\"abc\" other=\"abc\"></link>\n</robot>\n",
+    );
     let expected = "<robot>\n  <link name=\"abc\"\n        other=\"abc\"/>\n</robot>\n";
     assert_eq!(formatted(&mut client, FILE, &blanks(2)), expected);
 }

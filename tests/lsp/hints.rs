@@ -26,13 +26,20 @@ fn all_hints(client: &mut Client, file: &str) -> Vec<Value> {
     let mut params = client.of(file);
     params["range"] =
         json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 1000, "character": 0 } });
-    client.request("textDocument/inlayHint", params).as_array().unwrap().clone()
+    client
+        .request("textDocument/inlayHint", params)
+        .as_array()
+        .unwrap()
+        .clone()
 }
 
 #[test]
 fn values_stand_behind_expressions() {
     let mut client = both();
-    assert_eq!(hints(&mut client, ROBOT), ["6 → desk", "7 → desk", "7 at:", "8 at:", "8 = 0.05"]);
+    assert_eq!(
+        hints(&mut client, ROBOT),
+        ["6 → desk", "7 → desk", "7 at:", "8 at:", "8 = 0.05"]
+    );
     let found = hints(&mut client, UNIT);
     // several of a line stand at its end
     let expected = [
@@ -48,18 +55,25 @@ fn values_stand_behind_expressions() {
     let place = json!({ "start": last["position"], "end": last["position"] });
     assert_eq!(client.slice(ROBOT, &place), "");
     let tooltip = client.request("inlayHint/resolve", last)["tooltip"]["value"].clone();
-    assert!(tooltip.as_str().unwrap().contains("`m0 / 3` = `0.05`"), "{tooltip}");
+    assert!(
+        tooltip.as_str().unwrap().contains("`m0 / 3` = `0.05`"),
+        "{tooltip}"
+    );
 }
 
 #[test]
 fn more_than_three_values_are_cut() {
     let mut client = both();
-    let calls =
-        ["a", "b"].map(|name| format!("<xacro:unit name=\"{name}\" parent=\"desk\"><origin/></xacro:unit>"));
+    let calls = ["a", "b"]
+        .map(|name| format!("<xacro:unit name=\"{name}\" parent=\"desk\"><origin/></xacro:unit>"));
     client.edit(ROBOT, "</robot>", &format!("{}</robot>", calls.concat()));
     assert!(hints(&mut client, UNIT).contains(&"5 = pan, tilt, …".to_owned()));
     client.edit(ROBOT, "</robot>", "<link name=\"");
-    assert!(hints(&mut client, UNIT).iter().any(|hint| hint.ends_with("value = 0.3")));
+    assert!(
+        hints(&mut client, UNIT)
+            .iter()
+            .any(|hint| hint.ends_with("value = 0.3"))
+    );
 }
 
 #[test]
@@ -72,7 +86,10 @@ fn numbers_are_short_and_what_is_evident_has_no_hint() {
         ("<origin rpy=\"${pi} 0 0\"/>", None),
         ("<origin rpy=\"0 ${-pi/2} 0\"/>", None),
         ("<xacro:property name=\"m1\" value=\"${m0}\"/>", None),
-        ("<xacro:property name=\"side\" value=\"left_\"/><link name=\"${side}foot\"/>", None),
+        (
+            "<xacro:property name=\"side\" value=\"left_\"/><link name=\"${side}foot\"/>",
+            None,
+        ),
     ];
     for (line, expected) in lines {
         client.edit(ROBOT, call, &format!("{line}\n{call}"));
@@ -86,7 +103,10 @@ fn numbers_are_short_and_what_is_evident_has_no_hint() {
 #[test]
 fn settings_turn_hints_off() {
     let settings = json!({ "inlayHints": { "values": false, "paramNames": "never" } });
-    let options = Options { settings, ..Options::default() };
+    let options = Options {
+        settings,
+        ..Options::default()
+    };
     let mut client = Client::with(workspace::pan_tilt(), options);
     client.open(ROBOT);
     client.diagnostics(ROBOT);
@@ -107,13 +127,23 @@ fn far_end_tags_say_what_they_end() {
 #[test]
 fn names_of_files_are_links() {
     let mut client = both();
-    workspace::write(&client.folder, "src/pan_tilt/meshes/head.stl", "solid x\nendsolid x\n");
+    workspace::write(
+        &client.folder,
+        "src/pan_tilt/meshes/head.stl",
+        "solid x\nendsolid x\n",
+    );
     let visual = "<link name=\"🤖\"><visual><geometry><mesh filename=\"package://pan_tilt/meshes/head.stl\"/></geometry>\
         </visual></link><gazebo><x>$(find pan_tilt)/config/cam.yaml</x><y>package://pan_tilt/gone</y></gazebo></robot";
     client.edit(ROBOT, "</robot>", visual);
     let found = client.request("textDocument/documentLink", client.of(ROBOT));
     let shown = |link: &Value| {
-        let target = link["target"].as_str().unwrap().rsplit('/').next().unwrap().to_owned();
+        let target = link["target"]
+            .as_str()
+            .unwrap()
+            .rsplit('/')
+            .next()
+            .unwrap()
+            .to_owned();
         assert!(link["tooltip"].as_str().unwrap().ends_with(&target));
         format!("{} {target}", client.slice(ROBOT, &link["range"]))
     };
@@ -136,9 +166,15 @@ fn colors_can_be_picked_where_they_are_written() {
     client.edit(ROBOT, "</robot>", materials);
     let found = client.request("textDocument/documentColor", client.of(ROBOT));
     let found = found.as_array().unwrap();
-    let texts: Vec<String> = found.iter().map(|color| client.slice(ROBOT, &color["range"])).collect();
+    let texts: Vec<String> = found
+        .iter()
+        .map(|color| client.slice(ROBOT, &color["range"]))
+        .collect();
     assert_eq!(texts, ["1 0 0 1", "0 ${half} 0 1"]);
-    assert_eq!(found[1]["color"], json!({ "red": 0.0, "green": 0.5, "blue": 0.0, "alpha": 1.0 }));
+    assert_eq!(
+        found[1]["color"],
+        json!({ "red": 0.0, "green": 0.5, "blue": 0.0, "alpha": 1.0 })
+    );
     let mut picked = |color: &Value| {
         let mut params = client.of(ROBOT);
         params["range"] = color["range"].clone();
@@ -157,14 +193,26 @@ fn lenses_count_calls() {
     assert_eq!(client.slice(UNIT, &lens["range"]), "unit");
     let lens = client.request("codeLens/resolve", lens);
     assert_eq!(lens["command"]["title"], "2 calls in 1 root");
-    let command = json!({ "command": "xacro.showReferences", "arguments": lens["command"]["arguments"] });
+    let command =
+        json!({ "command": "xacro.showReferences", "arguments": lens["command"]["arguments"] });
     let places = client.request("workspace/executeCommand", command);
     assert_eq!(places.as_array().unwrap().len(), 2);
-    client.edit(ROBOT, "<xacro:unit name=\"tilt\"", "<xacro:unitt name=\"tilt\"");
+    client.edit(
+        ROBOT,
+        "<xacro:unit name=\"tilt\"",
+        "<xacro:unitt name=\"tilt\"",
+    );
     let found = client.request("textDocument/codeLens", client.of(UNIT));
-    assert_eq!(client.request("codeLens/resolve", found[0].clone())["command"]["title"], "1 call in 1 root");
+    assert_eq!(
+        client.request("codeLens/resolve", found[0].clone())["command"]["title"],
+        "1 call in 1 root"
+    );
     let found = client.request("textDocument/codeLens", client.of(ROBOT));
-    let titles: Vec<&str> =
-        found.as_array().unwrap().iter().filter_map(|lens| lens["command"]["title"].as_str()).collect();
+    let titles: Vec<&str> = found
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|lens| lens["command"]["title"].as_str())
+        .collect();
     assert!(titles.contains(&"Expand"), "{titles:?}");
 }

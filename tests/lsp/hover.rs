@@ -32,10 +32,28 @@ fn check(client: &mut Client, file: &str, at: &str, about: &str, expected: &[&st
 #[test]
 fn expressions_and_their_parts_have_values() {
     let mut client = both();
-    check(&mut client, ROBOT, "${m0 |/ 3}", "${m0 / 3}", &["= `0.05`", "0.049999999999999996"]);
-    check(&mut client, UNIT, "${m0 |* 2}", "${m0 * 2}", &["= `0.3`", "all 2 calls"]);
+    check(
+        &mut client,
+        ROBOT,
+        "${m0 |/ 3}",
+        "${m0 / 3}",
+        &["= `0.05`", "0.049999999999999996"],
+    );
+    check(
+        &mut client,
+        UNIT,
+        "${m0 |* 2}",
+        "${m0 * 2}",
+        &["= `0.3`", "all 2 calls"],
+    );
     client.edit(ROBOT, "${m0 / 3}", "${1 + (m0 * 2) - pi}");
-    check(&mut client, ROBOT, "(m0 |* 2)", "m0 * 2", &["`m0 * 2` = `0.3`"]);
+    check(
+        &mut client,
+        ROBOT,
+        "(m0 |* 2)",
+        "m0 * 2",
+        &["`m0 * 2` = `0.3`"],
+    );
     check(&mut client, ROBOT, "p|i}", "pi", &["3.14159265"]);
 }
 
@@ -55,7 +73,13 @@ fn a_value_that_differs_by_call_is_a_list() {
         "<xacro:unit name=\"a\" parent=\"pan_body\"><origin/></xacro:unit>\
         <xacro:unit name=\"b\" parent=\"pan_body\"><origin/></xacro:unit></robot>",
     );
-    check(&mut client, UNIT, "${na|me}_body", "name", &["- `a` –", "- … (4 calls)"]);
+    check(
+        &mut client,
+        UNIT,
+        "${na|me}_body",
+        "name",
+        &["- `a` –", "- … (4 calls)"],
+    );
 }
 
 #[test]
@@ -66,8 +90,12 @@ fn names_of_xacro_say_what_they_are() {
         "  <xacro:property name=\"m0\"",
         "  <!-- Mass of a *bracket*, kg. -->\n  <xacro:property name=\"m0\"",
     );
-    let expected =
-        ["**property** `m0` = `0.15`", "pan_tilt.urdf.xacro:4", "used 2 times", "Mass of a \\*bracket\\*"];
+    let expected = [
+        "**property** `m0` = `0.15`",
+        "pan_tilt.urdf.xacro:4",
+        "used 2 times",
+        "Mass of a \\*bracket\\*",
+    ];
     check(&mut client, ROBOT, "name=\"m|0\"", "m0", &expected);
     let expected = [
         "A motor with its bracket.",
@@ -75,7 +103,13 @@ fn names_of_xacro_say_what_they_are() {
         "1 link, 1 joint",
         "unit.xacro:3",
     ];
-    check(&mut client, ROBOT, "<xacro:un|it name=\"pan\"", "unit", &expected);
+    check(
+        &mut client,
+        ROBOT,
+        "<xacro:un|it name=\"pan\"",
+        "unit",
+        &expected,
+    );
     check(
         &mut client,
         UNIT,
@@ -96,8 +130,20 @@ fn names_of_xacro_say_what_they_are() {
 fn a_property_that_nothing_reads_has_a_value() {
     let mut client = both();
     check(&mut client, ROBOT, "name=\"c|am\"", "cam", &["'fov': 1.2"]);
-    check(&mut client, ROBOT, "config/cam|.yaml", "$(find pan_tilt)/config/cam.yaml", &["/config/cam.yaml"]);
-    check(&mut client, ROBOT, "$(find pan_|tilt)", "pan_tilt", &["**package** `pan_tilt`", "/src/pan_tilt"]);
+    check(
+        &mut client,
+        ROBOT,
+        "config/cam|.yaml",
+        "$(find pan_tilt)/config/cam.yaml",
+        &["/config/cam.yaml"],
+    );
+    check(
+        &mut client,
+        ROBOT,
+        "$(find pan_|tilt)",
+        "pan_tilt",
+        &["**package** `pan_tilt`", "/src/pan_tilt"],
+    );
 }
 
 #[test]
@@ -109,12 +155,35 @@ fn elements_and_attributes_are_explained() {
         UNIT,
         "<ax|is",
         "axis",
-        &["unit vector in the joint frame", "`1 0 0`", "`<joint>`", "wiki.ros.org"],
+        &[
+            "unit vector in the joint frame",
+            "`1 0 0`",
+            "`<joint>`",
+            "wiki.ros.org",
+        ],
     );
-    check(&mut client, UNIT, "<iner|tia ", "inertia", &["about the center of mass", "kg m²"]);
-    check(&mut client, UNIT, "upper=\"1.|57\"", "1.57", &["`1.57 rad (89.95°)`"]);
+    check(
+        &mut client,
+        UNIT,
+        "<iner|tia ",
+        "inertia",
+        &["about the center of mass", "kg m²"],
+    );
+    check(
+        &mut client,
+        UNIT,
+        "upper=\"1.|57\"",
+        "1.57",
+        &["`1.57 rad (89.95°)`"],
+    );
     check(&mut client, UNIT, "velocity=\"|2\"", "2", &["114.59°/s"]);
-    check(&mut client, UNIT, "<xacro:ma|cro", "xacro:macro", &["Defines"]);
+    check(
+        &mut client,
+        UNIT,
+        "<xacro:ma|cro",
+        "xacro:macro",
+        &["Defines"],
+    );
 }
 
 #[test]
@@ -126,7 +195,13 @@ fn links_and_joints_show_where_they_hang() {
         "`tilt_body` by `tilt`",
         "from `unit` at pan_tilt.urdf.xacro:7",
     ];
-    check(&mut client, ROBOT, "parent=\"pan|_body\"", "pan_body", &expected);
+    check(
+        &mut client,
+        ROBOT,
+        "parent=\"pan|_body\"",
+        "pan_body",
+        &expected,
+    );
     check(
         &mut client,
         UNIT,
@@ -146,12 +221,26 @@ fn links_and_joints_show_where_they_hang() {
 #[test]
 fn includes_and_meshes_lead_to_files() {
     let mut client = both();
-    check(&mut client, ROBOT, "filename=\"uni|t.xacro\"", "unit.xacro", &["/urdf/unit.xacro`", "bytes"]);
+    check(
+        &mut client,
+        ROBOT,
+        "filename=\"uni|t.xacro\"",
+        "unit.xacro",
+        &["/urdf/unit.xacro`", "bytes"],
+    );
     client.edit(ROBOT, "unit.xacro", "gone.xacro");
-    check(&mut client, ROBOT, "filename=\"go|ne.xacro\"", "gone.xacro", &["not found", "/urdf/gone.xacro`"]);
+    check(
+        &mut client,
+        ROBOT,
+        "filename=\"go|ne.xacro\"",
+        "gone.xacro",
+        &["not found", "/urdf/gone.xacro`"],
+    );
     let mut mesh = vec![0; 80];
     mesh.extend(1u32.to_le_bytes());
-    for number in [0.0f32, 0.0, 1.0, 0.0, 0.0, 0.0, 200.0, 0.0, 0.0, 0.0, 300.0, 0.0] {
+    for number in [
+        0.0f32, 0.0, 1.0, 0.0, 0.0, 0.0, 200.0, 0.0, 0.0, 0.0, 300.0, 0.0,
+    ] {
         mesh.extend(number.to_le_bytes());
     }
     mesh.extend([0, 0]);
@@ -159,8 +248,19 @@ fn includes_and_meshes_lead_to_files() {
     let visual = "<link name=\"$(arg mount)\"><visual><geometry>\
         <mesh filename=\"package://pan_tilt/meshes/head.stl\"/></geometry></visual></link>";
     client.edit(ROBOT, "<link name=\"$(arg mount)\"/>", visual);
-    let expected = ["/meshes/head.stl", "1 triangle", "200 × 300 × 0 m", "millimeters"];
-    check(&mut client, ROBOT, "meshes/he|ad.stl", "package://pan_tilt/meshes/head.stl", &expected);
+    let expected = [
+        "/meshes/head.stl",
+        "1 triangle",
+        "200 × 300 × 0 m",
+        "millimeters",
+    ];
+    check(
+        &mut client,
+        ROBOT,
+        "meshes/he|ad.stl",
+        "package://pan_tilt/meshes/head.stl",
+        &expected,
+    );
 }
 
 #[test]
@@ -172,8 +272,20 @@ fn conditions_and_colors_show_what_they_are_now() {
         "<xacro:if value=\"${m0 > 1}\"><link name=\"x\"/></xacro:if>\
         <material name=\"red\"><color rgba=\"1 0 0 1\"/></material></robot>",
     );
-    check(&mut client, ROBOT, "<xacro:i|f", "xacro:if", &["now false", "excluded"]);
-    check(&mut client, ROBOT, "rgba=\"1 |0 0 1\"", "1 0 0 1", &["#ff0000", "data:image/svg+xml"]);
+    check(
+        &mut client,
+        ROBOT,
+        "<xacro:i|f",
+        "xacro:if",
+        &["now false", "excluded"],
+    );
+    check(
+        &mut client,
+        ROBOT,
+        "rgba=\"1 |0 0 1\"",
+        "1 0 0 1",
+        &["#ff0000", "data:image/svg+xml"],
+    );
 }
 
 #[test]
@@ -181,29 +293,52 @@ fn broken_files_unsaved_includes_and_wide_characters_change_nothing() {
     let mut client = both();
     client.edit(ROBOT, "</robot>", "<link name=\"");
     check(&mut client, ROBOT, "${m0 |/ 3}", "${m0 / 3}", &["`0.05`"]);
-    client.edit(ROBOT, "<xacro:unit name=\"tilt\"", "<!-- 🤖🤖 --><xacro:unit name=\"tilt\"");
+    client.edit(
+        ROBOT,
+        "<xacro:unit name=\"tilt\"",
+        "<!-- 🤖🤖 --><xacro:unit name=\"tilt\"",
+    );
     check(&mut client, ROBOT, "${m0 |/ 3}", "${m0 / 3}", &["`0.05`"]);
     client.edit(UNIT, "${m0 * 2}", "${m0 * 4}");
     check(&mut client, UNIT, "${m0 |* 4}", "${m0 * 4}", &["`0.6`"]);
     client.edit(ROBOT, "${m0 / 3}", "${m0 / nothing}");
-    check(&mut client, ROBOT, "${m0 |/ nothing}", "${m0 / nothing}", &["is unknown"]);
+    check(
+        &mut client,
+        ROBOT,
+        "${m0 |/ nothing}",
+        "${m0 / nothing}",
+        &["is unknown"],
+    );
 }
 
 #[test]
 fn comments_say_nothing() {
     let mut client = both();
-    assert!(client.request("textDocument/hover", client.at(UNIT, "A mo|tor")).is_null());
+    assert!(
+        client
+            .request("textDocument/hover", client.at(UNIT, "A mo|tor"))
+            .is_null()
+    );
 }
 
 #[test]
 fn a_macro_that_nothing_calls_has_no_values() {
     let mut client = both();
-    let idle =
-        "<xacro:macro name=\"idle\" params=\"size:=2\"><link name=\"${size * 2}\"/></xacro:macro></robot>";
+    let idle = "<xacro:macro name=\"idle\" params=\"size:=2\"><link name=\"${size * 2}\"/></xacro:macro></robot>";
     client.edit(ROBOT, "</robot>", idle);
-    let expected = ["**parameter** `size` = ?", "the macro is never called", "default `2`"];
+    let expected = [
+        "**parameter** `size` = ?",
+        "the macro is never called",
+        "default `2`",
+    ];
     check(&mut client, ROBOT, "params=\"si|ze", "size", &expected);
-    check(&mut client, ROBOT, "${size |* 2}", "${size * 2}", &["= ?", "`size` has no known value"]);
+    check(
+        &mut client,
+        ROBOT,
+        "${size |* 2}",
+        "${size * 2}",
+        &["= ?", "`size` has no known value"],
+    );
 }
 
 #[test]
@@ -213,7 +348,10 @@ fn yaml_that_changes_on_the_disk_gives_new_values() {
     let yaml = "src/pan_tilt/config/cam.yaml";
     workspace::write(&client.folder, yaml, "fov: 1.75\n");
     let changes = serde_json::json!([{ "uri": client.uri(yaml), "type": 2 }]);
-    client.notify("workspace/didChangeWatchedFiles", serde_json::json!({ "changes": changes }));
+    client.notify(
+        "workspace/didChangeWatchedFiles",
+        serde_json::json!({ "changes": changes }),
+    );
     check(&mut client, ROBOT, "name=\"c|am\"", "cam", &["'fov': 1.75"]);
 }
 
@@ -251,15 +389,27 @@ fn names_read_the_same_while_a_large_robot_is_edited() {
     const FILE: &str = "src/pan_tilt/urdf/large.urdf.xacro";
     let edits = [
         // in an expression of a macro
-        ("${base_mass * radius}", "${2 * base_mass * radius}", "base_|mass * radius"),
-        ("${base_mass * radius}", "${base_mass + base_mass}", "ixx=\"${ha|lf"),
+        (
+            "${base_mass * radius}",
+            "${2 * base_mass * radius}",
+            "base_|mass * radius",
+        ),
+        (
+            "${base_mass * radius}",
+            "${base_mass + base_mass}",
+            "ixx=\"${ha|lf",
+        ),
         ("${base_mass * radius}", "${base_massx}", "${base_|massx"),
         ("${base_mass * radius}", "${twice}", "${twi|ce"),
         // in a call
         ("${base_mass / 7}", "${base_mass / 8 - half}", "8 - ha|lf"),
         ("${base_mass / 7}", "${radius}", "radius=\"${rad|ius"),
         // lines above the definition, and the definition itself
-        ("  <xacro:property name=\"half\"", "\n\n  <xacro:property name=\"half\"", "${base_|mass * radius"),
+        (
+            "  <xacro:property name=\"half\"",
+            "\n\n  <xacro:property name=\"half\"",
+            "${base_|mass * radius",
+        ),
         ("value=\"2.5\"", "value=\"3.5\"", "ixx=\"${ha|lf"),
         ("value=\"${base_mass / 2}\"", "value=\"7\"", "ixx=\"${ha|lf"),
         (
@@ -293,10 +443,22 @@ fn an_argument_lists_the_values_of_launch_files() {
             "Command(['xacro ', FindPackageShare('pan_tilt'), '/urdf/launched.urdf.xacro side:={side}'])\n"
         )
     };
-    workspace::write(&client.folder, "src/pan_tilt/launch/one.launch.py", call("right"));
-    workspace::write(&client.folder, "src/pan_tilt/launch/two.launch.py", call("left"));
+    workspace::write(
+        &client.folder,
+        "src/pan_tilt/launch/one.launch.py",
+        call("right"),
+    );
+    workspace::write(
+        &client.folder,
+        "src/pan_tilt/launch/two.launch.py",
+        call("left"),
+    );
     client.open_with(FILE, robot);
-    let expected = ["in launch files:", "* `right`: one.launch.py", "* `left`: two.launch.py"];
+    let expected = [
+        "in launch files:",
+        "* `right`: one.launch.py",
+        "* `left`: two.launch.py",
+    ];
     check(&mut client, FILE, "$(arg si|de)", "side", &expected);
 }
 
@@ -306,7 +468,10 @@ fn a_table_says_what_programs_make_of_an_element() {
                <inertia ixx=\"0.1\" ixy=\"0\" ixz=\"0\" iyy=\"0.1\" iyz=\"0\" izz=\"0.1\"/></inertial></link>\
                <joint name=\"joint_1\" type=\"revolute\"><parent link=\"base_link\"/><child link=\"link_1\"/>\
                <axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" velocity=\"1\"/></joint></robot>";
-    for (config, is_named) in [("consumers = [\"pinocchio\", \"gazebo\"]\n", true), ("", false)] {
+    for (config, is_named) in [
+        ("consumers = [\"pinocchio\", \"gazebo\"]\n", true),
+        ("", false),
+    ] {
         let folder = workspace::fresh_folder();
         workspace::write(&folder, "xacro-lint.toml", config);
         workspace::write(&folder, "arm.urdf", arm);
@@ -316,11 +481,18 @@ fn a_table_says_what_programs_make_of_an_element() {
         assert_eq!(range, "limit");
         let table = "| `<limit>` without `effort` | by |\n|---|---|\n| rejected | urdfdom, urdfdom 3, KDL, MoveIt, Gazebo, ";
         assert_eq!(limit.contains(table), is_named, "{limit}");
-        assert_eq!(limit.contains("| accepted | MuJoCo, Drake, PyBullet, "), is_named, "{limit}");
+        assert_eq!(
+            limit.contains("| accepted | MuJoCo, Drake, PyBullet, "),
+            is_named,
+            "{limit}"
+        );
         let (name, range) = hover(&mut client, "arm.urdf", "\"base_|link\"/><link");
         assert_eq!(range, "base_link");
         let row = "| no `<inertial>` on the root link | by |\n|---|---|\n| rejected | Gazebo |\n| changed or ignored | PyBullet, urchin |";
-        assert!(name.contains("**link**") && name.contains(row) == is_named, "{name}");
+        assert!(
+            name.contains("**link**") && name.contains(row) == is_named,
+            "{name}"
+        );
         // the named programs accept the axis
         let (axis, _) = hover(&mut client, "arm.urdf", "<a|xis");
         assert!(!axis.contains("rejected"), "{axis}");

@@ -31,7 +31,9 @@ fn started() -> Client {
     write(&folder, LAUNCH, PYTHON);
     write(&folder, OLD, XML);
     let mut client = Client::with(folder, Options::default());
-    [ROBOT, LAUNCH, OLD].iter().for_each(|file| client.open(file));
+    [ROBOT, LAUNCH, OLD]
+        .iter()
+        .for_each(|file| client.open(file));
     client
 }
 
@@ -39,12 +41,28 @@ fn started() -> Client {
 fn places(client: &Client, answer: &Value) -> Vec<String> {
     let list = answer.as_array().cloned().unwrap_or_default();
     let place = |place: &Value| {
-        let uri = place.get("targetUri").or_else(|| place.get("uri")).unwrap().as_str().unwrap();
-        let range = place.get("targetSelectionRange").or_else(|| place.get("range")).unwrap();
-        let file = [ROBOT, LAUNCH, OLD].into_iter().find(|file| client.uri(file) == uri).unwrap();
+        let uri = place
+            .get("targetUri")
+            .or_else(|| place.get("uri"))
+            .unwrap()
+            .as_str()
+            .unwrap();
+        let range = place
+            .get("targetSelectionRange")
+            .or_else(|| place.get("range"))
+            .unwrap();
+        let file = [ROBOT, LAUNCH, OLD]
+            .into_iter()
+            .find(|file| client.uri(file) == uri)
+            .unwrap();
         let text = client.text(file);
         let (start, end) = (offset(text, &range["start"]), offset(text, &range["end"]));
-        format!("{}:{} {}", file.rsplit('/').next().unwrap(), range["start"]["line"], &text[start..end])
+        format!(
+            "{}:{} {}",
+            file.rsplit('/').next().unwrap(),
+            range["start"]["line"],
+            &text[start..end]
+        )
     };
     let mut places: Vec<String> = list.iter().map(place).collect();
     places.sort();
@@ -56,7 +74,12 @@ fn calls_are_offered_as_roots() {
     let mut client = started();
     let answer = client.request("xacro/roots", client.of(ROBOT));
     let shown = |root: &Value| format!("{} {}", root["preset"], root["args"]);
-    let found: Vec<String> = answer["candidates"].as_array().unwrap().iter().map(shown).collect();
+    let found: Vec<String> = answer["candidates"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(shown)
+        .collect();
     assert_eq!(
         found,
         [
@@ -77,19 +100,37 @@ fn calls_are_offered_as_roots() {
 #[test]
 fn names_of_arguments_lead_to_the_robot() {
     let mut client = started();
-    for (file, at) in [(LAUNCH, "' mo|unt:='"), (LAUNCH, "' mo|unt:=ceiling"), (OLD, "mo|unt:=pole")] {
+    for (file, at) in [
+        (LAUNCH, "' mo|unt:='"),
+        (LAUNCH, "' mo|unt:=ceiling"),
+        (OLD, "mo|unt:=pole"),
+    ] {
         let params = client.at(file, at);
         let found = client.request("textDocument/definition", params.clone());
-        assert_eq!(places(&client, &found), ["pan_tilt.urdf.xacro:1 mount"], "{at}");
+        assert_eq!(
+            places(&client, &found),
+            ["pan_tilt.urdf.xacro:1 mount"],
+            "{at}"
+        );
         let hover = client.request("textDocument/hover", params);
-        assert!(hover["contents"]["value"].as_str().unwrap().contains("desk"), "{hover}");
+        assert!(
+            hover["contents"]["value"]
+                .as_str()
+                .unwrap()
+                .contains("desk"),
+            "{hover}"
+        );
         assert_eq!(hover["range"]["end"]["character"].as_u64().unwrap(), {
             let start = hover["range"]["start"]["character"].as_u64().unwrap();
             start + 5
         });
     }
     // the argument of the launch file is another one
-    for at in ["DeclareLaunchArgument('mo|unt'", "LaunchConfiguration('mo|unt'", "import xa|cro"] {
+    for at in [
+        "DeclareLaunchArgument('mo|unt'",
+        "LaunchConfiguration('mo|unt'",
+        "import xa|cro",
+    ] {
         let params = client.at(LAUNCH, at);
         for method in ["definition", "hover"] {
             let answer = client.request(&format!("textDocument/{method}"), params.clone());
@@ -109,7 +150,11 @@ fn references_and_rename_go_through_launch_files() {
         "pan_tilt.urdf.xacro:5 mount",
         "pan_tilt.urdf.xacro:6 mount",
     ];
-    for (file, at) in [(ROBOT, "name=\"mo|unt\""), (ROBOT, "$(arg mo|unt)\"/>"), (LAUNCH, "' mo|unt:='")] {
+    for (file, at) in [
+        (ROBOT, "name=\"mo|unt\""),
+        (ROBOT, "$(arg mo|unt)\"/>"),
+        (LAUNCH, "' mo|unt:='"),
+    ] {
         let mut params = client.at(file, at);
         params["context"] = json!({ "includeDeclaration": true });
         let found = client.request("textDocument/references", params);
@@ -133,7 +178,11 @@ fn an_argument_is_renamed_again() {
     client.edit(LAUNCH, " mount:=ceiling", " holder:=ceiling");
     client.edit(OLD, "mount:=pole", "holder:=pole");
     client.edit(ROBOT, "name=\"mount\"", "name=\"holder\"");
-    client.edit(ROBOT, "<link name=\"$(arg mount)\"", "<link name=\"$(arg holder)\"");
+    client.edit(
+        ROBOT,
+        "<link name=\"$(arg mount)\"",
+        "<link name=\"$(arg holder)\"",
+    );
     client.edit(ROBOT, "parent=\"$(arg mount)\"", "parent=\"$(arg holder)\"");
     let mut params = client.at(LAUNCH, "' hol|der:=ceiling'");
     let prepared = client.request("textDocument/prepareRename", params.clone());
@@ -164,7 +213,10 @@ fn a_launch_file_that_gives_the_name_to_another_robot_forbids_a_rename() {
     let id = client.post("textDocument/rename", params);
     let reply = client.reply(id);
     let message = reply["error"]["message"].as_str().unwrap();
-    assert_eq!(message, "`camera.launch` passes `mount` to `other.urdf.xacro` as well");
+    assert_eq!(
+        message,
+        "`camera.launch` passes `mount` to `other.urdf.xacro` as well"
+    );
 }
 
 #[test]

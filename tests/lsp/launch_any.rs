@@ -44,7 +44,10 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self, below: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         ((self.0 >> 33) % below.max(1) as u64) as usize
     }
 
@@ -53,7 +56,11 @@ impl Dice {
         let letters: Vec<char> = text.chars().collect();
         let start = self.roll(letters.len());
         let end = start + self.roll(40);
-        letters.get(start..end.min(letters.len())).unwrap_or_default().iter().collect()
+        letters
+            .get(start..end.min(letters.len()))
+            .unwrap_or_default()
+            .iter()
+            .collect()
     }
 }
 
@@ -63,17 +70,26 @@ fn changed(text: &str, dice: &mut Dice) -> String {
     for _ in 0..1 + dice.roll(4) {
         let letters: Vec<char> = text.chars().collect();
         let start = dice.roll(letters.len() + 1);
-        let end = if dice.roll(2) == 0 { start } else { (start + dice.roll(20)).min(letters.len()) };
+        let end = if dice.roll(2) == 0 {
+            start
+        } else {
+            (start + dice.roll(20)).min(letters.len())
+        };
         let (_, other) = TEXTS[dice.roll(TEXTS.len())];
         let new = dice.piece(other);
-        text =
-            letters[..start].iter().collect::<String>() + &new + &letters[end..].iter().collect::<String>();
+        text = letters[..start].iter().collect::<String>()
+            + &new
+            + &letters[end..].iter().collect::<String>();
     }
     text
 }
 
 fn file(name: &str) -> String {
-    if name.ends_with(".toml") { name.to_owned() } else { format!("{FOLDER}/{name}") }
+    if name.ends_with(".toml") {
+        name.to_owned()
+    } else {
+        format!("{FOLDER}/{name}")
+    }
 }
 
 #[test]
@@ -94,7 +110,9 @@ fn requests_at_any_place_of_any_launch_file_are_answered() {
         "formatting",
     ];
     let folder = pan_tilt();
-    TEXTS.iter().for_each(|(name, text)| write(&folder, &file(name), text));
+    TEXTS
+        .iter()
+        .for_each(|(name, text)| write(&folder, &file(name), text));
     let mut client = Client::with(folder, Options::default());
     client.open(ROBOT);
     TEXTS.iter().for_each(|(name, _)| client.open(&file(name)));
@@ -109,7 +127,10 @@ fn requests_at_any_place_of_any_launch_file_are_answered() {
         client.notify("textDocument/didChange", params);
         for _ in 0..6 {
             let line = dice.roll(text.lines().count() + 2);
-            let width = text.lines().nth(line).map_or(0, |line| line.encode_utf16().count());
+            let width = text
+                .lines()
+                .nth(line)
+                .map_or(0, |line| line.encode_utf16().count());
             let position = json!({ "line": line, "character": dice.roll(width + 3) });
             let params = json!({
                 "textDocument": { "uri": client.uri(&name) }, "position": position, "newName": "holder",
@@ -120,11 +141,17 @@ fn requests_at_any_place_of_any_launch_file_are_answered() {
             let id = client.post(&format!("textDocument/{method}"), params);
             let reply = client.reply(id);
             let code = reply["error"]["code"].as_i64();
-            assert_ne!(code, Some(-32603), "{method} at {position} of {text:?}: {reply}");
+            assert_ne!(
+                code,
+                Some(-32603),
+                "{method} at {position} of {text:?}: {reply}"
+            );
         }
     }
     let said = |note: &&Value| {
-        note["params"]["message"].as_str().is_some_and(|text| text.contains("internal error"))
+        note["params"]["message"]
+            .as_str()
+            .is_some_and(|text| text.contains("internal error"))
     };
     assert_eq!(client.notes.iter().find(said), None);
     // it still knows the calls
@@ -134,5 +161,11 @@ fn requests_at_any_place_of_any_launch_file_are_answered() {
     });
     client.notify("textDocument/didChange", params);
     let hover = client.request("textDocument/hover", client.at(ROBOT, "$(arg mo|unt)\"/>"));
-    assert!(hover["contents"]["value"].as_str().unwrap().contains("pole"), "{hover}");
+    assert!(
+        hover["contents"]["value"]
+            .as_str()
+            .unwrap()
+            .contains("pole"),
+        "{hover}"
+    );
 }

@@ -17,8 +17,17 @@ fn initialize_says_who_and_what() {
 #[test]
 fn utf_8_is_taken_when_the_client_prefers_it() {
     let capabilities = json!({ "general": { "positionEncodings": ["utf-8", "utf-16"] } });
-    let mut client = Client::spawn(pan_tilt(), Options { capabilities, ..Options::default() });
-    assert_eq!(client.initialize()["capabilities"]["positionEncoding"], "utf-8");
+    let mut client = Client::spawn(
+        pan_tilt(),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
+    assert_eq!(
+        client.initialize()["capabilities"]["positionEncoding"],
+        "utf-8"
+    );
 }
 
 #[test]
@@ -52,7 +61,10 @@ fn three_hundred_edits_are_applied_in_order() {
         }
     }
     let expanded = client.request("xacro/expand", client.of(ROBOT));
-    assert!(expanded["urdf"].as_str().unwrap().contains("0 0 0.25"), "{expanded}");
+    assert!(
+        expanded["urdf"].as_str().unwrap().contains("0 0 0.25"),
+        "{expanded}"
+    );
     assert_eq!(client.findings(ROBOT), Vec::<String>::new());
 }
 
@@ -62,10 +74,20 @@ fn a_client_that_answers_nothing_is_served() {
         "workspace": { "configuration": true, "didChangeWatchedFiles": { "dynamicRegistration": true } },
         "window": { "workDoneProgress": true },
     });
-    let mut client = Client::with(pan_tilt(), Options { capabilities, deaf: true, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            deaf: true,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     for _ in 0..120 {
-        client.notify("workspace/didChangeConfiguration", json!({ "settings": null }));
+        client.notify(
+            "workspace/didChangeConfiguration",
+            json!({ "settings": null }),
+        );
     }
     let symbols = client.request("textDocument/documentSymbol", client.of(ROBOT));
     assert_eq!(symbols.as_array().unwrap().len(), 7);
@@ -86,7 +108,12 @@ fn a_cancelled_request_gets_one_reply_that_says_so() {
 #[test]
 fn what_is_no_message_does_no_harm() {
     let mut client = Client::start();
-    for body in ["{not json", "42", "[]", "{\"jsonrpc\":\"2.0\",\"id\":{},\"method\":\"x\"}"] {
+    for body in [
+        "{not json",
+        "42",
+        "[]",
+        "{\"jsonrpc\":\"2.0\",\"id\":{},\"method\":\"x\"}",
+    ] {
         client.send_raw(format!("content-length: {}\r\n\r\n{body}", body.len()).as_bytes());
     }
     let id = client.post("no/such", Value::Null);
@@ -97,9 +124,22 @@ fn what_is_no_message_does_no_harm() {
 fn settings_are_asked_for_and_hold() {
     let capabilities = json!({ "workspace": { "configuration": true } });
     let settings = json!({ "diagnostics": { "rules": { "undefined-property": "off" } } });
-    let mut client = Client::with(pan_tilt(), Options { capabilities, settings, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            settings,
+            ..Options::default()
+        },
+    );
     client.wait(
-        |client| client.asked.iter().any(|asked| asked["method"] == "workspace/configuration").then_some(()),
+        |client| {
+            client
+                .asked
+                .iter()
+                .any(|asked| asked["method"] == "workspace/configuration")
+                .then_some(())
+        },
         || "configuration request".to_owned(),
     );
     client.open(ROBOT);
@@ -112,7 +152,13 @@ fn settings_are_asked_for_and_hold() {
 
 #[test]
 fn a_single_file_without_folder_is_served() {
-    let mut client = Client::with(pan_tilt(), Options { no_folder: true, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            no_folder: true,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
     assert_eq!(client.findings(ROBOT), ["8:76-78 undefined-property"]);
@@ -121,13 +167,33 @@ fn a_single_file_without_folder_is_served() {
 #[test]
 fn progress_that_was_made_begins_and_ends() {
     let capabilities = json!({ "window": { "workDoneProgress": true } });
-    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     let kinds = |client: &Client| -> Vec<String> {
-        let told = client.notes.iter().filter(|note| note["method"] == "$/progress");
-        told.map(|note| note["params"]["value"]["kind"].as_str().unwrap_or_default().to_owned()).collect()
+        let told = client
+            .notes
+            .iter()
+            .filter(|note| note["method"] == "$/progress");
+        told.map(|note| {
+            note["params"]["value"]["kind"]
+                .as_str()
+                .unwrap_or_default()
+                .to_owned()
+        })
+        .collect()
     };
-    let ended = |client: &mut Client| kinds(client).last().is_some_and(|last| last == "end").then_some(());
+    let ended = |client: &mut Client| {
+        kinds(client)
+            .last()
+            .is_some_and(|last| last == "end")
+            .then_some(())
+    };
     client.wait(ended, || "no end of the progress".to_owned());
     assert_eq!(kinds(&client).first().map(String::as_str), Some("begin"));
 }
@@ -143,23 +209,50 @@ fn the_progress_ends_when_an_answer_waits_for_the_whole_workspace() {
             "<robot><link name=\"🤖\"/></robot>",
         );
     }
-    let mut client = Client::with(folder, Options { capabilities, ..Options::default() });
+    let mut client = Client::with(
+        folder,
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     let kinds = |client: &Client| -> Vec<String> {
-        let told = client.notes.iter().filter(|note| note["method"] == "$/progress");
-        told.map(|note| note["params"]["value"]["kind"].as_str().unwrap_or_default().to_owned()).collect()
+        let told = client
+            .notes
+            .iter()
+            .filter(|note| note["method"] == "$/progress");
+        told.map(|note| {
+            note["params"]["value"]["kind"]
+                .as_str()
+                .unwrap_or_default()
+                .to_owned()
+        })
+        .collect()
     };
-    client.wait(|client| (!kinds(client).is_empty()).then_some(()), || "no progress".to_owned());
+    client.wait(
+        |client| (!kinds(client).is_empty()).then_some(()),
+        || "no progress".to_owned(),
+    );
     let found = client.request("workspace/symbol", json!({ "query": "🤖" }));
     assert!(!found.as_array().unwrap().is_empty());
     let mut params = client.at(ROBOT, "name=\"m|0\"");
     params["newName"] = json!("mass");
     assert!(client.request("textDocument/rename", params)["changes"].is_object());
-    let ended = |client: &mut Client| kinds(client).last().is_some_and(|last| last == "end").then_some(());
+    let ended = |client: &mut Client| {
+        kinds(client)
+            .last()
+            .is_some_and(|last| last == "end")
+            .then_some(())
+    };
     client.wait(ended, || "no end of the progress".to_owned());
     let told = kinds(&client);
     assert_eq!(told.first().map(String::as_str), Some("begin"), "{told:?}");
-    assert_eq!(told.iter().filter(|kind| *kind == "end").count(), 1, "{told:?}");
+    assert_eq!(
+        told.iter().filter(|kind| *kind == "end").count(),
+        1,
+        "{told:?}"
+    );
 }
 
 #[test]
@@ -171,10 +264,15 @@ fn each_folder_has_its_own_settings() {
     }
     let off = json!({ "diagnostics": { "delay": 0, "rules": { "undefined-property": "off" } } });
     let on = json!({ "diagnostics": { "delay": 0 } });
-    let folder_settings = [("one", off), ("two", on.clone())].map(|(name, value)| (name.to_owned(), value));
+    let folder_settings =
+        [("one", off), ("two", on.clone())].map(|(name, value)| (name.to_owned(), value));
     let mut client = Client::with(
         folder,
-        Options { settings: on, folder_settings: folder_settings.into(), ..Options::default() },
+        Options {
+            settings: on,
+            folder_settings: folder_settings.into(),
+            ..Options::default()
+        },
     );
     let folders = ["one", "two"].map(|name| json!({ "uri": client.uri(name), "name": name }));
     let whole = json!({ "uri": client.uri("").trim_end_matches('/'), "name": "ws" });
@@ -185,7 +283,10 @@ fn each_folder_has_its_own_settings() {
     client.open("one/r.urdf.xacro");
     client.open("two/r.urdf.xacro");
     let has = |client: &mut Client, file: &str| {
-        client.findings(file).iter().any(|found| found.ends_with("undefined-property"))
+        client
+            .findings(file)
+            .iter()
+            .any(|found| found.ends_with("undefined-property"))
     };
     assert!(client.eventually(|client| !has(client, "one/r.urdf.xacro")));
     assert!(client.eventually(|client| has(client, "two/r.urdf.xacro")));
@@ -196,5 +297,8 @@ fn each_folder_has_its_own_settings() {
         .flat_map(|asked| asked["params"]["items"].as_array().unwrap().clone())
         .map(|item| item["scopeUri"].as_str().unwrap().to_owned())
         .collect();
-    assert!(scopes.contains(&client.uri("one")) && scopes.contains(&client.uri("two")), "{scopes:?}");
+    assert!(
+        scopes.contains(&client.uri("one")) && scopes.contains(&client.uri("two")),
+        "{scopes:?}"
+    );
 }

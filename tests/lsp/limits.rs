@@ -21,7 +21,9 @@ fn showing(body: &str) -> Client {
 
 #[test]
 fn diagnostics() {
-    let links: String = (0..DIAGNOSTICS + 100).map(|n| format!("<link name=\"${{gone{n}}}\"/>\n")).collect();
+    let links: String = (0..DIAGNOSTICS + 100)
+        .map(|n| format!("<link name=\"${{gone{n}}}\"/>\n"))
+        .collect();
     let found = showing(&links).diagnostics("r.urdf.xacro");
     assert_eq!(found.len(), DIAGNOSTICS + 1);
     let last = found.last().unwrap()["message"].as_str().unwrap();
@@ -35,27 +37,49 @@ fn log_lines() {
         client.edit("r.urdf.xacro", "</robot>", " </robot>");
         client.diagnostics("r.urdf.xacro");
     }
-    assert_eq!(client.request("xacro/log", Value::Null).as_array().unwrap().len(), LOG_LINES);
+    assert_eq!(
+        client
+            .request("xacro/log", Value::Null)
+            .as_array()
+            .unwrap()
+            .len(),
+        LOG_LINES
+    );
 }
 
 #[test]
 fn related() {
-    let calls: String = (0..RELATED * 2).map(|n| format!("<xacro:m n=\"{n}\"/>\n")).collect();
+    let calls: String = (0..RELATED * 2)
+        .map(|n| format!("<xacro:m n=\"{n}\"/>\n"))
+        .collect();
     let body = format!(
         "<xacro:macro name=\"m\" params=\"n\"><link name=\"${{gone}}${{n}}\"/></xacro:macro>\n{calls}"
     );
     let found = showing(&body).diagnostics("r.urdf.xacro");
-    let most = found.iter().filter_map(|one| one["relatedInformation"].as_array()).map(Vec::len).max();
-    assert!(most.is_some_and(|most| most > 0 && most <= RELATED), "{most:?}");
+    let most = found
+        .iter()
+        .filter_map(|one| one["relatedInformation"].as_array())
+        .map(Vec::len)
+        .max();
+    assert!(
+        most.is_some_and(|most| most > 0 && most <= RELATED),
+        "{most:?}"
+    );
 }
 
 #[test]
 fn symbols() {
-    let links: String = (0..SYMBOLS + 50).map(|n| format!("<link name=\"l{n}\"/>\n")).collect();
+    let links: String = (0..SYMBOLS + 50)
+        .map(|n| format!("<link name=\"l{n}\"/>\n"))
+        .collect();
     let mut client = showing(&links);
     let found = client.request("textDocument/documentSymbol", client.of("r.urdf.xacro"));
     let top = found.as_array().unwrap();
-    let count = if top.len() == 1 { top[0]["children"].as_array().unwrap().len() } else { top.len() };
+    let count = if top.len() == 1 {
+        top[0]["children"].as_array().unwrap().len()
+    } else {
+        top.len()
+    };
     assert_eq!(count, SYMBOLS);
 }
 
@@ -66,7 +90,11 @@ fn depth(mut level: Vec<&Value>, key: &str) -> usize {
         depth += 1;
         let inner = level.iter().filter_map(|value| value.get(key));
         level = inner
-            .flat_map(|value| value.as_array().map_or(vec![value], |list| list.iter().collect()))
+            .flat_map(|value| {
+                value
+                    .as_array()
+                    .map_or(vec![value], |list| list.iter().collect())
+            })
             .collect();
     }
     depth
@@ -75,11 +103,18 @@ fn depth(mut level: Vec<&Value>, key: &str) -> usize {
 #[test]
 fn symbol_depth() {
     let count = 6000;
-    let body = format!("{}{}", "<xacro:macro name=\"a\">".repeat(count), "</xacro:macro>".repeat(count));
+    let body = format!(
+        "{}{}",
+        "<xacro:macro name=\"a\">".repeat(count),
+        "</xacro:macro>".repeat(count)
+    );
     let mut client = showing(&body);
     let found = client.request("textDocument/documentSymbol", client.of("r.urdf.xacro"));
     let levels = depth(found.as_array().unwrap().iter().collect(), "children");
-    assert!((SYMBOL_DEPTH..SYMBOL_DEPTH + 3).contains(&levels), "{levels}");
+    assert!(
+        (SYMBOL_DEPTH..SYMBOL_DEPTH + 3).contains(&levels),
+        "{levels}"
+    );
 }
 
 #[test]
@@ -94,11 +129,15 @@ fn selections() {
 
 #[test]
 fn workspace_symbols() {
-    let links: String = (0..WORKSPACE_SYMBOLS + 50).map(|n| format!("<link name=\"wheel{n}\"/>\n")).collect();
+    let links: String = (0..WORKSPACE_SYMBOLS + 50)
+        .map(|n| format!("<link name=\"wheel{n}\"/>\n"))
+        .collect();
     let mut client = showing(&links);
     assert!(client.eventually(|client| {
         let found = client.request("workspace/symbol", json!({ "query": "wheel" }));
-        found.as_array().is_some_and(|found| found.len() == WORKSPACE_SYMBOLS)
+        found
+            .as_array()
+            .is_some_and(|found| found.len() == WORKSPACE_SYMBOLS)
     }));
 }
 
@@ -108,7 +147,10 @@ fn completions() {
         .map(|n| format!("<xacro:property name=\"value_{n}\" value=\"{n}\"/>"))
         .collect();
     let mut client = showing(&format!("{many}<link name=\"${{value_}}\"/>"));
-    let answer = client.request("textDocument/completion", client.at("r.urdf.xacro", "${value_|"));
+    let answer = client.request(
+        "textDocument/completion",
+        client.at("r.urdf.xacro", "${value_|"),
+    );
     assert_eq!(answer["isIncomplete"], true);
     assert_eq!(answer["items"].as_array().unwrap().len(), COMPLETIONS);
 }
@@ -144,7 +186,10 @@ fn name_letters() {
     let mut params = client.at(ROBOT, "name=\"m|0\"");
     params["newName"] = json!("n".repeat(NAME_LETTERS + 1));
     let id = client.post("textDocument/rename", params);
-    let message = client.reply(id)["error"]["message"].as_str().unwrap().to_owned();
+    let message = client.reply(id)["error"]["message"]
+        .as_str()
+        .unwrap()
+        .to_owned();
     assert!(message.contains("limited to 200 characters"), "{message}");
 }
 
@@ -157,7 +202,10 @@ fn subscribe(client: &mut Client) -> Value {
 /// The next model.
 fn model(client: &mut Client) -> Value {
     let next = |client: &mut Client| {
-        let at = client.notes.iter().position(|note| note["method"] == "xacro/preview/model")?;
+        let at = client
+            .notes
+            .iter()
+            .position(|note| note["method"] == "xacro/preview/model")?;
         Some(client.notes.remove(at)["params"].clone())
     };
     client.wait(next, || "model".to_owned())
@@ -170,8 +218,14 @@ fn views() {
     for _ in 0..VIEWS {
         assert!(subscribe(&mut client)["error"].is_null());
     }
-    let message = subscribe(&mut client)["error"]["message"].as_str().unwrap().to_owned();
-    assert!(message.contains("the limit of 32 open previews is reached: close one first"), "{message}");
+    let message = subscribe(&mut client)["error"]["message"]
+        .as_str()
+        .unwrap()
+        .to_owned();
+    assert!(
+        message.contains("the limit of 32 open previews is reached: close one first"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -179,28 +233,50 @@ fn sent_bytes() {
     let mut client = Client::start();
     write(&client.folder, "src/pan_tilt/meshes/a.stl", "");
     let mesh = client.folder.join("src/pan_tilt/meshes/a.stl");
-    std::fs::File::options().write(true).open(mesh).unwrap().set_len(SENT_BYTES + 1).unwrap();
+    std::fs::File::options()
+        .write(true)
+        .open(mesh)
+        .unwrap()
+        .set_len(SENT_BYTES + 1)
+        .unwrap();
     let visual = "<link name=\"seen\"><visual><geometry><mesh filename=\"package://pan_tilt/meshes/a.stl\"/></geometry>\
                   </visual></link></robot>";
     client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", visual));
     client.open(UNIT);
     subscribe(&mut client);
     let shown = model(&mut client);
-    let mesh =
-        shown["model"]["meshes"].as_object().unwrap().keys().next().unwrap_or_else(|| panic!("{shown}"));
+    let mesh = shown["model"]["meshes"]
+        .as_object()
+        .unwrap()
+        .keys()
+        .next()
+        .unwrap_or_else(|| panic!("{shown}"));
     let id = client.post("xacro/preview/mesh", json!({ "mesh": mesh }));
     let reply = client.reply(id);
-    let message = reply["error"]["message"].as_str().unwrap_or_else(|| panic!("{reply} for {shown}"));
-    assert!(message.contains("it has more than 256 MB, the limit"), "{message}");
+    let message = reply["error"]["message"]
+        .as_str()
+        .unwrap_or_else(|| panic!("{reply} for {shown}"));
+    assert!(
+        message.contains("it has more than 256 MB, the limit"),
+        "{message}"
+    );
 }
 
 #[test]
 fn sent_errors() {
     let mut client = Client::start();
-    let links: String = (0..SENT_ERRORS + 50).map(|n| format!("<link name=\"${{gone{n}}}\"/>\n")).collect();
-    client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", &format!("{links}</robot>")));
+    let links: String = (0..SENT_ERRORS + 50)
+        .map(|n| format!("<link name=\"${{gone{n}}}\"/>\n"))
+        .collect();
+    client.open_with(
+        ROBOT,
+        &ROBOT_TEXT.replace("</robot>", &format!("{links}</robot>")),
+    );
     subscribe(&mut client);
-    assert_eq!(model(&mut client)["errors"].as_array().unwrap().len(), SENT_ERRORS);
+    assert_eq!(
+        model(&mut client)["errors"].as_array().unwrap().len(),
+        SENT_ERRORS
+    );
 }
 
 #[test]
@@ -209,11 +285,23 @@ fn rewritten_mesh_bytes() {
     let file = "src/pan_tilt/meshes/a.stl";
     write(&client.folder, file, "solid");
     let mesh = client.folder.join(file);
-    std::fs::File::options().write(true).open(mesh).unwrap().set_len(REWRITTEN_MESH_BYTES + 1).unwrap();
+    std::fs::File::options()
+        .write(true)
+        .open(mesh)
+        .unwrap()
+        .set_len(REWRITTEN_MESH_BYTES + 1)
+        .unwrap();
     let arguments = json!([{ "uri": client.uri(file) }]);
-    let id = client
-        .post("workspace/executeCommand", json!({ "command": "xacro.rewriteMesh", "arguments": arguments }));
+    let id = client.post(
+        "workspace/executeCommand",
+        json!({ "command": "xacro.rewriteMesh", "arguments": arguments }),
+    );
     let reply = client.reply(id);
-    let message = reply["error"]["message"].as_str().unwrap_or_else(|| panic!("{reply}"));
-    assert!(message.contains("it has more than 104 MB, the limit"), "{message}");
+    let message = reply["error"]["message"]
+        .as_str()
+        .unwrap_or_else(|| panic!("{reply}"));
+    assert!(
+        message.contains("it has more than 104 MB, the limit"),
+        "{message}"
+    );
 }

@@ -61,27 +61,71 @@ fn arm() -> Client {
 #[track_caller]
 fn leads(client: &mut Client, file: &str, at: &str, expected: &[&str]) {
     let targets = client.request("textDocument/definition", client.at(file, at));
-    let shown =
-        |link: &Value| client.shown(link["targetUri"].as_str().unwrap(), &link["targetSelectionRange"]);
-    let shown: Vec<String> = targets.as_array().into_iter().flatten().map(shown).collect();
+    let shown = |link: &Value| {
+        client.shown(
+            link["targetUri"].as_str().unwrap(),
+            &link["targetSelectionRange"],
+        )
+    };
+    let shown: Vec<String> = targets
+        .as_array()
+        .into_iter()
+        .flatten()
+        .map(shown)
+        .collect();
     assert_eq!(shown, expected, "{at}");
 }
 
 #[test]
 fn names_in_branches_that_are_not_taken_lead_to_their_definitions() {
     let mut client = arm();
-    leads(&mut client, MAIN, "${wid|th * 3}", &["arm.urdf.xacro:3 width"]);
-    leads(&mut client, MAIN, "size=\"${gr|ip}", &["arm.urdf.xacro:8 grip"]);
-    leads(&mut client, MAIN, "<xacro:extra.ha|nd", &["tool.xacro:3 hand"]);
-    leads(&mut client, MAIN, "<xacro:ex|tra.hand", &["arm.urdf.xacro:7 extra"]);
+    leads(
+        &mut client,
+        MAIN,
+        "${wid|th * 3}",
+        &["arm.urdf.xacro:3 width"],
+    );
+    leads(
+        &mut client,
+        MAIN,
+        "size=\"${gr|ip}",
+        &["arm.urdf.xacro:8 grip"],
+    );
+    leads(
+        &mut client,
+        MAIN,
+        "<xacro:extra.ha|nd",
+        &["tool.xacro:3 hand"],
+    );
+    leads(
+        &mut client,
+        MAIN,
+        "<xacro:ex|tra.hand",
+        &["arm.urdf.xacro:7 extra"],
+    );
     leads(&mut client, MAIN, "hand si|ze=", &["tool.xacro:3 size"]);
     leads(&mut client, MAIN, "extra.rea|ch}", &["tool.xacro:2 reach"]);
     leads(&mut client, MAIN, "else ga|p}", &["arm.urdf.xacro:15 gap"]);
-    leads(&mut client, MAIN, "in [wid|th]]", &["arm.urdf.xacro:3 width"]);
-    leads(&mut client, PART, "soft_${len|gth}", &["part.xacro:5 length"]);
+    leads(
+        &mut client,
+        MAIN,
+        "in [wid|th]]",
+        &["arm.urdf.xacro:3 width"],
+    );
+    leads(
+        &mut client,
+        PART,
+        "soft_${len|gth}",
+        &["part.xacro:5 length"],
+    );
     leads(&mut client, PART, "_${ga|p}", &["part.xacro:6 gap"]);
     leads(&mut client, PART, "${dep|th}", &["part.xacro:10 depth"]);
-    leads(&mut client, PART, "}_${wid|th}", &["arm.urdf.xacro:3 width"]);
+    leads(
+        &mut client,
+        PART,
+        "}_${wid|th}",
+        &["arm.urdf.xacro:3 width"],
+    );
 }
 
 #[test]
@@ -92,7 +136,12 @@ fn where_callers_decide_each_definition_is_named() {
         "</robot>",
         "<xacro:macro name=\"far\" params=\"width\"><xacro:idle depth=\"1\"/></xacro:macro>\n<xacro:idle depth=\"2\"/></robot>",
     );
-    leads(&mut client, PART, "}_${wid|th}", &["arm.urdf.xacro:3 width", "arm.urdf.xacro:16 width"]);
+    leads(
+        &mut client,
+        PART,
+        "}_${wid|th}",
+        &["arm.urdf.xacro:3 width", "arm.urdf.xacro:16 width"],
+    );
 }
 
 fn references(client: &mut Client, file: &str, at: &str) -> Vec<String> {
@@ -111,14 +160,25 @@ fn references_and_hover_know_what_is_not_evaluated() {
     let found = references(&mut client, PART, "params=\"len|gth");
     assert_eq!(
         found,
-        ["arm.urdf.xacro:13 length", "part.xacro:5 length", "part.xacro:7 length", "part.xacro:8 length"]
+        [
+            "arm.urdf.xacro:13 length",
+            "part.xacro:5 length",
+            "part.xacro:7 length",
+            "part.xacro:8 length"
+        ]
     );
     let found = references(&mut client, MAIN, "size=\"${gr|ip}");
     assert_eq!(found, ["arm.urdf.xacro:8 grip", "arm.urdf.xacro:9 grip"]);
     let hover = client.request("textDocument/hover", client.at(MAIN, "size=\"${gr|ip}"));
     let text = hover["contents"]["value"].as_str().unwrap();
-    assert!(text.contains("**property** `grip`") && text.contains("arm.urdf.xacro:8"), "{text}");
-    let found = client.request("textDocument/documentHighlight", client.at(MAIN, "size=\"${gr|ip}"));
+    assert!(
+        text.contains("**property** `grip`") && text.contains("arm.urdf.xacro:8"),
+        "{text}"
+    );
+    let found = client.request(
+        "textDocument/documentHighlight",
+        client.at(MAIN, "size=\"${gr|ip}"),
+    );
     assert_eq!(found.as_array().unwrap().len(), 2, "{found}");
 }
 
@@ -130,10 +190,14 @@ fn renamed(client: &mut Client, file: &str, at: &str, new: &str) -> Result<[Stri
     let reply = client.reply(id);
     match reply.get("error") {
         Some(error) => Err(error["message"].as_str().unwrap().to_owned()),
-        None => Ok([MAIN, PART].map(|file| match reply["result"]["changes"].get(client.uri(file)) {
-            Some(_) => client.after(file, &reply["result"]),
-            None => client.text(file).to_owned(),
-        })),
+        None => {
+            Ok([MAIN, PART].map(
+                |file| match reply["result"]["changes"].get(client.uri(file)) {
+                    Some(_) => client.after(file, &reply["result"]),
+                    None => client.text(file).to_owned(),
+                },
+            ))
+        }
     }
 }
 
@@ -142,7 +206,10 @@ fn names_are_renamed_where_nothing_is_evaluated() {
     let mut client = arm();
     // a macro and a block that only a branch uses
     let [main, part] = renamed(&mut client, PART, "name=\"wr|ap\"", "cover").unwrap();
-    assert!(main.contains("<xacro:cover><link") && main.contains("</xacro:cover>"), "{main}");
+    assert!(
+        main.contains("<xacro:cover><link") && main.contains("</xacro:cover>"),
+        "{main}"
+    );
     assert!(part.contains("<xacro:macro name=\"cover\""), "{part}");
     let [_, part] = renamed(&mut client, PART, "params=\"*in|ner", "body").unwrap();
     assert!(
@@ -155,12 +222,20 @@ fn names_are_renamed_where_nothing_is_evaluated() {
     assert!(main.contains("<xacro:finger size=\"1\"/>"), "{main}");
     // one that takes the value of a property: both
     let [main, part] = renamed(&mut client, PART, "_${ga|p}", "slit").unwrap();
-    assert!(main.contains("else slit}") && main.contains("name=\"slit\""), "{main}");
-    assert!(part.contains("slit:=^|7") && part.contains("_${slit}"), "{part}");
+    assert!(
+        main.contains("else slit}") && main.contains("name=\"slit\""),
+        "{main}"
+    );
+    assert!(
+        part.contains("slit:=^|7") && part.contains("_${slit}"),
+        "{part}"
+    );
     // from within a branch, with its namespace
     let [main, _] = renamed(&mut client, MAIN, "<xacro:ex|tra.hand", "more").unwrap();
     assert!(
-        main.contains("ns=\"more\"") && main.contains("<xacro:more.hand") && main.contains("${more.reach}"),
+        main.contains("ns=\"more\"")
+            && main.contains("<xacro:more.hand")
+            && main.contains("${more.reach}"),
         "{main}"
     );
 }
@@ -170,7 +245,10 @@ fn a_parameter_that_is_defined_again_takes_its_uses_along() {
     let mut client = arm();
     client.edit(PART, "<xacro:if value=\"${soft}\">", "<xacro:if value=\"${scale == 0}\"><xacro:property name=\"scale\" value=\"5\"/></xacro:if><xacro:if value=\"${soft}\">");
     let [_, part] = renamed(&mut client, PART, "sca|le:=1", "factor").unwrap();
-    assert!(!part.contains("scale") && part.matches("factor").count() == 4, "{part}");
+    assert!(
+        !part.contains("scale") && part.matches("factor").count() == 4,
+        "{part}"
+    );
 }
 
 #[test]
@@ -188,7 +266,10 @@ fn what_would_change_a_branch_is_refused() {
         "<xacro:if value=\"$(arg tool)\"><link name=\"${xacro.arg('tool')}\"/></xacro:if>",
     );
     let refused = renamed(&mut client, MAIN, "arg name=\"to|ol\"", "hand").unwrap_err();
-    assert!(refused.contains("with the condition taken at arm.urdf.xacro:5"), "{refused}");
+    assert!(
+        refused.contains("with the condition taken at arm.urdf.xacro:5"),
+        "{refused}"
+    );
 }
 
 #[test]
@@ -202,10 +283,16 @@ fn links_are_renamed_in_branches_that_are_not_taken() {
     );
     for at in ["<link name=\"ba|se", "parent link=\"ba|se"] {
         let [main, _] = renamed(&mut client, MAIN, at, "root").unwrap();
-        assert!(main.contains("<link name=\"root\"/>") && main.contains("parent link=\"root\""), "{main}");
+        assert!(
+            main.contains("<link name=\"root\"/>") && main.contains("parent link=\"root\""),
+            "{main}"
+        );
     }
     let [main, _] = renamed(&mut client, MAIN, "child link=\"ti|p", "top").unwrap();
-    assert!(main.contains("<link name=\"top\"/>") && main.contains("child link=\"top\""), "{main}");
+    assert!(
+        main.contains("<link name=\"top\"/>") && main.contains("child link=\"top\""),
+        "{main}"
+    );
 }
 
 #[test]
@@ -230,7 +317,11 @@ fn a_macro_that_the_body_around_defines_is_meant() {
     write(&folder, "src/arm.urdf.xacro", robot);
     let mut client = {
         for name in ["one", "two"] {
-            write(&folder, &format!("src/{name}.xacro"), part.replace("KIND", name));
+            write(
+                &folder,
+                &format!("src/{name}.xacro"),
+                part.replace("KIND", name),
+            );
         }
         Client::with(folder, Options::default())
     };
@@ -238,8 +329,18 @@ fn a_macro_that_the_body_around_defines_is_meant() {
     for name in ["one", "two"] {
         let file = format!("src/{name}.xacro");
         client.open(&file);
-        leads(&mut client, &file, "<xacro:whe|el start=\"1", &[&format!("{name}.xacro:3 wheel")]);
-        leads(&mut client, &file, "wheel sta|rt=\"1", &[&format!("{name}.xacro:3 start")]);
+        leads(
+            &mut client,
+            &file,
+            "<xacro:whe|el start=\"1",
+            &[&format!("{name}.xacro:3 wheel")],
+        );
+        leads(
+            &mut client,
+            &file,
+            "wheel sta|rt=\"1",
+            &[&format!("{name}.xacro:3 start")],
+        );
     }
 }
 
@@ -268,13 +369,26 @@ fn what_callers_define_before_they_call_is_meant() {
 <xacro:if value="${hand}"><xacro:include filename="hand.xacro"/><xacro:include filename="hand_parts.xacro"/><xacro:hand/></xacro:if>
 </xacro:macro>"#,
     );
-    write("r.urdf", r#"<xacro:include filename="cell.xacro"/><link name="base"/><xacro:with hand="false"/>"#);
+    write(
+        "r.urdf",
+        r#"<xacro:include filename="cell.xacro"/><link name="base"/><xacro:with hand="false"/>"#,
+    );
     let mut client = Client::with(folder, Options::default());
     for file in ["r.urdf", "cell", "arm", "hand", "arm_parts", "hand_parts"] {
         client.open(&format!("src/{file}.xacro"));
     }
-    leads(&mut client, "src/arm.xacro", "<xacro:pa|d ", &["arm_parts.xacro:2 pad"]);
-    leads(&mut client, "src/hand.xacro", "<xacro:pa|d ", &["hand_parts.xacro:2 pad"]);
+    leads(
+        &mut client,
+        "src/arm.xacro",
+        "<xacro:pa|d ",
+        &["arm_parts.xacro:2 pad"],
+    );
+    leads(
+        &mut client,
+        "src/hand.xacro",
+        "<xacro:pa|d ",
+        &["hand_parts.xacro:2 pad"],
+    );
     let found = references(&mut client, "src/hand_parts.xacro", "name=\"pa|d\"");
     assert_eq!(found, ["hand.xacro:2 pad", "hand_parts.xacro:2 pad"]);
 }
@@ -282,7 +396,10 @@ fn what_callers_define_before_they_call_is_meant() {
 #[test]
 fn renaming_waits_for_the_workspace() {
     let folder = fresh_folder();
-    let far = MAIN_TEXT.replace("filename=\"part.xacro\"", "filename=\"../../src/part.xacro\"");
+    let far = MAIN_TEXT.replace(
+        "filename=\"part.xacro\"",
+        "filename=\"../../src/part.xacro\"",
+    );
     write(&folder, PART, PART_TEXT);
     write(&folder, "other/deep/far.urdf.xacro", far);
     let mut client = Client::with(folder, Options::default());
@@ -291,7 +408,10 @@ fn renaming_waits_for_the_workspace() {
     params["newName"] = json!("digit");
     let edit = client.request("textDocument/rename", params);
     let changed = edit["changes"].as_object().unwrap();
-    assert!(changed.keys().any(|uri| uri.ends_with("far.urdf.xacro")), "{edit}");
+    assert!(
+        changed.keys().any(|uri| uri.ends_with("far.urdf.xacro")),
+        "{edit}"
+    );
 }
 
 #[test]
@@ -310,15 +430,30 @@ fn a_file_that_other_arguments_include_belongs_to_the_robot() {
   <link name="SIDE_$(arg soft)"/>
 </robot>
 "#;
-        write(&folder, &format!("src/hand_{side}.xacro"), text.replace("SIDE", side));
+        write(
+            &folder,
+            &format!("src/hand_{side}.xacro"),
+            text.replace("SIDE", side),
+        );
     }
     let mut client = Client::with(folder, Options::default());
     client.open("src/arm.urdf.xacro");
     client.open("src/hand_right.xacro");
-    leads(&mut client, "src/hand_right.xacro", "$(arg so|ft", &["arm.urdf.xacro:3 soft"]);
+    leads(
+        &mut client,
+        "src/hand_right.xacro",
+        "$(arg so|ft",
+        &["arm.urdf.xacro:3 soft"],
+    );
     let uses = references(&mut client, "src/arm.urdf.xacro", "name=\"so|ft");
-    assert!(uses.iter().any(|place| place.contains("hand_right")), "{uses:?}");
-    let hover = client.request("textDocument/hover", client.at("src/hand_right.xacro", "$(arg so|ft"));
+    assert!(
+        uses.iter().any(|place| place.contains("hand_right")),
+        "{uses:?}"
+    );
+    let hover = client.request(
+        "textDocument/hover",
+        client.at("src/hand_right.xacro", "$(arg so|ft"),
+    );
     let text = hover["contents"]["value"].as_str().unwrap();
     assert!(
         text.contains("not evaluated with these arguments") && text.contains("arm.urdf.xacro:3"),
@@ -351,8 +486,10 @@ fn what_a_file_defines_itself_counts_however_often_it_is_included() {
   <xacro:macro name="pad" params="width"><link name="KIND_${width}"/></xacro:macro>
 </robot>
 "#;
-    let tips =
-        pad.replace("KIND", "tip\"/><xacro:property name=\"side\" value=\"${width}\"/><link name=\"${side}");
+    let tips = pad.replace(
+        "KIND",
+        "tip\"/><xacro:property name=\"side\" value=\"${width}\"/><link name=\"${side}",
+    );
     write(&folder, "src/arm.urdf.xacro", robot);
     write(&folder, "src/pad.xacro", pad.replace("KIND", "pad"));
     write(&folder, "src/tips.xacro", tips);
@@ -364,5 +501,8 @@ fn what_a_file_defines_itself_counts_however_often_it_is_included() {
     leads(&mut client, tips, "${si|de}", &["tips.xacro:2 side"]);
     leads(&mut client, arm, "pa|d width=\"2", &["tips.xacro:2 pad"]);
     let uses = references(&mut client, pad, "wid|th}");
-    assert!(!uses.iter().any(|place| place.starts_with("arm.urdf.xacro")), "{uses:?}");
+    assert!(
+        !uses.iter().any(|place| place.starts_with("arm.urdf.xacro")),
+        "{uses:?}"
+    );
 }

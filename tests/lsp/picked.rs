@@ -17,24 +17,44 @@ fn resolving() -> Value {
 fn picking() -> Client {
     let mut capabilities = resolving();
     capabilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
-    Client::with(pan_tilt(), Options { capabilities, ..Options::default() })
+    Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    )
 }
 
 fn expanded(client: &mut Client, file: &str) -> String {
     let answer = client.request("xacro/expand", client.of(file));
     assert_eq!(answer["errors"], json!([]), "{answer}");
     let text = answer["urdf"].as_str().unwrap().to_owned();
-    let lines = text.lines().filter(|line| !line.trim_start().starts_with("<!--"));
+    let lines = text
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("<!--"));
     lines.map(str::trim).collect::<Vec<_>>().join("\n")
 }
 
 #[test]
 fn edits_are_made_when_an_action_is_picked() {
     let mut client = picking();
-    show(&mut client, &robot("<!-- 🤖 --><link name=\"a\"/>\n<link name=\"l\"/>"));
-    let found = actions(&mut client, FILE, "«<link name=\"l\"/>»", &[], &["refactor"]);
+    show(
+        &mut client,
+        &robot("<!-- 🤖 --><link name=\"a\"/>\n<link name=\"l\"/>"),
+    );
+    let found = actions(
+        &mut client,
+        FILE,
+        "«<link name=\"l\"/>»",
+        &[],
+        &["refactor"],
+    );
     let action = titled(&found, "Wrap in `xacro:if`").clone();
-    assert!(action["edit"].is_null() && !action["data"].is_null(), "{action}");
+    assert!(
+        action["edit"].is_null() && !action["data"].is_null(),
+        "{action}"
+    );
     let resolved = client.request("codeAction/resolve", action.clone());
     let made = client.after(FILE, &resolved["edit"]);
     assert!(made.contains("<xacro:if value=\"true\">"), "{made}");
@@ -110,7 +130,11 @@ fn a_macro_is_expanded_as_it_is_written() {
             show(&mut client, &changed);
             assert_eq!(expanded(&mut client, FILE), before);
         }
-        assert!(!client.text(FILE).contains("<xacro:arm "), "{}", client.text(FILE));
+        assert!(
+            !client.text(FILE).contains("<xacro:arm "),
+            "{}",
+            client.text(FILE)
+        );
     }
 }
 
@@ -118,7 +142,13 @@ fn a_macro_is_expanded_as_it_is_written() {
 fn a_macro_is_expanded_fully_when_that_is_asked_for() {
     let mut client = Client::start();
     show(&mut client, &robot(ARM));
-    let found = actions(&mut client, FILE, "<xacro:ar|m name=\"a\"", &[], &["refactor.inline"]);
+    let found = actions(
+        &mut client,
+        FILE,
+        "<xacro:ar|m name=\"a\"",
+        &[],
+        &["refactor.inline"],
+    );
     let changed = client.after(FILE, &titled(&found, "with evaluated values")["edit"]);
     assert!(changed.contains("<link name=\"a_left\">"), "{changed}");
     assert!(
@@ -132,17 +162,29 @@ fn a_macro_whose_text_means_something_else_outside_is_not_expanded() {
     let offered = |client: &mut Client, text: &str, call: &str| {
         show(client, &robot(text));
         let found = actions(client, FILE, call, &[], &["refactor.inline"]);
-        found.iter().any(|action| action["title"] == "Expand macro call `m`")
+        found
+            .iter()
+            .any(|action| action["title"] == "Expand macro call `m`")
     };
     let mut client = Client::start();
     let with = |params: &str, body: &str, call: &str| {
-        format!("<xacro:macro name=\"m\" params=\"{params}\"><link name=\"🤖{body}\"/></xacro:macro>{call}")
+        format!(
+            "<xacro:macro name=\"m\" params=\"{params}\"><link name=\"🤖{body}\"/></xacro:macro>{call}"
+        )
     };
-    assert!(offered(&mut client, &with("a", "${a}", "<xacro:m a=\"x\"/>"), "<xacro:|m a"));
+    assert!(offered(
+        &mut client,
+        &with("a", "${a}", "<xacro:m a=\"x\"/>"),
+        "<xacro:|m a"
+    ));
     // the call's value is no term of an expression
     assert!(!offered(
         &mut client,
-        &with("a", "${a * 2}", "<xacro:m a=\"$(arg x)\"/><xacro:arg name=\"x\" default=\"1\"/>"),
+        &with(
+            "a",
+            "${a * 2}",
+            "<xacro:m a=\"$(arg x)\"/><xacro:arg name=\"x\" default=\"1\"/>"
+        ),
         "<xacro:|m a"
     ));
     // `b` of the caller is another one than that of the macro
@@ -157,9 +199,24 @@ fn a_macro_whose_text_means_something_else_outside_is_not_expanded() {
     show(&mut client, &robot(nested));
     let found = actions(&mut client, FILE, "<xacro:|m a", &[], &["refactor.inline"]);
     let refused = titled(&found, "Expand macro call `m`");
-    assert!(refused["disabled"]["reason"].as_str().unwrap().contains("would change the robot"), "{refused}");
-    assert!(refused["edit"].is_null() && refused["data"].is_null(), "{refused}");
-    let mut silent = Client::with(pan_tilt(), Options { capabilities: resolving(), ..Options::default() });
+    assert!(
+        refused["disabled"]["reason"]
+            .as_str()
+            .unwrap()
+            .contains("would change the robot"),
+        "{refused}"
+    );
+    assert!(
+        refused["edit"].is_null() && refused["data"].is_null(),
+        "{refused}"
+    );
+    let mut silent = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities: resolving(),
+            ..Options::default()
+        },
+    );
     assert!(!offered(&mut silent, nested, "<xacro:|m a"));
 }
 
@@ -170,7 +227,13 @@ fn an_unsaved_macro_of_another_file_is_expanded() {
     client.open(UNIT);
     client.edit(UNIT, "<!-- A motor", "<!-- 🤖 A motor");
     client.edit(UNIT, "effort=\"3\"", "effort=\"4\"");
-    let found = actions(&mut client, ROBOT, "<xacro:un|it name=\"tilt\"", &[], &["refactor.inline"]);
+    let found = actions(
+        &mut client,
+        ROBOT,
+        "<xacro:un|it name=\"tilt\"",
+        &[],
+        &["refactor.inline"],
+    );
     let changed = client.after(ROBOT, &titled(&found, "Expand macro call `unit`")["edit"]);
     for part in [
         "<link name=\"tilt_body\">",
@@ -220,7 +283,12 @@ fn a_link_is_split_into_two() {
     ] {
         show(&mut client, &robot(&text));
         let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-        assert!(!found.iter().any(|action| action["title"].as_str().unwrap().contains("Split")), "{found:?}");
+        assert!(
+            !found
+                .iter()
+                .any(|action| action["title"].as_str().unwrap().contains("Split")),
+            "{found:?}"
+        );
     }
 }
 
@@ -237,11 +305,20 @@ fn with_mesh(inertial: &str) -> String {
 fn inertia_follows_from_a_closed_mesh() {
     let mut client = Client::start();
     write(&client.folder, MESH, cube(1.0));
-    show(&mut client, &with_mesh("<inertial>\n      <mass value=\"12\"/>\n    </inertial>"));
+    show(
+        &mut client,
+        &with_mesh("<inertial>\n      <mass value=\"12\"/>\n    </inertial>"),
+    );
     let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-    let action = titled(&found, "Compute inertia from mesh `cube.stl` (2 m³, 6 kg/m³)");
+    let action = titled(
+        &found,
+        "Compute inertia from mesh `cube.stl` (2 m³, 6 kg/m³)",
+    );
     let made = client.after(FILE, &action["edit"]);
-    assert!(made.contains("<origin xyz=\"1.5 0.5 1\" rpy=\"0 0 0\"/>\n      <mass value=\"12\"/>"), "{made}");
+    assert!(
+        made.contains("<origin xyz=\"1.5 0.5 1\" rpy=\"0 0 0\"/>\n      <mass value=\"12\"/>"),
+        "{made}"
+    );
     // 1 m, 1 m and 2 m
     let inertia = "<inertia ixx=\"5\" ixy=\"0\" ixz=\"0\" iyy=\"5\" iyz=\"0\" izz=\"2\"/>";
     assert!(made.contains(inertia), "{made}");
@@ -253,7 +330,9 @@ fn inertia_follows_from_a_closed_mesh() {
     show(&mut client, &made);
     let left = client.findings(FILE);
     assert!(
-        !left.iter().any(|found| found.contains("inertia") && !found.ends_with("root-link-inertia")),
+        !left
+            .iter()
+            .any(|found| found.contains("inertia") && !found.ends_with("root-link-inertia")),
         "{left:?}"
     );
 }
@@ -265,7 +344,10 @@ fn an_open_mesh_has_no_inertia_and_says_why() {
     open.truncate(84 + 11 * 50);
     open[80] = 11;
     write(&client.folder, MESH, open);
-    show(&mut client, &with_mesh("<inertial><mass value=\"12\"/></inertial>"));
+    show(
+        &mut client,
+        &with_mesh("<inertial><mass value=\"12\"/></inertial>"),
+    );
     let found = actions(&mut client, FILE, "<li|nk", &[], &["refactor.rewrite"]);
     let refused = titled(&found, "Compute inertia from mesh `cube.stl`");
     let reason = refused["disabled"]["reason"].as_str().unwrap();
@@ -274,7 +356,15 @@ fn an_open_mesh_has_no_inertia_and_says_why() {
     // clients that cannot show it are not offered it
     let mut plain = Client::start();
     write(&plain.folder, MESH, &cube(1.0)[..84]);
-    show(&mut plain, &with_mesh("<inertial><mass value=\"12\"/></inertial>"));
+    show(
+        &mut plain,
+        &with_mesh("<inertial><mass value=\"12\"/></inertial>"),
+    );
     let found = actions(&mut plain, FILE, "<li|nk", &[], &["refactor.rewrite"]);
-    assert!(!found.iter().any(|action| action["title"].as_str().unwrap().contains("mesh")), "{found:?}");
+    assert!(
+        !found
+            .iter()
+            .any(|action| action["title"].as_str().unwrap().contains("mesh")),
+        "{found:?}"
+    );
 }

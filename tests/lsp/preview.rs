@@ -12,7 +12,8 @@ fn root(client: &Client, args: Value) -> Value {
 /// The next model of a view.
 fn model(client: &mut Client, id: &Value) -> Value {
     let next = |client: &mut Client| {
-        let ours = |note: &Value| note["method"] == "xacro/preview/model" && note["params"]["id"] == *id;
+        let ours =
+            |note: &Value| note["method"] == "xacro/preview/model" && note["params"]["id"] == *id;
         let at = client.notes.iter().position(ours)?;
         Some(client.notes.remove(at)["params"].clone())
     };
@@ -30,7 +31,11 @@ fn model_with(client: &mut Client, id: &Value, wanted: impl Fn(&Value) -> bool) 
 }
 
 fn names(list: &Value) -> Vec<String> {
-    list.as_array().unwrap().iter().map(|entry| entry["name"].as_str().unwrap().to_owned()).collect()
+    list.as_array()
+        .unwrap()
+        .iter()
+        .map(|entry| entry["name"].as_str().unwrap().to_owned())
+        .collect()
 }
 
 fn subscribed() -> (Client, Value, Value) {
@@ -47,7 +52,10 @@ fn subscribed() -> (Client, Value, Value) {
 fn subscribing_gives_the_robot() {
     let (_client, _, first) = subscribed();
     assert_eq!(first["ok"], true, "{first}");
-    assert_eq!(names(&first["model"]["links"]), ["desk", "pan_body", "tilt_body"]);
+    assert_eq!(
+        names(&first["model"]["links"]),
+        ["desk", "pan_body", "tilt_body"]
+    );
     let tilt = &first["model"]["joints"][1];
     assert_eq!(tilt["type"], "revolute");
     assert_eq!(tilt["axis"], json!([0.0, 1.0, 0.0]));
@@ -97,7 +105,10 @@ fn a_robot_that_was_never_good_shows_what_could_be_made() {
     let first = model(&mut client, &id);
     assert_eq!(first["ok"], false);
     assert_eq!(first["errors"][0]["code"], "undefined-property");
-    assert_eq!(names(&first["model"]["links"]), ["desk", "pan_body", "tilt_body"]);
+    assert_eq!(
+        names(&first["model"]["links"]),
+        ["desk", "pan_body", "tilt_body"]
+    );
 }
 
 #[test]
@@ -105,9 +116,15 @@ fn other_arguments_and_a_second_robot_beside_the_first() {
     let (mut client, id, _) = subscribed();
     let main = json!({ "uri": client.uri(ROBOT), "args": { "mount": "wall" } });
     let beside = json!({ "uri": client.uri(ROBOT) });
-    client.request("xacro/preview/setRoot", json!({ "id": id, "root": main, "compare": beside }));
+    client.request(
+        "xacro/preview/setRoot",
+        json!({ "id": id, "root": main, "compare": beside }),
+    );
     let (a, b) = (model(&mut client, &id), model(&mut client, &id));
-    assert_eq!((a["side"].as_str(), b["side"].as_str()), (Some("main"), Some("compare")));
+    assert_eq!(
+        (a["side"].as_str(), b["side"].as_str()),
+        (Some("main"), Some("compare"))
+    );
     assert_eq!(a["model"]["links"][0]["name"], "wall");
     assert_eq!(b["model"]["links"][0]["name"], "desk");
     assert!(a["revision"].as_u64() < b["revision"].as_u64());
@@ -115,7 +132,10 @@ fn other_arguments_and_a_second_robot_beside_the_first() {
 
 fn selection(client: &mut Client) -> Value {
     let next = |client: &mut Client| {
-        let at = client.notes.iter().position(|note| note["method"] == "xacro/preview/select")?;
+        let at = client
+            .notes
+            .iter()
+            .position(|note| note["method"] == "xacro/preview/select")?;
         Some(client.notes.remove(at)["params"].clone())
     };
     client.wait(next, || "selection".to_owned())
@@ -125,7 +145,10 @@ fn select_at(client: &mut Client, id: &Value, file: &str, pattern: &str) -> Valu
     let at = client.at(file, pattern);
     let range = json!({ "start": at["position"], "end": at["position"] });
     let location = json!({ "uri": at["textDocument"]["uri"], "range": range });
-    client.notify("xacro/preview/select", json!({ "id": id, "location": location }));
+    client.notify(
+        "xacro/preview/select",
+        json!({ "id": id, "location": location }),
+    );
     selection(client)
 }
 
@@ -138,7 +161,10 @@ fn the_cursor_selects_what_the_text_makes() {
     let joint = select_at(&mut client, &id, UNIT, "<axis| xyz");
     assert_eq!(joint["joints"], json!(["pan", "tilt"]));
     let call = select_at(&mut client, &id, ROBOT, "<xacro:unit na|me=\"tilt\"");
-    assert_eq!((&call["links"], &call["joints"]), (&json!(["tilt_body"]), &json!(["tilt"])));
+    assert_eq!(
+        (&call["links"], &call["joints"]),
+        (&json!(["tilt_body"]), &json!(["tilt"]))
+    );
     let nothing = select_at(&mut client, &id, ROBOT, "<xacro:prop|erty");
     assert_eq!(nothing["links"], json!([]));
 }
@@ -155,9 +181,15 @@ fn the_cursor_counts_in_utf_16_and_in_unsaved_text() {
 #[test]
 fn a_link_leads_to_its_source() {
     let (mut client, id, _) = subscribed();
-    client.notify("xacro/preview/select", json!({ "id": id, "link": "tilt_body" }));
+    client.notify(
+        "xacro/preview/select",
+        json!({ "id": id, "link": "tilt_body" }),
+    );
     let found = selection(&mut client);
-    let place = client.shown(found["location"]["uri"].as_str().unwrap(), &found["location"]["range"]);
+    let place = client.shown(
+        found["location"]["uri"].as_str().unwrap(),
+        &found["location"]["range"],
+    );
     assert_eq!(place, "unit.xacro:4 <link");
 }
 
@@ -182,10 +214,18 @@ fn meshes_are_named_by_ids_that_change_with_the_file() {
     client.edit(UNIT, "head.stl", "heat.stl");
     let missing = model(&mut client, &id);
     let shape = &missing["model"]["links"][1]["visuals"][0]["shape"];
-    assert!(shape["problem"].as_str().unwrap().contains("heat.stl"), "{shape}");
+    assert!(
+        shape["problem"].as_str().unwrap().contains("heat.stl"),
+        "{shape}"
+    );
     let path = json!({ "id": id, "mesh": "../package.xml" });
     let asked = client.post("xacro/preview/mesh", path);
-    assert!(client.reply(asked)["error"]["message"].as_str().unwrap().contains("no open preview"));
+    assert!(
+        client.reply(asked)["error"]["message"]
+            .as_str()
+            .unwrap()
+            .contains("no open preview")
+    );
 }
 
 #[test]
@@ -194,7 +234,12 @@ fn nothing_is_sent_after_unsubscribing() {
     client.request("xacro/preview/unsubscribe", json!({ "id": id }));
     client.edit(ROBOT, "0.15", "0.25");
     client.diagnostics(ROBOT);
-    assert!(client.notes.iter().all(|note| note["method"] != "xacro/preview/model"));
+    assert!(
+        client
+            .notes
+            .iter()
+            .all(|note| note["method"] != "xacro/preview/model")
+    );
     let again = client.post("xacro/preview/unsubscribe", json!({ "id": id }));
     assert!(client.reply(again)["error"].is_object());
 }
@@ -207,7 +252,10 @@ fn the_command_answers_the_address_of_a_page() {
     let params = json!({ "command": "xacro.preview", "arguments": [argument] });
     let first = client.request("workspace/executeCommand", params.clone());
     let url = first["url"].as_str().unwrap();
-    assert!(url.starts_with("http://127.0.0.1:") && url.contains("/#token="), "{url}");
+    assert!(
+        url.starts_with("http://127.0.0.1:") && url.contains("/#token="),
+        "{url}"
+    );
     let second = client.request("workspace/executeCommand", params);
     assert_eq!(first, second);
 }

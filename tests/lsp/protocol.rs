@@ -22,7 +22,10 @@ fn texts_without_versions_are_followed() {
         let params = json!({ "textDocument": change, "contentChanges": changes });
         client.notify("textDocument/didChange", params);
         let expanded = client.request("xacro/expand", client.of(ROBOT));
-        assert!(expanded["urdf"].as_str().unwrap().contains("0 0 0.25"), "{version}: {expanded}");
+        assert!(
+            expanded["urdf"].as_str().unwrap().contains("0 0 0.25"),
+            "{version}: {expanded}"
+        );
         // findings then carry none either
         assert!(!client.have_version(ROBOT), "{version}");
     }
@@ -30,41 +33,76 @@ fn texts_without_versions_are_followed() {
 
 #[test]
 fn settings_that_are_taken_back_are_the_default_again() {
-    let rule =
-        |level: &str| json!({ "diagnostics": { "delay": 0, "rules": { "undefined-property": level } } });
+    let rule = |level: &str| json!({ "diagnostics": { "delay": 0, "rules": { "undefined-property": level } } });
     let hinted = |client: &mut Client| {
         let whole = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 99, "character": 0 } });
         let mut params = client.of(ROBOT);
         params["range"] = whole;
-        !client.request("textDocument/inlayHint", params).as_array().unwrap().is_empty()
+        !client
+            .request("textDocument/inlayHint", params)
+            .as_array()
+            .unwrap()
+            .is_empty()
     };
     let mut off = rule("off");
     off["inlayHints"] = json!({ "values": false, "paramNames": "never" });
     // asked for, and pushed
     for asks in [true, false] {
         let settings = if asks { off.clone() } else { Value::Null };
-        let mut client = Client::with(pan_tilt(), Options { settings, ..Options::default() });
+        let mut client = Client::with(
+            pan_tilt(),
+            Options {
+                settings,
+                ..Options::default()
+            },
+        );
         client.open(ROBOT);
         if !asks {
-            client.notify("workspace/didChangeConfiguration", json!({ "settings": { "xacro": off } }));
+            client.notify(
+                "workspace/didChangeConfiguration",
+                json!({ "settings": { "xacro": off } }),
+            );
         }
         client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
-        assert!(client.eventually(|client| client.findings(ROBOT).is_empty() && !hinted(client)), "{asks}");
+        assert!(
+            client.eventually(|client| client.findings(ROBOT).is_empty() && !hinted(client)),
+            "{asks}"
+        );
         client.change_settings(Value::Null);
-        client.notify("workspace/didChangeConfiguration", json!({ "settings": null }));
+        client.notify(
+            "workspace/didChangeConfiguration",
+            json!({ "settings": null }),
+        );
         let is_back = |client: &mut Client| !client.findings(ROBOT).is_empty() && hinted(client);
-        assert!(client.eventually(is_back), "{asks}: {:?}", client.findings(ROBOT));
+        assert!(
+            client.eventually(is_back),
+            "{asks}: {:?}",
+            client.findings(ROBOT)
+        );
     }
 }
 
 #[test]
 fn settings_of_the_start_hold_where_there_are_no_others() {
     let first = json!({ "diagnostics": { "delay": 0, "rules": { "undefined-property": "off" } } });
-    let mut client = Client::with(pan_tilt(), Options { first, settings: json!([]), ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            first,
+            settings: json!([]),
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     client.edit(ROBOT, "${m0 / 3}", "${m1 / 3}");
     client.wait(
-        |client| client.asked.iter().any(|a| a["method"] == "workspace/configuration").then_some(()),
+        |client| {
+            client
+                .asked
+                .iter()
+                .any(|a| a["method"] == "workspace/configuration")
+                .then_some(())
+        },
         || "question for settings".to_owned(),
     );
     client.request("textDocument/documentSymbol", client.of(ROBOT));
@@ -79,10 +117,21 @@ fn the_largest_folds_are_kept() {
     );
     let folds = |limit: Value| -> Vec<(u64, u64)> {
         let capabilities = json!({ "textDocument": { "foldingRange": { "rangeLimit": limit } } });
-        let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+        let mut client = Client::with(
+            pan_tilt(),
+            Options {
+                capabilities,
+                ..Options::default()
+            },
+        );
         show(&mut client, &text);
         let found = client.request("textDocument/foldingRange", client.of(FILE));
-        let lines = |fold: &Value| (fold["startLine"].as_u64().unwrap(), fold["endLine"].as_u64().unwrap());
+        let lines = |fold: &Value| {
+            (
+                fold["startLine"].as_u64().unwrap(),
+                fold["endLine"].as_u64().unwrap(),
+            )
+        };
         found.as_array().unwrap().iter().map(lines).collect()
     };
     assert_eq!(folds(json!(100)).len(), 7);
@@ -99,7 +148,11 @@ fn what_is_shown_covers_the_pointer() {
         ("$(find pan|_tilt)", "pan_tilt"),
     ] {
         let hover = client.request("textDocument/hover", client.at(ROBOT, at));
-        assert_eq!(client.slice(ROBOT, &hover["range"]), expected, "{at}: {hover}");
+        assert_eq!(
+            client.slice(ROBOT, &hover["range"]),
+            expected,
+            "{at}: {hover}"
+        );
     }
 }
 
@@ -139,11 +192,17 @@ fn workspace_report(client: &mut Client, ids: &[Value]) -> (Vec<String>, Vec<Val
     let items = report["items"].as_array().unwrap();
     let shown = items.iter().map(|item| {
         let file = item["uri"].as_str().unwrap().rsplit('/').next().unwrap();
-        let found: Option<Vec<String>> =
-            item["items"].as_array().map(|items| items.iter().map(short).collect());
-        format!("{file}: {}", found.map_or("unchanged".to_owned(), |found| found.join(", ")))
+        let found: Option<Vec<String>> = item["items"]
+            .as_array()
+            .map(|items| items.iter().map(short).collect());
+        format!(
+            "{file}: {}",
+            found.map_or("unchanged".to_owned(), |found| found.join(", "))
+        )
     });
-    let ids = items.iter().map(|item| json!({ "uri": item["uri"], "value": item["resultId"] }));
+    let ids = items
+        .iter()
+        .map(|item| json!({ "uri": item["uri"], "value": item["resultId"] }));
     (shown.collect(), ids.collect())
 }
 
@@ -153,14 +212,29 @@ fn reports_of_the_workspace_clear_files_that_are_not_open() {
     for says_ids in [true, false] {
         let folder = pan_tilt();
         // the first error of a closed file is shown at the call in the open one
-        let broken = super::workspace::UNIT_TEXT.replace("${m0 * 2}", "${m1 * 2}").replace("1e-3", "${m2}");
+        let broken = super::workspace::UNIT_TEXT
+            .replace("${m0 * 2}", "${m1 * 2}")
+            .replace("1e-3", "${m2}");
         write(&folder, UNIT, &broken);
-        let mut client =
-            Client::with(folder, Options { capabilities: capabilities.clone(), ..Options::default() });
+        let mut client = Client::with(
+            folder,
+            Options {
+                capabilities: capabilities.clone(),
+                ..Options::default()
+            },
+        );
         client.open(ROBOT);
-        let unit = |shown: &[String]| shown.iter().find(|line| line.starts_with("unit.xacro")).cloned();
+        let unit = |shown: &[String]| {
+            shown
+                .iter()
+                .find(|line| line.starts_with("unit.xacro"))
+                .cloned()
+        };
         let (shown, ids) = workspace_report(&mut client, &[]);
-        assert!(unit(&shown).unwrap().contains("undefined-property"), "{shown:?}");
+        assert!(
+            unit(&shown).unwrap().contains("undefined-property"),
+            "{shown:?}"
+        );
         let (again, _) = workspace_report(&mut client, &ids);
         assert_eq!(unit(&again).unwrap(), "unit.xacro: unchanged", "{again:?}");
         write(&client.folder, UNIT, super::workspace::UNIT_TEXT);
@@ -178,11 +252,22 @@ fn meshes_that_come_and_go_unannounced_are_noticed() {
     let missing = |found: &[String]| found.iter().any(|found| found.ends_with("mesh-not-found"));
     // pulled
     let capabilities = json!({ "textDocument": { "diagnostic": {} } });
-    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
     show(&mut client, &text);
     let pull = |client: &mut Client| -> Vec<String> {
         let report = client.request("textDocument/diagnostic", client.of(FILE));
-        report["items"].as_array().unwrap().iter().map(short).collect()
+        report["items"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(short)
+            .collect()
     };
     assert!(missing(&pull(&mut client)));
     write(&client.folder, MESH, super::quick_fixes::cube(1.0));
@@ -201,27 +286,52 @@ fn meshes_that_come_and_go_unannounced_are_noticed() {
 #[test]
 fn fixes_are_those_of_the_range() {
     let mut client = Client::start();
-    show(&mut client, &robot("<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>"));
+    show(
+        &mut client,
+        &robot("<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>"),
+    );
     let mut asked = |at: &str, shown: &dyn Fn(&[Value]) -> Vec<Value>| -> Vec<String> {
         let diagnostics = shown(&client.diagnostics(FILE));
         let found = super::actions::actions(&mut client, FILE, at, &diagnostics, &["quickfix"]);
         for action in &found {
-            assert_eq!(action["diagnostics"][0]["code"], "undefined-property", "{action}");
+            assert_eq!(
+                action["diagnostics"][0]["code"], "undefined-property",
+                "{action}"
+            );
         }
-        let created = found.iter().filter_map(|action| action["title"].as_str()).map(str::to_owned);
-        created.filter(|title| title.contains("Add property")).collect()
+        let created = found
+            .iter()
+            .filter_map(|action| action["title"].as_str())
+            .map(str::to_owned);
+        created
+            .filter(|title| title.contains("Add property"))
+            .collect()
     };
     let none = |_: &[Value]| Vec::new();
     assert_eq!(asked("${m|_0}", &none), ["Add property `m_0`"]);
     assert_eq!(asked("${m|_1}", &none), ["Add property `m_1`"]);
     assert_eq!(asked("<li|nk name=\"${m_1}", &none), Vec::<String>::new());
-    assert_eq!(asked("«<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>»", &none).len(), 2);
+    assert_eq!(
+        asked(
+            "«<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>»",
+            &none
+        )
+        .len(),
+        2
+    );
     // what the client names is chosen from these
     let second = |found: &[Value]| -> Vec<Value> {
-        found.iter().filter(|one| one["range"]["start"]["line"] == 2).cloned().collect()
+        found
+            .iter()
+            .filter(|one| one["range"]["start"]["line"] == 2)
+            .cloned()
+            .collect()
     };
     assert_eq!(
-        asked("«<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>»", &second),
+        asked(
+            "«<link name=\"🤖${m_0}\"/>\n<link name=\"${m_1}\"/>»",
+            &second
+        ),
         ["Add property `m_1`"]
     );
     // one that was shown for an older text stands for what is there now
@@ -238,7 +348,11 @@ fn fixes_are_those_of_the_range() {
     };
     assert_eq!(asked("${m|_0}", &foreign), ["Add property `m_0`"]);
     let found = super::actions::actions(&mut client, FILE, "${m|_0}", &[], &["quickfix"]);
-    assert!(client.after(FILE, &titled(&found, "Add property `m_0`")["edit"]).contains("name=\"m_0\""));
+    assert!(
+        client
+            .after(FILE, &titled(&found, "Add property `m_0`")["edit"])
+            .contains("name=\"m_0\"")
+    );
 }
 
 /// The titles of the actions at a place, as an editor asks on its own or as the user does.
@@ -246,9 +360,15 @@ fn titles(client: &mut Client, at: &str, is_automatic: bool) -> Vec<String> {
     let place = client.at(FILE, at);
     let mut params = client.of(FILE);
     params["range"] = json!({ "start": place["position"], "end": place["position"] });
-    params["context"] = json!({ "diagnostics": [], "triggerKind": if is_automatic { 2 } else { 1 } });
+    params["context"] =
+        json!({ "diagnostics": [], "triggerKind": if is_automatic { 2 } else { 1 } });
     let found = client.request("textDocument/codeAction", params);
-    found.as_array().unwrap().iter().map(|action| action["title"].as_str().unwrap().to_owned()).collect()
+    found
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|action| action["title"].as_str().unwrap().to_owned())
+        .collect()
 }
 
 #[test]
@@ -263,7 +383,13 @@ fn a_sign_beside_the_text_waits_for_no_check() {
     assert!(client.eventually(|client| has_fix(client, true)));
     // the check of this text comes in a minute
     let first = json!({ "diagnostics": { "delay": 60_000 } });
-    let mut client = Client::with(pan_tilt(), Options { first, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            first,
+            ..Options::default()
+        },
+    );
     show(&mut client, "");
     show(&mut client, &text);
     assert!(!has_fix(&mut client, true));
@@ -273,12 +399,17 @@ fn a_sign_beside_the_text_waits_for_no_check() {
 #[test]
 fn a_large_robot_is_not_tried_out_for_a_sign_beside_the_text() {
     let mut client = Client::start();
-    let links: String = (0..5_000).map(|number| format!("<link name=\"l{number}\"/>\n")).collect();
+    let links: String = (0..5_000)
+        .map(|number| format!("<link name=\"l{number}\"/>\n"))
+        .collect();
     let call = "<xacro:macro name=\"m\" params=\"a\"><link name=\"🤖${a}\"/></xacro:macro><xacro:m a=\"x\"/>";
     let has_call = |titles: &[String]| titles.iter().any(|title| title == "Expand macro call `m`");
     for (further, expected) in [("", true), (links.as_str(), false)] {
         show(&mut client, &robot(&format!("{call}\n{further}")));
-        assert_eq!(has_call(&titles(&mut client, "<xacro:|m a", true)), expected);
+        assert_eq!(
+            has_call(&titles(&mut client, "<xacro:|m a", true)),
+            expected
+        );
         assert!(has_call(&titles(&mut client, "<xacro:|m a", false)));
     }
 }

@@ -29,8 +29,7 @@ fn fixed(client: &mut Client, text: &str, rule: &str, title: &str) -> String {
 #[test]
 fn fixes_of_syntax_and_of_xacro() {
     let mut client = Client::start();
-    let unbound =
-        "<robot name=\"🤖\">\n<xacro:property name=\"a\" value=\"1\"/><link name=\"l${a}\"/>\n</robot>\n";
+    let unbound = "<robot name=\"🤖\">\n<xacro:property name=\"a\" value=\"1\"/><link name=\"l${a}\"/>\n</robot>\n";
     let old = robot(MODEL).replace("http://www.ros.org/wiki/xacro", "http://ros.org/wiki/xacro");
     let call = |call: &str| {
         robot(&format!(
@@ -40,7 +39,8 @@ fn fixes_of_syntax_and_of_xacro() {
     let unused = |what: &str| robot(&format!("{MODEL}\n  {what}"));
     for (text, rule, title, expected) in [
         (
-            robot("<link name=\"🤖${m_0}\"/><xacro:property name=\"m0\" value=\"1\"/>").replace("m_0", "m1"),
+            robot("<link name=\"🤖${m_0}\"/><xacro:property name=\"m0\" value=\"1\"/>")
+                .replace("m_0", "m1"),
             "undefined-property",
             "Add property `m1`",
             "name=\"m1\" value=\"0\"",
@@ -51,23 +51,48 @@ fn fixes_of_syntax_and_of_xacro() {
             "Declare the prefix",
             "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"",
         ),
-        (old, "nonstandard-xacro-namespace", "", "\"http://www.ros.org/wiki/xacro\""),
+        (
+            old,
+            "nonstandard-xacro-namespace",
+            "",
+            "\"http://www.ros.org/wiki/xacro\"",
+        ),
         (
             robot("<link name=\"🤖\"><visual></link>"),
             "xml-syntax-error",
             "Add `</visual>`",
             "</visual></link>",
         ),
-        (robot("<link name=\"🤖\"></lnk>"), "xml-syntax-error", "Change end tag to `link`", "</link>"),
+        (
+            robot("<link name=\"🤖\"></lnk>"),
+            "xml-syntax-error",
+            "Change end tag to `link`",
+            "</link>",
+        ),
         (
             robot("<link name=\"🤖\" name=\"b\"/>"),
             "xml-syntax-error",
             "Remove duplicate `name`",
             "<link name=\"🤖\"/>",
         ),
-        (robot("<link name=\"🤖 & b\"/>"), "xml-syntax-error", "Replace with `&amp;`", "🤖 &amp; b"),
-        (robot("<link name=\"🤖 < b\"/>"), "xml-syntax-error", "Replace with `&lt;`", "🤖 &lt; b"),
-        (call("<xacro:m/>"), "missing-macro-param", "Add `tool=", "<xacro:m tool=\"\"/>"),
+        (
+            robot("<link name=\"🤖 & b\"/>"),
+            "xml-syntax-error",
+            "Replace with `&amp;`",
+            "🤖 &amp; b",
+        ),
+        (
+            robot("<link name=\"🤖 < b\"/>"),
+            "xml-syntax-error",
+            "Replace with `&lt;`",
+            "🤖 &lt; b",
+        ),
+        (
+            call("<xacro:m/>"),
+            "missing-macro-param",
+            "Add `tool=",
+            "<xacro:m tool=\"\"/>",
+        ),
         (
             call("<xacro:m tool=\"🤖\" sise=\"2\"/>"),
             "unknown-macro-param",
@@ -126,32 +151,70 @@ fn fixes_of_syntax_and_of_xacro() {
 fn fixes_of_the_robot() {
     let mut client = Client::start();
     write(&client.folder, "src/pan_tilt/meshes/Head.STL", cube(100.0));
-    write(&client.folder, "src/pan_tilt/meshes/parts/arm.stl", cube(0.1));
+    write(
+        &client.folder,
+        "src/pan_tilt/meshes/parts/arm.stl",
+        cube(0.1),
+    );
     let mesh = |file: &str| {
-        let geometry = format!("<geometry><mesh filename=\"package://pan_tilt/meshes/{file}\"/></geometry>");
-        robot(&format!("<link name=\"🤖\"><visual>{geometry}</visual></link>"))
+        let geometry =
+            format!("<geometry><mesh filename=\"package://pan_tilt/meshes/{file}\"/></geometry>");
+        robot(&format!(
+            "<link name=\"🤖\"><visual>{geometry}</visual></link>"
+        ))
     };
     let limit = |lower: &str, upper: &str| {
-        joint("revolute", &format!("{AXIS}{}", LIMIT.replace("\"-1\"", lower).replace("upper=\"1\"", upper)))
+        joint(
+            "revolute",
+            &format!(
+                "{AXIS}{}",
+                LIMIT.replace("\"-1\"", lower).replace("upper=\"1\"", upper)
+            ),
+        )
     };
     for (text, rule, title, expected) in [
-        (joint("Fixed", ""), "unknown-joint-type", "", "type=\"fixed\""),
-        (joint("revolut", &format!("{AXIS}{LIMIT}")), "unknown-joint-type", "revolute", "type=\"revolute\""),
+        (
+            joint("Fixed", ""),
+            "unknown-joint-type",
+            "",
+            "type=\"fixed\"",
+        ),
+        (
+            joint("revolut", &format!("{AXIS}{LIMIT}")),
+            "unknown-joint-type",
+            "revolute",
+            "type=\"revolute\"",
+        ),
         (
             joint("revolute", AXIS),
             "missing-joint-limit",
             "Add `limit`",
             "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>",
         ),
-        (joint("revolute", LIMIT), "missing-axis", "", "<axis xyz=\"1 0 0\"/>"),
+        (
+            joint("revolute", LIMIT),
+            "missing-axis",
+            "",
+            "<axis xyz=\"1 0 0\"/>",
+        ),
         (
             joint("revolute", &format!("<axis xyz=\"0 0 2\"/>{LIMIT}")),
             "axis-not-normalized",
             "",
             "<axis xyz=\"0 0 1\"/>",
         ),
-        (limit("\"1\"", "upper=\"-1\""), "joint-limit-inverted", "Swap", "lower=\"-1\" upper=\"1\""),
-        (limit("\"-90\"", "upper=\"90\""), "joint-limit-degrees", "", "${radians("),
+        (
+            limit("\"1\"", "upper=\"-1\""),
+            "joint-limit-inverted",
+            "Swap",
+            "lower=\"-1\" upper=\"1\"",
+        ),
+        (
+            limit("\"-90\"", "upper=\"90\""),
+            "joint-limit-degrees",
+            "",
+            "${radians(",
+        ),
         (
             robot("<link name=\"🤖\"><inertial><mass/></inertial></link>"),
             "missing-attribute",
@@ -174,9 +237,24 @@ fn fixes_of_the_robot() {
             "Add material `red`",
             "<material name=\"red\"><color",
         ),
-        (mesh("head.stl"), "mesh-case-mismatch", "Replace with `", "meshes/Head.STL\""),
-        (mesh("arm.stl"), "mesh-not-found", "parts/arm.stl", "meshes/parts/arm.stl\""),
-        (mesh("Head.STL"), "mesh-scale-suspicious", "millimeters", "scale=\"0.001 0.001 0.001\""),
+        (
+            mesh("head.stl"),
+            "mesh-case-mismatch",
+            "Replace with `",
+            "meshes/Head.STL\"",
+        ),
+        (
+            mesh("arm.stl"),
+            "mesh-not-found",
+            "parts/arm.stl",
+            "meshes/parts/arm.stl\"",
+        ),
+        (
+            mesh("Head.STL"),
+            "mesh-scale-suspicious",
+            "millimeters",
+            "scale=\"0.001 0.001 0.001\"",
+        ),
     ] {
         let made = fixed(&mut client, &text, rule, title);
         assert!(made.contains(expected), "{rule}: {made}");
@@ -184,22 +262,49 @@ fn fixes_of_the_robot() {
     // the message names the mesh as the file does, not from the root of the disk
     show(&mut client, &mesh("head.stl"));
     let found = client.diagnostics(FILE);
-    let found = found.iter().find(|found| found["code"] == "mesh-case-mismatch").unwrap();
+    let found = found
+        .iter()
+        .find(|found| found["code"] == "mesh-case-mismatch")
+        .unwrap();
     let message = found["message"].as_str().unwrap();
-    assert!(message.contains("`package://pan_tilt/meshes/Head.STL`"), "{message}");
-    assert!(!message.contains(client.folder.to_str().unwrap()), "{message}");
+    assert!(
+        message.contains("`package://pan_tilt/meshes/Head.STL`"),
+        "{message}"
+    );
+    assert!(
+        !message.contains(client.folder.to_str().unwrap()),
+        "{message}"
+    );
 }
 
 /// A binary STL file of a cube; its edges in the unit of the file.
 pub fn cube(edge: f32) -> Vec<u8> {
-    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let corner = |i: u32| [(i & 1) as f32 * edge, ((i >> 1) & 1) as f32 * edge, (i >> 2) as f32 * edge];
+    let sides = [
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+    ];
+    let corner = |i: u32| {
+        [
+            (i & 1) as f32 * edge,
+            ((i >> 1) & 1) as f32 * edge,
+            (i >> 2) as f32 * edge,
+        ]
+    };
     let mut bytes = vec![b' '; 80];
     bytes.extend(12_u32.to_le_bytes());
     for [a, b, c, d] in sides {
         for triangle in [[a, b, c], [a, c, d]] {
             bytes.extend([0_u8; 12]);
-            bytes.extend(triangle.into_iter().flat_map(corner).flat_map(f32::to_le_bytes));
+            bytes.extend(
+                triangle
+                    .into_iter()
+                    .flat_map(corner)
+                    .flat_map(f32::to_le_bytes),
+            );
             bytes.extend([0_u8; 2]);
         }
     }
@@ -218,7 +323,9 @@ fn a_package_that_is_used_is_declared() {
         robot(
             "<!-- 🤖 --><xacro:include filename=\"$(find lens)/urdf/lens.xacro\"/><xacro:lens prefix=\"a\"/>",
         ),
-        robot(&format!("<link name=\"🤖\"><visual><geometry>{mesh}</geometry></visual></link>")),
+        robot(&format!(
+            "<link name=\"🤖\"><visual><geometry>{mesh}</geometry></visual></link>"
+        )),
     ] {
         show(&mut client, &text);
         let found = fixes(&mut client, FILE, "missing-package-dependency");
@@ -228,9 +335,16 @@ fn a_package_that_is_used_is_declared() {
         assert!(made.contains("<exec_depend>lens</exec_depend>"), "{made}");
     }
     // what the manifest says before it is saved counts
-    client.edit(MANIFEST, "<exec_depend>", "<!-- 🤖 --><depend>lens</depend><exec_depend>");
+    client.edit(
+        MANIFEST,
+        "<exec_depend>",
+        "<!-- 🤖 --><depend>lens</depend><exec_depend>",
+    );
     let is_clean = |client: &mut Client| {
-        !client.findings(FILE).iter().any(|found| found.ends_with("missing-package-dependency"))
+        !client
+            .findings(FILE)
+            .iter()
+            .any(|found| found.ends_with("missing-package-dependency"))
     };
     assert!(client.eventually(is_clean));
 }
@@ -250,8 +364,11 @@ fn an_error_of_an_argument_begins_with_the_question_for_its_value() {
 #[test]
 fn the_page_of_a_rule_is_a_command() {
     let mut client = Client::start();
-    let params =
-        serde_json::json!({ "command": "xacro.explain", "arguments": [{ "rule": "undefined-arg" }] });
+    let params = serde_json::json!({ "command": "xacro.explain", "arguments": [{ "rule": "undefined-arg" }] });
     let page = client.request("workspace/executeCommand", params);
-    assert!(page.as_str().is_some_and(|page| page.contains("undefined-arg")), "{page}");
+    assert!(
+        page.as_str()
+            .is_some_and(|page| page.contains("undefined-arg")),
+        "{page}"
+    );
 }

@@ -8,10 +8,18 @@ use super::client::{Client, Options, replace_all};
 use super::workspace::{ROBOT, UNIT, pan_tilt};
 
 /// The files after renaming what `at` marks; or the message of the error.
-fn renamed(client: &mut Client, file: &str, at: &str, new: &str) -> Result<BTreeMap<String, String>, String> {
+fn renamed(
+    client: &mut Client,
+    file: &str,
+    at: &str,
+    new: &str,
+) -> Result<BTreeMap<String, String>, String> {
     let mut files = BTreeMap::new();
     for (uri, edits) in client.changes_of_rename(file, at, new)? {
-        let name = [ROBOT, UNIT].into_iter().find(|name| client.uri(name) == uri).unwrap();
+        let name = [ROBOT, UNIT]
+            .into_iter()
+            .find(|name| client.uri(name) == uri)
+            .unwrap();
         let mut text = client.text(name).to_owned();
         replace_all(&mut text, &edits, new);
         files.insert(name.to_owned(), text);
@@ -30,17 +38,38 @@ fn both() -> Client {
 fn a_parameter_is_renamed_in_its_macro_and_in_all_calls() {
     let mut client = both();
     let files = renamed(&mut client, UNIT, "${ax|is}", "direction").unwrap();
-    assert!(files[UNIT].contains("name parent direction:='0 0 1' *at"), "{}", files[UNIT]);
-    assert!(files[UNIT].contains("<axis xyz=\"${direction}\"/>"), "{}", files[UNIT]);
-    assert!(files[ROBOT].contains("direction=\"0 1 0\""), "{}", files[ROBOT]);
+    assert!(
+        files[UNIT].contains("name parent direction:='0 0 1' *at"),
+        "{}",
+        files[UNIT]
+    );
+    assert!(
+        files[UNIT].contains("<axis xyz=\"${direction}\"/>"),
+        "{}",
+        files[UNIT]
+    );
+    assert!(
+        files[ROBOT].contains("direction=\"0 1 0\""),
+        "{}",
+        files[ROBOT]
+    );
 }
 
 #[test]
 fn a_macro_is_renamed_with_its_end_tags() {
     let mut client = both();
     let files = renamed(&mut client, ROBOT, "<xacro:un|it name=\"pan\"", "motor").unwrap();
-    assert!(files[UNIT].contains("<xacro:macro name=\"motor\""), "{}", files[UNIT]);
-    assert_eq!(files[ROBOT].matches("xacro:motor").count(), 4, "{}", files[ROBOT]);
+    assert!(
+        files[UNIT].contains("<xacro:macro name=\"motor\""),
+        "{}",
+        files[UNIT]
+    );
+    assert_eq!(
+        files[ROBOT].matches("xacro:motor").count(),
+        4,
+        "{}",
+        files[ROBOT]
+    );
 }
 
 #[test]
@@ -52,15 +81,33 @@ fn a_property_is_renamed_in_branches_that_are_not_taken_too() {
         "<!-- 🤖 --><xacro:if value=\"false\"><link name=\"${m0}\"/></xacro:if></robot>",
     );
     let files = renamed(&mut client, ROBOT, "name=\"m|0\"", "mass").unwrap();
-    assert_eq!(files[ROBOT].matches("${mass").count(), 2, "{}", files[ROBOT]);
-    assert_eq!(files[UNIT].matches("${mass * 2}").count(), 1, "{}", files[UNIT]);
+    assert_eq!(
+        files[ROBOT].matches("${mass").count(),
+        2,
+        "{}",
+        files[ROBOT]
+    );
+    assert_eq!(
+        files[UNIT].matches("${mass * 2}").count(),
+        1,
+        "{}",
+        files[UNIT]
+    );
 }
 
 #[test]
 fn names_that_do_not_fit_are_refused() {
     let mut client = both();
-    assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", "m 0").unwrap_err().contains("invalid name"));
-    assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", "cam").unwrap_err().contains("already defined"));
+    assert!(
+        renamed(&mut client, ROBOT, "name=\"m|0\"", "m 0")
+            .unwrap_err()
+            .contains("invalid name")
+    );
+    assert!(
+        renamed(&mut client, ROBOT, "name=\"m|0\"", "cam")
+            .unwrap_err()
+            .contains("already defined")
+    );
     let made = renamed(&mut client, ROBOT, "parent=\"pan_b|ody\"", "x");
     assert!(made.is_err(), "{made:?}");
 }
@@ -68,8 +115,22 @@ fn names_that_do_not_fit_are_refused() {
 #[test]
 fn names_that_would_change_the_robot_are_refused() {
     let mut client = both();
-    client.edit(ROBOT, "</robot>", "<!-- 🤖 --><link name=\"a${pi / 2}\"/></robot>");
-    for name in ["if", "unless", "property", "include", "macro", "arg", "insert_block", "call", "element"] {
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<!-- 🤖 --><link name=\"a${pi / 2}\"/></robot>",
+    );
+    for name in [
+        "if",
+        "unless",
+        "property",
+        "include",
+        "macro",
+        "arg",
+        "insert_block",
+        "call",
+        "element",
+    ] {
         let refused = renamed(&mut client, UNIT, "name=\"un|it\"", name).unwrap_err();
         assert_eq!(refused, format!("`xacro:{name}` is reserved by xacro"));
     }
@@ -84,7 +145,10 @@ fn names_that_would_change_the_robot_are_refused() {
     }
     // `at` is a block there, and `e` is not used
     for name in ["at", "e"] {
-        assert!(renamed(&mut client, ROBOT, "name=\"m|0\"", name).is_ok(), "{name}");
+        assert!(
+            renamed(&mut client, ROBOT, "name=\"m|0\"", name).is_ok(),
+            "{name}"
+        );
     }
     // a parameter is known in its macro only, where nobody needs `pi`
     let files = renamed(&mut client, UNIT, "${ax|is}", "pi").unwrap();
@@ -106,13 +170,20 @@ fn names_that_a_caller_would_capture_are_refused() {
     );
     // what a call gives is named after the parameter
     let files = renamed(&mut client, ROBOT, "params=\"|n\"", "p").unwrap();
-    assert!(files[ROBOT].contains("<xacro:inner p=\"${p}\"/>"), "{}", files[ROBOT]);
+    assert!(
+        files[ROBOT].contains("<xacro:inner p=\"${p}\"/>"),
+        "{}",
+        files[ROBOT]
+    );
 }
 
 #[test]
 fn what_is_no_name_is_not_renamed() {
     let mut client = both();
-    assert_eq!(client.request("textDocument/prepareRename", client.at(UNIT, "<lim|it")), Value::Null);
+    assert_eq!(
+        client.request("textDocument/prepareRename", client.at(UNIT, "<lim|it")),
+        Value::Null
+    );
     let found = client.request("textDocument/prepareRename", client.at(ROBOT, "${m|0 / 3}"));
     assert_eq!(found["placeholder"], "m0");
 }
@@ -120,13 +191,23 @@ fn what_is_no_name_is_not_renamed() {
 #[test]
 fn edits_carry_versions_for_clients_that_take_them() {
     let capabilities = json!({ "workspace": { "workspaceEdit": { "documentChanges": true } } });
-    let mut client = Client::with(pan_tilt(), Options { capabilities, ..Options::default() });
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    );
     client.open(ROBOT);
     let mut params = client.at(ROBOT, "name=\"m|0\"");
     params["newName"] = json!("mass");
     let edit = client.request("textDocument/rename", params);
-    let versions: Vec<&Value> =
-        edit["documentChanges"].as_array().unwrap().iter().map(|c| &c["textDocument"]["version"]).collect();
+    let versions: Vec<&Value> = edit["documentChanges"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| &c["textDocument"]["version"])
+        .collect();
     assert!(versions.contains(&&json!(1)), "{edit}");
 }
 
@@ -134,20 +215,49 @@ fn edits_carry_versions_for_clients_that_take_them() {
 fn annotating(folder: std::path::PathBuf) -> Client {
     let capabilities = json!({ "workspace": { "workspaceEdit": {
         "documentChanges": true, "changeAnnotationSupport": {} } } });
-    Client::with(folder, Options { capabilities, ..Options::default() })
+    Client::with(
+        folder,
+        Options {
+            capabilities,
+            ..Options::default()
+        },
+    )
 }
 
 #[test]
 fn the_part_of_a_name_that_a_macro_writes_is_renamed_in_every_name_it_makes() {
     let mut client = both();
-    client.edit(ROBOT, "</robot>", "<!-- 🤖 --><gazebo reference=\"tilt_body\"/></robot>");
-    let found = client.request("textDocument/prepareRename", client.at(UNIT, "<link name=\"${name}_bo|dy\""));
+    client.edit(
+        ROBOT,
+        "</robot>",
+        "<!-- 🤖 --><gazebo reference=\"tilt_body\"/></robot>",
+    );
+    let found = client.request(
+        "textDocument/prepareRename",
+        client.at(UNIT, "<link name=\"${name}_bo|dy\""),
+    );
     assert_eq!(found["placeholder"], "_body");
     let files = renamed(&mut client, UNIT, "<link name=\"${name}_bo|dy\"", "_arm").unwrap();
-    assert!(files[UNIT].contains("<link name=\"${name}_arm\">"), "{}", files[UNIT]);
-    assert!(files[UNIT].contains("<child link=\"${name}_arm\"/>"), "{}", files[UNIT]);
-    assert!(files[ROBOT].contains("parent=\"pan_arm\""), "{}", files[ROBOT]);
-    assert!(files[ROBOT].contains("reference=\"tilt_arm\""), "{}", files[ROBOT]);
+    assert!(
+        files[UNIT].contains("<link name=\"${name}_arm\">"),
+        "{}",
+        files[UNIT]
+    );
+    assert!(
+        files[UNIT].contains("<child link=\"${name}_arm\"/>"),
+        "{}",
+        files[UNIT]
+    );
+    assert!(
+        files[ROBOT].contains("parent=\"pan_arm\""),
+        "{}",
+        files[ROBOT]
+    );
+    assert!(
+        files[ROBOT].contains("reference=\"tilt_arm\""),
+        "{}",
+        files[ROBOT]
+    );
     // the same from a file that is included and not saved
     client.edit(UNIT, "_body", "_é");
     client.edit(UNIT, "_body", "_é");
@@ -165,8 +275,16 @@ fn the_part_of_a_name_that_a_macro_writes_is_renamed_in_every_name_it_makes() {
 fn what_a_call_passes_is_renamed_in_every_name_that_holds_it() {
     let mut client = both();
     let files = renamed(&mut client, ROBOT, "name=\"pa|n\"", "yaw").unwrap();
-    assert!(files[ROBOT].contains("<xacro:unit name=\"yaw\""), "{}", files[ROBOT]);
-    assert!(files[ROBOT].contains("parent=\"yaw_body\""), "{}", files[ROBOT]);
+    assert!(
+        files[ROBOT].contains("<xacro:unit name=\"yaw\""),
+        "{}",
+        files[ROBOT]
+    );
+    assert!(
+        files[ROBOT].contains("parent=\"yaw_body\""),
+        "{}",
+        files[ROBOT]
+    );
     assert!(!files.contains_key(UNIT), "{files:?}");
     let refused = renamed(&mut client, ROBOT, "name=\"pa|n\"", "tilt").unwrap_err();
     assert!(refused.contains("is already defined"), "{refused}");
@@ -177,9 +295,16 @@ fn a_name_that_a_macro_makes_is_not_renamed_as_a_whole() {
     let mut client = both();
     let refused = renamed(&mut client, ROBOT, "parent=\"pan_b|ody\"", "arm").unwrap_err();
     let expected = "comes from `unit` on line 4: rename the suffix there or change the argument";
-    assert!(refused.contains("`pan_body` ") && refused.contains(expected), "{refused}");
+    assert!(
+        refused.contains("`pan_body` ") && refused.contains(expected),
+        "{refused}"
+    );
     // where the name is computed in another way, renaming would tear it apart
-    client.edit(ROBOT, "parent=\"pan_body\"", "parent=\"${'pan' + '_body'}\"");
+    client.edit(
+        ROBOT,
+        "parent=\"pan_body\"",
+        "parent=\"${'pan' + '_body'}\"",
+    );
     let refused = renamed(&mut client, UNIT, "<link name=\"${name}_bo|dy\"", "_arm").unwrap_err();
     assert!(refused.contains("`pan_body`"), "{refused}");
     // a broken file is left alone where it is broken
@@ -190,7 +315,8 @@ fn a_name_that_a_macro_makes_is_not_renamed_as_a_whole() {
 #[test]
 fn links_are_renamed_in_all_robots_that_share_them() {
     let folder = pan_tilt();
-    let arm = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"🤖_tip\"/></robot>\n";
+    let arm =
+        "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"🤖_tip\"/></robot>\n";
     let robot = |name: &str| {
         format!(
             "<robot name=\"{name}\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n<xacro:include filename=\"tip.xacro\"/>\n\
@@ -213,25 +339,37 @@ fn links_are_renamed_in_all_robots_that_share_them() {
     for change in changes {
         let uri = change["textDocument"]["uri"].as_str().unwrap();
         let open = client.is_open(&place(uri.rsplit('/').next().unwrap()));
-        assert_eq!(change["textDocument"]["version"].is_null(), !open, "{change}");
+        assert_eq!(
+            change["textDocument"]["version"].is_null(),
+            !open,
+            "{change}"
+        );
         // what is not open says so
         let annotation = &change["edits"][0]["annotationId"];
         assert_eq!(annotation.as_str(), (!open).then_some("closed"), "{change}");
     }
-    assert_eq!(edit["changeAnnotations"]["closed"]["needsConfirmation"], false, "{edit}");
+    assert_eq!(
+        edit["changeAnnotations"]["closed"]["needsConfirmation"], false,
+        "{edit}"
+    );
 }
 
 #[test]
 fn files_outside_are_changed_with_consent_and_installed_ones_never() {
     let elsewhere = super::workspace::fresh_folder();
     let share = elsewhere.join("share");
-    let part = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"${p0}\"/></robot>\n";
+    let part =
+        "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><link name=\"${p0}\"/></robot>\n";
     for (place, refused) in [("near/part.xacro", false), ("install/part.xacro", true)] {
         super::workspace::write(&share, place, part);
         let path = share.join(place);
         let include = format!("<xacro:include filename=\"{}\"/></robot>", path.display());
         for annotates in [true, false] {
-            let mut client = if annotates { annotating(pan_tilt()) } else { Client::start() };
+            let mut client = if annotates {
+                annotating(pan_tilt())
+            } else {
+                Client::start()
+            };
             client.open(ROBOT);
             client.edit(
                 ROBOT,
@@ -248,7 +386,8 @@ fn files_outside_are_changed_with_consent_and_installed_ones_never() {
                 (true, _) => assert!(message.contains("is in an install folder"), "{reply}"),
                 (false, false) => assert!(message.contains("not in the workspace"), "{reply}"),
                 (false, true) => {
-                    let asks = &reply["result"]["changeAnnotations"]["outside"]["needsConfirmation"];
+                    let asks =
+                        &reply["result"]["changeAnnotations"]["outside"]["needsConfirmation"];
                     assert_eq!(asks, true, "{reply}");
                 }
             }
@@ -268,7 +407,11 @@ fn an_argument_is_renamed_in_the_presets_of_its_robots() {
     client.open(ROBOT);
     client.open("xacro-lint.toml");
     client.open(UNIT);
-    client.edit(UNIT, "<!-- A motor", "<!-- xacro-root: pan_tilt.urdf.xacro mount:=🤖 --><!-- A motor");
+    client.edit(
+        UNIT,
+        "<!-- A motor",
+        "<!-- xacro-root: pan_tilt.urdf.xacro mount:=🤖 --><!-- A motor",
+    );
     let mut params = client.at(ROBOT, "<xacro:arg name=\"mo|unt\"");
     params["newName"] = json!("place");
     let edit = client.request("textDocument/rename", params);
@@ -278,18 +421,31 @@ fn an_argument_is_renamed_in_the_presets_of_its_robots() {
         .replace("{ \"mount\" = \"wall\"", "{ \"place\" = \"wall\"");
     assert_eq!(changed, expected);
     assert!(client.after(ROBOT, &edit).contains("$(arg place)"));
-    assert!(client.after(UNIT, &edit).contains("pan_tilt.urdf.xacro place:=🤖 -->"));
+    assert!(
+        client
+            .after(UNIT, &edit)
+            .contains("pan_tilt.urdf.xacro place:=🤖 -->")
+    );
 }
 
 #[test]
 fn a_namespace_is_renamed_in_the_tags_of_its_calls() {
     let mut client = both();
-    client.edit(ROBOT, "filename=\"unit.xacro\"/>", "filename=\"unit.xacro\" ns=\"parts\"/>");
+    client.edit(
+        ROBOT,
+        "filename=\"unit.xacro\"/>",
+        "filename=\"unit.xacro\" ns=\"parts\"/>",
+    );
     for _ in 0..2 {
         client.edit(ROBOT, "<xacro:unit name", "<xacro:parts.unit name");
         client.edit(ROBOT, "</xacro:unit>", "</xacro:parts.unit>");
     }
     let files = renamed(&mut client, ROBOT, "ns=\"pa|rts\"", "pieces").unwrap();
     assert!(!files[ROBOT].contains("parts"), "{}", files[ROBOT]);
-    assert_eq!(files[ROBOT].matches("</xacro:pieces.unit>").count(), 2, "{}", files[ROBOT]);
+    assert_eq!(
+        files[ROBOT].matches("</xacro:pieces.unit>").count(),
+        2,
+        "{}",
+        files[ROBOT]
+    );
 }

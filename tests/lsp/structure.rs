@@ -8,8 +8,14 @@ use super::workspace::{ROBOT, UNIT};
 /// Names and details of symbols, indented.
 fn outline(symbols: &Value, indent: usize, lines: &mut Vec<String>) {
     for symbol in symbols.as_array().into_iter().flatten() {
-        let detail = symbol["detail"].as_str().map_or(String::new(), |detail| format!(" ({detail})"));
-        lines.push(format!("{}{}{detail}", "  ".repeat(indent), symbol["name"].as_str().unwrap()));
+        let detail = symbol["detail"]
+            .as_str()
+            .map_or(String::new(), |detail| format!(" ({detail})"));
+        lines.push(format!(
+            "{}{}{detail}",
+            "  ".repeat(indent),
+            symbol["name"].as_str().unwrap()
+        ));
         outline(&symbol["children"], indent + 1, lines);
     }
 }
@@ -44,7 +50,11 @@ fn symbols_of_a_broken_file() {
     client.open(UNIT);
     client.edit(UNIT, "</joint>", "</jo");
     client.edit(UNIT, "  </xacro:macro>\n</robot>", "");
-    let expected = ["unit (name parent axis:='0 0 1' *at)", "  ${name}_body", "  ${name} (revolute)"];
+    let expected = [
+        "unit (name parent axis:='0 0 1' *at)",
+        "  ${name}_body",
+        "  ${name} (revolute)",
+    ];
     check_outline(&mut client, UNIT, &expected);
 }
 
@@ -62,7 +72,10 @@ fn symbols_have_names_while_a_tag_is_typed() {
         typed.push(letter);
         client.edit(ROBOT, &before, &format!("{typed}</robot>"));
         let symbols = client.request("textDocument/documentSymbol", client.of(ROBOT));
-        assert!(!symbols.as_array().unwrap().is_empty() && named(&symbols), "{typed}: {symbols}");
+        assert!(
+            !symbols.as_array().unwrap().is_empty() && named(&symbols),
+            "{typed}: {symbols}"
+        );
     }
 }
 
@@ -70,9 +83,18 @@ fn symbols_have_names_while_a_tag_is_typed() {
 fn symbols_behind_an_emoji() {
     let mut client = Client::start();
     client.open(ROBOT);
-    client.edit(ROBOT, "<link name=\"$(arg mount)\"/>", "<!-- 🤖 --> <link name=\"🤖\"/>");
+    client.edit(
+        ROBOT,
+        "<link name=\"$(arg mount)\"/>",
+        "<!-- 🤖 --> <link name=\"🤖\"/>",
+    );
     let symbols = client.request("textDocument/documentSymbol", client.of(ROBOT));
-    let link = symbols.as_array().unwrap().iter().find(|symbol| symbol["name"] == "🤖").unwrap();
+    let link = symbols
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|symbol| symbol["name"] == "🤖")
+        .unwrap();
     assert_eq!(client.slice(ROBOT, &link["selectionRange"]), "🤖");
     assert_eq!(client.slice(ROBOT, &link["range"]), "<link name=\"🤖\"/>");
 }
@@ -91,16 +113,27 @@ fn elements_comments_and_runs_fold() {
         .unwrap()
         .iter()
         .map(|fold| {
-            format!("{}-{} {}", fold["startLine"], fold["endLine"], fold["kind"].as_str().unwrap_or("-"))
+            format!(
+                "{}-{} {}",
+                fold["startLine"],
+                fold["endLine"],
+                fold["kind"].as_str().unwrap_or("-")
+            )
         })
         .collect();
-    assert_eq!(shown, ["0-10 -", "1-2 comment", "3-4 -", "5-6 -", "8-10 region"]);
+    assert_eq!(
+        shown,
+        ["0-10 -", "1-2 comment", "3-4 -", "5-6 -", "8-10 region"]
+    );
 }
 
 #[test]
 fn folding_a_file_that_is_cut_off_ends() {
     let mut client = Client::start();
-    client.open_with("cut.xacro", "<robot>\n<link name=\"l\">\n<visual>\n<xacro:property name=\"a\"\n");
+    client.open_with(
+        "cut.xacro",
+        "<robot>\n<link name=\"l\">\n<visual>\n<xacro:property name=\"a\"\n",
+    );
     let folds = client.request("textDocument/foldingRange", client.of("cut.xacro"));
     assert!(folds.is_array());
 }
@@ -118,9 +151,18 @@ fn a_selection_grows_from_the_name_to_the_file() {
         selection = selection["parent"].clone();
     }
     let origin = "<origin xyz=\"0 0 ${m0 / 3}\"/>";
-    let call = format!("<xacro:unit name=\"tilt\" parent=\"pan_body\" axis=\"0 1 0\">{origin}</xacro:unit>");
-    let expected =
-        ["m0", "m0 / 3", "${m0 / 3}", "0 0 ${m0 / 3}", "xyz=\"0 0 ${m0 / 3}\"", origin, call.as_str()];
+    let call = format!(
+        "<xacro:unit name=\"tilt\" parent=\"pan_body\" axis=\"0 1 0\">{origin}</xacro:unit>"
+    );
+    let expected = [
+        "m0",
+        "m0 / 3",
+        "${m0 / 3}",
+        "0 0 ${m0 / 3}",
+        "xyz=\"0 0 ${m0 / 3}\"",
+        origin,
+        call.as_str(),
+    ];
     assert_eq!(shown[..7], expected);
     assert_eq!(shown.last().unwrap(), client.text(ROBOT));
 }
@@ -129,11 +171,21 @@ fn a_selection_grows_from_the_name_to_the_file() {
 fn both_tags_are_edited_together() {
     let mut client = Client::start();
     client.open(UNIT);
-    let tags = client.request("textDocument/linkedEditingRange", client.at(UNIT, "<jo|int"));
-    let names: Vec<String> =
-        tags["ranges"].as_array().unwrap().iter().map(|range| client.slice(UNIT, range)).collect();
+    let tags = client.request(
+        "textDocument/linkedEditingRange",
+        client.at(UNIT, "<jo|int"),
+    );
+    let names: Vec<String> = tags["ranges"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|range| client.slice(UNIT, range))
+        .collect();
     assert_eq!(names, ["joint", "joint"]);
     client.edit(UNIT, "</joint>", "</join>");
-    let tags = client.request("textDocument/linkedEditingRange", client.at(UNIT, "<jo|int"));
+    let tags = client.request(
+        "textDocument/linkedEditingRange",
+        client.at(UNIT, "<jo|int"),
+    );
     assert_eq!(tags, Value::Null);
 }

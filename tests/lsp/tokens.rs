@@ -7,18 +7,36 @@ use super::workspace::{ROBOT, UNIT};
 
 /// The pieces of an open file that `data` stands for: `line text kind modifiers`, lines from 1.
 fn decoded(client: &Client, file: &str, data: &Value, legend: &Value) -> Vec<String> {
-    let numbers: Vec<u64> = data.as_array().unwrap().iter().map(|n| n.as_u64().unwrap()).collect();
+    let numbers: Vec<u64> = data
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|n| n.as_u64().unwrap())
+        .collect();
     let (mut line, mut col) = (0, 0);
     let mut found = Vec::new();
     for token in numbers.chunks(5) {
-        let &[lines, cols, length, kind, modifiers] = token else { panic!("{token:?}") };
-        (line, col) = if lines == 0 { (line, col + cols) } else { (line + lines, cols) };
-        let (start, end) =
-            (json!({ "line": line, "character": col }), json!({ "line": line, "character": col + length }));
+        let &[lines, cols, length, kind, modifiers] = token else {
+            panic!("{token:?}")
+        };
+        (line, col) = if lines == 0 {
+            (line, col + cols)
+        } else {
+            (line + lines, cols)
+        };
+        let (start, end) = (
+            json!({ "line": line, "character": col }),
+            json!({ "line": line, "character": col + length }),
+        );
         let text = client.slice(file, &json!({ "start": start, "end": end }));
-        let names = legend["tokenModifiers"].as_array().unwrap().iter().enumerate();
-        let names =
-            names.filter(|(bit, _)| modifiers & (1 << bit) != 0).map(|(_, name)| name.as_str().unwrap());
+        let names = legend["tokenModifiers"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .enumerate();
+        let names = names
+            .filter(|(bit, _)| modifiers & (1 << bit) != 0)
+            .map(|(_, name)| name.as_str().unwrap());
         let kind = legend["tokenTypes"][kind as usize].as_str().unwrap();
         let words: Vec<&str> = [text.as_str(), kind].into_iter().chain(names).collect();
         found.push(format!("{} {}", line + 1, words.join(" ")));
@@ -44,7 +62,10 @@ fn all(client: &mut Client, file: &str, legend: &Value) -> Vec<String> {
 #[track_caller]
 fn check_line(found: &[String], line: usize, expected: &[&str]) {
     let lead = format!("{line} ");
-    let on_line: Vec<&str> = found.iter().filter_map(|token| token.strip_prefix(&lead)).collect();
+    let on_line: Vec<&str> = found
+        .iter()
+        .filter_map(|token| token.strip_prefix(&lead))
+        .collect();
     assert_eq!(on_line, expected);
 }
 
@@ -72,7 +93,16 @@ fn names_are_told_apart() {
         "} operator",
     ];
     check_line(&found, 4, &yaml);
-    check_line(&found, 6, &["$( operator", "arg keyword", "mount parameter", ") operator"]);
+    check_line(
+        &found,
+        6,
+        &[
+            "$( operator",
+            "arg keyword",
+            "mount parameter",
+            ") operator",
+        ],
+    );
     let call = [
         "unit macro",
         "name parameter",
@@ -96,7 +126,12 @@ fn names_are_told_apart() {
         "at parameter declaration",
     ];
     check_line(&found, 3, &definition);
-    let joint = ["${ operator", "name parameter", "} operator", "revolute enumMember"];
+    let joint = [
+        "${ operator",
+        "name parameter",
+        "} operator",
+        "revolute enumMember",
+    ];
     check_line(&found, 5, &joint);
     let ends = [
         "xacro:insert_block keyword",
@@ -124,7 +159,11 @@ fn what_a_condition_leaves_out_is_a_comment() {
     check_line(&found, 10, &["<link name=\"🤖\"/> comment unused"]);
     check_line(&found, 12, &["xacro:if keyword"]);
     client.edit(ROBOT, "${m0 > 1}", "${m0 > 0}");
-    check_line(&all(&mut client, ROBOT, &legend), 10, &["🤖 class declaration"]);
+    check_line(
+        &all(&mut client, ROBOT, &legend),
+        10,
+        &["🤖 class declaration"],
+    );
 }
 
 #[test]
@@ -139,13 +178,20 @@ fn changes_and_ranges_agree_with_the_whole() {
     for edit in delta["edits"].as_array().unwrap() {
         let start = edit["start"].as_u64().unwrap() as usize;
         let end = start + edit["deleteCount"].as_u64().unwrap() as usize;
-        data.splice(start..end, edit["data"].as_array().cloned().unwrap_or_default());
+        data.splice(
+            start..end,
+            edit["data"].as_array().cloned().unwrap_or_default(),
+        );
     }
     let full = client.request("textDocument/semanticTokens/full", client.of(ROBOT));
     assert_eq!(Value::Array(data), full["data"]);
-    assert!(delta["edits"][0]["data"].as_array().unwrap().len() < 80, "{delta}");
+    assert!(
+        delta["edits"][0]["data"].as_array().unwrap().len() < 80,
+        "{delta}"
+    );
     let mut params = client.of(ROBOT);
-    params["range"] = json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 3, "character": 0 } });
+    params["range"] =
+        json!({ "start": { "line": 2, "character": 0 }, "end": { "line": 3, "character": 0 } });
     let part = client.request("textDocument/semanticTokens/range", params);
     let expected = [
         "xacro:property keyword",
@@ -159,7 +205,11 @@ fn changes_and_ranges_agree_with_the_whole() {
         "1.5 number",
         "} operator",
     ];
-    check_line(&decoded(&client, ROBOT, &part["data"], &legend), 3, &expected);
+    check_line(
+        &decoded(&client, ROBOT, &part["data"], &legend),
+        3,
+        &expected,
+    );
 }
 
 #[test]
@@ -170,5 +220,10 @@ fn half_typed_text_has_colors() {
     check_line(&found, 9, &["m0 variable", "+ operator"]);
     client.edit(UNIT, "params=\"name parent", "params=\"name other parent");
     let found = all(&mut client, UNIT, &legend);
-    assert!(found.iter().any(|token| token == "3 other parameter declaration"), "{found:?}");
+    assert!(
+        found
+            .iter()
+            .any(|token| token == "3 other parameter declaration"),
+        "{found:?}"
+    );
 }

@@ -46,8 +46,9 @@ fn manifest(name: &str, depends: &str) -> String {
 pub fn fresh_folder() -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
-    let folder =
-        Path::new(env!("CARGO_TARGET_TMPDIR")).join("lsp").join(format!("{}-{number}", std::process::id()));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("lsp")
+        .join(format!("{}-{number}", std::process::id()));
     let _ = fs::remove_dir_all(&folder);
     // a repository of its own: nothing is read of folders above
     fs::create_dir_all(folder.join(".git")).unwrap();
@@ -65,8 +66,16 @@ pub fn pan_tilt() -> PathBuf {
     let folder = fresh_folder();
     write(&folder, ROBOT, ROBOT_TEXT);
     write(&folder, UNIT, UNIT_TEXT);
-    write(&folder, "src/pan_tilt/config/cam.yaml", "fov: 1.2\nmass: {head: 0.4}\n");
-    write(&folder, "src/pan_tilt/package.xml", manifest("pan_tilt", "<exec_depend>xacro</exec_depend>"));
+    write(
+        &folder,
+        "src/pan_tilt/config/cam.yaml",
+        "fov: 1.2\nmass: {head: 0.4}\n",
+    );
+    write(
+        &folder,
+        "src/pan_tilt/package.xml",
+        manifest("pan_tilt", "<exec_depend>xacro</exec_depend>"),
+    );
     write(&folder, "src/lens/package.xml", manifest("lens", ""));
     write(&folder, "src/lens/urdf/lens.xacro", LENS_TEXT);
     folder

@@ -15,7 +15,12 @@ pub fn binary_stl(recipe: &str) -> Vec<u8> {
         other => panic!("no shape `{other}`"),
     };
     let wants = |word| words.contains(&word);
-    let behind = |word| words.iter().position(|other| *other == word).map(|place| place + 1);
+    let behind = |word| {
+        words
+            .iter()
+            .position(|other| *other == word)
+            .map(|place| place + 1)
+    };
     let at = behind("at").map_or([0.0; 3], three);
     let times = behind("times").map_or(1.0, number);
     for point in triangles.iter_mut().flatten() {
@@ -24,14 +29,29 @@ pub fn binary_stl(recipe: &str) -> Vec<u8> {
     if wants("open") {
         triangles.truncate(triangles.len() - 2);
     }
-    let turned = if wants("inverted") { triangles.len() } else { usize::from(wants("flipped")) };
-    triangles[..turned].iter_mut().for_each(|triangle| triangle.swap(1, 2));
-    let mut bytes = if wants("solid") { b"solid part".to_vec() } else { b"part".to_vec() };
+    let turned = if wants("inverted") {
+        triangles.len()
+    } else {
+        usize::from(wants("flipped"))
+    };
+    triangles[..turned]
+        .iter_mut()
+        .for_each(|triangle| triangle.swap(1, 2));
+    let mut bytes = if wants("solid") {
+        b"solid part".to_vec()
+    } else {
+        b"part".to_vec()
+    };
     bytes.resize(80, 0);
     bytes.extend((triangles.len() as u32).to_le_bytes());
     for triangle in triangles {
         bytes.extend([0; 12]);
-        bytes.extend(triangle.iter().flatten().flat_map(|number| (*number as f32).to_le_bytes()));
+        bytes.extend(
+            triangle
+                .iter()
+                .flatten()
+                .flat_map(|number| (*number as f32).to_le_bytes()),
+        );
         bytes.extend([0; 2]);
     }
     bytes.truncate(bytes.len() - if wants("cut") { 20 } else { 0 });
@@ -40,9 +60,28 @@ pub fn binary_stl(recipe: &str) -> Vec<u8> {
 
 fn block(size: [f64; 3]) -> Vec<[Point; 3]> {
     let half = size.map(|side| side / 2.0);
-    let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { half[axis] } else { -half[axis] });
-    let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6], [4, 5, 7, 6]];
-    sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).map(|side| side.map(corner)).collect()
+    let corner = |i: usize| {
+        [0, 1, 2].map(|axis| {
+            if i >> axis & 1 == 1 {
+                half[axis]
+            } else {
+                -half[axis]
+            }
+        })
+    };
+    let sides = [
+        [0, 2, 3, 1],
+        [0, 1, 5, 4],
+        [1, 3, 7, 5],
+        [3, 2, 6, 7],
+        [2, 0, 4, 6],
+        [4, 5, 7, 6],
+    ];
+    sides
+        .iter()
+        .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]])
+        .map(|side| side.map(corner))
+        .collect()
 }
 
 /// Twice `rings` times one less than `rings` triangles.

@@ -15,20 +15,37 @@ pub fn of(target: &Target) -> Vec<Vec<u8>> {
         match *kind {
             "expressions" => found.extend(expressions()),
             "messages" => found.extend(MESSAGES.iter().map(|text| framed(text))),
-            "meshes" => {
-                found.extend(MESHES.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
-            }
-            "yaml" => found
-                .extend(files("yaml").into_iter().chain(YAML.iter().map(|text| text.as_bytes().to_vec()))),
-            "launch" => {
-                found.extend(LAUNCH.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
-            }
-            "launch-of-a-package" => {
-                found.extend(LAUNCH_OF_ARM.iter().map(|(choice, text)| with_choice(*choice, text.as_bytes())))
-            }
-            "stl" => found.extend(files("stl").iter().take(4).map(|bytes| with_choice(0, bytes))),
-            "toml" => found
-                .extend(files("toml").into_iter().chain(TOML.iter().map(|text| text.as_bytes().to_vec()))),
+            "meshes" => found.extend(
+                MESHES
+                    .iter()
+                    .map(|(choice, text)| with_choice(*choice, text.as_bytes())),
+            ),
+            "yaml" => found.extend(
+                files("yaml")
+                    .into_iter()
+                    .chain(YAML.iter().map(|text| text.as_bytes().to_vec())),
+            ),
+            "launch" => found.extend(
+                LAUNCH
+                    .iter()
+                    .map(|(choice, text)| with_choice(*choice, text.as_bytes())),
+            ),
+            "launch-of-a-package" => found.extend(
+                LAUNCH_OF_ARM
+                    .iter()
+                    .map(|(choice, text)| with_choice(*choice, text.as_bytes())),
+            ),
+            "stl" => found.extend(
+                files("stl")
+                    .iter()
+                    .take(4)
+                    .map(|bytes| with_choice(0, bytes)),
+            ),
+            "toml" => found.extend(
+                files("toml")
+                    .into_iter()
+                    .chain(TOML.iter().map(|text| text.as_bytes().to_vec())),
+            ),
             ending if target.has_choice => {
                 let numbered = files(ending).into_iter().enumerate();
                 found.extend(numbered.map(|(number, bytes)| with_choice(number as u8, &bytes)));
@@ -77,9 +94,17 @@ fn collect(folder: &Path, ending: &str, found: &mut Vec<PathBuf>) {
 fn expressions() -> Vec<Vec<u8>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/expr/testdata");
     let mut found = Vec::new();
-    for (table, every) in [("eval.txt", 1), ("operators.txt", 20), ("format.txt", 20), ("valid.txt", 1)] {
+    for (table, every) in [
+        ("eval.txt", 1),
+        ("operators.txt", 20),
+        ("format.txt", 20),
+        ("valid.txt", 1),
+    ] {
         let text = fs::read_to_string(folder.join(table)).unwrap();
-        let first = text.lines().step_by(every).filter_map(|line| line.split('\t').next());
+        let first = text
+            .lines()
+            .step_by(every)
+            .filter_map(|line| line.split('\t').next());
         found.extend(first.map(|expression| expression.trim_matches('"').as_bytes().to_vec()));
     }
     found.push(b"a ${x*2} b $(find pkg)/$(arg n) $${c} ${'$(arg s)'} ${[i for i in l]}".to_vec());
@@ -88,7 +113,12 @@ fn expressions() -> Vec<Vec<u8>> {
 
 /// Words of all the languages.
 pub fn words() -> Vec<&'static str> {
-    WORDS.split(' ').chain(["\n", "\r\n", " ", "\t", "\u{feff}", "\u{0}", "\u{2028}", "😀"]).collect()
+    WORDS
+        .split(' ')
+        .chain([
+            "\n", "\r\n", " ", "\t", "\u{feff}", "\u{0}", "\u{2028}", "😀",
+        ])
+        .collect()
 }
 
 const WORDS: &str = "< > / \" ' = & ; --> <!-- <![CDATA[ ]]> </ /> <? ?> <!DOCTYPE <!ENTITY &amp; &#x41; &#0; &e; ${ } $( ) \
@@ -128,7 +158,10 @@ const MESHES: &[(u8, &str)] = &[
         0,
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
     ),
-    (1, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1/1/1 2//2 -1\nf 1 2 3 4\n"),
+    (
+        1,
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1/1/1 2//2 -1\nf 1 2 3 4\n",
+    ),
     (
         2,
         "<COLLADA><asset><unit meter='0.001'/><up_axis>Z_UP</up_axis></asset><library_geometries><geometry id='g'><mesh>\
@@ -143,7 +176,10 @@ const MESHES: &[(u8, &str)] = &[
         3,
         r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[1,2,3]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":1,"type":"VEC3"},{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":12},{"buffer":0,"byteOffset":8,"byteLength":6}],"buffers":[{"uri":"a.bin","byteLength":14}]}"#,
     ),
-    (4, "glTF\u{2}\u{0}\u{0}\u{0}\u{1c}\u{0}\u{0}\u{0}\u{8}\u{0}\u{0}\u{0}JSON{}      "),
+    (
+        4,
+        "glTF\u{2}\u{0}\u{0}\u{0}\u{1c}\u{0}\u{0}\u{0}\u{8}\u{0}\u{0}\u{0}JSON{}      ",
+    ),
 ];
 
 /// Launch files of the package `arm`, by the number of their kind.
@@ -169,7 +205,10 @@ const LAUNCH_OF_ARM: [(u8, &str); 6] = [
         "<launch><let name=\"s\" value=\"right\"/><node><param name=\"d\" value=\"$(command 'xacro $(find-pkg-share arm)/arm.urdf.xacro \
          side:=$(var s)')\"/></node></launch>",
     ),
-    (3, "cd $(rospack find arm)\nxacro arm.urdf.xacro side:=left 'n:=1' sim:=\"$1\" > a.urdf # side:=\n"),
+    (
+        3,
+        "cd $(rospack find arm)\nxacro arm.urdf.xacro side:=left 'n:=1' sim:=\"$1\" > a.urdf # side:=\n",
+    ),
     (
         4,
         "launch:\n- arg: {name: side, default: left}\n- node:\n    param:\n    - name: robot_description\n      value: \

@@ -18,10 +18,16 @@ fn functions(folder: &str) -> Vec<(String, String)> {
         let mut function = String::new();
         let mut begin = 0;
         for (number, line) in source.lines().enumerate() {
-            let code = line.trim_start().trim_start_matches("pub ").trim_start_matches("pub(super) ");
+            let code = line
+                .trim_start()
+                .trim_start_matches("pub ")
+                .trim_start_matches("pub(super) ");
             let is_nested = line.starts_with("        ");
             if code.starts_with("fn ") && !is_nested {
-                found.push((format!("{}:{begin}", path.display()), std::mem::take(&mut function)));
+                found.push((
+                    format!("{}:{begin}", path.display()),
+                    std::mem::take(&mut function),
+                ));
                 begin = number + 1;
             }
             function.push_str(line);
@@ -36,7 +42,9 @@ fn functions(folder: &str) -> Vec<(String, String)> {
 /// a variable that holds a report with one.
 fn has_help(text: &str) -> bool {
     let own = text.rsplit(".done()").next().unwrap();
-    let mut statements = text.split(';').filter(|statement| statement.contains("let "));
+    let mut statements = text
+        .split(';')
+        .filter(|statement| statement.contains("let "));
     own.contains(".help(") || statements.any(|statement| statement.contains(".help("))
 }
 
@@ -60,7 +68,8 @@ fn every_finding_that_is_put_together_has_a_help() {
     let (mut wrong, mut count) = (Vec::new(), 0);
     for folder in ["src/rules", "src/analysis"] {
         for (place, function) in functions(folder) {
-            let is_put_together = function.contains("Finding::new(") && !function.contains("draft(&mut self");
+            let is_put_together =
+                function.contains("Finding::new(") && !function.contains("draft(&mut self");
             if is_put_together {
                 count += 1;
                 if !function.contains("help") {
@@ -77,7 +86,11 @@ fn every_finding_that_is_put_together_has_a_help() {
 fn codes<'a>(text: &'a str, calls: &'a [&str]) -> impl Iterator<Item = &'a str> {
     calls.iter().flat_map(move |call| {
         text.match_indices(call).filter_map(move |(at, _)| {
-            text[at + call.len()..].trim_start().strip_prefix('"')?.split('"').next()
+            text[at + call.len()..]
+                .trim_start()
+                .strip_prefix('"')?
+                .split('"')
+                .next()
         })
     })
 }
@@ -95,7 +108,9 @@ fn every_problem_of_the_expander_has_a_help() {
         for code in codes(&function, &["problem(", "error(", "warn(", "Problem::new("]) {
             count += 1;
             if !general.contains(code) && !function.contains("help(") {
-                wrong.push(format!("{place}: {code} has no help, here or in `advice.rs`"));
+                wrong.push(format!(
+                    "{place}: {code} has no help, here or in `advice.rs`"
+                ));
             }
         }
     }

@@ -126,11 +126,26 @@ pub fn prose(text: &str) -> String {
 
 /// What is wrong with the words of a text.
 pub fn wrong_words(text: &str) -> Vec<String> {
-    let text = format!(" {} ", prose(text).to_lowercase().split_whitespace().collect::<Vec<_>>().join(" "));
-    let text = ["there is no ", "there are no ", "is no longer ", "are no longer "]
-        .iter()
-        .fold(text, |text, allowed| text.replace(allowed, ""));
+    let text = format!(
+        " {} ",
+        prose(text)
+            .to_lowercase()
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+    );
+    let text = [
+        "there is no ",
+        "there are no ",
+        "is no longer ",
+        "are no longer ",
+    ]
+    .iter()
+    .fold(text, |text, allowed| text.replace(allowed, ""));
     let retired = RETIRED.iter().filter(|(word, _)| text.contains(word));
     let british = BRITISH.iter().filter(|(word, _)| text.contains(word));
-    retired.chain(british).map(|(word, better)| format!("`{}`: write `{better}`", word.trim())).collect()
+    retired
+        .chain(british)
+        .map(|(word, better)| format!("`{}`: write `{better}`", word.trim()))
+        .collect()
 }

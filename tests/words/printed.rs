@@ -11,14 +11,20 @@ fn findings(text: &str) -> Vec<(String, Option<String>)> {
     let mut found: Vec<(String, Option<String>)> = Vec::new();
     let mut is_open = false;
     for line in text.lines() {
-        let severity = ["error[", "warning[", "info[", "hint["].iter().find(|name| line.starts_with(**name));
+        let severity = ["error[", "warning[", "info[", "hint["]
+            .iter()
+            .find(|name| line.starts_with(**name));
         if let (Some(_), Some((_, message))) = (severity, line.split_once("]: ")) {
             // without a source line there is a path before the message, and no help
             is_open = !message.contains(".xacro: ") && !message.contains(".urdf: ");
             if is_open {
                 found.push((message.to_owned(), None));
             }
-        } else if let Some(help) = line.trim_start().strip_prefix("= help: ").filter(|_| is_open) {
+        } else if let Some(help) = line
+            .trim_start()
+            .strip_prefix("= help: ")
+            .filter(|_| is_open)
+        {
             found.last_mut().unwrap().1 = Some(help.to_owned());
         } else if line.is_empty() {
             is_open = false;
@@ -37,7 +43,8 @@ fn printed_findings_follow_the_style_guide() {
     for path in paths {
         for (message, help) in findings(&fs::read_to_string(&path).unwrap()) {
             count += 1;
-            let mut say = |what: String| wrong.push(format!("{}: `{message}`: {what}", path.display()));
+            let mut say =
+                |what: String| wrong.push(format!("{}: `{message}`: {what}", path.display()));
             match &help {
                 Some(help) => wrong_line(help).into_iter().for_each(&mut say),
                 None => say("no help".to_owned()),

@@ -10,11 +10,19 @@ struct Retired {
 }
 
 fn list() -> Vec<Retired> {
-    let text = fs::read_to_string(super::root().join("docs/contributing/retired-words.txt")).unwrap();
-    let lines = text.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
+    let text =
+        fs::read_to_string(super::root().join("docs/contributing/retired-words.txt")).unwrap();
+    let lines = text
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.is_empty());
     let pair = |line: &str| {
-        let (words, instead) = line.split_once(" -> ").unwrap_or_else(|| panic!("`{line}` has no ` -> `"));
-        Retired { words: words.split(' ').map(str::to_owned).collect(), instead: instead.to_owned() }
+        let (words, instead) = line
+            .split_once(" -> ")
+            .unwrap_or_else(|| panic!("`{line}` has no ` -> `"));
+        Retired {
+            words: words.split(' ').map(str::to_owned).collect(),
+            instead: instead.to_owned(),
+        }
     };
     lines.map(pair).collect()
 }
@@ -25,10 +33,14 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let ending = path.extension().map(|ending| ending.to_string_lossy().into_owned());
+        let ending = path
+            .extension()
+            .map(|ending| ending.to_string_lossy().into_owned());
         if path.is_dir() && !LEFT_OUT.contains(&name.as_str()) && !name.starts_with('.') {
             sources(&path, found);
-        } else if ending.is_some_and(|ending| ["rs", "ts", "lua", "py", "mjs"].contains(&ending.as_str())) {
+        } else if ending
+            .is_some_and(|ending| ["rs", "ts", "lua", "py", "mjs"].contains(&ending.as_str()))
+        {
             found.push(path);
         }
     }
@@ -72,16 +84,32 @@ fn retired_words_are_not_used() {
     assert!(files.len() > 500, "only {} source files found", files.len());
     let mut wrong = Vec::new();
     for path in files {
-        let shown = path.strip_prefix(super::root()).unwrap().to_string_lossy().into_owned();
+        let shown = path
+            .strip_prefix(super::root())
+            .unwrap()
+            .to_string_lossy()
+            .into_owned();
         let text = fs::read_to_string(&path).unwrap();
         let lines = text.lines().map(words).zip(1..);
         for (words, line) in std::iter::once((words(&shown), 0)).chain(lines) {
-            for Retired { words: old, instead } in &retired {
+            for Retired {
+                words: old,
+                instead,
+            } in &retired
+            {
                 if words.windows(old.len()).any(|window| window == old) {
-                    wrong.push(format!("{shown}:{line}: `{}`; write `{instead}`", old.join(" ")));
+                    wrong.push(format!(
+                        "{shown}:{line}: `{}`; write `{instead}`",
+                        old.join(" ")
+                    ));
                 }
             }
         }
     }
-    assert!(wrong.is_empty(), "{} retired words:\n{}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} retired words:\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }

@@ -13,7 +13,8 @@ use base::{CancelFlag, Span, TextRange};
 use expand::{Expansion, Problem, ProblemKind, Severity};
 use project::{Assistant, Named};
 use rules::{
-    Finding, setup_assistant_file_not_found, setup_assistant_robot_fails, setup_assistant_unknown_argument,
+    Finding, setup_assistant_file_not_found, setup_assistant_robot_fails,
+    setup_assistant_unknown_argument,
 };
 use workspace::nearest;
 
@@ -25,25 +26,48 @@ impl Session {
         robots: &Robots,
         cancel: &CancelFlag,
     ) -> Vec<Finding> {
-        let assistant = own.settings().and_then(|settings| settings.assistant.as_ref());
+        let assistant = own
+            .settings()
+            .and_then(|settings| settings.assistant.as_ref());
         let package = self.packages.containing(&own.path);
         // copies elsewhere are read by nobody
-        let is_read =
-            package.as_ref().is_some_and(|package| package.folder.join(".setup_assistant") == own.path);
-        let Some(assistant) = assistant.filter(|_| is_read) else { return Vec::new() };
-        let span = |named: &Named| Span { file: own.file, range: named.range };
+        let is_read = package
+            .as_ref()
+            .is_some_and(|package| package.folder.join(".setup_assistant") == own.path);
+        let Some(assistant) = assistant.filter(|_| is_read) else {
+            return Vec::new();
+        };
+        let span = |named: &Named| Span {
+            file: own.file,
+            range: named.range,
+        };
         let mut found = Vec::new();
         if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
             && self.is_not_there(&package.folder.join(srdf.name.as_str()))
         {
-            found.push(setup_assistant_file_not_found(span(srdf), &srdf.name, &package.name));
+            found.push(setup_assistant_file_not_found(
+                span(srdf),
+                &srdf.name,
+                &package.name,
+            ));
         }
-        let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else { return found };
-        let Ok(folder) = self.packages.find(&name.name, &own.path) else { return found };
-        let file = self.packages.present(&folder.path.join(urdf.name.as_str())).into_owned();
+        let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else {
+            return found;
+        };
+        let Ok(folder) = self.packages.find(&name.name, &own.path) else {
+            return found;
+        };
+        let file = self
+            .packages
+            .present(&folder.path.join(urdf.name.as_str()))
+            .into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
         if self.is_not_there(&file) {
-            found.push(setup_assistant_file_not_found(span(urdf), &urdf.name, &name.name));
+            found.push(setup_assistant_file_not_found(
+                span(urdf),
+                &urdf.name,
+                &name.name,
+            ));
         }
         if self.vfs.is_file(&file) {
             found.extend(self.assistant_failure(own, assistant, &file, robots, cancel));
@@ -57,7 +81,8 @@ impl Session {
     fn is_not_there(&self, path: &Path) -> bool {
         let is_named = path.to_str().is_some_and(|path| !path.contains(['$', '{']));
         let folder = path.parent().unwrap_or(path);
-        let is_source = |name: &str| stem(Path::new(name)).is_some() && stem(Path::new(name)) == stem(path);
+        let is_source =
+            |name: &str| stem(Path::new(name)).is_some() && stem(Path::new(name)) == stem(path);
         let has_source = || {
             self.vfs
                 .list_dir(folder)
@@ -81,24 +106,51 @@ impl Session {
         cancel: &CancelFlag,
     ) -> Option<Finding> {
         let (arguments, args) = (assistant.arguments.as_ref()?, assistant.given());
-        let with = robots.get(&RootChoice { args, ..RootChoice::plain(file) })?;
+        let with = robots.get(&RootChoice {
+            args,
+            ..RootChoice::plain(file)
+        })?;
         let errors = errors(&with.expansion);
-        if errors.is_empty() || errors.iter().any(|error| error.kind == ProblemKind::PackageNotFound) {
+        if errors.is_empty()
+            || errors
+                .iter()
+                .any(|error| error.kind == ProblemKind::PackageNotFound)
+        {
             return None;
         }
-        let options = CheckOptions { cancel: cancel.clone(), ..CheckOptions::default() };
+        let options = CheckOptions {
+            cancel: cancel.clone(),
+            ..CheckOptions::default()
+        };
         let plain = Analyzed::of(self, &RootChoice::plain(file), &options).expansion;
-        let before: Vec<_> = plain.problems.iter().map(|error| (error.kind, place(&plain, error))).collect();
-        let is_new = |error: &&&Problem| !before.contains(&(error.kind, place(&with.expansion, error)));
-        let error = errors.iter().find(is_new).filter(|_| !cancel.is_cancelled())?;
-        let span = Span { file: own.file, range: arguments.range };
+        let before: Vec<_> = plain
+            .problems
+            .iter()
+            .map(|error| (error.kind, place(&plain, error)))
+            .collect();
+        let is_new =
+            |error: &&&Problem| !before.contains(&(error.kind, place(&with.expansion, error)));
+        let error = errors
+            .iter()
+            .find(is_new)
+            .filter(|_| !cancel.is_cancelled())?;
+        let span = Span {
+            file: own.file,
+            range: arguments.range,
+        };
         let name = file.file_name()?.to_string_lossy();
-        Some(setup_assistant_robot_fails(span, &name, (place(&with.expansion, error)?, &error.message)))
+        Some(setup_assistant_robot_fails(
+            span,
+            &name,
+            (place(&with.expansion, error)?, &error.message),
+        ))
     }
 
     /// Arguments that nothing in the robot reads.
     fn unread_arguments(&self, own: &Beside, assistant: &Assistant, file: &Path) -> Vec<Finding> {
-        let Some(arguments) = &assistant.arguments else { return Vec::new() };
+        let Some(arguments) = &assistant.arguments else {
+            return Vec::new();
+        };
         let package = self.packages.containing(&own.path);
         let extended = package.and_then(|package| self.extended(&package.folder));
         let files: Vec<PathBuf> = [file.to_owned()].into_iter().chain(extended).collect();
@@ -109,16 +161,26 @@ impl Session {
         let shown = file.file_name().unwrap_or_default().to_string_lossy();
         let text = self.vfs.text(&own.path);
         let place = |name: &str| {
-            let written =
-                text.as_ref().ok().map(|text| arguments.range.slice(&text.text)).unwrap_or_default();
-            let start = written.find(&format!("{name}:=")).map(|at| arguments.range.start + at as u32);
-            start.map_or(arguments.range, |start| TextRange::new(start, start + name.len() as u32))
+            let written = text
+                .as_ref()
+                .ok()
+                .map(|text| arguments.range.slice(&text.text))
+                .unwrap_or_default();
+            let start = written
+                .find(&format!("{name}:="))
+                .map(|at| arguments.range.start + at as u32);
+            start.map_or(arguments.range, |start| {
+                TextRange::new(start, start + name.len() as u32)
+            })
         };
         let names = || known.iter().flat_map(|known| &known.names);
         let unknown = assistant.given().into_iter().map(|(name, _)| name);
         let unknown = unknown.filter(|name| !names().any(|known| known == name));
         let finding = |name: String| {
-            let span = Span { file: own.file, range: place(&name) };
+            let span = Span {
+                file: own.file,
+                range: place(&name),
+            };
             let near = nearest(&name, names().map(|name| name.as_str()));
             setup_assistant_unknown_argument(span, &name, &shown, near)
         };
@@ -132,12 +194,20 @@ fn is_xacro(name: &str) -> bool {
 
 /// The errors for which xacro gives no robot.
 fn errors(expansion: &Expansion) -> Vec<&Problem> {
-    let is_error =
-        |problem: &&Problem| problem.severity == Severity::Error && !problem.probed && !problem.excused;
+    let is_error = |problem: &&Problem| {
+        problem.severity == Severity::Error && !problem.probed && !problem.excused
+    };
     expansion.problems.iter().filter(is_error).collect()
 }
 
 fn place(expansion: &Expansion, problem: &Problem) -> Option<Span> {
-    let file = expansion.files.get(problem.place.file.0 as usize)?.source.id;
-    Some(Span { file, range: problem.place.range })
+    let file = expansion
+        .files
+        .get(problem.place.file.0 as usize)?
+        .source
+        .id;
+    Some(Span {
+        file,
+        range: problem.place.range,
+    })
 }

@@ -13,13 +13,21 @@ use base::CancelFlag;
 impl Session {
     /// What a file says that the pairing of other files rests on, and the arguments that it gives to robots.
     pub(in super::super) fn said_to_others(&self, path: &Path) -> Vec<String> {
-        let mut said = vec![format!("{:?} {}", self.robot_name(path), self.is_about_robots(path))];
-        let Ok(file) = self.vfs.text(path) else { return said };
+        let mut said = vec![format!(
+            "{:?} {}",
+            self.robot_name(path),
+            self.is_about_robots(path)
+        )];
+        let Ok(file) = self.vfs.text(path) else {
+            return said;
+        };
         if is_launch(path) {
             said.extend(self.given_in(path));
         } else if sort(path) == Some(Sort::Yaml) {
             let settings = self.beside_settings(path);
-            said.extend(settings.map(|settings| format!("{:?} {:?}", settings.listed, settings.assistant)));
+            said.extend(
+                settings.map(|settings| format!("{:?} {:?}", settings.listed, settings.assistant)),
+            );
         } else {
             let parameters = file.text.split("<parameters>").skip(1);
             said.extend(parameters.filter_map(|rest| Some(rest.split_once('<')?.0.to_owned())));
@@ -38,10 +46,21 @@ impl World {
         roots: &[RootChoice],
         cancel: &CancelFlag,
     ) -> Option<Compared> {
-        let mut files: Vec<PathBuf> = paths.iter().filter(|path| sort(path).is_some()).cloned().collect();
-        let is_for_shown =
-            |file: &PathBuf| self.session().pairing(file).roots.iter().all(|own| roots.contains(own));
-        let beside = roots.iter().flat_map(|root| self.session().beside_of(&root.file));
+        let mut files: Vec<PathBuf> = paths
+            .iter()
+            .filter(|path| sort(path).is_some())
+            .cloned()
+            .collect();
+        let is_for_shown = |file: &PathBuf| {
+            self.session()
+                .pairing(file)
+                .roots
+                .iter()
+                .all(|own| roots.contains(own))
+        };
+        let beside = roots
+            .iter()
+            .flat_map(|root| self.session().beside_of(&root.file));
         files.extend(beside.filter(is_for_shown));
         files.sort();
         files.dedup();
@@ -79,7 +98,12 @@ impl World {
             let analyzed = self.analyzed(&root, cancel)?;
             srdfs.insert(root, analyzed);
         }
-        Some(files.iter().filter_map(|file| self.session().beside(file, &srdfs)).collect())
+        Some(
+            files
+                .iter()
+                .filter_map(|file| self.session().beside(file, &srdfs))
+                .collect(),
+        )
     }
 
     /// The robots that a file beside them is for, the most likely one first.

@@ -43,7 +43,10 @@ pub(crate) enum Sort {
 /// What a file beside a robot may be, by its name.
 pub(crate) fn sort(path: &Path) -> Option<Sort> {
     let name = path.file_name()?.to_str()?;
-    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+    let ending = name
+        .rsplit_once('.')
+        .map_or("", |(_, ending)| ending)
+        .to_ascii_lowercase();
     if is_semantic_name(path) {
         return Some(Sort::Srdf);
     }
@@ -59,13 +62,19 @@ pub fn is_settings(path: &Path) -> bool {
 fn kind_of(settings: &Settings) -> &'static str {
     let kinds = [
         (settings.assistant.is_some(), "setup-assistant"),
-        (!settings.listed.is_empty() || !settings.controllers.is_empty(), "controllers"),
+        (
+            !settings.listed.is_empty() || !settings.controllers.is_empty(),
+            "controllers",
+        ),
         (!settings.moveit.is_empty(), "moveit-controllers"),
         (!settings.limits.is_empty(), "joint-limits"),
         (!settings.kinematics.is_empty(), "kinematics"),
         (!settings.planners.is_empty(), "planners"),
     ];
-    kinds.into_iter().find(|(is_it, _)| *is_it).map_or("servo", |(_, kind)| kind)
+    kinds
+        .into_iter()
+        .find(|(is_it, _)| *is_it)
+        .map_or("servo", |(_, kind)| kind)
 }
 
 impl Beside {
@@ -107,7 +116,9 @@ impl Session {
             Sort::Yaml => Some(kind_of(&*self.beside_settings(file)?)),
         };
         let files = self.beside_of(&self.vfs.absolute(root)).into_iter();
-        files.filter_map(|file| kind(&file).map(|kind| (file, kind))).collect()
+        files
+            .filter_map(|file| kind(&file).map(|kind| (file, kind)))
+            .collect()
     }
 
     /// A file beside robots; none when it says nothing about one, or is broken.
@@ -120,14 +131,21 @@ impl Session {
             }
             Sort::Yaml => Read::Settings(self.beside_settings(path)?),
         };
-        Some(Beside { path: path.to_owned(), file: self.vfs.file_id(path), read })
+        Some(Beside {
+            path: path.to_owned(),
+            file: self.vfs.file_id(path),
+            read,
+        })
     }
 
     /// Whether a file may say something about a robot: an SRDF, or YAML with words of settings.
     pub(in super::super) fn is_about_robots(&self, path: &Path) -> bool {
         match sort(path) {
             Some(Sort::Srdf) => true,
-            Some(Sort::Yaml) => self.vfs.text(path).is_ok_and(|text| may_be_settings(&text.text)),
+            Some(Sort::Yaml) => self
+                .vfs
+                .text(path)
+                .is_ok_and(|text| may_be_settings(&text.text)),
             None => false,
         }
     }

@@ -17,7 +17,9 @@ use ecow::EcoString;
 use base::{CancelFlag, FastMap, FastSet};
 use expand::{Expansion, Request, expand};
 use model::Robot;
-use rules::{Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole};
+use rules::{
+    Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole,
+};
 use workspace::Target;
 use xml::Node;
 
@@ -49,11 +51,19 @@ const MOST_FILES: usize = 200;
 impl Session {
     /// The files beside robots that a check is about.
     pub(in super::super) fn beside_files(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let paths = options.paths.iter().chain(&options.entries).map(|path| self.vfs.absolute(path));
+        let paths = options
+            .paths
+            .iter()
+            .chain(&options.entries)
+            .map(|path| self.vfs.absolute(path));
         let below = |path: PathBuf| match self.vfs.is_dir(&path) {
             true => {
                 let around = self.beside_around(&path.join("_"));
-                around.iter().filter(|file| file.starts_with(&path)).cloned().collect()
+                around
+                    .iter()
+                    .filter(|file| file.starts_with(&path))
+                    .cloned()
+                    .collect()
             }
             false if sort(&path).is_some() => vec![path],
             false => Vec::new(),
@@ -67,7 +77,11 @@ impl Session {
     /// The files beside a robot.
     pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
         let is_for = |file: &Path| self.pairing(file).roots.iter().any(|own| own.file == root);
-        self.beside_around(root).iter().filter(|file| is_for(file)).cloned().collect()
+        self.beside_around(root)
+            .iter()
+            .filter(|file| is_for(file))
+            .cloned()
+            .collect()
     }
 
     /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
@@ -95,16 +109,23 @@ impl Session {
         let mut found = Compared::default();
         let mut read: FastMap<PathBuf, Option<Beside>> = FastMap::default();
         for path in paths.iter().filter(|_| !cancel.is_cancelled()) {
-            let Some(own) = self.beside_once(path, &mut read, robots) else { continue };
-            found.findings.extend(self.assistant_findings(&own, robots, cancel));
+            let Some(own) = self.beside_once(path, &mut read, robots) else {
+                continue;
+            };
+            found
+                .findings
+                .extend(self.assistant_findings(&own, robots, cancel));
             let pairing = self.pairing(path);
             // without a robot it is compared with the SRDF alone
             let paired = self.paired(&own, &pairing, robots).unwrap_or_default();
             let around = self.of_the_same(path, &pairing);
             let around = around.iter().filter(|other| *other != path);
-            let around: Vec<Beside> =
-                around.filter_map(|other| self.beside_once(other, &mut read, robots)).collect();
-            found.findings.extend(self.judged(&own, &paired, &around, cancel));
+            let around: Vec<Beside> = around
+                .filter_map(|other| self.beside_once(other, &mut read, robots))
+                .collect();
+            found
+                .findings
+                .extend(self.judged(&own, &paired, &around, cancel));
             if !paired.is_empty() {
                 found.files.push(path.clone());
             }
@@ -127,20 +148,38 @@ impl Session {
     }
 
     /// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
-    fn paired(&self, own: &Beside, pairing: &Pairing, robots: &Robots) -> Option<Vec<Arc<Analyzed>>> {
-        let all: Option<Vec<_>> = pairing.roots.iter().map(|root| robots.get(root).cloned()).collect();
+    fn paired(
+        &self,
+        own: &Beside,
+        pairing: &Pairing,
+        robots: &Robots,
+    ) -> Option<Vec<Arc<Analyzed>>> {
+        let all: Option<Vec<_>> = pairing
+            .roots
+            .iter()
+            .map(|root| robots.get(root).cloned())
+            .collect();
         let mut found = all?;
         found.retain(|one| !is_empty(one));
         // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
-        if found.iter().any(|one| !is_settled(one) && !is_part_of(one, &found)) {
+        if found
+            .iter()
+            .any(|one| !is_settled(one) && !is_part_of(one, &found))
+        {
             return None;
         }
         found.retain(|one| is_settled(one));
         let mut names = Names::default();
-        found.iter().filter_map(|one| one.robot.as_ref()).for_each(|robot| names.add(robot));
+        found
+            .iter()
+            .filter_map(|one| one.robot.as_ref())
+            .for_each(|robot| names.add(robot));
         let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
         // what the SRDF is for, the other settings in its package are for
-        let srdf = pairing.srdf.as_ref().and_then(|srdf| self.beside(srdf, robots));
+        let srdf = pairing
+            .srdf
+            .as_ref()
+            .and_then(|srdf| self.beside(srdf, robots));
         let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
         let least = match pairing.is_named || is_like {
             true if has_arguments => NAMED,
@@ -156,11 +195,20 @@ impl Session {
     fn of_the_same(&self, path: &Path, pairing: &Pairing) -> Vec<PathBuf> {
         let has_same = |other: &Path| {
             !pairing.roots.is_empty()
-                && self.pairing(other).roots.iter().any(|root| pairing.roots.contains(root))
+                && self
+                    .pairing(other)
+                    .roots
+                    .iter()
+                    .any(|root| pairing.roots.contains(root))
         };
-        let is_same =
-            |other: &PathBuf| other == path || pairing.srdf.as_ref() == Some(other) || has_same(other);
-        self.beside_around(path).iter().filter(|other| is_same(other)).cloned().collect()
+        let is_same = |other: &PathBuf| {
+            other == path || pairing.srdf.as_ref() == Some(other) || has_same(other)
+        };
+        self.beside_around(path)
+            .iter()
+            .filter(|other| is_same(other))
+            .cloned()
+            .collect()
     }
 
     fn judged(
@@ -173,35 +221,65 @@ impl Session {
         let robots: Vec<PairedRobot<'_>> = paired
             .iter()
             .filter_map(|one| {
-                let (expansion, robot, kinematics) =
-                    (&one.expansion, one.robot.as_ref()?, one.kinematics.as_ref()?);
-                Some(PairedRobot { expansion, robot, kinematics })
+                let (expansion, robot, kinematics) = (
+                    &one.expansion,
+                    one.robot.as_ref()?,
+                    one.kinematics.as_ref()?,
+                );
+                Some(PairedRobot {
+                    expansion,
+                    robot,
+                    kinematics,
+                })
             })
             .collect();
-        let contents: Vec<Content<'_>> = std::iter::once(own).chain(around).map(Beside::content).collect();
+        let contents: Vec<Content<'_>> = std::iter::once(own)
+            .chain(around)
+            .map(Beside::content)
+            .collect();
         let srdfs = std::iter::once(own).chain(around).filter_map(Beside::srdf);
-        let of_srdf = srdfs.clone().next().map(|(analyzed, _)| &analyzed.expansion);
+        let of_srdf = srdfs
+            .clone()
+            .next()
+            .map(|(analyzed, _)| &analyzed.expansion);
         let own_srdf = own.srdf().map(|(analyzed, _)| &analyzed.expansion);
         let of_robot = robots.first().map(|first| first.expansion);
-        let Some(expansion) = own_srdf.or(of_robot).or(of_srdf) else { return Vec::new() };
+        let Some(expansion) = own_srdf.or(of_robot).or(of_srdf) else {
+            return Vec::new();
+        };
         let further = || {
             let mut names = self.further_names(paired, cancel);
-            srdfs.clone().for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
+            srdfs
+                .clone()
+                .for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
             names
         };
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
         let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
-        let has_controllers =
-            matches!(own.content(), Content::Settings(settings) if !settings.controllers.is_empty());
+        let has_controllers = matches!(own.content(), Content::Settings(settings) if !settings.controllers.is_empty());
         let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
-        let cx = rules::BesideCx::new((own.file, own.content(), expansion), &robots, &contents, &further)
-            .in_ros2(is_ros2)
-            .with_own_joints(has_controllers && !is_ros2 && self.packages.registers_joints(&own.path))
-            .with_variants(has_variants)
-            .with_all_groups(has_all_groups);
+        let cx = rules::BesideCx::new(
+            (own.file, own.content(), expansion),
+            &robots,
+            &contents,
+            &further,
+        )
+        .in_ros2(is_ros2)
+        .with_own_joints(has_controllers && !is_ros2 && self.packages.registers_joints(&own.path))
+        .with_variants(has_variants)
+        .with_all_groups(has_all_groups);
         let settings = self.settings(&own.path);
-        let rules: Vec<_> = all().filter(|rule| settings.runs(rule, &own.path)).collect();
-        check_beside(&cx, Chosen { rules: &rules, cancel, tally: None })
+        let rules: Vec<_> = all()
+            .filter(|rule| settings.runs(rule, &own.path))
+            .collect();
+        check_beside(
+            &cx,
+            Chosen {
+                rules: &rules,
+                cancel,
+                tally: None,
+            },
+        )
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.
@@ -229,19 +307,39 @@ impl Session {
             [other] => Some((name.to_string(), (*other).to_owned())),
             _ => None,
         };
-        let switches: Vec<(String, String)> =
-            analyzed.expansion.arguments.iter().filter_map(turned).take(MOST_SWITCHES).collect();
+        let switches: Vec<(String, String)> = analyzed
+            .expansion
+            .arguments
+            .iter()
+            .filter_map(turned)
+            .take(MOST_SWITCHES)
+            .collect();
         let chosen = self.launch_choices(&analyzed.root.file).into_iter();
-        let chosen =
-            chosen.flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
+        let chosen = chosen
+            .flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
         let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();
-        let single = switches.iter().chain(&chosen).map(|switch| vec![switch.clone()]);
+        let single = switches
+            .iter()
+            .chain(&chosen)
+            .map(|switch| vec![switch.clone()]);
         let together = (switches.len() > 1).then(|| switches.clone());
-        for more in single.chain(together).take_while(|_| !cancel.is_cancelled()) {
+        for more in single
+            .chain(together)
+            .take_while(|_| !cancel.is_cancelled())
+        {
             let base = job::request(self, cancel, &job_of(&analyzed.root));
             let args = base.args.iter().cloned().chain(more).collect();
-            let expansion = expand(job::world(self), &Request { args, probe: false, ..base });
-            Robot::of(&expansion).iter().for_each(|robot| names.add(robot));
+            let expansion = expand(
+                job::world(self),
+                &Request {
+                    args,
+                    probe: false,
+                    ..base
+                },
+            );
+            Robot::of(&expansion)
+                .iter()
+                .for_each(|robot| names.add(robot));
         }
         names
     }
@@ -252,7 +350,11 @@ impl Session {
     pub(in super::super) fn is_in_launched(&self, file: &Path, finding: &Finding) -> bool {
         let name = finding.message.split('`').nth(1).unwrap_or_default();
         let mut names = Names::default();
-        for root in self.by_launch(file).iter().flat_map(|pairing| &pairing.roots) {
+        for root in self
+            .by_launch(file)
+            .iter()
+            .flat_map(|pairing| &pairing.roots)
+        {
             self.add_written(&root.file, &mut names);
         }
         names.links.contains(name)
@@ -266,7 +368,10 @@ impl Session {
         while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
             next += 1;
             let Ok(source) = source else { continue };
-            let nodes = source.document.parts().flat_map(|(_, item)| item.all_nodes());
+            let nodes = source
+                .document
+                .parts()
+                .flat_map(|(_, item)| item.all_nodes());
             for node in nodes {
                 if ["xacro:if", "xacro:unless"].contains(&node.name()) {
                     add_interfaces(node, names);
@@ -282,7 +387,10 @@ impl Session {
                 let name = node.attr("name").map(|name| name.raw());
                 list.extend(name.filter(|name| !name.contains('$')).map(EcoString::from));
             }
-            let included = reach(&source, &self.packages).files(&self.vfs).flatten().collect::<Vec<_>>();
+            let included = reach(&source, &self.packages)
+                .files(&self.vfs)
+                .flatten()
+                .collect::<Vec<_>>();
             for file in included {
                 if files.len() < MOST_FILES && !files.contains(&file) {
                     files.push(file);
@@ -297,7 +405,9 @@ fn add_interfaces(condition: Node<'_>, names: &mut Names) {
     for inner in condition.child_elements() {
         match inner.name() {
             "command_interface" | "state_interface" => {
-                names.interfaces.extend(inner.attr("name").map(|name| EcoString::from(name.raw())));
+                names
+                    .interfaces
+                    .extend(inner.attr("name").map(|name| EcoString::from(name.raw())));
             }
             // those are visited by themselves
             "xacro:if" | "xacro:unless" => {}
@@ -308,15 +418,24 @@ fn add_interfaces(condition: Node<'_>, names: &mut Names) {
 
 /// Whether all names of a robot are known, and all of it is there.
 fn is_settled(analyzed: &Analyzed) -> bool {
-    let known =
-        analyzed.robot.as_ref().is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
-    let broken = analyzed.expansion.files.iter().any(|file| !file.source.document.errors().is_empty());
+    let known = analyzed
+        .robot
+        .as_ref()
+        .is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
+    let broken = analyzed
+        .expansion
+        .files
+        .iter()
+        .any(|file| !file.source.document.errors().is_empty());
     known && !broken && is_whole(&analyzed.expansion)
 }
 
 /// Whether a file gives no robot, and its conditions do not change that: it collects macros.
 fn is_empty(analyzed: &Analyzed) -> bool {
-    let gives = analyzed.robot.as_ref().is_some_and(|robot| !robot.links.is_empty());
+    let gives = analyzed
+        .robot
+        .as_ref()
+        .is_some_and(|robot| !robot.links.is_empty());
     !gives && is_whole(&analyzed.expansion) && !has_choices(&analyzed.expansion)
 }
 
@@ -326,7 +445,8 @@ fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
     let own = &analyzed.root.file;
     let is_it = |other: &Analyzed| {
         let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
-        let is_named_so = other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
+        let is_named_so =
+            other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
         other.root.file != *own && (is_named_so || files.any(|file| file == own))
     };
     all.iter().any(|other| is_it(other) && is_settled(other))
@@ -334,9 +454,13 @@ fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
 
 /// Whether conditions of a file decide what it gives.
 fn has_choices(expansion: &Expansion) -> bool {
-    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let items = expansion
+        .files
+        .iter()
+        .flat_map(|file| file.source.document.parts());
     let mut nodes = items.flat_map(|(_, item)| item.all_nodes());
-    !expansion.arguments.is_empty() || nodes.any(|node| ["xacro:if", "xacro:unless"].contains(&node.name()))
+    !expansion.arguments.is_empty()
+        || nodes.any(|node| ["xacro:if", "xacro:unless"].contains(&node.name()))
 }
 
 /// How many names of links and joints there are in a file, and which part of them a robot has.
@@ -351,7 +475,14 @@ fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
         all += 1;
         known += u32::from(list.contains(name.as_str()));
     }
-    (all, if all == 0 { 1.0 } else { f64::from(known) / f64::from(all) })
+    (
+        all,
+        if all == 0 {
+            1.0
+        } else {
+            f64::from(known) / f64::from(all)
+        },
+    )
 }
 
 impl Beside {
@@ -363,9 +494,11 @@ impl Beside {
                 .into_iter()
                 .filter_map(|(text, kind, _)| Some((kind, text.name()?.clone())))
                 .collect(),
-            (_, Some(settings)) => {
-                settings.names().into_iter().map(|(name, kind)| (kind, name.name.clone())).collect()
-            }
+            (_, Some(settings)) => settings
+                .names()
+                .into_iter()
+                .map(|(name, kind)| (kind, name.name.clone()))
+                .collect(),
             _ => Vec::new(),
         };
         found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));

@@ -33,7 +33,11 @@ impl Pairing {
     fn named(mut roots: Vec<RootChoice>) -> Option<Self> {
         roots.dedup();
         roots.truncate(MOST_ROBOTS);
-        (!roots.is_empty()).then_some(Self { roots, is_named: true, srdf: None })
+        (!roots.is_empty()).then_some(Self {
+            roots,
+            is_named: true,
+            srdf: None,
+        })
     }
 }
 
@@ -57,13 +61,17 @@ impl Session {
             _ => self.of_the_srdf(path),
         };
         let named = self.by_assistant(path).or_else(|| self.by_parameters(path));
-        named.or_else(|| self.by_launch(path)).unwrap_or_else(by_name)
+        named
+            .or_else(|| self.by_launch(path))
+            .unwrap_or_else(by_name)
     }
 
     /// Whether a description of the package loads a YAML file: it holds numbers for xacro, and its keys are no names of the
     /// robot.
     fn is_loaded_by_xacro(&self, path: &Path) -> bool {
-        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return false };
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+            return false;
+        };
         let loads = |file: &PathBuf| {
             let text = self.vfs.text(file);
             text.is_ok_and(|text| has_name(&text.text, name) && !text.text.contains("<parameters>"))
@@ -72,13 +80,18 @@ impl Session {
             return false;
         }
         let is_near = self.near(path);
-        let mut near = self.descriptions_around(path).into_iter().filter(|file| is_near(file));
+        let mut near = self
+            .descriptions_around(path)
+            .into_iter()
+            .filter(|file| is_near(file));
         sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
     }
 
     /// Whether a file lists controllers for a controller manager.
     pub(in super::super) fn is_for_manager(&self, path: &Path) -> bool {
-        let settings = (sort(path) == Some(Sort::Yaml)).then(|| self.beside_settings(path)).flatten();
+        let settings = (sort(path) == Some(Sort::Yaml))
+            .then(|| self.beside_settings(path))
+            .flatten();
         settings.is_some_and(|settings| !settings.listed.is_empty())
     }
 
@@ -86,20 +99,35 @@ impl Session {
     fn by_assistant(&self, path: &Path) -> Option<Pairing> {
         let package = self.packages.containing(path)?;
         let file = package.folder.join(".setup_assistant");
-        let settings = self.vfs.is_file(&file).then(|| self.beside_settings(&file))??;
+        let settings = self
+            .vfs
+            .is_file(&file)
+            .then(|| self.beside_settings(&file))??;
         let assistant = settings.assistant.as_ref()?;
         let is_other = |srdf: &str| self.vfs.absolute(&package.folder.join(srdf)) != path;
-        if sort(path) == Some(Sort::Srdf) && assistant.srdf.as_ref().is_some_and(|srdf| is_other(&srdf.name))
+        if sort(path) == Some(Sort::Srdf)
+            && assistant
+                .srdf
+                .as_ref()
+                .is_some_and(|srdf| is_other(&srdf.name))
         {
             return None;
         }
         let (name, urdf) = (assistant.package.as_ref()?, assistant.urdf.as_ref()?);
         let folder = self.packages.find(&name.name, path).ok()?.path;
-        let file = self.packages.present(&folder.join(urdf.name.as_str())).into_owned();
+        let file = self
+            .packages
+            .present(&folder.join(urdf.name.as_str()))
+            .into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
         let file = self.extended(&package.folder).unwrap_or(file);
-        let root = RootChoice { args: assistant.given(), ..RootChoice::plain(&file) };
-        self.vfs.is_file(&file).then(|| Pairing::named(vec![root]))?
+        let root = RootChoice {
+            args: assistant.given(),
+            ..RootChoice::plain(&file)
+        };
+        self.vfs
+            .is_file(&file)
+            .then(|| Pairing::named(vec![root]))?
     }
 
     /// The robot that MoveIt loads rather than the one in `.setup_assistant`: `config/NAME.urdf.xacro`, in which the assistant
@@ -107,7 +135,9 @@ impl Session {
     pub(super) fn extended(&self, package: &Path) -> Option<PathBuf> {
         let config = package.join("config");
         let names = self.vfs.list_dir(&config);
-        let mut own = names.iter().filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf.xacro"));
+        let mut own = names
+            .iter()
+            .filter(|entry| !entry.is_dir && entry.name.ends_with(".urdf.xacro"));
         let only = own.next().filter(|_| own.next().is_none())?;
         Some(config.join(&only.name)).filter(|file| self.is_robot(file))
     }
@@ -127,8 +157,12 @@ impl Session {
                 has_name(&text.text, name) && is_given && self.may_mean(file, path)
             })
         };
-        let naming: Vec<PathBuf> =
-            self.descriptions_around(path).into_iter().filter(|file| says(file)).take(MOST_ROBOTS).collect();
+        let naming: Vec<PathBuf> = self
+            .descriptions_around(path)
+            .into_iter()
+            .filter(|file| says(file))
+            .take(MOST_ROBOTS)
+            .collect();
         let roots = naming.iter().flat_map(|file| self.roots_reading(file));
         Pairing::named(roots.flat_map(|root| self.ways_of(&root)).collect())
     }
@@ -139,8 +173,14 @@ impl Session {
         let package = |path: &Path| self.packages.containing(path);
         match (package(path), package(by)) {
             (Some(own), Some(other)) if own.folder == other.folder => true,
-            (Some(own), _) => self.vfs.text(by).is_ok_and(|text| has_name(&text.text, &own.name)),
-            (None, _) => path.parent().and_then(Path::parent).is_some_and(|near| by.starts_with(near)),
+            (Some(own), _) => self
+                .vfs
+                .text(by)
+                .is_ok_and(|text| has_name(&text.text, &own.name)),
+            (None, _) => path
+                .parent()
+                .and_then(Path::parent)
+                .is_some_and(|near| by.starts_with(near)),
         }
     }
 
@@ -150,18 +190,26 @@ impl Session {
         let is_near = self.near(path);
         let near = calls.iter().filter(|call| is_near(&call.call.caller));
         let roots: Vec<RootChoice> = near.filter_map(|call| self.started(call)).collect();
-        let is_one = roots.windows(2).all(|pair| matches!(pair, [a, b] if a.file == b.file));
+        let is_one = roots
+            .windows(2)
+            .all(|pair| matches!(pair, [a, b] if a.file == b.file));
         if is_one { roots } else { Vec::new() }
     }
 
     /// The robot that a launch file calls.
     fn started(&self, call: &RobotCall) -> Option<RootChoice> {
-        let file = call.target.as_ref().filter(|file| self.is_robot(file) || self.collects(file))?;
+        let file = call
+            .target
+            .as_ref()
+            .filter(|file| self.is_robot(file) || self.collects(file))?;
         let args = call.call.args.iter().filter_map(|argument| {
             let value = argument.value.value(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         });
-        Some(RootChoice { args: args.collect(), ..RootChoice::plain(file) })
+        Some(RootChoice {
+            args: args.collect(),
+            ..RootChoice::plain(file)
+        })
     }
 
     /// The robots that a launch file calls which names the file, or builds the configuration of its package.
@@ -169,7 +217,9 @@ impl Session {
         let name = path.file_name()?.to_str()?;
         let package = self.packages.containing(path)?;
         let says = |caller: &Path| {
-            let Ok(text) = self.vfs.text(caller) else { return false };
+            let Ok(text) = self.vfs.text(caller) else {
+                return false;
+            };
             let builds = || {
                 text.text.contains("MoveItConfigsBuilder")
                     && (has_name(&text.text, &package.name) || caller.starts_with(&package.folder))
@@ -181,7 +231,11 @@ impl Session {
         let calls = self.calls_around(path);
         for group in calls.chunk_by(|a, b| a.call.caller == b.call.caller) {
             let is_meant = group.first().is_some_and(|first| says(&first.call.caller));
-            for root in group.iter().filter(|_| is_meant).filter_map(|call| self.started(call)) {
+            for root in group
+                .iter()
+                .filter(|_| is_meant)
+                .filter_map(|call| self.started(call))
+            {
                 if !roots.contains(&root) {
                     roots.push(root);
                 }
@@ -192,42 +246,70 @@ impl Session {
 
     /// The robots in files of the same name, `arm.urdf` for `arm.srdf`; else those of the name that an SRDF says.
     fn of_the_name(&self, path: &Path) -> Pairing {
-        let is_beside = |file: &&PathBuf| file.parent() == path.parent() && stem(file) == stem(path);
+        let is_beside =
+            |file: &&PathBuf| file.parent() == path.parent() && stem(file) == stem(path);
         let all = self.descriptions_around(path);
-        let beside: Vec<&PathBuf> = all.iter().filter(is_beside).filter(|file| self.is_robot(file)).collect();
+        let beside: Vec<&PathBuf> = all
+            .iter()
+            .filter(is_beside)
+            .filter(|file| self.is_robot(file))
+            .collect();
         if !beside.is_empty() {
-            let roots = beside.into_iter().flat_map(|file| self.ways_of(file)).collect();
-            return Pairing { roots, ..Pairing::default() };
+            let roots = beside
+                .into_iter()
+                .flat_map(|file| self.ways_of(file))
+                .collect();
+            return Pairing {
+                roots,
+                ..Pairing::default()
+            };
         }
-        let Some(name) = self.robot_name(path) else { return Pairing::default() };
-        let is_it = |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
+        let Some(name) = self.robot_name(path) else {
+            return Pairing::default();
+        };
+        let is_it =
+            |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
         let found: Vec<&PathBuf> = all.iter().filter(is_it).collect();
         let is_near = self.near(path);
         let near: Vec<&PathBuf> = found.iter().copied().filter(|file| is_near(file)).collect();
         let found = if near.is_empty() { found } else { near };
-        let mut roots: Vec<RootChoice> = found.into_iter().flat_map(|file| self.ways_of(file)).collect();
+        let mut roots: Vec<RootChoice> = found
+            .into_iter()
+            .flat_map(|file| self.ways_of(file))
+            .collect();
         roots.truncate(MOST_ROBOTS);
-        Pairing { roots, ..Pairing::default() }
+        Pairing {
+            roots,
+            ..Pairing::default()
+        }
     }
 
     /// The robots of the SRDFs in the same package; without any, the robots there.
     fn of_the_srdf(&self, path: &Path) -> Pairing {
         let is_near = self.near(path);
         let all = self.beside_around(path);
-        let srdfs: Vec<&PathBuf> =
-            all.iter().filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file)).collect();
+        let srdfs: Vec<&PathBuf> = all
+            .iter()
+            .filter(|file| sort(file) == Some(Sort::Srdf) && is_near(file))
+            .collect();
         let mut found = Pairing::default();
         if let [only] = srdfs.as_slice() {
             (found.is_named, found.srdf) = (self.pairing(only).is_named, Some((*only).clone()));
         }
         for pairing in srdfs.iter().map(|srdf| self.pairing(srdf)) {
-            let new = pairing.roots.iter().filter(|root| !found.roots.contains(root)).cloned();
+            let new = pairing
+                .roots
+                .iter()
+                .filter(|root| !found.roots.contains(root))
+                .cloned();
             found.roots.extend(new.collect::<Vec<_>>());
         }
         if found.roots.is_empty() {
             let robots = self.descriptions_around(path).into_iter();
             let robots = robots.filter(|file| is_near(file) && self.is_robot(file));
-            found.roots.extend(robots.flat_map(|file| self.ways_of(&file)));
+            found
+                .roots
+                .extend(robots.flat_map(|file| self.ways_of(&file)));
         }
         if found.roots.is_empty() {
             found.roots = self.started_near(path);
@@ -241,7 +323,11 @@ impl Session {
         let settings = self.settings(file);
         let mut ways: Vec<RootChoice> = Vec::new();
         for root in &settings.config.roots {
-            if root.files(&self.vfs).iter().any(|listed| self.vfs.absolute(listed) == file) {
+            if root
+                .files(&self.vfs)
+                .iter()
+                .any(|listed| self.vfs.absolute(listed) == file)
+            {
                 let variants = self.variants(root, file).into_iter();
                 ways.extend(variants.map(|one| RootChoice {
                     file: file.to_owned(),
@@ -259,7 +345,9 @@ impl Session {
     /// Whether a file is in the package of `path`; without one, in its folder.
     fn near(&self, path: &Path) -> impl Fn(&Path) -> bool {
         let home = self.home(path);
-        move |file| home.as_ref().is_none_or(|home| file.starts_with(home)) && self.home(file) == home
+        move |file| {
+            home.as_ref().is_none_or(|home| file.starts_with(home)) && self.home(file) == home
+        }
     }
 
     /// The package of a file; without one, its folder.
@@ -276,12 +364,18 @@ impl Session {
     }
 
     pub(super) fn is_robot(&self, path: &Path) -> bool {
-        sort(path).is_none() && self.vfs.document(path).is_ok_and(|source| gives_robot(&source.document))
+        sort(path).is_none()
+            && self
+                .vfs
+                .document(path)
+                .is_ok_and(|source| gives_robot(&source.document))
     }
 
     /// Whether a file with the name of a robot takes all of it from others.
     fn collects(&self, path: &Path) -> bool {
-        let Ok(source) = self.vfs.document(path) else { return false };
+        let Ok(source) = self.vfs.document(path) else {
+            return false;
+        };
         let includes = |fact: &Fact| fact.kind == FactKind::Include && !fact.in_macro;
         self.robot_name(path).is_some()
             && facts(&source.document).any(|(_, facts)| facts.named.iter().any(includes))

@@ -14,8 +14,8 @@ use base::{Span, TextRange};
 use expand::{Expansion, Limits, Request, expand};
 use model::{Kinematics, Robot};
 use rules::{
-    Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion, include_tags,
-    rejections,
+    Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion,
+    include_tags, rejections,
 };
 use vfs::SourceFile;
 use workspace::config::{Axes, Expectation};
@@ -45,7 +45,11 @@ pub(super) struct Ran {
 impl Case {
     /// What is expected of the robots of the root, also where it does not apply to this one.
     pub(super) fn expectations(&self) -> &[Expectation] {
-        self.settings.config.roots.get(self.number).map_or(&[], |root| &root.expect)
+        self.settings
+            .config
+            .roots
+            .get(self.number)
+            .map_or(&[], |root| &root.expect)
     }
 
     /// Expand the robot and compare it.
@@ -53,9 +57,14 @@ impl Case {
         let expansion = expand(job::world(session), &self.request(session, options));
         let robot = Robot::of(&expansion);
         let mut findings = self.rejections(session, options, &expansion, robot.as_ref());
-        let applies = |(_, expected): &(usize, &Expectation)| has_values(&expansion, &expected.when);
-        let applying: Vec<(usize, &Expectation)> =
-            self.expectations().iter().enumerate().filter(applies).collect();
+        let applies =
+            |(_, expected): &(usize, &Expectation)| has_values(&expansion, &expected.when);
+        let applying: Vec<(usize, &Expectation)> = self
+            .expectations()
+            .iter()
+            .enumerate()
+            .filter(applies)
+            .collect();
         let mut snapshots = Vec::new();
         // of what xacro rejects nothing can be expected
         if let Some(robot) = robot.filter(|_| findings.is_empty()) {
@@ -71,13 +80,27 @@ impl Case {
         for finding in &mut findings {
             self.show_includes(session, &expansion, finding);
         }
-        let files = if findings.is_empty() { Vec::new() } else { sources(&expansion) };
+        let files = if findings.is_empty() {
+            Vec::new()
+        } else {
+            sources(&expansion)
+        };
         let applied = applying.into_iter().map(|(number, _)| number).collect();
-        Ran { root: self.root.clone(), findings, applied, snapshots, files }
+        Ran {
+            root: self.root.clone(),
+            findings,
+            applied,
+            snapshots,
+            files,
+        }
     }
 
     fn request(&self, session: &Session, options: &TestOptions) -> Request {
-        let file = self.root.file.strip_prefix(&session.env.cwd).unwrap_or(&self.root.file);
+        let file = self
+            .root
+            .file
+            .strip_prefix(&session.env.cwd)
+            .unwrap_or(&self.root.file);
         Request {
             file: vfs::slashed(file),
             args: self.root.args.clone(),
@@ -96,26 +119,43 @@ impl Case {
         expansion: &Expansion,
         robot: Option<&Robot>,
     ) -> Vec<Finding> {
-        let start = Span { file: session.vfs.file_id(&self.root.file), range: TextRange::default() };
+        let start = Span {
+            file: session.vfs.file_id(&self.root.file),
+            range: TextRange::default(),
+        };
         if let Some(error) = &expansion.root_error {
             let message = format!("cannot read the file: {}", error.reason());
             let help = Some("check the path and the permissions of the file".to_owned());
-            return vec![Finding { help, ..Finding::new(&RULE, start, message) }];
+            return vec![Finding {
+                help,
+                ..Finding::new(&RULE, start, message)
+            }];
         }
         let mut findings = rejections(expansion, &session.vfs);
         if findings.is_empty() && expansion.has_errors() {
             let help = Some("run `xacro-lint check` on it".to_owned());
-            findings.push(Finding { help, ..Finding::new(&RULE, start, "xacro rejects the file") });
+            findings.push(Finding {
+                help,
+                ..Finding::new(&RULE, start, "xacro rejects the file")
+            });
         }
         if robot.is_none() && findings.is_empty() {
             let help = Some("list a robot description in `roots`".to_owned());
-            findings.push(Finding { help, ..Finding::new(&RULE, start, "the root element is not `robot`") });
+            findings.push(Finding {
+                help,
+                ..Finding::new(&RULE, start, "the root element is not `robot`")
+            });
         }
         if findings.is_empty() {
-            let is_of_tree =
-                |rule: &&Rule| rule.category == Category::Structure && rule.severity == Severity::Error;
+            let is_of_tree = |rule: &&Rule| {
+                rule.category == Category::Structure && rule.severity == Severity::Error
+            };
             let rules: Vec<&'static Rule> = all().filter(is_of_tree).collect();
-            let chosen = Chosen { rules: &rules, cancel: &options.check.cancel, tally: None };
+            let chosen = Chosen {
+                rules: &rules,
+                cancel: &options.check.cancel,
+                tally: None,
+            };
             let around = session.surroundings(&self.settings.config);
             findings = check_expansion(expansion, robot, (RootKind::Robot, true), around, chosen);
             findings.retain(|finding| finding.severity == Severity::Error);
@@ -126,7 +166,12 @@ impl Case {
     /// A finding in another file says which include led there.
     fn show_includes(&self, session: &Session, expansion: &Expansion, finding: &mut Finding) {
         let own = session.vfs.file_id(&self.root.file);
-        if finding.span.file == own || finding.related.iter().any(|related| related.span.file == own) {
+        if finding.span.file == own
+            || finding
+                .related
+                .iter()
+                .any(|related| related.span.file == own)
+        {
             return;
         }
         let around = session.surroundings(&self.settings.config);
@@ -141,7 +186,12 @@ impl Case {
 
     /// The name that xacro would write into the banner when it runs in the folder of the configuration.
     pub(super) fn banner_name(&self, folder: &Path) -> String {
-        vfs::slashed(self.root.file.strip_prefix(folder).unwrap_or(&self.root.file))
+        vfs::slashed(
+            self.root
+                .file
+                .strip_prefix(folder)
+                .unwrap_or(&self.root.file),
+        )
     }
 }
 
@@ -160,5 +210,9 @@ fn is_value(wanted: &str, own: &str) -> bool {
 }
 
 fn sources(expansion: &Expansion) -> Vec<Arc<SourceFile>> {
-    expansion.files.iter().map(|file| file.source.clone()).collect()
+    expansion
+        .files
+        .iter()
+        .map(|file| file.source.clone())
+        .collect()
 }

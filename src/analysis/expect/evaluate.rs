@@ -36,7 +36,17 @@ impl<'a> Evaluation<'a> {
     ) -> Self {
         let (findings, snapshots) = (Vec::new(), Vec::new());
         let written = OnceCell::new();
-        Self { case, session, expansion, robot, kinematics, expected, written, findings, snapshots }
+        Self {
+            case,
+            session,
+            expansion,
+            robot,
+            kinematics,
+            expected,
+            written,
+            findings,
+            snapshots,
+        }
     }
 
     /// Compare everything.
@@ -56,9 +66,10 @@ impl<'a> Evaluation<'a> {
         for (name, joint) in &expected.joint {
             self.joint(name, joint);
         }
-        for (kind, interfaces) in
-            [("command", &expected.command_interfaces), ("state", &expected.state_interfaces)]
-        {
+        for (kind, interfaces) in [
+            ("command", &expected.command_interfaces),
+            ("state", &expected.state_interfaces),
+        ] {
             for (joint, names) in interfaces {
                 self.interfaces(kind, joint, names);
             }
@@ -72,7 +83,8 @@ impl<'a> Evaluation<'a> {
     pub(super) fn written(&self) -> &Written {
         let folder = self.expected.place.path.parent();
         let name = || folder.map_or_else(String::new, |folder| self.case.banner_name(folder));
-        self.written.get_or_init(|| write_mapped(&self.expansion.tree, &name()))
+        self.written
+            .get_or_init(|| write_mapped(&self.expansion.tree, &name()))
     }
 
     // What is reported.
@@ -82,7 +94,11 @@ impl<'a> Evaluation<'a> {
         match filled(text, &self.expansion.arguments) {
             Ok(text) => Some(text),
             Err(name) => {
-                let known = self.expansion.arguments.iter().map(|(name, _)| name.as_str());
+                let known = self
+                    .expansion
+                    .arguments
+                    .iter()
+                    .map(|(name, _)| name.as_str());
                 let help = match nearest(&name, known) {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => "use an argument that the robot declares".to_owned(),
@@ -112,8 +128,13 @@ impl<'a> Evaluation<'a> {
             Some(name) => format!("expected here: {name}"),
             None => "expected here".to_owned(),
         };
-        finding.related.push(Related { span: self.place(), message: label, is_call: false });
-        finding.help = Some(help.unwrap_or_else(|| "correct the robot or the expectation".to_owned()));
+        finding.related.push(Related {
+            span: self.place(),
+            message: label,
+            is_call: false,
+        });
+        finding.help =
+            Some(help.unwrap_or_else(|| "correct the robot or the expectation".to_owned()));
         self.findings.push(finding);
     }
 
@@ -137,7 +158,9 @@ impl<'a> Evaluation<'a> {
             self.find_joint(name);
         }
         for name in &expected.no_links {
-            let Some(name) = self.filled(name) else { continue };
+            let Some(name) = self.filled(name) else {
+                continue;
+            };
             if let Some(link) = self.robot.link(&name) {
                 self.fail(
                     self.name_of(link.element, &link.name),
@@ -147,7 +170,9 @@ impl<'a> Evaluation<'a> {
             }
         }
         for name in &expected.no_joints {
-            let Some(name) = self.filled(name) else { continue };
+            let Some(name) = self.filled(name) else {
+                continue;
+            };
             if let Some(joint) = self.robot.joint(&name) {
                 let at = self.name_of(joint.element, &joint.name);
                 self.fail(at, format!("joint `{name}` is not expected"), None);
@@ -164,7 +189,11 @@ impl<'a> Evaluation<'a> {
         let name = self.filled(name)?;
         let found = self.robot.link(&name);
         if found.is_none() {
-            let names = self.robot.links.iter().filter_map(|link| link.name.as_ref());
+            let names = self
+                .robot
+                .links
+                .iter()
+                .filter_map(|link| link.name.as_ref());
             let help = similar(&name, names);
             self.fail_robot(format!("missing link `{name}`"), help);
         }
@@ -176,7 +205,11 @@ impl<'a> Evaluation<'a> {
         let name = self.filled(name)?;
         let found = self.robot.joint(&name);
         if found.is_none() {
-            let names = self.robot.joints.iter().filter_map(|joint| joint.name.as_ref());
+            let names = self
+                .robot
+                .joints
+                .iter()
+                .filter_map(|joint| joint.name.as_ref());
             let help = similar(&name, names);
             self.fail_robot(format!("missing joint `{name}`"), help);
         }
@@ -192,15 +225,22 @@ impl<'a> Evaluation<'a> {
             ("moving joints", moving, self.expected.moving_joint_count),
         ] {
             if let Some(expected) = expected.filter(|expected| *expected != count) {
-                self.fail_robot(format!("robot has {count} {what}, expected {expected}"), None);
+                self.fail_robot(
+                    format!("robot has {count} {what}, expected {expected}"),
+                    None,
+                );
             }
         }
     }
 
     fn root(&mut self, name: &str) {
-        let Some(name) = self.filled(name) else { return };
+        let Some(name) = self.filled(name) else {
+            return;
+        };
         let roots = self.kinematics.roots(self.robot);
-        let Some(root) = roots.first().and_then(|&root| self.robot.links.get(root)) else { return };
+        let Some(root) = roots.first().and_then(|&root| self.robot.links.get(root)) else {
+            return;
+        };
         let own = root.name.as_ref().map_or("", |name| name.value.as_str());
         if own != name {
             let at = self.name_of(root.element, &root.name);
@@ -212,14 +252,28 @@ impl<'a> Evaluation<'a> {
     fn chain(&mut self, names: &[String]) {
         let links: Vec<Option<&Link>> = names.iter().map(|name| self.link(name)).collect();
         for pair in links.windows(2) {
-            let [Some(above), Some(below)] = pair else { continue };
-            let (Some(top), Some(end)) = (&above.name, &below.name) else { continue };
-            let ends = self.kinematics.link(&top.value).zip(self.kinematics.link(&end.value));
+            let [Some(above), Some(below)] = pair else {
+                continue;
+            };
+            let (Some(top), Some(end)) = (&above.name, &below.name) else {
+                continue;
+            };
+            let ends = self
+                .kinematics
+                .link(&top.value)
+                .zip(self.kinematics.link(&end.value));
             let Some((from, to)) = ends else { continue };
-            let mut parents = self.kinematics.above(to).filter_map(|joint| self.kinematics.ends(joint));
+            let mut parents = self
+                .kinematics
+                .above(to)
+                .filter_map(|joint| self.kinematics.ends(joint));
             if !parents.any(|(parent, _)| parent == from) {
                 let message = format!("link `{}` is not below link `{}`", end.value, top.value);
-                let joint = self.kinematics.above(to).next().and_then(|joint| self.robot.joints.get(joint));
+                let joint = self
+                    .kinematics
+                    .above(to)
+                    .next()
+                    .and_then(|joint| self.robot.joints.get(joint));
                 let parent = joint.and_then(|joint| joint.parent.as_ref());
                 let help = parent.map(|parent| format!("its parent link is `{}`", parent.value));
                 self.fail(self.name_of(below.element, &below.name), message, help);
@@ -229,7 +283,12 @@ impl<'a> Evaluation<'a> {
 
     fn mass(&mut self, expected: f64) {
         const SHOWN: usize = 3;
-        let mass = |link: &Link| link.inertial.as_ref().and_then(|inertial| inertial.mass()).unwrap_or(0.0);
+        let mass = |link: &Link| {
+            link.inertial
+                .as_ref()
+                .and_then(|inertial| inertial.mass())
+                .unwrap_or(0.0)
+        };
         let total: f64 = self.robot.links.iter().map(mass).sum();
         let tolerance = self.expected.mass_tolerance;
         if is_near(total, expected, tolerance) {
@@ -240,7 +299,10 @@ impl<'a> Evaluation<'a> {
             .filter(|(mass, _)| *mass > 0.0)
             .collect();
         heaviest.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-        let shown = heaviest.iter().take(SHOWN).map(|(mass, name)| format!("`{name}` {} kg", short(*mass)));
+        let shown = heaviest
+            .iter()
+            .take(SHOWN)
+            .map(|(mass, name)| format!("`{name}` {} kg", short(*mass)));
         let shown = shown.collect::<Vec<_>>().join(", ");
         let help = (!shown.is_empty()).then(|| format!("the links with the most mass are {shown}"));
         let message = format!(
@@ -253,31 +315,71 @@ impl<'a> Evaluation<'a> {
     }
 
     fn joint(&mut self, name: &str, expected: &ExpectedJoint) {
-        let Some(joint) = self.find_joint(name) else { return };
+        let Some(joint) = self.find_joint(name) else {
+            return;
+        };
         let name = joint.shown().to_owned();
         for (what, own, wanted) in [
             ("type", &joint.kind, &expected.kind),
             ("parent link", &joint.parent, &expected.parent),
             ("child link", &joint.child, &expected.child),
-            ("mimicked joint", &joint.mimic.as_ref().and_then(|mimic| mimic.joint.clone()), &expected.mimic),
+            (
+                "mimicked joint",
+                &joint.mimic.as_ref().and_then(|mimic| mimic.joint.clone()),
+                &expected.mimic,
+            ),
         ] {
-            let Some(wanted) = wanted.as_ref().and_then(|wanted| self.filled(wanted)) else { continue };
+            let Some(wanted) = wanted.as_ref().and_then(|wanted| self.filled(wanted)) else {
+                continue;
+            };
             let value = own.as_ref().map_or("", |own| own.value.as_str());
             if value != wanted {
                 let at = own.as_ref().map_or_else(|| self.tag(joint.element), whole);
-                let value = if value.is_empty() { "missing".to_owned() } else { format!("`{value}`") };
-                self.fail(at, format!("{what} of joint `{name}` is {value}, expected `{wanted}`"), None);
+                let value = if value.is_empty() {
+                    "missing".to_owned()
+                } else {
+                    format!("`{value}`")
+                };
+                self.fail(
+                    at,
+                    format!("{what} of joint `{name}` is {value}, expected `{wanted}`"),
+                    None,
+                );
             }
         }
         let limit = joint.limit.as_ref();
         let is_linear = joint.is(&[JointType::Prismatic]);
-        let units = if is_linear { ["m", "N", "m/s"] } else { ["rad", "N m", "rad/s"] };
+        let units = if is_linear {
+            ["m", "N", "m/s"]
+        } else {
+            ["rad", "N m", "rad/s"]
+        };
         let [position, force, speed] = units;
         for (what, unit, own, wanted) in [
-            ("lower limit", position, limit.and_then(|limit| limit.lower.as_ref()), expected.lower),
-            ("upper limit", position, limit.and_then(|limit| limit.upper.as_ref()), expected.upper),
-            ("effort limit", force, limit.and_then(|limit| limit.effort.as_ref()), expected.effort),
-            ("velocity limit", speed, limit.and_then(|limit| limit.velocity.as_ref()), expected.velocity),
+            (
+                "lower limit",
+                position,
+                limit.and_then(|limit| limit.lower.as_ref()),
+                expected.lower,
+            ),
+            (
+                "upper limit",
+                position,
+                limit.and_then(|limit| limit.upper.as_ref()),
+                expected.upper,
+            ),
+            (
+                "effort limit",
+                force,
+                limit.and_then(|limit| limit.effort.as_ref()),
+                expected.effort,
+            ),
+            (
+                "velocity limit",
+                speed,
+                limit.and_then(|limit| limit.velocity.as_ref()),
+                expected.velocity,
+            ),
         ] {
             let Some(wanted) = wanted else { continue };
             let value = own.and_then(Text::number);
@@ -286,25 +388,45 @@ impl<'a> Evaluation<'a> {
             }
             let element = limit.map_or(joint.element, |limit| limit.element);
             let at = own.map_or_else(|| self.tag(element), whole);
-            let shown =
-                value.map_or_else(|| "missing".to_owned(), |value| format!("{} {unit}", short(value)));
+            let shown = value.map_or_else(
+                || "missing".to_owned(),
+                |value| format!("{} {unit}", short(value)),
+            );
             let wanted = format!("{} {unit}{}", short(wanted), within(expected.tolerance));
-            self.fail(at, format!("{what} of joint `{name}` is {shown}, expected {wanted}"), None);
+            self.fail(
+                at,
+                format!("{what} of joint `{name}` is {shown}, expected {wanted}"),
+                None,
+            );
         }
     }
 
     /// The interfaces of a joint in all `ros2_control` elements.
     fn interfaces(&mut self, kind: &str, joint: &str, expected: &[String]) {
-        let Some(joint) = self.filled(joint) else { return };
+        let Some(joint) = self.filled(joint) else {
+            return;
+        };
         let expected: Vec<Option<String>> = expected.iter().map(|name| self.filled(name)).collect();
-        let Some(mut expected): Option<Vec<String>> = expected.into_iter().collect() else { return };
-        let all = self.robot.controls.iter().flat_map(|control| &control.joints);
+        let Some(mut expected): Option<Vec<String>> = expected.into_iter().collect() else {
+            return;
+        };
+        let all = self
+            .robot
+            .controls
+            .iter()
+            .flat_map(|control| &control.joints);
         let own: Vec<&ControlJoint> = all.filter(|own| own.shown() == joint).collect();
-        let interfaces =
-            own.iter().flat_map(|own| if kind == "command" { &own.commands } else { &own.states });
+        let interfaces = own.iter().flat_map(|own| {
+            if kind == "command" {
+                &own.commands
+            } else {
+                &own.states
+            }
+        });
         let name = |text: &Text| text.value.to_string();
-        let mut names: Vec<String> =
-            interfaces.filter_map(|interface| interface.name.as_ref().map(name)).collect();
+        let mut names: Vec<String> = interfaces
+            .filter_map(|interface| interface.name.as_ref().map(name))
+            .collect();
         for list in [&mut names, &mut expected] {
             list.sort();
             list.dedup();
@@ -318,7 +440,9 @@ impl<'a> Evaluation<'a> {
             listed(&names),
             listed(&expected)
         );
-        let help = own.is_empty().then(|| format!("add joint `{joint}` to a `ros2_control` element"));
+        let help = own
+            .is_empty()
+            .then(|| format!("add joint `{joint}` to a `ros2_control` element"));
         self.fail(self.tag(at), message, help);
     }
 }
@@ -363,16 +487,28 @@ fn is_near(value: f64, expected: f64, tolerance: f64) -> bool {
 fn short(number: f64) -> String {
     let text = format!("{number:.6}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
 }
 
 fn within(tolerance: f64) -> String {
-    if tolerance > 0.0 { format!(" ± {tolerance}") } else { String::new() }
+    if tolerance > 0.0 {
+        format!(" ± {tolerance}")
+    } else {
+        String::new()
+    }
 }
 
 fn listed(names: &[String]) -> String {
     match names {
         [] => "none".to_owned(),
-        _ => names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
+        _ => names
+            .iter()
+            .map(|name| format!("`{name}`"))
+            .collect::<Vec<_>>()
+            .join(", "),
     }
 }

@@ -99,7 +99,10 @@ impl Session {
         }
         let all = cases.len();
         let is_wanted = |case: &Case| {
-            options.filter.as_ref().is_none_or(|part| self.test_name(&case.root).contains(part.as_str()))
+            options
+                .filter
+                .as_ref()
+                .is_none_or(|part| self.test_name(&case.root).contains(part.as_str()))
         };
         let chosen: Vec<&Case> = cases.iter().filter(|case| is_wanted(case)).collect();
         tests.left_out = all - chosen.len();
@@ -127,15 +130,23 @@ impl Session {
         let (named, walked) = self.named_and_walked(options, &mut report);
         for path in &named {
             if let Err(error) = self.vfs.text(path) {
-                report.unreadable.push(Unreadable { path: path.clone(), error });
+                report.unreadable.push(Unreadable {
+                    path: path.clone(),
+                    error,
+                });
             }
         }
         let mut cases = Vec::new();
         let mut invalid: Vec<ConfigWarning> = Vec::new();
         for (settings, number, files) in self.configured_files(options, &named, &walked) {
-            let Some(root) = settings.config.roots.get(number) else { continue };
+            let Some(root) = settings.config.roots.get(number) else {
+                continue;
+            };
             if root.files(&self.vfs).is_empty() {
-                invalid.push(warning(&root.place, format!("no file matches `{}`", root.file)));
+                invalid.push(warning(
+                    &root.place,
+                    format!("no file matches `{}`", root.file),
+                ));
             }
             for file in files {
                 let choices = self.choices(root, &file);
@@ -147,7 +158,9 @@ impl Session {
                     invalid.push(warning(&root.place, message));
                 }
                 let variants = self.variants(root, &file).into_iter();
-                let args = |args: Vec<(String, String)>| args.into_iter().chain(options.args.iter().cloned());
+                let args = |args: Vec<(String, String)>| {
+                    args.into_iter().chain(options.args.iter().cloned())
+                };
                 cases.extend(variants.map(|variant| Case {
                     root: RootChoice {
                         file: file.clone(),
@@ -162,7 +175,12 @@ impl Session {
         tests.invalid = self.config_warnings();
         tests.invalid.extend(invalid);
         report.unreadable.extend(
-            self.unreadable_configs().into_iter().map(|error| Unreadable { path: error.path.clone(), error }),
+            self.unreadable_configs()
+                .into_iter()
+                .map(|error| Unreadable {
+                    path: error.path.clone(),
+                    error,
+                }),
         );
         tests.report = report;
         cases
@@ -194,13 +212,18 @@ impl Session {
                 }
             }
         }
-        places.retain(|(place, _)| applied.get(&(place.path.clone(), place.range.start)) == Some(&false));
+        places.retain(|(place, _)| {
+            applied.get(&(place.path.clone(), place.range.start)) == Some(&false)
+        });
         let unused = places.into_iter().map(|(place, when)| {
-            let args: Vec<String> =
-                when.iter().map(|(name, values)| format!("{name}:={}", values.join("|"))).collect();
+            let args: Vec<String> = when
+                .iter()
+                .map(|(name, values)| format!("{name}:={}", values.join("|")))
+                .collect();
             let message = format!("no robot has the arguments `{}`", args.join(" "));
             let mut finding = Finding::new(&RULE, self.span_of_place(place), message);
-            finding.help = Some("correct `when`, or add the values to `args` of the root".to_owned());
+            finding.help =
+                Some("correct `when`, or add the values to `args` of the root".to_owned());
             Ran {
                 root: RootChoice::plain(&place.path),
                 findings: vec![finding],
@@ -212,7 +235,10 @@ impl Session {
     }
 
     fn span_of_place(&self, place: &Place) -> Span {
-        Span { file: self.vfs.file_id(&place.path), range: place.range }
+        Span {
+            file: self.vfs.file_id(&place.path),
+            range: place.range,
+        }
     }
 
     /// Snapshots to be written. One that several different robots are to have is a failure of these.
@@ -234,9 +260,15 @@ impl Session {
         wanted.retain(|path, _| !unclear.contains(path));
         let update = |snapshot: Snapshot| {
             let old = self.vfs.text(&snapshot.path);
-            let is_current = old.as_ref().is_ok_and(|old| snapshot.is_written_in(&old.text));
+            let is_current = old
+                .as_ref()
+                .is_ok_and(|old| snapshot.is_written_in(&old.text));
             let Snapshot { path, text, .. } = snapshot;
-            (!is_current).then(|| Update { exists: old.is_ok(), path, text })
+            (!is_current).then(|| Update {
+                exists: old.is_ok(),
+                path,
+                text,
+            })
         };
         wanted.into_values().filter_map(update).collect()
     }
@@ -248,10 +280,16 @@ impl Session {
         for mut ran in ran {
             let start = findings.len();
             report.roots.push(ran.root.file.clone());
-            report.files.extend(ran.files.into_iter().map(|file| (file.id, file)));
+            report
+                .files
+                .extend(ran.files.into_iter().map(|file| (file.id, file)));
             findings.append(&mut ran.findings);
             let failures = start..findings.len();
-            tests.cases.push(TestCase { root: ran.root, expectations: ran.applied.len(), failures });
+            tests.cases.push(TestCase {
+                root: ran.root,
+                expectations: ran.applied.len(),
+                failures,
+            });
         }
         report.roots.sort();
         report.roots.dedup();
@@ -260,14 +298,27 @@ impl Session {
         for finding in &report.findings {
             let related = finding.related.iter().map(|related| related.span.file);
             let files = related.chain([finding.span.file]);
-            report.paths.extend(files.map(|file| (file, self.vfs.path(file))));
+            report
+                .paths
+                .extend(files.map(|file| (file, self.vfs.path(file))));
         }
-        let unread = report.paths.iter().filter(|(id, _)| !report.files.contains_key(id));
-        let beside: Vec<_> = unread.filter_map(|(_, path)| self.vfs.document(path).ok()).collect();
-        report.beside.extend(beside.into_iter().map(|file| (file.id, file)));
+        let unread = report
+            .paths
+            .iter()
+            .filter(|(id, _)| !report.files.contains_key(id));
+        let beside: Vec<_> = unread
+            .filter_map(|(_, path)| self.vfs.document(path).ok())
+            .collect();
+        report
+            .beside
+            .extend(beside.into_iter().map(|file| (file.id, file)));
     }
 }
 
 fn warning(place: &Place, message: String) -> ConfigWarning {
-    ConfigWarning { place: place.clone(), message, nearest: None }
+    ConfigWarning {
+        place: place.clone(),
+        message,
+        nearest: None,
+    }
 }

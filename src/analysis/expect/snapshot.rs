@@ -36,10 +36,14 @@ impl Snapshot {
 
     /// Another test wants something else in the same file.
     pub(super) fn conflict(&self, owner: &str) -> Finding {
-        let message = format!("`{}` is also the file of `{owner}`, a different robot", self.shown);
+        let message = format!(
+            "`{}` is also the file of `{owner}`, a different robot",
+            self.shown
+        );
         let mut finding = Finding::new(&RULE, self.place, message);
         finding.help = Some(
-            "add `$(arg NAME)` to the name of the file, or limit the expectation with `when`".to_owned(),
+            "add `$(arg NAME)` to the name of the file, or limit the expectation with `when`"
+                .to_owned(),
         );
         finding
     }
@@ -48,31 +52,48 @@ impl Snapshot {
 impl Evaluation<'_> {
     /// Compare the robot with a file, or note what the file is to hold.
     pub(super) fn snapshot(&mut self, name: &str, update: bool) {
-        let Some(name) = self.filled(name) else { return };
+        let Some(name) = self.filled(name) else {
+            return;
+        };
         let path = match self.session.snapshot_path(&self.expected.place.path, &name) {
             Ok(path) => path,
             Err(why) => {
-                let help = "use a path inside the workspace that ends with `.urdf` or `.xml`".to_owned();
+                let help =
+                    "use a path inside the workspace that ends with `.urdf` or `.xml`".to_owned();
                 return self.fail_snapshot(format!("cannot use file `{name}`: {why}"), help);
             }
         };
         let place = self.session.span_of_place(&self.expected.place);
         if update {
-            let (text, owner) = (self.written().text.clone(), self.session.test_name(&self.case.root));
-            return self.snapshots.push(Snapshot { path, text, owner, place, shown: name });
+            let (text, owner) = (
+                self.written().text.clone(),
+                self.session.test_name(&self.case.root),
+            );
+            return self.snapshots.push(Snapshot {
+                path,
+                text,
+                owner,
+                place,
+                shown: name,
+            });
         }
         let file = match self.session.vfs.text(&path) {
             Ok(file) => file,
             Err(error) => {
                 let help = "write it with `xacro-lint test --update`".to_owned();
-                return self.fail_snapshot(format!("cannot read `{name}`: {}", error.reason()), help);
+                return self
+                    .fail_snapshot(format!("cannot read `{name}`: {}", error.reason()), help);
             }
         };
         match compare(&self.written().text, &file.text) {
             Comparison::Same => {}
             Comparison::Unknown => {
-                let help = "correct it, or write it again with `xacro-lint test --update`".to_owned();
-                self.fail_snapshot(format!("`{name}` is not a well-formed robot description"), help);
+                let help =
+                    "correct it, or write it again with `xacro-lint test --update`".to_owned();
+                self.fail_snapshot(
+                    format!("`{name}` is not a well-formed robot description"),
+                    help,
+                );
             }
             Comparison::Different(difference) => self.fail_difference(&name, &path, &difference),
         }
@@ -80,18 +101,28 @@ impl Evaluation<'_> {
 
     fn fail_snapshot(&mut self, message: String, help: String) {
         let span = self.session.span_of_place(&self.expected.place);
-        self.findings.push(Finding { help: Some(help), ..Finding::new(&RULE, span, message) });
+        self.findings.push(Finding {
+            help: Some(help),
+            ..Finding::new(&RULE, span, message)
+        });
     }
 
     /// The first difference, at the source that makes it.
     fn fail_difference(&mut self, name: &str, path: &Path, difference: &Difference) {
-        let origin =
-            entry_at(&self.written().map, &difference.one).map_or(Origin::NOWHERE, |entry| entry.origin);
+        let origin = entry_at(&self.written().map, &difference.one)
+            .map_or(Origin::NOWHERE, |entry| entry.origin);
         let help = "if the change is intended, run `xacro-lint test --update`".to_owned();
         self.fail(origin, worded(&difference.what, name), Some(help));
         let range = TextRange::new(difference.other.start as u32, difference.other.end as u32);
-        let span = Span { file: self.session.vfs.file_id(path), range };
-        let related = Related { span, message: "different here".to_owned(), is_call: false };
+        let span = Span {
+            file: self.session.vfs.file_id(path),
+            range,
+        };
+        let related = Related {
+            span,
+            message: "different here".to_owned(),
+            is_call: false,
+        };
         if let Some(finding) = self.findings.last_mut() {
             finding.related.push(related);
         }
@@ -100,8 +131,10 @@ impl Evaluation<'_> {
 
 /// What differs between the robot and a file.
 pub(crate) fn worded(what: &What, file: &str) -> String {
-    let shown =
-        |text: &Option<String>| text.as_ref().map_or("missing".to_owned(), |text| format!("`{text}`"));
+    let shown = |text: &Option<String>| {
+        text.as_ref()
+            .map_or("missing".to_owned(), |text| format!("`{text}`"))
+    };
     match what {
         What::Value { of, one, other } => {
             format!("{of} is {}, but {} in `{file}`", shown(one), shown(other))
@@ -112,9 +145,13 @@ pub(crate) fn worded(what: &What, file: &str) -> String {
 }
 
 /// What a stretch of the printed document came from: the innermost entry of the map that holds its start.
-pub(crate) fn entry_at<'m>(map: &'m [MapEntry], range: &std::ops::Range<usize>) -> Option<&'m MapEntry> {
+pub(crate) fn entry_at<'m>(
+    map: &'m [MapEntry],
+    range: &std::ops::Range<usize>,
+) -> Option<&'m MapEntry> {
     let at = range.start as u32;
-    let holds = |entry: &&MapEntry| entry.out.start <= at && at < entry.out.end.max(entry.out.start + 1);
+    let holds =
+        |entry: &&MapEntry| entry.out.start <= at && at < entry.out.end.max(entry.out.start + 1);
     map.iter().filter(holds).min_by_key(|entry| entry.out.len())
 }
 
@@ -127,14 +164,20 @@ impl Session {
     fn snapshot_path(&self, config: &Path, name: &str) -> Result<PathBuf, String> {
         let folder = config.parent().unwrap_or(config);
         let path = without_parents(&folder.join(name));
-        let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        let ending = path
+            .extension()
+            .and_then(|ending| ending.to_str())
+            .unwrap_or_default();
         if !["urdf", "xml"].contains(&ending) {
             return Err("its name must end with `.urdf` or `.xml`".to_owned());
         }
         if self.vfs.is_present(&path) && !self.vfs.exists(&path) {
             return Err("it is a link to a file that does not exist".to_owned());
         }
-        let existing = path.ancestors().find(|path| self.vfs.is_present(path)).unwrap_or(folder);
+        let existing = path
+            .ancestors()
+            .find(|path| self.vfs.is_present(path))
+            .unwrap_or(folder);
         let folder = self.vfs.canonical(folder);
         let top = self.packages.workspace(&folder).unwrap_or(folder);
         let top = self.vfs.canonical(&top);

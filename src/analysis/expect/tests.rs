@@ -19,14 +19,29 @@ fn test(root: &str, files: &[(&str, &str)], update: bool) -> (Tree, Tests) {
     let tree = Tree::new();
     tree.write("package.xml", "<package><name>r</name></package>");
     tree.write("r.xacro", ROBOT);
-    tree.write("xacro-lint.toml", &format!("[[roots]]\nfile = 'r.xacro'\n{root}"));
+    tree.write(
+        "xacro-lint.toml",
+        &format!("[[roots]]\nfile = 'r.xacro'\n{root}"),
+    );
     for (name, text) in files {
         tree.write(name, text);
     }
-    let session =
-        Session::new(&tree.environment(&[]), Setup { about: tree.root().to_owned(), ..Setup::default() });
-    let check = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
-    let tests = session.unwrap().test(&TestOptions { check, filter: None, update });
+    let session = Session::new(
+        &tree.environment(&[]),
+        Setup {
+            about: tree.root().to_owned(),
+            ..Setup::default()
+        },
+    );
+    let check = CheckOptions {
+        paths: vec![tree.root().to_owned()],
+        ..CheckOptions::default()
+    };
+    let tests = session.unwrap().test(&TestOptions {
+        check,
+        filter: None,
+        update,
+    });
     (tree, tests)
 }
 
@@ -34,16 +49,36 @@ fn test(root: &str, files: &[(&str, &str)], update: bool) -> (Tree, Tests) {
 fn failures((tree, tests): &(Tree, Tests)) -> Vec<String> {
     assert!(tests.invalid.is_empty(), "{:?}", tests.invalid);
     let text = |finding: &rules::Finding| {
-        let text = &tree.vfs().text(tests.report.path(finding.span.file)).unwrap().text;
-        format!("{} @{}", finding.message, finding.span.range.slice(text).lines().next().unwrap_or_default())
+        let text = &tree
+            .vfs()
+            .text(tests.report.path(finding.span.file))
+            .unwrap()
+            .text;
+        format!(
+            "{} @{}",
+            finding.message,
+            finding
+                .span
+                .range
+                .slice(text)
+                .lines()
+                .next()
+                .unwrap_or_default()
+        )
     };
     let found = tests.report.findings.iter().map(text);
-    found.map(|text| text.replace(&format!("{}/", tree.root().display()), "")).collect()
+    found
+        .map(|text| text.replace(&format!("{}/", tree.root().display()), ""))
+        .collect()
 }
 
 /// Check what fails of one expectation.
 fn check_failures(expected_of_robot: &str, expected: &[&str]) {
-    let found = failures(&test(&format!("[[roots.expect]]\n{expected_of_robot}"), &[], false));
+    let found = failures(&test(
+        &format!("[[roots.expect]]\n{expected_of_robot}"),
+        &[],
+        false,
+    ));
     assert_eq!(found, expected, "{expected_of_robot}");
 }
 
@@ -68,13 +103,28 @@ fn what_holds() {
 
 #[test]
 fn what_fails() {
-    check_failures("root = 'world'", &["root link is `base`, expected `world` @base"]);
+    check_failures(
+        "root = 'world'",
+        &["root link is `base`, expected `world` @base"],
+    );
     check_failures("links = ['left_am']", &["missing link `left_am` @<robot"]);
-    check_failures("no-links = ['left_arm']", &["link `left_arm` is not expected @$(arg side)_arm"]);
-    check_failures("no-joints = ['elbow']", &["joint `elbow` is not expected @elbow"]);
+    check_failures(
+        "no-links = ['left_arm']",
+        &["link `left_arm` is not expected @$(arg side)_arm"],
+    );
+    check_failures(
+        "no-joints = ['elbow']",
+        &["joint `elbow` is not expected @elbow"],
+    );
     check_failures("link-count = 3", &["robot has 2 links, expected 3 @<robot"]);
-    check_failures("chains = [['left_arm', 'base']]", &["link `base` is not below link `left_arm` @base"]);
-    check_failures("mass = 4", &["total mass is 3 kg, expected 4 kg ± 0.001 @<robot"]);
+    check_failures(
+        "chains = [['left_arm', 'base']]",
+        &["link `base` is not below link `left_arm` @base"],
+    );
+    check_failures(
+        "mass = 4",
+        &["total mass is 3 kg, expected 4 kg ± 0.001 @<robot"],
+    );
     check_failures(
         "joint.elbow = { type = 'fixed', mimic = 'knee', upper = 2, velocity = 2.0 }",
         &[
@@ -91,23 +141,37 @@ fn what_fails() {
         "links = ['$(arg sid)_arm']",
         &["unknown argument `sid` in the expectation @[[roots.expect]]"],
     );
-    check_failures("when = { side = 'up' }", &["no robot has the arguments `side:=up` @[[roots.expect]]"]);
+    check_failures(
+        "when = { side = 'up' }",
+        &["no robot has the arguments `side:=up` @[[roots.expect]]"],
+    );
 }
 
 #[test]
 fn failures_lead_to_the_call() {
     let (_tree, tests) = test("[[roots.expect]]\njoint.elbow.upper = 2", &[], false);
-    let messages: Vec<&str> =
-        tests.report.findings[0].related.iter().map(|related| related.message.as_str()).collect();
+    let messages: Vec<&str> = tests.report.findings[0]
+        .related
+        .iter()
+        .map(|related| related.message.as_str())
+        .collect();
     assert_eq!(messages, ["in this call of macro `arm`", "expected here"]);
 }
 
 #[test]
 fn robots_that_are_rejected() {
-    let with =
-        |text: &str| failures(&test("[[roots.expect]]\nlinks = ['gone']", &[("r.xacro", text)], false));
+    let with = |text: &str| {
+        failures(&test(
+            "[[roots.expect]]\nlinks = ['gone']",
+            &[("r.xacro", text)],
+            false,
+        ))
+    };
     let robot = |inner: &str| format!("<robot name='r' xmlns:xacro='x'>{inner}</robot>");
-    assert_eq!(with(&robot("<link name='${a}'/>")), ["property `a` is not defined @a"]);
+    assert_eq!(
+        with(&robot("<link name='${a}'/>")),
+        ["property `a` is not defined @a"]
+    );
     assert_eq!(with("<sdf/>"), ["the root element is not `robot` @"]);
     assert_eq!(with(&robot("<link name='a'/><link name='b'/>")).len(), 2);
     let package = robot("<xacro:include filename='$(find gone)/a.xacro'/><link name='a'/>");
@@ -118,26 +182,54 @@ fn robots_that_are_rejected() {
 fn combinations_are_tests() {
     let root = "args = { side = ['left', 'right'] }\n[[roots.expect]]\nlinks = ['left_arm']";
     let tests = test(root, &[], false).1;
-    let passed: Vec<bool> = tests.cases.iter().map(|case| case.failures.is_empty()).collect();
+    let passed: Vec<bool> = tests
+        .cases
+        .iter()
+        .map(|case| case.failures.is_empty())
+        .collect();
     assert_eq!(passed, [true, false]);
-    assert_eq!(tests.cases[1].root.args, [("side".to_owned(), "right".to_owned())]);
+    assert_eq!(
+        tests.cases[1].root.args,
+        [("side".to_owned(), "right".to_owned())]
+    );
 }
 
 #[test]
 fn snapshots() {
     let root = "args = { side = ['left', 'right'] }\n[[roots.expect]]\nexpands-to = 'kept/$(arg side).urdf'";
     let found = failures(&test(root, &[], false));
-    assert!(found[0].starts_with("cannot read `kept/left.urdf`"), "{found:?}");
+    assert!(
+        found[0].starts_with("cannot read `kept/left.urdf`"),
+        "{found:?}"
+    );
     let (tree, tests) = test(root, &[], true);
     assert!(tests.report.findings.is_empty());
     let updates: Vec<(&std::path::Path, bool)> = tests
         .updates
         .iter()
-        .map(|update| (update.path.strip_prefix(tree.root()).unwrap(), update.exists))
+        .map(|update| {
+            (
+                update.path.strip_prefix(tree.root()).unwrap(),
+                update.exists,
+            )
+        })
         .collect();
-    assert_eq!(updates, [("kept/left.urdf".as_ref(), false), ("kept/right.urdf".as_ref(), false)]);
-    let written: Vec<&str> = tests.updates.iter().map(|update| update.text.as_str()).collect();
-    let files = [("kept/left.urdf", written[0]), ("kept/right.urdf", written[1])];
+    assert_eq!(
+        updates,
+        [
+            ("kept/left.urdf".as_ref(), false),
+            ("kept/right.urdf".as_ref(), false)
+        ]
+    );
+    let written: Vec<&str> = tests
+        .updates
+        .iter()
+        .map(|update| update.text.as_str())
+        .collect();
+    let files = [
+        ("kept/left.urdf", written[0]),
+        ("kept/right.urdf", written[1]),
+    ];
     assert!(failures(&test(root, &files, false)).is_empty());
     assert!(test(root, &files, true).1.updates.is_empty());
     // the spelling of numbers and white space do not count
@@ -145,7 +237,11 @@ fn snapshots() {
     assert!(failures(&test(root, &[("kept/left.urdf", &other), files[1]], false)).is_empty());
     let changed = written[0].replace("\"1.5\"", "\"1.6\"");
     assert_eq!(
-        failures(&test(root, &[("kept/left.urdf", &changed), files[1]], false)),
+        failures(&test(
+            root,
+            &[("kept/left.urdf", &changed), files[1]],
+            false
+        )),
         ["`upper` of `limit` is `1.5`, but `1.6` in `kept/left.urdf` @${reach}"]
     );
     // a robot that one does not tell from another
@@ -154,7 +250,10 @@ fn snapshots() {
     assert!(conflict.1.updates.is_empty());
     let found = failures(&conflict);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].starts_with("`kept/one.urdf` is also the file of `r.xacro side:=left`"), "{found:?}");
+    assert!(
+        found[0].starts_with("`kept/one.urdf` is also the file of `r.xacro side:=left`"),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -162,12 +261,18 @@ fn files_that_are_no_snapshots() {
     let refused = |name: &str| {
         let root = format!("[[roots.expect]]\nexpands-to = '{name}'");
         let (tree, tests) = test(&root, &[("kept/garbage.urdf", "no robot")], true);
-        assert!(tests.updates.is_empty() || name == "kept/garbage.urdf", "{name}");
+        assert!(
+            tests.updates.is_empty() || name == "kept/garbage.urdf",
+            "{name}"
+        );
         let found = failures(&(tree, tests));
-        found.first().map(|found| found.split(" @").next().unwrap_or_default().to_owned())
+        found
+            .first()
+            .map(|found| found.split(" @").next().unwrap_or_default().to_owned())
     };
-    let outside =
-        |name: &str| refused(name).is_some_and(|why| why.contains("it is outside of the workspace"));
+    let outside = |name: &str| {
+        refused(name).is_some_and(|why| why.contains("it is outside of the workspace"))
+    };
     assert!(outside("../../../../../../../../../../tmp/other.urdf"));
     assert!(outside("/tmp/other.urdf"));
     assert_eq!(
@@ -177,7 +282,10 @@ fn files_that_are_no_snapshots() {
     assert_eq!(refused("kept/garbage.urdf"), None);
     let root = "[[roots.expect]]\nexpands-to = 'kept/garbage.urdf'";
     let found = failures(&test(root, &[("kept/garbage.urdf", "no robot")], false));
-    assert!(found[0].starts_with("`kept/garbage.urdf` is not a well-formed robot description"), "{found:?}");
+    assert!(
+        found[0].starts_with("`kept/garbage.urdf` is not a well-formed robot description"),
+        "{found:?}"
+    );
 }
 
 #[cfg(unix)]
@@ -188,19 +296,37 @@ fn links_out_of_the_workspace() {
     std::os::unix::fs::symlink(outside.root(), tree.path("out")).unwrap();
     std::os::unix::fs::symlink(outside.path("gone.urdf"), tree.path("gone.urdf")).unwrap();
     for name in ["out/a.urdf", "gone.urdf"] {
-        let text = format!("[[roots]]\nfile = 'r.xacro'\n[[roots.expect]]\nexpands-to = '{name}'\n");
+        let text =
+            format!("[[roots]]\nfile = 'r.xacro'\n[[roots.expect]]\nexpands-to = '{name}'\n");
         tree.write("xacro-lint.toml", &text);
-        let setup = Setup { about: tree.root().to_owned(), ..Setup::default() };
+        let setup = Setup {
+            about: tree.root().to_owned(),
+            ..Setup::default()
+        };
         let session = Session::new(&tree.environment(&[]), setup).unwrap();
-        let check = CheckOptions { paths: vec![tree.root().to_owned()], ..CheckOptions::default() };
-        let tests = session.test(&TestOptions { check, filter: None, update: true });
-        assert!(tests.updates.is_empty() && tests.report.findings.len() == 1, "{name}");
+        let check = CheckOptions {
+            paths: vec![tree.root().to_owned()],
+            ..CheckOptions::default()
+        };
+        let tests = session.test(&TestOptions {
+            check,
+            filter: None,
+            update: true,
+        });
+        assert!(
+            tests.updates.is_empty() && tests.report.findings.len() == 1,
+            "{name}"
+        );
     }
 }
 
 #[test]
 fn configurations_that_keep_tests_from_running() {
-    for root in ["exclude = 1", "[[roots.expect]]\nlnks = []", "[[roots]]\nfile = 'gone.xacro'"] {
+    for root in [
+        "exclude = 1",
+        "[[roots.expect]]\nlnks = []",
+        "[[roots]]\nfile = 'gone.xacro'",
+    ] {
         assert_eq!(test(root, &[], false).1.invalid.len(), 1, "{root}");
     }
 }
@@ -210,11 +336,22 @@ fn choices_of_launch_files() {
     let launch = "DeclareLaunchArgument('arm_side', default_value='left', choices=['left', 'right'])\n\
                   DeclareLaunchArgument('rviz', default_value='true', choices=['true', 'false'])\n\
                   Command(['xacro ', FindPackageShare('r'), '/r.xacro', ' side:=', LaunchConfiguration('arm_side'), ' sim:=true'])\n";
-    let tests = test("choices = 'launch'", &[("launch/r.launch.py", launch)], false).1;
+    let tests = test(
+        "choices = 'launch'",
+        &[("launch/r.launch.py", launch)],
+        false,
+    )
+    .1;
     let args: Vec<String> = tests
         .cases
         .iter()
-        .map(|case| case.root.args.iter().map(|(name, value)| format!("{name}:={value}")).collect())
+        .map(|case| {
+            case.root
+                .args
+                .iter()
+                .map(|(name, value)| format!("{name}:={value}"))
+                .collect()
+        })
         .collect();
     assert_eq!(args, ["side:=left", "side:=right"]);
 }

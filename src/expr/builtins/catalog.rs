@@ -37,20 +37,36 @@ pub fn global_symbols() -> impl Iterator<Item = GlobalSymbol> {
         ("python", "Python's built-in functions and types."),
         ("xacro", "Functions of xacro."),
     ];
-    let namespaces =
-        namespaces.into_iter().map(|(name, doc)| symbol(name, None, SymbolKind::Namespace, "", doc));
-    let python = all_of(Module::Python).filter(|symbol| super::global(symbol.name).is_some()).map(bare);
-    let xacro = all_of(Module::Xacro).filter(|symbol| super::global(symbol.name).is_some()).map(bare);
+    let namespaces = namespaces
+        .into_iter()
+        .map(|(name, doc)| symbol(name, None, SymbolKind::Namespace, "", doc));
+    let python = all_of(Module::Python)
+        .filter(|symbol| super::global(symbol.name).is_some())
+        .map(bare);
+    let xacro = all_of(Module::Xacro)
+        .filter(|symbol| super::global(symbol.name).is_some())
+        .map(bare);
     namespaces
         .chain(python)
         .chain(xacro)
         .chain(all_of(Module::Math).map(bare))
-        .chain([Module::Math, Module::Python, Module::Xacro].into_iter().flat_map(all_of))
+        .chain(
+            [Module::Math, Module::Python, Module::Xacro]
+                .into_iter()
+                .flat_map(all_of),
+        )
 }
 
 fn bare(found: GlobalSymbol) -> GlobalSymbol {
-    let deprecated = DEPRECATED.iter().find(|(name, _)| *name == found.name).map(|(_, namespace)| *namespace);
-    GlobalSymbol { namespace: None, deprecated, ..found }
+    let deprecated = DEPRECATED
+        .iter()
+        .find(|(name, _)| *name == found.name)
+        .map(|(_, namespace)| *namespace);
+    GlobalSymbol {
+        namespace: None,
+        deprecated,
+        ..found
+    }
 }
 
 fn symbol(
@@ -60,7 +76,14 @@ fn symbol(
     params: &'static str,
     doc: &'static str,
 ) -> GlobalSymbol {
-    GlobalSymbol { name, namespace, kind, params, doc, deprecated: None }
+    GlobalSymbol {
+        name,
+        namespace,
+        kind,
+        params,
+        doc,
+        deprecated: None,
+    }
 }
 
 fn all_of(module: Module) -> impl Iterator<Item = GlobalSymbol> {
@@ -69,23 +92,26 @@ fn all_of(module: Module) -> impl Iterator<Item = GlobalSymbol> {
         Module::Python => python::FUNCTIONS,
         Module::Xacro => xacro::FUNCTIONS,
     };
-    let constants = if module == Module::Math { math::CONSTANTS } else { &[] };
-    let named_types =
-        types::NAMED.iter().filter(move |named| (named.0 == "dotify") == (module == Module::Xacro));
+    let constants = if module == Module::Math {
+        math::CONSTANTS
+    } else {
+        &[]
+    };
+    let named_types = types::NAMED
+        .iter()
+        .filter(move |named| (named.0 == "dotify") == (module == Module::Xacro));
     let named_types = named_types.filter(move |_| module != Module::Math);
     functions
         .iter()
         .map(move |f| symbol(f.name, Some(module), SymbolKind::Function, f.params, f.doc))
         .chain(
-            constants
-                .iter()
-                .map(move |&(name, _, doc)| symbol(name, Some(module), SymbolKind::Constant, "", doc)),
-        )
-        .chain(
-            named_types.map(move |&(name, _, params, doc)| {
-                symbol(name, Some(module), SymbolKind::Type, params, doc)
+            constants.iter().map(move |&(name, _, doc)| {
+                symbol(name, Some(module), SymbolKind::Constant, "", doc)
             }),
         )
+        .chain(named_types.map(move |&(name, _, params, doc)| {
+            symbol(name, Some(module), SymbolKind::Type, params, doc)
+        }))
 }
 
 #[cfg(test)]
@@ -102,7 +128,10 @@ mod tests {
                 Some(module) => attribute(module, symbol.name),
             };
             assert!(found.is_some(), "{symbol:?}");
-            assert!(symbol.doc.ends_with('.') && symbol.doc.len() < 100, "{symbol:?}");
+            assert!(
+                symbol.doc.ends_with('.') && symbol.doc.len() < 100,
+                "{symbol:?}"
+            );
             count += 1;
         }
         assert!(count > 150, "{count}");
@@ -110,8 +139,11 @@ mod tests {
 
     #[test]
     fn deprecated_bare_names_say_where_they_live() {
-        let of =
-            |name| global_symbols().find(|s| s.name == name && s.namespace.is_none()).map(|s| s.deprecated);
+        let of = |name| {
+            global_symbols()
+                .find(|s| s.name == name && s.namespace.is_none())
+                .map(|s| s.deprecated)
+        };
         assert_eq!(of("range"), Some(Some("python")));
         assert_eq!(of("load_yaml"), Some(Some("xacro")));
         assert_eq!(of("len"), Some(None));

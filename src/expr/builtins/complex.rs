@@ -10,10 +10,14 @@ pub(super) fn construct(args: &Args) -> Eval {
     let (first, second) = (args.get(0), args.get(1));
     if let Some(Value::Str(text)) = first {
         if second.is_some() {
-            return Err(Stop::typ("complex() can't take second arg if first is a string"));
+            return Err(Stop::typ(
+                "complex() can't take second arg if first is a string",
+            ));
         }
         let malformed = || Stop::value("complex() arg is a malformed string");
-        return parse_complex(text).map(|(re, im)| Value::Complex(re, im)).ok_or_else(malformed);
+        return parse_complex(text)
+            .map(|(re, im)| Value::Complex(re, im))
+            .ok_or_else(malformed);
     }
     if let Some(Value::Str(_)) = second {
         return Err(Stop::typ("complex() second arg can't be a string"));
@@ -24,15 +28,25 @@ pub(super) fn construct(args: &Args) -> Eval {
             Some(number) => number.complex(),
             None => {
                 let kind = value.type_name();
-                let a = if place == "first" { "a string or a number" } else { "a number" };
-                Err(Stop::typ(format!("complex() {place} argument must be {a}, not '{kind}'")))
+                let a = if place == "first" {
+                    "a string or a number"
+                } else {
+                    "a number"
+                };
+                Err(Stop::typ(format!(
+                    "complex() {place} argument must be {a}, not '{kind}'"
+                )))
             }
         },
     };
     let (re, im) = (part(first, "first")?, part(second, "second")?);
     // A complex argument brings along a part for the other side: x + (a + bj)j.
     let is_complex = |value| matches!(value, Some(&Value::Complex(..)));
-    let real = if is_complex(second) { re.0 - im.1 } else { re.0 };
+    let real = if is_complex(second) {
+        re.0 - im.1
+    } else {
+        re.0
+    };
     let imaginary = if is_complex(first) { re.1 + im.0 } else { im.0 };
     Ok(Value::Complex(real, imaginary))
 }
@@ -43,7 +57,9 @@ fn parse_complex(text: &str) -> Option<(f64, f64)> {
         Some(inner) => inner.strip_suffix(')')?.trim_matches(is_space),
         None => text,
     };
-    let Some(body) = text.strip_suffix(['j', 'J']) else { return parse_float(text).map(|re| (re, 0.0)) };
+    let Some(body) = text.strip_suffix(['j', 'J']) else {
+        return parse_float(text).map(|re| (re, 0.0));
+    };
     let imaginary = |part: &str| match part {
         "" | "+" => Some(1.0),
         "-" => Some(-1.0),
@@ -51,7 +67,9 @@ fn parse_complex(text: &str) -> Option<(f64, f64)> {
     };
     // The last sign that does not belong to an exponent separates the parts.
     let sign = body.char_indices().rev().find(|&(i, c)| {
-        let exponent = body.get(..i).is_some_and(|before| before.ends_with(['e', 'E']));
+        let exponent = body
+            .get(..i)
+            .is_some_and(|before| before.ends_with(['e', 'E']));
         i > 0 && (c == '+' || c == '-') && !exponent
     });
     match sign {

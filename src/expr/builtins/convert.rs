@@ -11,7 +11,9 @@ use crate::value::{DictMap, Key, Value};
 pub(super) fn bind_int(args: Args) -> Eval<Args> {
     let given = args.len() + args.named.len();
     if given > 2 {
-        return Err(Stop::typ(format!("int() takes at most 2 arguments ({given} given)")));
+        return Err(Stop::typ(format!(
+            "int() takes at most 2 arguments ({given} given)"
+        )));
     }
     // Only the base has a name.
     bind_named("int", &["", "base"], 0, 2, args)
@@ -24,13 +26,17 @@ pub(super) fn int(args: Args) -> Eval {
             None => Ok(Value::Int(0)),
         };
     };
-    let Some(base) = args.get(1) else { return int_of(value) };
+    let Some(base) = args.get(1) else {
+        return int_of(value);
+    };
     let base = integer(base)?;
     let valid = base == 0 || (2..=36).contains(&base);
     match value {
         _ if !valid => Err(Stop::value("int() base must be >= 2 and <= 36, or 0")),
         Value::Str(text) => int_of_text(text, u32::try_from(base).unwrap_or(10), value),
-        _ => Err(Stop::typ("int() can't convert non-string with explicit base")),
+        _ => Err(Stop::typ(
+            "int() can't convert non-string with explicit base",
+        )),
     }
 }
 
@@ -45,7 +51,9 @@ fn int_of(value: &Value) -> Eval {
         other => {
             let kind = other.type_name();
             let wanted = "a string, a bytes-like object or a real number";
-            Err(Stop::typ(format!("int() argument must be {wanted}, not '{kind}'")))
+            Err(Stop::typ(format!(
+                "int() argument must be {wanted}, not '{kind}'"
+            )))
         }
     }
 }
@@ -59,7 +67,9 @@ fn int_of_text(text: &str, base: u32, value: &Value) -> Eval {
         ))),
         ParsedInt::Invalid => {
             let shown: String = display::shown(value)?.chars().take(200).collect();
-            Err(Stop::value(format!("invalid literal for int() with base {base}: {shown}")))
+            Err(Stop::value(format!(
+                "invalid literal for int() with base {base}: {shown}"
+            )))
         }
     }
 }
@@ -83,7 +93,9 @@ pub(crate) fn float(value: &Value) -> Eval<f64> {
         Some(float) => Ok(float),
         None => {
             let shown = display::shown(value)?;
-            Err(Stop::value(format!("could not convert string to float: {shown}")))
+            Err(Stop::value(format!(
+                "could not convert string to float: {shown}"
+            )))
         }
     }
 }
@@ -94,10 +106,14 @@ pub(super) fn text(interp: &mut Interp, args: Args) -> Eval {
     for (place, name) in [(1, "encoding"), (2, "errors")] {
         if let Some(other) = args.get(place).filter(|value| value.as_str().is_none()) {
             let kind = argument_type(other);
-            return Err(Stop::typ(format!("str() argument '{name}' must be str, not {kind}")));
+            return Err(Stop::typ(format!(
+                "str() argument '{name}' must be str, not {kind}"
+            )));
         }
     }
-    let Some(value) = args.get(0) else { return Ok(Value::from("")) };
+    let Some(value) = args.get(0) else {
+        return Ok(Value::from(""));
+    };
     if args.get(1).is_none() && args.get(2).is_none() {
         return interp.text(value).map(Value::Str);
     }
@@ -106,7 +122,9 @@ pub(super) fn text(interp: &mut Interp, args: Args) -> Eval {
         Value::Str(_) => Err(Stop::typ("decoding str is not supported")),
         other => {
             let kind = other.type_name();
-            Err(Stop::typ(format!("decoding to str: need a bytes-like object, {kind} found")))
+            Err(Stop::typ(format!(
+                "decoding to str: need a bytes-like object, {kind} found"
+            )))
         }
     }
 }
@@ -118,7 +136,11 @@ pub(super) fn entries(interp: &mut Interp, args: Args) -> Eval<DictMap> {
     if let Some(source) = args.get(0) {
         add_entries(interp, &mut map, source)?;
     }
-    map.extend(args.named.into_iter().map(|(name, value)| (Key::text(name), value)));
+    map.extend(
+        args.named
+            .into_iter()
+            .map(|(name, value)| (Key::text(name), value)),
+    );
     Ok(map)
 }
 
@@ -127,7 +149,11 @@ pub(crate) fn add_entries(interp: &mut Interp, map: &mut DictMap, source: &Value
     if let Some(dict) = interp.mapping(source)? {
         let other = dict.snapshot();
         interp.budget.items(other.len() as u128)?;
-        map.extend(other.iter().map(|(key, value)| (key.clone(), value.clone())));
+        map.extend(
+            other
+                .iter()
+                .map(|(key, value)| (key.clone(), value.clone())),
+        );
         return Ok(());
     }
     let mut cursor = interp.iter(source)?;
@@ -135,9 +161,9 @@ pub(crate) fn add_entries(interp: &mut Interp, map: &mut DictMap, source: &Value
     while let Some(pair) = interp.next(&mut cursor)? {
         interp.budget.items(1)?;
         let pair = interp.collect(&pair).map_err(|stop| match stop {
-            Stop::Raise(_) => {
-                Stop::typ(format!("cannot convert dictionary update sequence element #{place} to a sequence"))
-            }
+            Stop::Raise(_) => Stop::typ(format!(
+                "cannot convert dictionary update sequence element #{place} to a sequence"
+            )),
             Stop::Unknown => Stop::Unknown,
         })?;
         let [key, value] = pair.as_slice() else {

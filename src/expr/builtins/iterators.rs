@@ -16,7 +16,11 @@ pub(super) fn range(args: &Args) -> Eval {
         let value = args.at(place);
         let limit = || Stop::budget("range bounds of more than 120 bits are not supported");
         let number = integer(value)?;
-        if number.unsigned_abs() >> 120 == 0 { Ok(number) } else { Err(limit()) }
+        if number.unsigned_abs() >> 120 == 0 {
+            Ok(number)
+        } else {
+            Err(limit())
+        }
     };
     let (start, stop, step) = match args.len() {
         1 => (0, number(0)?, 1),
@@ -32,8 +36,16 @@ pub(super) fn range(args: &Args) -> Eval {
 pub(super) fn slice(args: &Args) -> Value {
     let part = |place: usize| args.at(place).clone();
     let slice = match args.len() {
-        1 => Slice { start: Value::None, stop: part(0), step: Value::None },
-        _ => Slice { start: part(0), stop: part(1), step: part(2) },
+        1 => Slice {
+            start: Value::None,
+            stop: part(0),
+            step: Value::None,
+        },
+        _ => Slice {
+            start: part(0),
+            stop: part(1),
+            step: part(2),
+        },
     };
     Value::Slice(Arc::new(slice))
 }
@@ -45,24 +57,44 @@ pub(super) fn map(interp: &mut Interp, args: &Args) -> Eval {
     if sources.is_empty() {
         return Err(Stop::typ("map() must have at least two arguments."));
     }
-    let sources = sources.iter().map(|source| interp.iter(source)).collect::<Eval<Vec<_>>>()?;
-    let cursor = Cursor::Map { function: function.clone(), sources };
+    let sources = sources
+        .iter()
+        .map(|source| interp.iter(source))
+        .collect::<Eval<Vec<_>>>()?;
+    let cursor = Cursor::Map {
+        function: function.clone(),
+        sources,
+    };
     Ok(Value::Iter(Iter::new(IterKind::Map, cursor)))
 }
 
 pub(super) fn filter(interp: &mut Interp, args: &Args) -> Eval {
     let source = Box::new(interp.iter(args.at(1))?);
-    let cursor = Cursor::Filter { function: args.at(0).clone(), source };
+    let cursor = Cursor::Filter {
+        function: args.at(0).clone(),
+        source,
+    };
     Ok(Value::Iter(Iter::new(IterKind::Filter, cursor)))
 }
 
 pub(super) fn zip(interp: &mut Interp, args: &Args) -> Eval {
     if let Some((name, _)) = args.named.iter().find(|(name, _)| name != "strict") {
-        return Err(Stop::typ(format!("'{name}' is an invalid keyword argument for zip()")));
+        return Err(Stop::typ(format!(
+            "'{name}' is an invalid keyword argument for zip()"
+        )));
     }
-    let strict = args.named("strict").map_or(Ok(false), |value| interp.truth(value))?;
-    let sources = args.pos.iter().map(|source| interp.iter(source)).collect::<Eval<Vec<_>>>()?;
-    Ok(Value::Iter(Iter::new(IterKind::Zip, Cursor::Zip { sources, strict })))
+    let strict = args
+        .named("strict")
+        .map_or(Ok(false), |value| interp.truth(value))?;
+    let sources = args
+        .pos
+        .iter()
+        .map(|source| interp.iter(source))
+        .collect::<Eval<Vec<_>>>()?;
+    Ok(Value::Iter(Iter::new(
+        IterKind::Zip,
+        Cursor::Zip { sources, strict },
+    )))
 }
 
 pub(super) fn enumerate(interp: &mut Interp, args: &Args) -> Eval {
@@ -74,20 +106,33 @@ pub(super) fn enumerate(interp: &mut Interp, args: &Args) -> Eval {
         }
     };
     let source = Box::new(interp.iter(args.at(0))?);
-    Ok(Value::Iter(Iter::new(IterKind::Enumerate, Cursor::Enumerate { count, source })))
+    Ok(Value::Iter(Iter::new(
+        IterKind::Enumerate,
+        Cursor::Enumerate { count, source },
+    )))
 }
 
 pub(super) fn reversed(interp: &mut Interp, value: &Value) -> Eval {
     let cursor = match value {
         Value::List(list) => {
             let cursor = Cursor::ListBack(list.clone(), list.len());
-            return Ok(Value::Iter(Iter::new(IterKind::Other("list_reverseiterator"), cursor)));
+            return Ok(Value::Iter(Iter::new(
+                IterKind::Other("list_reverseiterator"),
+                cursor,
+            )));
         }
         Value::Range(range) => {
             let len = range.len();
             let next = range.nth(len.saturating_sub(1));
-            let cursor = Cursor::Range { next, step: -range.step, left: len };
-            return Ok(Value::Iter(Iter::new(IterKind::Other("range_iterator"), cursor)));
+            let cursor = Cursor::Range {
+                next,
+                step: -range.step,
+                left: len,
+            };
+            return Ok(Value::Iter(Iter::new(
+                IterKind::Other("range_iterator"),
+                cursor,
+            )));
         }
         Value::Tuple(_)
         | Value::Str(_)
@@ -100,7 +145,12 @@ pub(super) fn reversed(interp: &mut Interp, value: &Value) -> Eval {
             items.make_mut().reverse();
             Cursor::Items(items, 0)
         }
-        other => return Err(Stop::typ(format!("'{}' object is not reversible", other.type_name()))),
+        other => {
+            return Err(Stop::typ(format!(
+                "'{}' object is not reversible",
+                other.type_name()
+            )));
+        }
     };
     let kind = match value {
         Value::Dict(_) => IterKind::Other("dict_reversekeyiterator"),

@@ -81,11 +81,23 @@ pub(super) static NAMES: &[&str] = &[
 
 /// Name, value and description of the constants.
 pub(super) static CONSTANTS: &[(&str, f64, &str)] = &[
-    ("e", std::f64::consts::E, "2.718281828459045, the base of natural logarithms."),
+    (
+        "e",
+        std::f64::consts::E,
+        "2.718281828459045, the base of natural logarithms.",
+    ),
     ("inf", f64::INFINITY, "Infinity."),
     ("nan", f64::NAN, "Not a number."),
-    ("pi", std::f64::consts::PI, "3.141592653589793, half a turn."),
-    ("tau", std::f64::consts::TAU, "6.283185307179586, a full turn."),
+    (
+        "pi",
+        std::f64::consts::PI,
+        "3.141592653589793, half a turn.",
+    ),
+    (
+        "tau",
+        std::f64::consts::TAU,
+        "6.283185307179586, a full turn.",
+    ),
 ];
 
 /// The constant called `name`.
@@ -107,27 +119,52 @@ const fn function(
     run: super::Run,
     doc: &'static str,
 ) -> Function {
-    Function { name, owner: "math", params, doc, arity, run }
+    Function {
+        name,
+        owner: "math",
+        params,
+        doc,
+        arity,
+        run,
+    }
 }
 
 /// A function of one float that cannot overflow.
 macro_rules! one {
     ($name:literal, $f:expr, $doc:literal) => {
-        function($name, "x", Arity::One, |_, _, args| float::one(args, false, $f), $doc)
+        function(
+            $name,
+            "x",
+            Arity::One,
+            |_, _, args| float::one(args, false, $f),
+            $doc,
+        )
     };
 }
 
 /// A function of one float whose result may be too large.
 macro_rules! growing {
     ($name:literal, $f:expr, $doc:literal) => {
-        function($name, "x", Arity::One, |_, _, args| float::one(args, true, $f), $doc)
+        function(
+            $name,
+            "x",
+            Arity::One,
+            |_, _, args| float::one(args, true, $f),
+            $doc,
+        )
     };
 }
 
 /// A test of one float.
 macro_rules! test {
     ($name:literal, $f:expr, $doc:literal) => {
-        function($name, "x", Arity::One, |_, _, args| Ok(Value::Bool($f(real(args.at(0))?))), $doc)
+        function(
+            $name,
+            "x",
+            Arity::One,
+            |_, _, args| Ok(Value::Bool($f(real(args.at(0))?))),
+            $doc,
+        )
     };
 }
 
@@ -142,11 +179,23 @@ const TWO: Arity = Arity::Range(2, 2);
 
 /// Sorted by name.
 pub(super) static FUNCTIONS: &[Function] = &[
-    one!("acos", elementary::acos, "The angle in radians with this cosine."),
+    one!(
+        "acos",
+        elementary::acos,
+        "The angle in radians with this cosine."
+    ),
     one!("acosh", float::acosh, "The inverse hyperbolic cosine."),
-    one!("asin", elementary::asin, "The angle in radians with this sine."),
+    one!(
+        "asin",
+        elementary::asin,
+        "The angle in radians with this sine."
+    ),
     one!("asinh", float::asinh, "The inverse hyperbolic sine."),
-    one!("atan", elementary::atan, "The angle in radians with this tangent."),
+    one!(
+        "atan",
+        elementary::atan,
+        "The angle in radians with this tangent."
+    ),
     other!(
         "atan2",
         "y, x",
@@ -163,8 +212,20 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| rounded(a.at(0), f64::ceil),
         "The smallest whole number not below x."
     ),
-    other!("comb", "n, k", TWO, exact::comb, "Ways to choose k of n things."),
-    other!("copysign", "x, y", TWO, |_, _, a| float::two(a, f64::copysign), "x with the sign of y."),
+    other!(
+        "comb",
+        "n, k",
+        TWO,
+        exact::comb,
+        "Ways to choose k of n things."
+    ),
+    other!(
+        "copysign",
+        "x, y",
+        TWO,
+        |_, _, a| float::two(a, f64::copysign),
+        "x with the sign of y."
+    ),
     one!("cos", elementary::cos, "The cosine of an angle in radians."),
     growing!("cosh", elementary::cosh, "The hyperbolic cosine."),
     other!(
@@ -174,14 +235,26 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| Ok((real(a.at(0))? * (180.0 / PI)).into()),
         "Radians to degrees."
     ),
-    other!("dist", "p, q", TWO, float::dist, "The distance of two points given as sequences."),
+    other!(
+        "dist",
+        "p, q",
+        TWO,
+        float::dist,
+        "The distance of two points given as sequences."
+    ),
     one!("erf", libm::erf, "The error function."),
     one!("erfc", libm::erfc, "The complementary error function."),
     growing!("exp", elementary::exp, "e to the power of x."),
     growing!("exp2", elementary::exp2, "2 to the power of x."),
     growing!("expm1", elementary::expm1, "exp(x) - 1, exact for small x."),
     one!("fabs", f64::abs, "The absolute value as a float."),
-    other!("factorial", "n", Arity::One, exact::factorial, "n! for a whole number."),
+    other!(
+        "factorial",
+        "n",
+        Arity::One,
+        exact::factorial,
+        "n! for a whole number."
+    ),
     other!(
         "floor",
         "x",
@@ -189,9 +262,27 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| rounded(a.at(0), f64::floor),
         "The largest whole number not above x."
     ),
-    other!("fmod", "x, y", TWO, float::fmod, "The remainder of x / y with the sign of x."),
-    other!("frexp", "x", Arity::One, float::frexp, "Mantissa and exponent of x."),
-    other!("fsum", "iterable", Arity::One, exact::fsum, "The sum of floats, rounded only once."),
+    other!(
+        "fmod",
+        "x, y",
+        TWO,
+        float::fmod,
+        "The remainder of x / y with the sign of x."
+    ),
+    other!(
+        "frexp",
+        "x",
+        Arity::One,
+        float::frexp,
+        "Mantissa and exponent of x."
+    ),
+    other!(
+        "fsum",
+        "iterable",
+        Arity::One,
+        exact::fsum,
+        "The sum of floats, rounded only once."
+    ),
     other!(
         "gamma",
         "x",
@@ -199,8 +290,20 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| super::math_gamma::gamma(real(a.at(0))?),
         "The gamma function."
     ),
-    other!("gcd", "*integers", Arity::Positional, exact::gcd, "The greatest common divisor."),
-    other!("hypot", "*coordinates", Arity::Positional, float::hypot, "The length of a vector."),
+    other!(
+        "gcd",
+        "*integers",
+        Arity::Positional,
+        exact::gcd,
+        "The greatest common divisor."
+    ),
+    other!(
+        "hypot",
+        "*coordinates",
+        Arity::Positional,
+        float::hypot,
+        "The length of a vector."
+    ),
     other!(
         "isclose",
         "a, b, *, rel_tol=1e-09, abs_tol=0.0",
@@ -208,12 +311,34 @@ pub(super) static FUNCTIONS: &[Function] = &[
         float::isclose,
         "Whether two numbers are nearly equal."
     ),
-    test!("isfinite", f64::is_finite, "Whether x is neither infinite nor NaN."),
+    test!(
+        "isfinite",
+        f64::is_finite,
+        "Whether x is neither infinite nor NaN."
+    ),
     test!("isinf", f64::is_infinite, "Whether x is infinite."),
     test!("isnan", f64::is_nan, "Whether x is not a number."),
-    other!("isqrt", "n", Arity::One, exact::isqrt, "The whole part of the square root."),
-    other!("lcm", "*integers", Arity::Positional, exact::lcm, "The least common multiple."),
-    other!("ldexp", "x, i", TWO, float::ldexp, "x times 2 to the power of i."),
+    other!(
+        "isqrt",
+        "n",
+        Arity::One,
+        exact::isqrt,
+        "The whole part of the square root."
+    ),
+    other!(
+        "lcm",
+        "*integers",
+        Arity::Positional,
+        exact::lcm,
+        "The least common multiple."
+    ),
+    other!(
+        "ldexp",
+        "x, i",
+        TWO,
+        float::ldexp,
+        "x times 2 to the power of i."
+    ),
     other!(
         "lgamma",
         "x",
@@ -245,7 +370,13 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| logarithm(a.at(0), elementary::log2).map(Value::Float),
         "The logarithm to base 2."
     ),
-    other!("modf", "x", Arity::One, float::modf, "Fraction and whole part of x."),
+    other!(
+        "modf",
+        "x",
+        Arity::One,
+        float::modf,
+        "Fraction and whole part of x."
+    ),
     other!(
         "nextafter",
         "x, y",
@@ -253,15 +384,43 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |_, _, a| float::two(a, float::next_after),
         "The float after x towards y."
     ),
-    other!("perm", "n, k=None", Arity::Range(1, 2), exact::perm, "Ways to arrange k of n things."),
-    other!("pow", "x, y", TWO, float::pow, "x to the power of y as a float."),
-    other!("prod", "iterable, *, start=1", Arity::Any, exact::prod, "The product of the items."),
+    other!(
+        "perm",
+        "n, k=None",
+        Arity::Range(1, 2),
+        exact::perm,
+        "Ways to arrange k of n things."
+    ),
+    other!(
+        "pow",
+        "x, y",
+        TWO,
+        float::pow,
+        "x to the power of y as a float."
+    ),
+    other!(
+        "prod",
+        "iterable, *, start=1",
+        Arity::Any,
+        exact::prod,
+        "The product of the items."
+    ),
     one!("radians", |x: f64| x * (PI / 180.0), "Degrees to radians."),
-    other!("remainder", "x, y", TWO, float::remainder, "x minus the nearest multiple of y."),
+    other!(
+        "remainder",
+        "x, y",
+        TWO,
+        float::remainder,
+        "x minus the nearest multiple of y."
+    ),
     one!("sin", elementary::sin, "The sine of an angle in radians."),
     growing!("sinh", elementary::sinh, "The hyperbolic sine."),
     one!("sqrt", f64::sqrt, "The square root."),
-    one!("tan", elementary::tan, "The tangent of an angle in radians."),
+    one!(
+        "tan",
+        elementary::tan,
+        "The tangent of an angle in radians."
+    ),
     one!("tanh", elementary::tanh, "The hyperbolic tangent."),
     other!("trunc", "x", Arity::One, trunc, "x without its fraction."),
     one!("ulp", float::ulp, "The distance to the next float."),
@@ -271,7 +430,10 @@ pub(super) static FUNCTIONS: &[Function] = &[
 pub(super) fn real(value: &Value) -> Eval<f64> {
     match Num::of(value).map(Num::float).transpose()?.flatten() {
         Some(float) => Ok(float),
-        None => Err(Stop::typ(format!("must be real number, not {}", value.type_name()))),
+        None => Err(Stop::typ(format!(
+            "must be real number, not {}",
+            value.type_name()
+        ))),
     }
 }
 
@@ -288,7 +450,10 @@ fn trunc(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     match args.at(0) {
         Value::Float(f) => float_to_int(*f),
         Value::Int(_) | Value::Big(_) | Value::Bool(_) => rounded(args.at(0), f64::trunc),
-        other => Err(Stop::typ(format!("type {} doesn't define __trunc__ method", other.type_name()))),
+        other => Err(Stop::typ(format!(
+            "type {} doesn't define __trunc__ method",
+            other.type_name()
+        ))),
     }
 }
 
@@ -297,7 +462,9 @@ fn log(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         return Err(Stop::typ("math.log requires 1 to 2 arguments"));
     }
     let number = logarithm(args.at(0), elementary::ln)?;
-    let Some(base) = args.get(1) else { return Ok(Value::Float(number)) };
+    let Some(base) = args.get(1) else {
+        return Ok(Value::Float(number));
+    };
     let base = logarithm(base, elementary::ln)?;
     if base == 0.0 {
         return Err(Stop::zero("float division by zero"));
@@ -338,11 +505,17 @@ fn split(big: &BigInt) -> (u64, i64) {
     let cut = bits.saturating_sub(64);
     let high = (big >> cut).iter_u64_digits().next().unwrap_or(0);
     let exact = cut == 0 || big.trailing_zeros().is_some_and(|zeros| zeros >= cut);
-    (high | u64::from(!exact), i64::try_from(cut).unwrap_or(i64::MAX))
+    (
+        high | u64::from(!exact),
+        i64::try_from(cut).unwrap_or(i64::MAX),
+    )
 }
 
 /// The whole number an argument of an integer function is.
 pub(super) fn whole(value: &Value) -> Eval<BigInt> {
     integer(value)?;
-    Ok(Num::of(value).and_then(Num::big).map(std::borrow::Cow::into_owned).unwrap_or_default())
+    Ok(Num::of(value)
+        .and_then(Num::big)
+        .map(std::borrow::Cow::into_owned)
+        .unwrap_or_default())
 }

@@ -21,9 +21,11 @@ fn product(interp: &mut Interp, first: u64, last: u64) -> Eval<BigInt> {
     let bits = u128::from(64 - last.leading_zeros());
     interp.budget.int_bits(count * (bits.max(2) - 1))?;
     let words = u64::try_from(count * bits / 64 + 1).unwrap_or(u64::MAX);
-    interp
-        .budget
-        .steps(u64::try_from(count).unwrap_or(u64::MAX).saturating_add(words * words.isqrt() / 8))?;
+    interp.budget.steps(
+        u64::try_from(count)
+            .unwrap_or(u64::MAX)
+            .saturating_add(words * words.isqrt() / 8),
+    )?;
     Ok(multiply_range(first, last))
 }
 
@@ -45,7 +47,9 @@ pub(super) fn factorial(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         Ok(n) => Ok(Value::int(product(interp, 2, n.unsigned_abs())?)),
         Err(_) => {
             let limit = i64::MAX;
-            Err(Stop::overflow(format!("factorial() argument should not exceed {limit}")))
+            Err(Stop::overflow(format!(
+                "factorial() argument should not exceed {limit}"
+            )))
         }
     }
 }
@@ -81,7 +85,9 @@ fn falling(interp: &mut Interp, n: &BigInt, k: &BigInt) -> Eval<BigInt> {
     if let Some(n) = n.to_u64() {
         return product(interp, n - k + 1, n);
     }
-    interp.budget.int_bits(u128::from(n.bits() - 1) * u128::from(k))?;
+    interp
+        .budget
+        .int_bits(u128::from(n.bits() - 1) * u128::from(k))?;
     let mut result = BigInt::one();
     for i in 0..k {
         result = ops::int::multiply(interp, &result, &(n - i))?;
@@ -166,7 +172,11 @@ impl ExactSum {
         let mut x = value;
         let mut kept = Vec::with_capacity(self.parts.len() + 1);
         for &part in &self.parts {
-            let (large, small) = if x.abs() < part.abs() { (part, x) } else { (x, part) };
+            let (large, small) = if x.abs() < part.abs() {
+                (part, x)
+            } else {
+                (x, part)
+            };
             let high = large + small;
             let low = small - (high - large);
             if low != 0.0 {
@@ -200,7 +210,9 @@ impl ExactSum {
                 Ok(self.special)
             };
         }
-        let Some(mut high) = self.parts.pop() else { return Ok(0.0) };
+        let Some(mut high) = self.parts.pop() else {
+            return Ok(0.0);
+        };
         let mut low = 0.0;
         while let Some(part) = self.parts.pop() {
             let sum = high + part;
@@ -225,7 +237,10 @@ impl ExactSum {
 }
 
 pub(super) fn prod(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let args = Args { pos: args.pos.clone(), named: args.named.clone() };
+    let args = Args {
+        pos: args.pos.clone(),
+        named: args.named.clone(),
+    };
     let args = bind_named("prod", &["", "start"], 1, 1, args)?;
     let mut total = args.get(1).cloned().unwrap_or(Value::Int(1));
     let mut cursor = interp.iter(args.at(0))?;

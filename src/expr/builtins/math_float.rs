@@ -102,7 +102,11 @@ pub(super) fn pow(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 pub(super) fn fmod(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let (x, y) = (real(args.at(0))?, real(args.at(1))?);
     let result = x % y;
-    if result.is_nan() && !x.is_nan() && !y.is_nan() { Err(domain()) } else { Ok(Value::Float(result)) }
+    if result.is_nan() && !x.is_nan() && !y.is_nan() {
+        Err(domain())
+    } else {
+        Ok(Value::Float(result))
+    }
 }
 
 /// The distance to the nearest multiple of `y`, halfway cases to the even multiple.
@@ -150,7 +154,10 @@ pub(super) fn ldexp(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 pub(super) fn frexp(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let x = real(args.at(0))?;
     let (mantissa, exponent) = split(x);
-    Ok(Value::tuple_from([Value::Float(mantissa), Value::Int(i64::from(exponent))]))
+    Ok(Value::tuple_from([
+        Value::Float(mantissa),
+        Value::Int(i64::from(exponent)),
+    ]))
 }
 
 /// `x` as a mantissa of at least one half and an exponent.
@@ -166,9 +173,15 @@ pub(super) fn split(x: f64) -> (f64, i32) {
 
 pub(super) fn modf(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let x = real(args.at(0))?;
-    let (fraction, whole) =
-        if x.is_infinite() { (0f64.copysign(x), x) } else { ((x - x.trunc()).copysign(x), x.trunc()) };
-    Ok(Value::tuple_from([Value::Float(fraction), Value::Float(whole)]))
+    let (fraction, whole) = if x.is_infinite() {
+        (0f64.copysign(x), x)
+    } else {
+        ((x - x.trunc()).copysign(x), x.trunc())
+    };
+    Ok(Value::tuple_from([
+        Value::Float(fraction),
+        Value::Float(whole),
+    ]))
 }
 
 pub(super) fn next_after(x: f64, y: f64) -> f64 {
@@ -189,12 +202,19 @@ pub(super) fn ulp(x: f64) -> f64 {
         return x;
     }
     let next = x.next_up();
-    if next.is_infinite() { x - x.next_down() } else { next - x }
+    if next.is_infinite() {
+        x - x.next_down()
+    } else {
+        next - x
+    }
 }
 
 pub(super) fn isclose(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let names = ["a", "b", "rel_tol", "abs_tol"];
-    let args = Args { pos: args.pos.clone(), named: args.named.clone() };
+    let args = Args {
+        pos: args.pos.clone(),
+        named: args.named.clone(),
+    };
     let args = crate::args::bind_named("isclose", &names, 2, 2, args)?;
     let (a, b) = (real(args.at(0))?, real(args.at(1))?);
     let relative = args.get(2).map_or(Ok(1e-9), real)?;
@@ -209,19 +229,27 @@ pub(super) fn isclose(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         return Ok(Value::Bool(false));
     }
     let distance = (b - a).abs();
-    let close = distance <= (relative * b).abs() || distance <= (relative * a).abs() || distance <= absolute;
+    let close = distance <= (relative * b).abs()
+        || distance <= (relative * a).abs()
+        || distance <= absolute;
     Ok(Value::Bool(close))
 }
 
 pub(super) fn hypot(_: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let vector = args.pos.iter().map(|value| real(value).map(f64::abs)).collect::<Eval<Vec<_>>>()?;
+    let vector = args
+        .pos
+        .iter()
+        .map(|value| real(value).map(f64::abs))
+        .collect::<Eval<Vec<_>>>()?;
     Ok(Value::Float(length(&vector)))
 }
 
 pub(super) fn dist(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     let (p, q) = (interp.collect(args.at(0))?, interp.collect(args.at(1))?);
     if p.len() != q.len() {
-        return Err(Stop::value("both points must have the same number of dimensions"));
+        return Err(Stop::value(
+            "both points must have the same number of dimensions",
+        ));
     }
     check_count("dist", args.len(), 2, 2)?;
     let distance = |(a, b): (&Value, &Value)| Ok((real(a)? - real(b)?).abs());
@@ -251,7 +279,11 @@ pub(super) fn length(vector: &[f64]) -> f64 {
         return f64::MIN_POSITIVE * length(&lifted);
     }
     let scale = scale_by(1, i64::from(-exponent));
-    let mut sum = SquareSum { high: 1.0, square_errors: 0.0, sum_errors: 0.0 };
+    let mut sum = SquareSum {
+        high: 1.0,
+        square_errors: 0.0,
+        sum_errors: 0.0,
+    };
     vector.iter().for_each(|x| sum.add(x * scale, 1.0));
     let root = sum.value().sqrt();
     sum.add(root, -1.0);

@@ -75,9 +75,17 @@ fn lanczos(x: f64) -> f64 {
     let pairs = NUMERATOR.iter().zip(&DENOMINATOR);
     // Powers of x for small x, of 1/x for large: neither overflows.
     let step = |(n, d): (f64, f64), (a, b): (&f64, &f64)| {
-        if x < 5.0 { (n * x + a, d * x + b) } else { (n / x + a, d / x + b) }
+        if x < 5.0 {
+            (n * x + a, d * x + b)
+        } else {
+            (n / x + a, d / x + b)
+        }
     };
-    let (n, d) = if x < 5.0 { pairs.rev().fold((0.0, 0.0), step) } else { pairs.fold((0.0, 0.0), step) };
+    let (n, d) = if x < 5.0 {
+        pairs.rev().fold((0.0, 0.0), step)
+    } else {
+        pairs.fold((0.0, 0.0), step)
+    };
     n / d
 }
 
@@ -98,7 +106,11 @@ fn sin_pi(x: f64) -> f64 {
 pub(super) fn gamma(x: f64) -> Eval {
     let domain = || Stop::value("math domain error");
     if !x.is_finite() {
-        return if x.is_nan() || x > 0.0 { Ok(Value::Float(x)) } else { Err(domain()) };
+        return if x.is_nan() || x > 0.0 {
+            Ok(Value::Float(x))
+        } else {
+            Err(domain())
+        };
     }
     if x == 0.0 || (x < 0.0 && x == x.floor()) {
         return Err(domain());
@@ -121,7 +133,11 @@ fn gamma_of(x: f64) -> f64 {
         return 1.0 / x;
     }
     if magnitude > 200.0 {
-        return if x < 0.0 { 0.0 / sin_pi(x) } else { f64::INFINITY };
+        return if x < 0.0 {
+            0.0 / sin_pi(x)
+        } else {
+            f64::INFINITY
+        };
     }
     let y = magnitude + G_MINUS_HALF;
     // What rounding took from y.
@@ -160,7 +176,11 @@ pub(super) fn lgamma(x: f64) -> Eval {
         return Ok(Value::Float(if x.is_nan() { x } else { f64::INFINITY }));
     }
     if x == x.floor() && x <= 2.0 {
-        return if x <= 0.0 { Err(Stop::value("math domain error")) } else { Ok(Value::Float(0.0)) };
+        return if x <= 0.0 {
+            Err(Stop::value("math domain error"))
+        } else {
+            Ok(Value::Float(0.0))
+        };
     }
     let magnitude = x.abs();
     if magnitude < 1e-20 {
@@ -170,8 +190,10 @@ pub(super) fn lgamma(x: f64) -> Eval {
     result += (magnitude - 0.5) * (elementary::ln(magnitude + G - 0.5) - 1.0);
     if x < 0.0 {
         // Reflection.
-        result =
-            elementary::ln(PI) - elementary::ln(sin_pi(magnitude).abs()) - elementary::ln(magnitude) - result;
+        result = elementary::ln(PI)
+            - elementary::ln(sin_pi(magnitude).abs())
+            - elementary::ln(magnitude)
+            - result;
     }
     if result.is_infinite() {
         return Err(Stop::overflow("math range error"));

@@ -44,8 +44,20 @@ pub(crate) struct Function {
 
 impl Function {
     /// A method of the type `owner`.
-    pub(crate) const fn method(owner: &'static str, name: &'static str, arity: Arity, run: Run) -> Self {
-        Self { name, owner, params: "", doc: "", arity, run }
+    pub(crate) const fn method(
+        owner: &'static str,
+        name: &'static str,
+        arity: Arity,
+        run: Run,
+    ) -> Self {
+        Self {
+            name,
+            owner,
+            params: "",
+            doc: "",
+            arity,
+            run,
+        }
     }
 
     /// `len()`, `math.sin()`, `str.upper()`
@@ -77,12 +89,17 @@ impl Function {
 
 /// The function called `name` in a table sorted by name.
 pub(crate) fn find(table: &'static [Function], name: &str) -> Option<&'static Function> {
-    let place = table.binary_search_by(|function| function.name.cmp(name)).ok()?;
+    let place = table
+        .binary_search_by(|function| function.name.cmp(name))
+        .ok()?;
     table.get(place)
 }
 
 fn value_of(table: &'static [Function], name: &str) -> Option<Value> {
-    Some(Value::Builtin(Builtin { function: find(table, name)?, deprecated: None }))
+    Some(Value::Builtin(Builtin {
+        function: find(table, name)?,
+        deprecated: None,
+    }))
 }
 
 /// Bare names that should be written with their namespace.
@@ -97,7 +114,9 @@ const DEPRECATED: [(&str, &str); 5] = [
 /// The value of a global symbol.
 pub(crate) fn global(name: &str) -> Option<Value> {
     match name {
-        "list" | "dict" | "map" | "str" | "float" | "int" | "bool" => types::named(name).map(Value::Type),
+        "list" | "dict" | "map" | "str" | "float" | "int" | "bool" => {
+            types::named(name).map(Value::Type)
+        }
         "len" | "min" | "max" | "round" => value_of(python::FUNCTIONS, name),
         "True" => Some(Value::Bool(true)),
         "False" => Some(Value::Bool(false)),
@@ -115,17 +134,24 @@ fn deprecated(name: &str) -> Option<Value> {
         "sorted" => python::FUNCTIONS,
         _ => xacro::FUNCTIONS,
     };
-    Some(Value::Builtin(Builtin { function: find(table, name)?, deprecated: Some(namespace) }))
+    Some(Value::Builtin(Builtin {
+        function: find(table, name)?,
+        deprecated: Some(namespace),
+    }))
 }
 
 /// The value of `module.name`.
 pub(crate) fn attribute(module: Module, name: &str) -> Option<Value> {
     match module {
-        Module::Math => math::constant(name).map(Value::Float).or_else(|| value_of(math::FUNCTIONS, name)),
+        Module::Math => math::constant(name)
+            .map(Value::Float)
+            .or_else(|| value_of(math::FUNCTIONS, name)),
         Module::Python => match name {
             "True" => Some(Value::Bool(true)),
             "False" => Some(Value::Bool(false)),
-            _ => types::named(name).map(Value::Type).or_else(|| value_of(python::FUNCTIONS, name)),
+            _ => types::named(name)
+                .map(Value::Type)
+                .or_else(|| value_of(python::FUNCTIONS, name)),
         },
         Module::Xacro if name == "dotify" => Some(Value::Type(Type::YamlDict)),
         Module::Xacro => value_of(xacro::FUNCTIONS, name),
@@ -169,9 +195,13 @@ mod tests {
 
     #[test]
     fn tables_are_sorted() {
-        for table in
-            [python::FUNCTIONS, math::FUNCTIONS, xacro::FUNCTIONS, xacro::OF_EVAL, types::CONSTRUCTORS]
-        {
+        for table in [
+            python::FUNCTIONS,
+            math::FUNCTIONS,
+            xacro::FUNCTIONS,
+            xacro::OF_EVAL,
+            types::CONSTRUCTORS,
+        ] {
             assert!(table.is_sorted_by_key(|function| function.name));
         }
     }
@@ -179,21 +209,35 @@ mod tests {
     #[test]
     fn modules_hold_what_their_lists_say() {
         for module in [Module::Math, Module::Python, Module::Xacro] {
-            assert!(names(module).iter().all(|name| attribute(module, name).is_some()), "{module:?}");
-            let known = global_symbols().filter(|symbol| symbol.namespace == Some(module)).count();
-            let constants = if module == Module::Python { ["True", "False"].len() } else { 0 };
+            assert!(
+                names(module)
+                    .iter()
+                    .all(|name| attribute(module, name).is_some()),
+                "{module:?}"
+            );
+            let known = global_symbols()
+                .filter(|symbol| symbol.namespace == Some(module))
+                .count();
+            let constants = if module == Module::Python {
+                ["True", "False"].len()
+            } else {
+                0
+            };
             assert_eq!(names(module).len(), known + constants, "{module:?}");
         }
     }
 
     #[test]
     fn global_names() {
-        for name in
-            ["pi", "sin", "list", "sorted", "dotify", "math", "python", "xacro", "True", "e", "len", "cbrt"]
-        {
+        for name in [
+            "pi", "sin", "list", "sorted", "dotify", "math", "python", "xacro", "True", "e", "len",
+            "cbrt",
+        ] {
             assert!(is_global_symbol(name), "{name}");
         }
-        for name in ["abs", "sum", "zip", "print", "tokenize", "", "None", "message"] {
+        for name in [
+            "abs", "sum", "zip", "print", "tokenize", "", "None", "message",
+        ] {
             assert!(!is_global_symbol(name), "{name}");
         }
     }

@@ -17,7 +17,14 @@ const fn function(
     run: super::Run,
     doc: &'static str,
 ) -> Function {
-    Function { name, owner: "", params, doc, arity, run }
+    Function {
+        name,
+        owner: "",
+        params,
+        doc,
+        arity,
+        run,
+    }
 }
 
 /// All names in the order in which the reference lists them.
@@ -63,11 +70,41 @@ pub(super) static NAMES: &[&str] = &[
 /// Sorted by name.
 pub(super) static FUNCTIONS: &[Function] = &[
     function("abs", "x", Arity::One, abs, "The absolute value."),
-    function("all", "iterable", Arity::One, all, "Whether every item is true."),
-    function("any", "iterable", Arity::One, any, "Whether at least one item is true."),
-    function("divmod", "a, b", Arity::Range(2, 2), divmod, "Quotient and remainder as a tuple."),
-    function("hash", "object", Arity::One, hash, "An integer that is equal for equal values."),
-    function("isinstance", "object, type", Arity::Range(2, 2), isinstance, "Whether a value is of a type."),
+    function(
+        "all",
+        "iterable",
+        Arity::One,
+        all,
+        "Whether every item is true.",
+    ),
+    function(
+        "any",
+        "iterable",
+        Arity::One,
+        any,
+        "Whether at least one item is true.",
+    ),
+    function(
+        "divmod",
+        "a, b",
+        Arity::Range(2, 2),
+        divmod,
+        "Quotient and remainder as a tuple.",
+    ),
+    function(
+        "hash",
+        "object",
+        Arity::One,
+        hash,
+        "An integer that is equal for equal values.",
+    ),
+    function(
+        "isinstance",
+        "object, type",
+        Arity::Range(2, 2),
+        isinstance,
+        "Whether a value is of a type.",
+    ),
     function(
         "issubclass",
         "type, parent",
@@ -90,12 +127,28 @@ pub(super) static FUNCTIONS: &[Function] = &[
         |i, _, a| sorting::extreme(i, a, false),
         "The smallest value.",
     ),
-    function("ord", "character", Arity::One, ord, "The code of a character."),
-    function("repr", "object", Arity::One, repr, "The text of a value as it is written in an expression."),
+    function(
+        "ord",
+        "character",
+        Arity::One,
+        ord,
+        "The code of a character.",
+    ),
+    function(
+        "repr",
+        "object",
+        Arity::One,
+        repr,
+        "The text of a value as it is written in an expression.",
+    ),
     function(
         "round",
         "number, ndigits=None",
-        Arity::Named { names: &["number", "ndigits"], required: 1, positional: 2 },
+        Arity::Named {
+            names: &["number", "ndigits"],
+            required: 1,
+            positional: 2,
+        },
         super::rounding::round,
         "The number rounded, halves to the even side.",
     ),
@@ -109,17 +162,30 @@ pub(super) static FUNCTIONS: &[Function] = &[
     function(
         "sum",
         "iterable, start=0",
-        Arity::Named { names: &["", "start"], required: 1, positional: 2 },
+        Arity::Named {
+            names: &["", "start"],
+            required: 1,
+            positional: 2,
+        },
         sum,
         "The sum of the items.",
     ),
-    function("vars", "object", Arity::Range(0, 1), vars, "The attributes of an object."),
+    function(
+        "vars",
+        "object",
+        Arity::Range(0, 1),
+        vars,
+        "The attributes of an object.",
+    ),
 ];
 
 /// The integer a value stands for, clipped to an `i128`.
 pub(crate) fn integer(value: &Value) -> Eval<i128> {
     ops::as_index(value).ok_or_else(|| {
-        Stop::typ(format!("'{}' object cannot be interpreted as an integer", value.type_name()))
+        Stop::typ(format!(
+            "'{}' object cannot be interpreted as an integer",
+            value.type_name()
+        ))
     })
 }
 
@@ -128,7 +194,9 @@ pub(crate) fn index_sized(value: &Value) -> Eval<i128> {
     let number = integer(value)?;
     match i64::try_from(number) {
         Ok(_) => Ok(number),
-        Err(_) => Err(Stop::overflow("Python int too large to convert to C ssize_t")),
+        Err(_) => Err(Stop::overflow(
+            "Python int too large to convert to C ssize_t",
+        )),
     }
 }
 
@@ -143,8 +211,12 @@ pub(crate) fn argument_type(value: &Value) -> &'static str {
 fn abs(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let value = args.at(0);
     match Num::of(value) {
-        Some(Num::Int(i)) => Ok(i.checked_abs().map_or_else(|| Value::int(i128::from(i).abs()), Value::Int)),
-        Some(Num::Big(big)) => Ok(Value::int(num_bigint::BigInt::from(big.magnitude().clone()))),
+        Some(Num::Int(i)) => Ok(i
+            .checked_abs()
+            .map_or_else(|| Value::int(i128::from(i).abs()), Value::Int)),
+        Some(Num::Big(big)) => Ok(Value::int(num_bigint::BigInt::from(
+            big.magnitude().clone(),
+        ))),
         Some(Num::Float(f)) => Ok(Value::Float(f.abs())),
         Some(Num::Complex(re, im)) => {
             let length = crate::elementary::hypot(re, im);
@@ -153,7 +225,10 @@ fn abs(_: &mut Interp, _: &Value, args: &Args) -> Eval {
             }
             Ok(Value::Float(length))
         }
-        None => Err(Stop::typ(format!("bad operand type for abs(): '{}'", value.type_name()))),
+        None => Err(Stop::typ(format!(
+            "bad operand type for abs(): '{}'",
+            value.type_name()
+        ))),
     }
 }
 
@@ -182,7 +257,9 @@ fn holds_for_all(interp: &mut Interp, iterable: &Value, expected: bool) -> Eval 
 fn divmod(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     let (a, b) = (args.at(0), args.at(1));
     let unsupported = || ops::unsupported_as("divmod()", a, b);
-    let (Some(x), Some(y)) = (Num::of(a), Num::of(b)) else { return Err(unsupported()) };
+    let (Some(x), Some(y)) = (Num::of(a), Num::of(b)) else {
+        return Err(unsupported());
+    };
     if let (Some(x), Some(y)) = (x.big(), y.big()) {
         if *y == num_bigint::BigInt::ZERO {
             return Err(Stop::zero("integer division or modulo by zero"));
@@ -191,12 +268,17 @@ fn divmod(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         let (quotient, rest) = ops::int::div_mod(&x, &y);
         return Ok(Value::tuple_from([Value::int(quotient), Value::int(rest)]));
     }
-    let (Some(x), Some(y)) = (x.float()?, y.float()?) else { return Err(unsupported()) };
+    let (Some(x), Some(y)) = (x.float()?, y.float()?) else {
+        return Err(unsupported());
+    };
     if y == 0.0 {
         return Err(Stop::zero("float divmod()"));
     }
     let (quotient, rest) = ops::float::div_mod(x, y);
-    Ok(Value::tuple_from([Value::Float(quotient), Value::Float(rest)]))
+    Ok(Value::tuple_from([
+        Value::Float(quotient),
+        Value::Float(rest),
+    ]))
 }
 
 fn hash(_: &mut Interp, _: &Value, args: &Args) -> Eval {
@@ -210,7 +292,9 @@ fn isinstance(_: &mut Interp, _: &Value, args: &Args) -> Eval {
 }
 
 fn issubclass(_: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let Value::Type(kind) = args.at(0) else { return Err(Stop::typ("issubclass() arg 1 must be a class")) };
+    let Value::Type(kind) = args.at(0) else {
+        return Err(Stop::typ("issubclass() arg 1 must be a class"));
+    };
     let message = "issubclass() arg 2 must be a class, a tuple of classes, or a union";
     is_one_of(*kind, args.at(1), message, 0).map(Value::Bool)
 }
@@ -246,11 +330,18 @@ fn len(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         Value::Set(set) => set.len() as u128,
         Value::Range(range) => range.len(),
         Value::Scope(_) | Value::Module(_) => interp.entries(value)?.len() as u128,
-        other => return Err(Stop::typ(format!("object of type '{}' has no len()", other.type_name()))),
+        other => {
+            return Err(Stop::typ(format!(
+                "object of type '{}' has no len()",
+                other.type_name()
+            )));
+        }
     };
     match i64::try_from(count) {
         Ok(count) => Ok(Value::Int(count)),
-        Err(_) => Err(Stop::overflow("Python int too large to convert to C ssize_t")),
+        Err(_) => Err(Stop::overflow(
+            "Python int too large to convert to C ssize_t",
+        )),
     }
 }
 
@@ -260,12 +351,16 @@ fn ord(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         Value::Bytes(bytes) => (bytes.first().map(|&b| u32::from(b)), bytes.len()),
         other => {
             let kind = other.type_name();
-            return Err(Stop::typ(format!("ord() expected string of length 1, but {kind} found")));
+            return Err(Stop::typ(format!(
+                "ord() expected string of length 1, but {kind} found"
+            )));
         }
     };
     match code {
         Some(code) if len == 1 => Ok(Value::Int(i64::from(code))),
-        _ => Err(Stop::typ(format!("ord() expected a character, but string of length {len} found"))),
+        _ => Err(Stop::typ(format!(
+            "ord() expected a character, but string of length {len} found"
+        ))),
     }
 }
 
@@ -277,8 +372,16 @@ fn sum(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     let mut cursor = interp.iter(args.at(0))?;
     let mut total = args.get(1).cloned().unwrap_or(Value::Int(0));
     match &total {
-        Value::Str(_) => return Err(Stop::typ("sum() can't sum strings [use ''.join(seq) instead]")),
-        Value::Bytes(_) => return Err(Stop::typ("sum() can't sum bytes [use b''.join(seq) instead]")),
+        Value::Str(_) => {
+            return Err(Stop::typ(
+                "sum() can't sum strings [use ''.join(seq) instead]",
+            ));
+        }
+        Value::Bytes(_) => {
+            return Err(Stop::typ(
+                "sum() can't sum bytes [use b''.join(seq) instead]",
+            ));
+        }
         _ => {}
     }
     while let Some(item) = interp.next(&mut cursor)? {
@@ -289,8 +392,12 @@ fn sum(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
 
 fn vars(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     match args.get(0) {
-        Some(Value::List(list)) if list.is_yaml() => Ok(Value::Dict(Dict::new(DictMap::default(), false))),
-        Some(Value::Dict(dict)) if dict.is_yaml() => Ok(Value::Dict(Dict::new(DictMap::default(), false))),
+        Some(Value::List(list)) if list.is_yaml() => {
+            Ok(Value::Dict(Dict::new(DictMap::default(), false)))
+        }
+        Some(Value::Dict(dict)) if dict.is_yaml() => {
+            Ok(Value::Dict(Dict::new(DictMap::default(), false)))
+        }
         Some(Value::Scope(_) | Value::Module(_) | Value::Lambda(_)) => {
             Ok(Value::Dict(Dict::new(DictMap::default(), false)))
         }
@@ -307,5 +414,8 @@ pub(super) fn list_of(items: impl IntoIterator<Item = Value>) -> Value {
 
 /// Whether an error is the one of a sequence that is empty.
 pub(super) fn empty_sequence(name: &str) -> Stop {
-    Stop::new(ErrorKind::Value, format!("{name}() arg is an empty sequence"))
+    Stop::new(
+        ErrorKind::Value,
+        format!("{name}() arg is an empty sequence"),
+    )
 }

@@ -25,22 +25,30 @@ pub(super) fn round(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         (Some(Num::Float(f)), Some(digits)) => round_float(f, integer(digits)?).map(Value::Float),
         (Some(Num::Int(i)), None) => Ok(Value::Int(i)),
         (Some(Num::Big(_)), None) => Ok(value.clone()),
-        (Some(Num::Int(_) | Num::Big(_)), Some(digits)) => round_int(interp, value, integer(digits)?),
+        (Some(Num::Int(_) | Num::Big(_)), Some(digits)) => {
+            round_int(interp, value, integer(digits)?)
+        }
         _ => {
             let kind = value.type_name();
-            Err(Stop::typ(format!("type {kind} doesn't define __round__ method")))
+            Err(Stop::typ(format!(
+                "type {kind} doesn't define __round__ method"
+            )))
         }
     }
 }
 
 /// An integer rounded to a power of ten, halves to even.
 fn round_int(interp: &mut Interp, value: &Value, digits: i128) -> Eval {
-    let Some(number) = Num::of(value).and_then(Num::big) else { return Ok(Value::Unknown) };
+    let Some(number) = Num::of(value).and_then(Num::big) else {
+        return Ok(Value::Unknown);
+    };
     if digits >= 0 {
         return Ok(Value::int(number.into_owned()));
     }
     // Python computes the power of ten whatever the number is; a decimal digit has 3.32 bits.
-    interp.budget.int_bits(digits.unsigned_abs().saturating_mul(10) / 3)?;
+    interp
+        .budget
+        .int_bits(digits.unsigned_abs().saturating_mul(10) / 3)?;
     // Far beyond the number's own digits the result is zero.
     if digits < -(i128::from(number.bits()) / 3 + 2) {
         return Ok(Value::Int(0));
@@ -69,7 +77,9 @@ fn round_float(f: f64, digits: i128) -> Eval<f64> {
         Err(_) => Ok(round_to_tens(f, usize::try_from(-digits).unwrap_or(0))),
     };
     match rounded {
-        Ok(rounded) if rounded.is_infinite() => Err(Stop::overflow("rounded value too large to represent")),
+        Ok(rounded) if rounded.is_infinite() => {
+            Err(Stop::overflow("rounded value too large to represent"))
+        }
         Ok(rounded) => Ok(rounded),
         Err(_) => Ok(f),
     }

@@ -11,7 +11,10 @@ use crate::value::Value;
 pub(super) fn sorted(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     check_count("sorted", args.len(), 1, 1)?;
     let items = interp.collect(args.at(0))?.into_iter().collect();
-    let options = Args { pos: Vec::new(), named: args.named.clone() };
+    let options = Args {
+        pos: Vec::new(),
+        named: args.named.clone(),
+    };
     Ok(list_of(sort(interp, items, options)?))
 }
 
@@ -62,7 +65,11 @@ fn merge_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>> {
     let (mut left, mut right) = (left.into_iter().peekable(), right.into_iter().peekable());
     while let (Some((a, _)), Some((b, _))) = (left.peek(), right.peek()) {
         let from_right = sort_before(interp, b, a)?;
-        merged.extend(if from_right { right.next() } else { left.next() });
+        merged.extend(if from_right {
+            right.next()
+        } else {
+            left.next()
+        });
     }
     merged.extend(left);
     merged.extend(right);
@@ -77,8 +84,14 @@ fn insertion_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>
         let (mut low, mut high) = (0, sorted);
         while low < high {
             let middle = low + (high - low) / 2;
-            let Some((key, _)) = items.get(middle) else { break };
-            if sort_before(interp, &item.0, key)? { high = middle } else { low = middle + 1 }
+            let Some((key, _)) = items.get(middle) else {
+                break;
+            };
+            if sort_before(interp, &item.0, key)? {
+                high = middle
+            } else {
+                low = middle + 1
+            }
         }
         items.insert(low, item);
     }
@@ -89,7 +102,9 @@ fn insertion_sort(interp: &mut Interp, mut items: Vec<Keyed>) -> Eval<Vec<Keyed>
 fn run_length(interp: &mut Interp, items: &mut [Keyed]) -> Eval<usize> {
     let mut falling = false;
     let mut length = items.len().min(1);
-    while let (Some((before, _)), Some((key, _))) = (items.get(length.wrapping_sub(1)), items.get(length)) {
+    while let (Some((before, _)), Some((key, _))) =
+        (items.get(length.wrapping_sub(1)), items.get(length))
+    {
         let less = sort_before(interp, key, before)?;
         if length == 1 {
             falling = less;
@@ -108,10 +123,18 @@ fn run_length(interp: &mut Interp, items: &mut [Keyed]) -> Eval<usize> {
 pub(super) fn extreme(interp: &mut Interp, args: &Args, largest: bool) -> Eval {
     let name = if largest { "max" } else { "min" };
     if args.pos.is_empty() {
-        return Err(Stop::typ(format!("{name} expected at least 1 argument, got 0")));
+        return Err(Stop::typ(format!(
+            "{name} expected at least 1 argument, got 0"
+        )));
     }
-    if let Some((wrong, _)) = args.named.iter().find(|(given, _)| given != "key" && given != "default") {
-        return Err(Stop::typ(format!("'{wrong}' is an invalid keyword argument for {name}()")));
+    if let Some((wrong, _)) = args
+        .named
+        .iter()
+        .find(|(given, _)| given != "key" && given != "default")
+    {
+        return Err(Stop::typ(format!(
+            "'{wrong}' is an invalid keyword argument for {name}()"
+        )));
     }
     let default = args.named("default");
     let candidates = match args.pos.as_slice() {

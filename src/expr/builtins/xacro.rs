@@ -41,13 +41,38 @@ pub(super) static NAMES: &[&str] = &[
 
 /// Sorted by name. `dotify` is a type.
 pub(super) static FUNCTIONS: &[Function] = &[
-    hosted!("abs_filename", "filename", AbsFilename, "The file name relative to the file being processed."),
+    hosted!(
+        "abs_filename",
+        "filename",
+        AbsFilename,
+        "The file name relative to the file being processed."
+    ),
     hosted!("arg", "name", Arg, "The text of a substitution argument."),
-    hosted!("error", "*values", Error, "Print the values as an error and go on."),
-    hosted!("fatal", "*values", Fatal, "Stop the processing with an error."),
-    hosted!("load_yaml", "filename", LoadYaml, "The contents of a YAML file."),
+    hosted!(
+        "error",
+        "*values",
+        Error,
+        "Print the values as an error and go on."
+    ),
+    hosted!(
+        "fatal",
+        "*values",
+        Fatal,
+        "Stop the processing with an error."
+    ),
+    hosted!(
+        "load_yaml",
+        "filename",
+        LoadYaml,
+        "The contents of a YAML file."
+    ),
     hosted!("message", "*values", Message, "Print the values."),
-    hosted!("print_location", "", PrintLocation, "Print where the processing is."),
+    hosted!(
+        "print_location",
+        "",
+        PrintLocation,
+        "Print where the processing is."
+    ),
     Function {
         name: "tokenize",
         owner: "xacro",
@@ -56,29 +81,52 @@ pub(super) static FUNCTIONS: &[Function] = &[
         arity: Arity::Any,
         run: tokenize,
     },
-    hosted!("warning", "*values", Warning, "Print the values as a warning and go on."),
+    hosted!(
+        "warning",
+        "*values",
+        Warning,
+        "Print the values as a warning and go on."
+    ),
 ];
 
 /// The functions that only `$(eval)` has, sorted by name.
 pub(super) static OF_EVAL: &[Function] = &[
     hosted!("arg", "name", Arg, "The value of a substitution argument."),
-    hosted!("dirname", "", Dirname, "The folder of the file; fails in xacro."),
+    hosted!(
+        "dirname",
+        "",
+        Dirname,
+        "The folder of the file; fails in xacro."
+    ),
     hosted!("env", "name", Env, "The value of an environment variable."),
     hosted!("find", "package", Find, "The share folder of a package."),
-    hosted!("optenv", "name, default=''", OptEnv, "The value of an environment variable, or the default."),
+    hosted!(
+        "optenv",
+        "name, default=''",
+        OptEnv,
+        "The value of an environment variable, or the default."
+    ),
 ];
 
 fn call_host(interp: &mut Interp, function: HostFn, args: &Args) -> Eval {
     let at = interp.at;
-    interp.host.call(function, &args.pos, &args.named, at).map_err(Stop::from)
+    interp
+        .host
+        .call(function, &args.pos, &args.named, at)
+        .map_err(Stop::from)
 }
 
 fn tokenize(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let given = Args { pos: args.pos.clone(), named: args.named.clone() };
+    let given = Args {
+        pos: args.pos.clone(),
+        named: args.named.clone(),
+    };
     let args = bind_named("tokenize", &["s", "sep", "skip_empty"], 1, 3, given)?;
     let Value::Str(text) = args.at(0) else {
         let kind = args.at(0).type_name();
-        return Err(Stop::typ(format!("expected string or bytes-like object, got '{kind}'")));
+        return Err(Stop::typ(format!(
+            "expected string or bytes-like object, got '{kind}'"
+        )));
     };
     let separators = match args.get(1) {
         None => ",; ".into(),
@@ -87,7 +135,10 @@ fn tokenize(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     let skip_empty = args.get(2).map_or(Ok(true), |value| interp.truth(value))?;
     interp.budget.items(text.len() as u128)?;
     let class = CharClass::parse(&separators)?;
-    let pieces = class.split(text).into_iter().filter(|piece| !skip_empty || !piece.is_empty());
+    let pieces = class
+        .split(text)
+        .into_iter()
+        .filter(|piece| !skip_empty || !piece.is_empty());
     Ok(Value::list(pieces.map(Value::from)))
 }
 
@@ -151,7 +202,9 @@ impl Member {
     /// `self-last`
     fn up_to(&self, last: &Self) -> Eval<Self> {
         match (self, last) {
-            (&Self::Range(first, _), &Self::Range(last, _)) if first <= last => Ok(Self::Range(first, last)),
+            (&Self::Range(first, _), &Self::Range(last, _)) if first <= last => {
+                Ok(Self::Range(first, last))
+            }
             _ => Err(Stop::value("bad character range")),
         }
     }
@@ -162,13 +215,27 @@ fn unterminated() -> Stop {
 }
 
 /// The character whose code follows, in digits of `radix`: at least `least` and at most `most` of them.
-fn by_code(escape: char, radix: u32, least: usize, most: usize, rest: &mut Chars<'_>) -> Eval<char> {
+fn by_code(
+    escape: char,
+    radix: u32,
+    least: usize,
+    most: usize,
+    rest: &mut Chars<'_>,
+) -> Eval<char> {
     let text = rest.as_str();
-    let len = text.chars().take(most).take_while(|c| c.is_digit(radix)).count();
+    let len = text
+        .chars()
+        .take(most)
+        .take_while(|c| c.is_digit(radix))
+        .count();
     let (digits, behind) = text.split_at(len);
     *rest = behind.chars();
-    let code = u32::from_str_radix(digits, radix).ok().filter(|_| len >= least);
-    let code = code.filter(|&code| radix != 8 || code <= 0o377).and_then(char::from_u32);
+    let code = u32::from_str_radix(digits, radix)
+        .ok()
+        .filter(|_| len >= least);
+    let code = code
+        .filter(|&code| radix != 8 || code <= 0o377)
+        .and_then(char::from_u32);
     code.ok_or_else(|| Stop::value(format!("incomplete escape \\{escape}{digits}")))
 }
 
@@ -176,7 +243,9 @@ impl CharClass {
     /// Read the separators as Python reads `[separators]`, which must end with its last bracket.
     fn parse(separators: &str) -> Eval<Self> {
         let pattern = format!("{separators}]");
-        let (negated, set) = pattern.strip_prefix('^').map_or((false, &*pattern), |rest| (true, rest));
+        let (negated, set) = pattern
+            .strip_prefix('^')
+            .map_or((false, &*pattern), |rest| (true, rest));
         let mut rest = set.chars();
         let mut members = Vec::new();
         loop {
@@ -200,9 +269,11 @@ impl CharClass {
             }
         }
         match rest.as_str() {
-            tail if !tail.contains(|c| ".^$*+?{}[\\|()".contains(c)) => {
-                Ok(Self { negated, members, tail: tail.to_owned() })
-            }
+            tail if !tail.contains(|c| ".^$*+?{}[\\|()".contains(c)) => Ok(Self {
+                negated,
+                members,
+                tail: tail.to_owned(),
+            }),
             _ => Err(Stop::value(format!(
                 "unsupported separators `{separators}`: only a set of characters is supported, with `]` first"
             ))),
@@ -215,7 +286,11 @@ impl CharClass {
         while let Some(c) = text.get(at..).and_then(|rest| rest.chars().next()) {
             let behind = at + c.len_utf8();
             at = behind;
-            if self.matches(c) && text.get(behind..).is_some_and(|rest| rest.starts_with(&self.tail)) {
+            if self.matches(c)
+                && text
+                    .get(behind..)
+                    .is_some_and(|rest| rest.starts_with(&self.tail))
+            {
                 pieces.extend(text.get(start..behind - c.len_utf8()));
                 at = behind + self.tail.len();
                 start = at;

@@ -5,9 +5,14 @@ use super::*;
 /// The first error's message and the part of the text it is placed at, or the value.
 pub(super) fn blame(text: &str, budget: &mut Budget) -> String {
     let parsed = parse(text);
-    let mut host = TestHost { names: properties(), ..TestHost::default() };
+    let mut host = TestHost {
+        names: properties(),
+        ..TestHost::default()
+    };
     match evaluate(&parsed.expr, &mut host, budget) {
-        Ok(value) if host.undefined.is_empty() => display::repr(&value).unwrap_or_default().to_string(),
+        Ok(value) if host.undefined.is_empty() => {
+            display::repr(&value).unwrap_or_default().to_string()
+        }
         Ok(_) => host.undefined.join(" "),
         Err(error) => format!("{} at `{}`", error.message, error.range.slice(text)),
     }
@@ -17,22 +22,52 @@ pub(super) fn blame(text: &str, budget: &mut Budget) -> String {
 fn errors_have_the_narrowest_place() {
     let table = [
         ("1 + 2 / 0", "division by zero at `0`"),
-        ("1 + (n // (n - 3))", "integer division or modulo by zero at `n - 3`"),
-        ("2 * ('a' + 1)", "can only concatenate str (not \"int\") to str at `'a' + 1`"),
+        (
+            "1 + (n // (n - 3))",
+            "integer division or modulo by zero at `n - 3`",
+        ),
+        (
+            "2 * ('a' + 1)",
+            "can only concatenate str (not \"int\") to str at `'a' + 1`",
+        ),
         ("[l[7]]", "list index out of range at `7`"),
-        ("cfg['b']['z']", "The yaml dictionary has no key 'z' at `'z'`"),
+        (
+            "cfg['b']['z']",
+            "The yaml dictionary has no key 'z' at `'z'`",
+        ),
         ("cfg.b.z + 1", "The yaml dictionary has no key 'z' at `z`"),
-        ("1 + s.foo()", "'str' object has no attribute 'foo' at `foo`"),
-        ("1 < 2 < 'a'", "'<' not supported between instances of 'int' and 'str' at `2 < 'a'`"),
-        ("n + int('x')", "invalid literal for int() with base 10: 'x' at `int('x')`"),
+        (
+            "1 + s.foo()",
+            "'str' object has no attribute 'foo' at `foo`",
+        ),
+        (
+            "1 < 2 < 'a'",
+            "'<' not supported between instances of 'int' and 'str' at `2 < 'a'`",
+        ),
+        (
+            "n + int('x')",
+            "invalid literal for int() with base 10: 'x' at `int('x')`",
+        ),
         ("[i for i in n]", "'int' object is not iterable at `n`"),
-        ("[a for a, b in l]", "cannot unpack non-iterable int object at `a, b`"),
-        ("[1, *n]", "Value after * must be an iterable, not int at `n`"),
+        (
+            "[a for a, b in l]",
+            "cannot unpack non-iterable int object at `a, b`",
+        ),
+        (
+            "[1, *n]",
+            "Value after * must be an iterable, not int at `n`",
+        ),
         ("(lambda v: v / 0)(1)", "division by zero at `0`"),
         ("-s", "bad operand type for unary -: 'str' at `-s`"),
-        ("math.foo + python.bar(1) + zzz", "foo@5..8 bar@18..21 zzz@27..30"),
+        (
+            "math.foo + python.bar(1) + zzz",
+            "foo@5..8 bar@18..21 zzz@27..30",
+        ),
         ("1 if undefined_a else undefined_b", "undefined_a@5..16"),
-        ("f(undefined_a, k=undefined_b)", "f@0..1 undefined_a@2..13 undefined_b@17..28"),
+        (
+            "f(undefined_a, k=undefined_b)",
+            "f@0..1 undefined_a@2..13 undefined_b@17..28",
+        ),
     ];
     for (text, expected) in table {
         assert_eq!(blame(text, &mut Budget::default()), expected, "{text}");
@@ -97,11 +132,18 @@ fn unknown_operands_make_unknown_values_without_errors() {
     ];
     for text in unknown {
         let parsed = parse(text);
-        let mut host = TestHost { names: properties(), ..TestHost::default() };
+        let mut host = TestHost {
+            names: properties(),
+            ..TestHost::default()
+        };
         host.names.push(("u", Value::Unknown));
         let value = evaluate(&parsed.expr, &mut host, &mut Budget::default());
         let unknown = value.as_ref().is_ok_and(Value::is_unknown);
-        assert!(unknown && host.undefined.is_empty(), "{text}: {value:?} {:?}", host.undefined);
+        assert!(
+            unknown && host.undefined.is_empty(),
+            "{text}: {value:?} {:?}",
+            host.undefined
+        );
     }
     let inside = [
         ("[1, u][0]", "1"),
@@ -118,36 +160,66 @@ fn unknown_operands_make_unknown_values_without_errors() {
     ];
     for (text, expected) in inside {
         let parsed = parse(text);
-        let mut host = TestHost { names: properties(), ..TestHost::default() };
+        let mut host = TestHost {
+            names: properties(),
+            ..TestHost::default()
+        };
         host.names.push(("u", Value::Unknown));
         let value = evaluate(&parsed.expr, &mut host, &mut Budget::default()).unwrap();
         assert_eq!(display::repr(&value).as_deref(), Some(expected), "{text}");
     }
-    assert_eq!(display::to_str(&Value::list_from([Value::Unknown], false)), None);
+    assert_eq!(
+        display::to_str(&Value::list_from([Value::Unknown], false)),
+        None
+    );
 }
 
 #[test]
 fn bare_names_are_reported_when_called() {
     let parsed = parse("[sorted, sorted(l), list(range(2)), dotify(dict()), load_yaml('f')]");
-    let mut host = TestHost { names: properties(), ..TestHost::default() };
+    let mut host = TestHost {
+        names: properties(),
+        ..TestHost::default()
+    };
     evaluate(&parsed.expr, &mut host, &mut Budget::default()).unwrap();
-    assert_eq!(host.deprecated, ["python.sorted", "python.range", "xacro.dotify", "xacro.load_yaml"]);
+    assert_eq!(
+        host.deprecated,
+        [
+            "python.sorted",
+            "python.range",
+            "xacro.dotify",
+            "xacro.load_yaml"
+        ]
+    );
 }
 
 #[test]
 fn functions_outlive_their_expression() {
-    let mut host = TestHost { names: properties(), ..TestHost::default() };
-    let run = |host: &mut TestHost, text: &str| evaluate(&parse(text).expr, host, &mut Budget::default());
+    let mut host = TestHost {
+        names: properties(),
+        ..TestHost::default()
+    };
+    let run =
+        |host: &mut TestHost, text: &str| evaluate(&parse(text).expr, host, &mut Budget::default());
     let function = run(&mut host, "lambda v: v / n").unwrap();
     let generator = run(&mut host, "(v / 0 for v in l)").unwrap();
     host.names.push(("f", function));
     host.names.push(("g", generator));
-    assert_eq!(display::repr(&run(&mut host, "f(6)").unwrap()).as_deref(), Some("2.0"));
+    assert_eq!(
+        display::repr(&run(&mut host, "f(6)").unwrap()).as_deref(),
+        Some("2.0")
+    );
     host.names.retain(|(name, _)| *name != "n");
     host.names.push(("n", Value::Int(0)));
     // The place is that of the call: the other text is gone.
-    assert_eq!(run(&mut host, "1 + f(6)").unwrap_err().range, TextRange::new(4, 8));
-    assert_eq!(run(&mut host, "0 + python.sum(g)").unwrap_err().range, TextRange::new(4, 17));
+    assert_eq!(
+        run(&mut host, "1 + f(6)").unwrap_err().range,
+        TextRange::new(4, 8)
+    );
+    assert_eq!(
+        run(&mut host, "0 + python.sum(g)").unwrap_err().range,
+        TextRange::new(4, 17)
+    );
     host.names.retain(|(name, _)| *name != "n");
     run(&mut host, "1 + f(6)").unwrap();
     assert_eq!(host.undefined, ["n@4..8"]);

@@ -51,7 +51,10 @@ fn properties() -> Vec<(&'static str, Value)> {
     let b = dict(vec![
         ("c".into(), Value::Float(2.5)),
         ("items".into(), Value::Int(7)),
-        ("list".into(), list(vec![Value::Int(1), dict(vec![("k".into(), "v".into())])])),
+        (
+            "list".into(),
+            list(vec![Value::Int(1), dict(vec![("k".into(), "v".into())])]),
+        ),
     ]);
     let cfg = vec![
         ("a".into(), Value::Int(1)),
@@ -75,7 +78,10 @@ fn outcome(text: &str) -> String {
     if let Some(error) = parsed.errors.first() {
         return format!("! {}", error.reference);
     }
-    let mut host = TestHost { names: properties(), ..TestHost::default() };
+    let mut host = TestHost {
+        names: properties(),
+        ..TestHost::default()
+    };
     let result = evaluate(&parsed.expr, &mut host, &mut Budget::default());
     if let Some(undefined) = host.undefined.first() {
         let name = undefined.split('@').next().unwrap_or("");
@@ -92,20 +98,33 @@ fn outcome(text: &str) -> String {
 fn check(table: &str, known: &[&str]) {
     let mut found = Vec::new();
     for line in table.lines() {
-        let Some((text, expected)) = line.split_once('\t') else { continue };
+        let Some((text, expected)) = line.split_once('\t') else {
+            continue;
+        };
         let got = outcome(text);
-        assert!(got != expected || !known.contains(&text), "{text} is as in Python, so it is no exception");
+        assert!(
+            got != expected || !known.contains(&text),
+            "{text} is as in Python, so it is no exception"
+        );
         if got != expected && !known.contains(&text) {
             found.push(format!("{text}\n  python: {expected}\n  ours:   {got}"));
         }
     }
-    assert!(found.is_empty(), "{} differ:\n{}", found.len(), found.join("\n"));
+    assert!(
+        found.is_empty(),
+        "{} differ:\n{}",
+        found.len(),
+        found.join("\n")
+    );
 }
 
 #[test]
 fn expressions() {
     // Limits of ours, and formatting of bytes.
-    check(include_str!("../testdata/eval.txt"), &["1 << 10**20", "cbrt(27)"]);
+    check(
+        include_str!("../testdata/eval.txt"),
+        &["1 << 10**20", "cbrt(27)"],
+    );
 }
 
 #[test]
@@ -120,7 +139,9 @@ fn formats() {
 
 /// Whether two texts are floats next to each other.
 fn neighbors(a: &str, b: &str) -> bool {
-    let (Ok(a), Ok(b)) = (a.parse::<f64>(), b.parse::<f64>()) else { return false };
+    let (Ok(a), Ok(b)) = (a.parse::<f64>(), b.parse::<f64>()) else {
+        return false;
+    };
     let place = |f: f64| f.to_bits().cast_signed();
     place(a).abs_diff(place(b)) <= 3
 }
@@ -131,7 +152,9 @@ fn math() {
     let loose = |text: &str| ["cbrt", "erf"].iter().any(|name| text.starts_with(name));
     let everywhere = !cfg!(all(target_os = "linux", target_env = "gnu"));
     for line in include_str!("../testdata/math.txt").lines() {
-        let Some((text, expected)) = line.split_once('\t') else { continue };
+        let Some((text, expected)) = line.split_once('\t') else {
+            continue;
+        };
         let got = outcome(text);
         let fine = got == expected || ((everywhere || loose(text)) && neighbors(&got, expected));
         assert!(fine, "{text}: {got}, in Python {expected}");
@@ -141,7 +164,9 @@ fn math() {
 #[test]
 fn float_texts() {
     for line in include_str!("../testdata/floats.txt").lines() {
-        let Some((bits, expected)) = line.split_once('\t') else { continue };
+        let Some((bits, expected)) = line.split_once('\t') else {
+            continue;
+        };
         let float = f64::from_bits(bits.parse().unwrap());
         assert_eq!(float_repr::repr(float), expected);
     }
@@ -150,7 +175,9 @@ fn float_texts() {
 #[test]
 fn external() {
     #[allow(clippy::disallowed_methods)]
-    let Ok(path) = std::env::var("EVAL_TABLE") else { return };
+    let Ok(path) = std::env::var("EVAL_TABLE") else {
+        return;
+    };
     #[allow(clippy::disallowed_methods)]
     check(&std::fs::read_to_string(path).unwrap(), &[]);
 }

@@ -7,7 +7,12 @@ use crate::interp::Interp;
 use crate::stop::{Eval, Stop};
 
 /// A float as the specification asks.
-pub(super) fn format(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval<String> {
+pub(super) fn format(
+    interp: &mut Interp,
+    number: f64,
+    spec: &Spec,
+    type_name: &str,
+) -> Eval<String> {
     let parts = parts(interp, number, spec, type_name)?;
     lay_out(interp, &parts, spec, 3)
 }
@@ -37,11 +42,23 @@ fn parts(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval
     {
         negative = false;
     }
-    let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    let end = text
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(text.len());
     let is_number = number.is_finite();
-    let (whole, rest) = if is_number { text.split_at(end) } else { (text.as_str(), "") };
+    let (whole, rest) = if is_number {
+        text.split_at(end)
+    } else {
+        (text.as_str(), "")
+    };
     let rest = format!("{rest}{}", if percent { "%" } else { "" });
-    Ok(Parts { negative, prefix: "", whole: whole.to_owned(), rest, is_number })
+    Ok(Parts {
+        negative,
+        prefix: "",
+        whole: whole.to_owned(),
+        rest,
+        is_number,
+    })
 }
 
 /// How the digits of a float are shown.
@@ -76,12 +93,21 @@ pub(super) fn digits(
     Ok(match style {
         Style::Fixed => {
             let text = float_repr::fixed(magnitude, places);
-            if alternate && places == 0 { text + "." } else { text }
+            if alternate && places == 0 {
+                text + "."
+            } else {
+                text
+            }
         }
         Style::Scientific => {
             let (digits, point) = float_repr::digits_scientific(magnitude, places);
-            let text = float_repr::scientific(&digits, if magnitude == 0.0 { 1 } else { point }, 'e');
-            if alternate && places == 0 { text.replacen('e', ".e", 1) } else { text }
+            let text =
+                float_repr::scientific(&digits, if magnitude == 0.0 { 1 } else { point }, 'e');
+            if alternate && places == 0 {
+                text.replacen('e', ".e", 1)
+            } else {
+                text
+            }
         }
         Style::Repr if precision.is_none() => shortest(magnitude, alternate),
         Style::General | Style::Repr => general(magnitude, places.max(1), style, alternate),
@@ -91,7 +117,11 @@ pub(super) fn digits(
 /// The shortest text; the alternate form always has a point.
 fn shortest(magnitude: f64, alternate: bool) -> String {
     let text = float_repr::repr(magnitude);
-    if alternate && !text.contains('.') { text.replacen('e', ".e", 1) } else { text }
+    if alternate && !text.contains('.') {
+        text.replacen('e', ".e", 1)
+    } else {
+        text
+    }
 }
 
 /// `%g` with so many significant digits.
@@ -100,13 +130,25 @@ fn general(magnitude: f64, significant: usize, style: Style, alternate: bool) ->
     let point = if magnitude == 0.0 { 1 } else { point };
     let limit = i32::try_from(significant).unwrap_or(i32::MAX);
     // The form with a point behind all digits would claim one digit more than asked for.
-    let limit = if style == Style::Repr { limit - 1 } else { limit };
+    let limit = if style == Style::Repr {
+        limit - 1
+    } else {
+        limit
+    };
     let scientific = point <= -4 || point > limit;
-    let digits = if alternate { digits.as_str() } else { digits.trim_end_matches('0') };
+    let digits = if alternate {
+        digits.as_str()
+    } else {
+        digits.trim_end_matches('0')
+    };
     let digits = if digits.is_empty() { "0" } else { digits };
     if scientific {
         let text = float_repr::scientific(digits, point, 'e');
-        return if alternate && digits.len() == 1 { text.replacen('e', ".e", 1) } else { text };
+        return if alternate && digits.len() == 1 {
+            text.replacen('e', ".e", 1)
+        } else {
+            text
+        };
     }
     plain(digits, point, style == Style::Repr, alternate)
 }
@@ -138,19 +180,34 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
         return Err(unknown_code(code, "complex"));
     }
     if spec.fill == '0' {
-        return Err(Stop::value("Zero padding is not allowed in complex format specifier"));
+        return Err(Stop::value(
+            "Zero padding is not allowed in complex format specifier",
+        ));
     }
     if spec.align == Some('=') {
-        return Err(Stop::value("'=' alignment flag is not allowed in complex format specifier"));
+        return Err(Stop::value(
+            "'=' alignment flag is not allowed in complex format specifier",
+        ));
     }
-    let bare = Spec { width: 0, align: None, fill: ' ', kind: spec.kind.or(Some('g')), ..spec.clone() };
+    let bare = Spec {
+        width: 0,
+        align: None,
+        fill: ' ',
+        kind: spec.kind.or(Some('g')),
+        ..spec.clone()
+    };
     let own = spec.kind.is_none();
     let mut part = |value: f64, sign: Option<char>| -> Eval<String> {
-        let spec = Spec { sign, ..bare.clone() };
+        let spec = Spec {
+            sign,
+            ..bare.clone()
+        };
         if own && spec.precision.is_none() {
             let text = float_repr::repr(value.abs());
             let point = if spec.alternate { "." } else { "" };
-            let text = text.strip_suffix(".0").map_or(text.clone(), |whole| format!("{whole}{point}"));
+            let text = text
+                .strip_suffix(".0")
+                .map_or(text.clone(), |whole| format!("{whole}{point}"));
             let parts = Parts {
                 negative: value.is_sign_negative(),
                 whole: text,
@@ -171,8 +228,15 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
     };
     lay_out(
         interp,
-        &Parts { whole: text, ..Parts::default() },
-        &Spec { sign: None, grouping: None, ..spec.clone() },
+        &Parts {
+            whole: text,
+            ..Parts::default()
+        },
+        &Spec {
+            sign: None,
+            grouping: None,
+            ..spec.clone()
+        },
         3,
     )
 }

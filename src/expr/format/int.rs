@@ -25,10 +25,14 @@ pub(super) struct Parts {
 /// An integer as the specification asks.
 pub(super) fn format(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<String> {
     if spec.precision.is_some() {
-        return Err(Stop::value("Precision not allowed in integer format specifier"));
+        return Err(Stop::value(
+            "Precision not allowed in integer format specifier",
+        ));
     }
     if spec.no_negative_zero {
-        return Err(Stop::value("Negative zero coercion (z) not allowed in integer format specifier"));
+        return Err(Stop::value(
+            "Negative zero coercion (z) not allowed in integer format specifier",
+        ));
     }
     let kind = spec.kind.unwrap_or('d');
     if kind == 'c' {
@@ -36,8 +40,18 @@ pub(super) fn format(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<
     }
     let (prefix, whole) = digits(number, kind)?;
     let prefix = if spec.alternate { prefix } else { "" };
-    let group = if matches!(kind, 'b' | 'o' | 'x' | 'X') { 4 } else { 3 };
-    let parts = Parts { negative: number.is_negative(), prefix, whole, rest: String::new(), is_number: true };
+    let group = if matches!(kind, 'b' | 'o' | 'x' | 'X') {
+        4
+    } else {
+        3
+    };
+    let parts = Parts {
+        negative: number.is_negative(),
+        prefix,
+        whole,
+        rest: String::new(),
+        is_number: true,
+    };
     lay_out(interp, &parts, spec, group)
 }
 
@@ -55,10 +69,14 @@ fn digits(number: &BigInt, kind: char) -> Eval<(&'static str, String)> {
 
 fn character(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<String> {
     if spec.sign.is_some() {
-        return Err(Stop::value("Sign not allowed with integer format specifier 'c'"));
+        return Err(Stop::value(
+            "Sign not allowed with integer format specifier 'c'",
+        ));
     }
     if spec.alternate {
-        return Err(Stop::value("Alternate form (#) not allowed with integer format specifier 'c'"));
+        return Err(Stop::value(
+            "Alternate form (#) not allowed with integer format specifier 'c'",
+        ));
     }
     if number.to_i64().is_none() {
         return Err(Stop::overflow("Python int too large to convert to C long"));
@@ -66,7 +84,15 @@ fn character(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<String> 
     let code = number.to_u32().filter(|&code| code < 0x11_0000);
     let code = code.ok_or_else(|| Stop::overflow("%c arg not in range(0x110000)"))?;
     let whole = char::from_u32(code).unwrap_or('\u{fffd}').to_string();
-    lay_out(interp, &Parts { whole, ..Parts::default() }, spec, 3)
+    lay_out(
+        interp,
+        &Parts {
+            whole,
+            ..Parts::default()
+        },
+        spec,
+        3,
+    )
 }
 
 /// Digits in groups, at least `width` characters with their separators.
@@ -89,9 +115,16 @@ fn grouped(digits: &str, separator: char, group: usize, width: usize) -> String 
 }
 
 /// Sign, padding and grouping.
-pub(super) fn lay_out(interp: &mut Interp, parts: &Parts, spec: &Spec, group: usize) -> Eval<String> {
+pub(super) fn lay_out(
+    interp: &mut Interp,
+    parts: &Parts,
+    spec: &Spec,
+    group: usize,
+) -> Eval<String> {
     let unpadded = parts.whole.len() + parts.rest.len() + 8;
-    interp.budget.text(spec.width.max(unpadded) as u128 * spec.fill.len_utf8() as u128 * 2)?;
+    interp
+        .budget
+        .text(spec.width.max(unpadded) as u128 * spec.fill.len_utf8() as u128 * 2)?;
     let sign = match (parts.negative, spec.sign) {
         (true, _) => "-",
         (false, Some('+')) => "+",
@@ -103,7 +136,11 @@ pub(super) fn lay_out(interp: &mut Interp, parts: &Parts, spec: &Spec, group: us
     let zeros = align == '=' && spec.fill == '0' && parts.is_number;
     let whole = match spec.grouping {
         Some(separator) if parts.is_number => {
-            let width = if zeros { spec.width.saturating_sub(head + parts.rest.chars().count()) } else { 0 };
+            let width = if zeros {
+                spec.width.saturating_sub(head + parts.rest.chars().count())
+            } else {
+                0
+            };
             grouped(&parts.whole, separator, group, width)
         }
         _ => parts.whole.clone(),

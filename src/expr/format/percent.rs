@@ -22,7 +22,9 @@ pub(crate) fn percent(interp: &mut Interp, format: &Value, values: &Value) -> Ev
         }
         let directive = run.directive(interp)?;
         let text = run.convert(interp, &directive)?;
-        interp.budget.text(text.len().max(directive.width) as u128 * 2)?;
+        interp
+            .budget
+            .text(text.len().max(directive.width) as u128 * 2)?;
         interp.budget.grown(out.len() + text.len())?;
         out.push_str(&text);
     }
@@ -61,7 +63,14 @@ impl<'a> Run<'a> {
             Value::Tuple(tuple) => tuple.items().to_vec(),
             other => vec![other.clone()],
         };
-        Self { format, at: 0, values, items, used: 0, by_key: false }
+        Self {
+            format,
+            at: 0,
+            values,
+            items,
+            used: 0,
+            by_key: false,
+        }
     }
 
     fn next(&mut self) -> Option<char> {
@@ -77,7 +86,9 @@ impl<'a> Run<'a> {
     fn value(&mut self) -> Eval {
         let value = self.items.get(self.used).cloned();
         self.used += 1;
-        value.ok_or_else(|| Stop::typ("not enough arguments for format string"))?.known()
+        value
+            .ok_or_else(|| Stop::typ("not enough arguments for format string"))?
+            .known()
     }
 
     /// Whether values can be taken by key.
@@ -98,7 +109,9 @@ impl<'a> Run<'a> {
     fn finish(&self) -> Eval<()> {
         let optional = self.by_key || self.is_mapping();
         if self.used < self.items.len() && !optional {
-            return Err(Stop::typ("not all arguments converted during string formatting"));
+            return Err(Stop::typ(
+                "not all arguments converted during string formatting",
+            ));
         }
         Ok(())
     }
@@ -163,7 +176,12 @@ impl<'a> Run<'a> {
                 None => return Err(Stop::value("incomplete format key")),
             }
         }
-        let key: String = self.format.get(start..self.at - 1).unwrap_or(&[]).iter().collect();
+        let key: String = self
+            .format
+            .get(start..self.at - 1)
+            .unwrap_or(&[])
+            .iter()
+            .collect();
         self.by_key = true;
         self.items = vec![ops::subscript(interp, self.values, &Value::from(key))?.known()?];
         self.used = 0;
@@ -203,7 +221,11 @@ impl<'a> Run<'a> {
             'e' | 'E' | 'f' | 'F' | 'g' | 'G' => real(interp, &value, directive),
             'c' => character(interp, &value, directive),
             other => {
-                let shown = if (' '..='\u{7e}').contains(&other) { other } else { '?' };
+                let shown = if (' '..='\u{7e}').contains(&other) {
+                    other
+                } else {
+                    '?'
+                };
                 let (code, place) = (u32::from(other), directive.place);
                 Err(Stop::value(format!(
                     "unsupported format character '{shown}' (0x{code:x}) at index {place}"
@@ -215,13 +237,21 @@ impl<'a> Run<'a> {
 
 /// Text padded to the width.
 fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<String> {
-    let missing = if directive.width == 0 { 0 } else { directive.width.saturating_sub(text.chars().count()) };
+    let missing = if directive.width == 0 {
+        0
+    } else {
+        directive.width.saturating_sub(text.chars().count())
+    };
     if missing == 0 {
         return Ok(text);
     }
     interp.budget.text(directive.width as u128)?;
     let blanks = " ".repeat(missing);
-    Ok(if directive.left { text + &blanks } else { blanks + &text })
+    Ok(if directive.left {
+        text + &blanks
+    } else {
+        blanks + &text
+    })
 }
 
 fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
@@ -242,7 +272,9 @@ fn character(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<
     let text = match value {
         Value::Str(text) if text.chars().count() == 1 => text.to_string(),
         Value::Int(_) | Value::Big(_) | Value::Bool(_) => {
-            let code = u32::try_from(integer(value)?).ok().filter(|&code| code < 0x11_0000);
+            let code = u32::try_from(integer(value)?)
+                .ok()
+                .filter(|&code| code < 0x11_0000);
             let code = code.ok_or_else(|| Stop::overflow("%c arg not in range(0x110000)"))?;
             char::from_u32(code).unwrap_or('\u{fffd}').to_string()
         }
@@ -282,36 +314,72 @@ fn whole(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<Stri
         other => other.clone(),
     };
     let Some(big) = Num::of(&value).and_then(Num::big) else {
-        let (wanted, got) = (if decimal { "a real number" } else { "an integer" }, value.type_name());
-        return Err(Stop::typ(format!("%{kind} format: {wanted} is required, not {got}")));
+        let (wanted, got) = (
+            if decimal {
+                "a real number"
+            } else {
+                "an integer"
+            },
+            value.type_name(),
+        );
+        return Err(Stop::typ(format!(
+            "%{kind} format: {wanted} is required, not {got}"
+        )));
     };
     let magnitude = big.magnitude();
     let (prefix, mut digits) = match kind {
         'o' => ("0o", format!("{magnitude:o}")),
         'x' => ("0x", format!("{magnitude:x}")),
         'X' => ("0X", format!("{magnitude:X}")),
-        _ => ("", display::big_text(&num_bigint::BigInt::from(magnitude.clone()))?),
+        _ => (
+            "",
+            display::big_text(&num_bigint::BigInt::from(magnitude.clone()))?,
+        ),
     };
     let prefix = if directive.alternate { prefix } else { "" };
-    if let Some(precision) = directive.precision.filter(|&precision| precision > digits.len()) {
+    if let Some(precision) = directive
+        .precision
+        .filter(|&precision| precision > digits.len())
+    {
         interp.budget.text(precision as u128)?;
         digits.insert_str(0, &"0".repeat(precision - digits.len()));
     }
-    number(interp, big.sign() == num_bigint::Sign::Minus, prefix, &digits, directive)
+    number(
+        interp,
+        big.sign() == num_bigint::Sign::Minus,
+        prefix,
+        &digits,
+        directive,
+    )
 }
 
 fn real(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
     let float = match Num::of(value).map(Num::float).transpose()?.flatten() {
         Some(float) => float,
-        None => return Err(Stop::typ(format!("must be real number, not {}", value.type_name()))),
+        None => {
+            return Err(Stop::typ(format!(
+                "must be real number, not {}",
+                value.type_name()
+            )));
+        }
     };
     let style = match directive.kind.to_ascii_lowercase() {
         'e' => Style::Scientific,
         'f' => Style::Fixed,
         _ => Style::General,
     };
-    let text = float::digits(interp, float.abs(), style, directive.precision, directive.alternate)?;
-    let text = if directive.kind.is_ascii_uppercase() { text.to_ascii_uppercase() } else { text };
+    let text = float::digits(
+        interp,
+        float.abs(),
+        style,
+        directive.precision,
+        directive.alternate,
+    )?;
+    let text = if directive.kind.is_ascii_uppercase() {
+        text.to_ascii_uppercase()
+    } else {
+        text
+    };
     let negative = float.is_sign_negative() && !float.is_nan();
     number(interp, negative, "", &text, directive)
 }

@@ -38,9 +38,13 @@ impl Chars<'_> {
     fn number(&mut self) -> Eval<Option<usize>> {
         let mut number = None::<usize>;
         while let Some(digit) = self.rest.first().and_then(|&c| decimal_digit(c)) {
-            let next = number.unwrap_or(0).checked_mul(10).and_then(|n| n.checked_add(digit as usize));
+            let next = number
+                .unwrap_or(0)
+                .checked_mul(10)
+                .and_then(|n| n.checked_add(digit as usize));
             let fits = next.filter(|&next| i64::try_from(next).is_ok());
-            number = Some(fits.ok_or_else(|| Stop::value("Too many decimal digits in format string"))?);
+            number =
+                Some(fits.ok_or_else(|| Stop::value("Too many decimal digits in format string"))?);
             self.rest = self.rest.get(1..).unwrap_or(&[]);
         }
         Ok(number)
@@ -67,12 +71,20 @@ pub(super) fn parse(text: &str, kind: &str, numeric: bool) -> Eval<Spec> {
     let alternate = chars.take_if(|c| c == '#').is_some();
     // A leading zero means padding with zeros behind the sign, unless a fill was given.
     let zero = fill.is_none() && chars.take_if(|c| c == '0').is_some();
-    let (fill, align) = if zero { (Some('0'), align.or(numeric.then_some('='))) } else { (fill, align) };
+    let (fill, align) = if zero {
+        (Some('0'), align.or(numeric.then_some('=')))
+    } else {
+        (fill, align)
+    };
     let width = chars.number()?.unwrap_or(0);
     let grouping = grouping(&mut chars)?;
     let precision = match chars.take_if(|c| c == '.') {
         None => None,
-        Some(_) => Some(chars.number()?.ok_or_else(|| Stop::value("Format specifier missing precision"))?),
+        Some(_) => Some(
+            chars
+                .number()?
+                .ok_or_else(|| Stop::value("Format specifier missing precision"))?,
+        ),
     };
     let (presentation, rest) = match chars.rest {
         [] => (None, false),
@@ -80,7 +92,9 @@ pub(super) fn parse(text: &str, kind: &str, numeric: bool) -> Eval<Spec> {
         _ => (None, true),
     };
     if rest {
-        return Err(Stop::value(format!("Invalid format specifier '{text}' for object of type '{kind}'")));
+        return Err(Stop::value(format!(
+            "Invalid format specifier '{text}' for object of type '{kind}'"
+        )));
     }
     let fill = fill.unwrap_or(' ');
     let spec = Spec {
@@ -117,7 +131,9 @@ fn grouping(chars: &mut Chars<'_>) -> Eval<Option<char>> {
 }
 
 fn check_grouping(spec: &Spec, numeric: bool) -> Eval<()> {
-    let Some(grouping) = spec.grouping else { return Ok(()) };
+    let Some(grouping) = spec.grouping else {
+        return Ok(());
+    };
     let allowed = match spec.kind {
         None => numeric,
         Some('d' | 'e' | 'f' | 'g' | 'E' | 'G' | '%' | 'F') => true,
@@ -131,13 +147,21 @@ fn check_grouping(spec: &Spec, numeric: bool) -> Eval<()> {
     Err(Stop::value(if (' '..='\u{7f}').contains(&kind) {
         format!("Cannot specify '{grouping}' with '{kind}'.")
     } else {
-        format!("Cannot specify '{grouping}' with '\\x{:x}'.", u32::from(kind))
+        format!(
+            "Cannot specify '{grouping}' with '\\x{:x}'.",
+            u32::from(kind)
+        )
     }))
 }
 
 /// `Unknown format code 'x' for object of type 'str'`
 pub(super) fn unknown_code(code: char, kind: &str) -> Stop {
-    let code =
-        if (' '..='\u{7f}').contains(&code) { code.to_string() } else { format!("\\x{:x}", u32::from(code)) };
-    Stop::value(format!("Unknown format code '{code}' for object of type '{kind}'"))
+    let code = if (' '..='\u{7f}').contains(&code) {
+        code.to_string()
+    } else {
+        format!("\\x{:x}", u32::from(code))
+    };
+    Stop::value(format!(
+        "Unknown format code '{code}' for object of type '{kind}'"
+    ))
 }

@@ -16,7 +16,12 @@ pub(crate) fn fstring(interp: &mut Interp, parts: &[FPart]) -> Eval<Str> {
     for part in parts {
         match part {
             FPart::Text(text) => out.push_str(text),
-            FPart::Field { value, conversion, spec, debug } => {
+            FPart::Field {
+                value,
+                conversion,
+                spec,
+                debug,
+            } => {
                 out.push_str(debug.as_deref().unwrap_or(""));
                 let value = interp.eval(value)?.known()?;
                 let spec = fstring(interp, spec)?;
@@ -42,7 +47,10 @@ fn convert(interp: &mut Interp, value: Value, conversion: Option<char>) -> Eval 
             return Err(Stop::value(format!("Unknown conversion specifier {other}")));
         }
         Some(other) => {
-            return Err(Stop::value(format!("Unknown conversion specifier \\x{:x}", u32::from(other))));
+            return Err(Stop::value(format!(
+                "Unknown conversion specifier \\x{:x}",
+                u32::from(other)
+            )));
         }
     })
 }
@@ -51,7 +59,11 @@ fn convert(interp: &mut Interp, value: Value, conversion: Option<char>) -> Eval 
 pub(crate) fn ascii(text: &str) -> Str {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
-        if c.is_ascii() { out.push(c) } else { quote::push_escape(&mut out, c) }
+        if c.is_ascii() {
+            out.push(c)
+        } else {
+            quote::push_escape(&mut out, c)
+        }
     }
     out.into()
 }
@@ -68,7 +80,11 @@ pub(crate) fn str_format_map(interp: &mut Interp, text: &Value, args: &Args) -> 
 
 fn expand(interp: &mut Interp, text: &Value, source: Source<'_>) -> Eval {
     let text: Vec<char> = text.as_str().ok_or(Stop::Unknown)?.chars().collect();
-    let mut template = Template { source, next: 0, numbered: None };
+    let mut template = Template {
+        source,
+        next: 0,
+        numbered: None,
+    };
     template.expand(interp, &text, 2).map(Value::from)
 }
 
@@ -145,7 +161,10 @@ impl Template<'_> {
 
     /// The value of `name.attribute[index]`.
     fn value(&mut self, interp: &mut Interp, name: &[char]) -> Eval {
-        let end = name.iter().position(|c| matches!(c, '.' | '[')).unwrap_or(name.len());
+        let end = name
+            .iter()
+            .position(|c| matches!(c, '.' | '['))
+            .unwrap_or(name.len());
         let (first, mut path) = name.split_at(end);
         let first: String = first.iter().collect();
         let mut value = self.first(interp, &first)?.known()?;
@@ -156,7 +175,9 @@ impl Template<'_> {
                     .position(|&c| c == ']')
                     .ok_or_else(|| Stop::value("Missing ']' in format string"))?
             } else {
-                rest.iter().position(|c| matches!(c, '.' | '[')).unwrap_or(rest.len())
+                rest.iter()
+                    .position(|c| matches!(c, '.' | '['))
+                    .unwrap_or(rest.len())
             };
             let part: String = rest.iter().take(close).collect();
             if part.is_empty() {
@@ -167,9 +188,13 @@ impl Template<'_> {
             } else {
                 attribute(interp, &value, &part)?
             };
-            path = rest.get(close + usize::from(separator == '[')..).unwrap_or(&[]);
+            path = rest
+                .get(close + usize::from(separator == '[')..)
+                .unwrap_or(&[]);
             if separator == '[' && !matches!(path.first(), None | Some('.' | '[')) {
-                return Err(Stop::value("Only '.' or '[' may follow ']' in format field specifier"));
+                return Err(Stop::value(
+                    "Only '.' or '[' may follow ']' in format field specifier",
+                ));
             }
         }
         Ok(value)
@@ -202,7 +227,9 @@ impl Template<'_> {
         };
         match self.source {
             Source::Args(args) => args.pos.get(place).cloned().ok_or_else(|| {
-                Stop::index(format!("Replacement index {place} out of range for positional args tuple"))
+                Stop::index(format!(
+                    "Replacement index {place} out of range for positional args tuple"
+                ))
             }),
             Source::Mapping(_) => Err(Stop::Unknown),
         }
@@ -210,7 +237,10 @@ impl Template<'_> {
 
     fn named(&self, interp: &mut Interp, name: &str) -> Eval {
         match self.source {
-            Source::Args(args) => args.named(name).cloned().ok_or_else(|| ops::key_error(&Value::from(name))),
+            Source::Args(args) => args
+                .named(name)
+                .cloned()
+                .ok_or_else(|| ops::key_error(&Value::from(name))),
             Source::Mapping(mapping) => ops::subscript(interp, mapping, &Value::from(name)),
         }
     }
@@ -221,8 +251,13 @@ fn parse_number(text: &str) -> Eval<Option<usize>> {
     if text.is_empty() || !text.bytes().all(|b| b.is_ascii_digit()) {
         return Ok(None);
     }
-    let number = text.parse::<i64>().ok().and_then(|number| usize::try_from(number).ok());
-    number.map(Some).ok_or_else(|| Stop::value("Too many decimal digits in format string"))
+    let number = text
+        .parse::<i64>()
+        .ok()
+        .and_then(|number| usize::try_from(number).ok());
+    number
+        .map(Some)
+        .ok_or_else(|| Stop::value("Too many decimal digits in format string"))
 }
 
 fn index(interp: &mut Interp, value: &Value, part: &str) -> Eval {
@@ -235,7 +270,10 @@ fn index(interp: &mut Interp, value: &Value, part: &str) -> Eval {
 
 fn attribute(interp: &mut Interp, value: &Value, name: &str) -> Eval {
     if name.starts_with("__") {
-        return Err(Stop::new(ErrorKind::ForbiddenName, format!("Use of invalid name(s):  {name}")));
+        return Err(Stop::new(
+            ErrorKind::ForbiddenName,
+            format!("Use of invalid name(s):  {name}"),
+        ));
     }
     let at = interp.at;
     interp.attribute(value, name, at)
@@ -259,7 +297,9 @@ fn parse_field(text: &[char], start: usize) -> Eval<Field<'_>> {
         Some('{') => return Err(Stop::value("unexpected '{' in field name")),
         Some('!') => {
             let Some(&conversion) = rest.get(name_end + 1) else {
-                return Err(Stop::value("end of string while looking for conversion specifier"));
+                return Err(Stop::value(
+                    "end of string while looking for conversion specifier",
+                ));
             };
             match rest.get(name_end + 2) {
                 None => return Err(Stop::value("unmatched '{' in format spec")),
@@ -270,7 +310,12 @@ fn parse_field(text: &[char], start: usize) -> Eval<Field<'_>> {
         _ => (None, name_end),
     };
     if rest.get(behind) == Some(&'}') {
-        return Ok(Field { name, conversion, spec: &[], behind: start + behind + 1 });
+        return Ok(Field {
+            name,
+            conversion,
+            spec: &[],
+            behind: start + behind + 1,
+        });
     }
     let mut open = 1;
     let spec = rest.get(behind + 1..).unwrap_or(&[]);
@@ -284,5 +329,10 @@ fn parse_field(text: &[char], start: usize) -> Eval<Field<'_>> {
     });
     let end = end.ok_or_else(|| Stop::value("unmatched '{' in format spec"))?;
     let spec = spec.get(..end).unwrap_or(&[]);
-    Ok(Field { name, conversion, spec, behind: start + behind + 1 + end + 1 })
+    Ok(Field {
+        name,
+        conversion,
+        spec,
+        behind: start + behind + 1 + end + 1,
+    })
 }

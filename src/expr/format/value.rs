@@ -20,7 +20,11 @@ pub(super) fn format(interp: &mut Interp, value: &Value, spec: &str) -> Eval<Str
         (Value::Str(text), _) => format_text(interp, text, &parse(spec, kind, false)?)?,
         (_, Some(number)) => format_number(interp, number, &parse(spec, kind, true)?, kind)?,
         (Value::Date(_), _) => return Err(Stop::Unknown),
-        _ => return Err(Stop::typ(format!("unsupported format string passed to {kind}.__format__"))),
+        _ => {
+            return Err(Stop::typ(format!(
+                "unsupported format string passed to {kind}.__format__"
+            )));
+        }
     };
     Ok(text.into())
 }
@@ -50,16 +54,36 @@ fn format_text(interp: &mut Interp, text: &str, spec: &Spec) -> Eval<String> {
         None => {}
     }
     if spec.no_negative_zero {
-        return Err(Stop::value("Negative zero coercion (z) not allowed in string format specifier"));
+        return Err(Stop::value(
+            "Negative zero coercion (z) not allowed in string format specifier",
+        ));
     }
     if spec.alternate {
-        return Err(Stop::value("Alternate form (#) not allowed in string format specifier"));
+        return Err(Stop::value(
+            "Alternate form (#) not allowed in string format specifier",
+        ));
     }
     if spec.align == Some('=') {
-        return Err(Stop::value("'=' alignment not allowed in string format specifier"));
+        return Err(Stop::value(
+            "'=' alignment not allowed in string format specifier",
+        ));
     }
-    let text: String = text.chars().take(spec.precision.unwrap_or(usize::MAX)).collect();
-    let parts = int::Parts { whole: text, ..int::Parts::default() };
+    let text: String = text
+        .chars()
+        .take(spec.precision.unwrap_or(usize::MAX))
+        .collect();
+    let parts = int::Parts {
+        whole: text,
+        ..int::Parts::default()
+    };
     let align = spec.align.or(Some('<'));
-    int::lay_out(interp, &parts, &Spec { align, ..spec.clone() }, 3)
+    int::lay_out(
+        interp,
+        &parts,
+        &Spec {
+            align,
+            ..spec.clone()
+        },
+        3,
+    )
 }

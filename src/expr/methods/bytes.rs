@@ -37,14 +37,22 @@ pub(super) static CLASS: &[Function] = methods! { "bytes":
 };
 
 fn swapcase(byte: &u8) -> u8 {
-    if byte.is_ascii_lowercase() { byte.to_ascii_uppercase() } else { byte.to_ascii_lowercase() }
+    if byte.is_ascii_lowercase() {
+        byte.to_ascii_uppercase()
+    } else {
+        byte.to_ascii_lowercase()
+    }
 }
 
 /// The first letter of each run of letters large, the others small.
 fn title(bytes: &[u8]) -> ecow::EcoVec<u8> {
     let mut inside = false;
     let letter = |byte: &u8| {
-        let cased = if inside { byte.to_ascii_lowercase() } else { byte.to_ascii_uppercase() };
+        let cased = if inside {
+            byte.to_ascii_lowercase()
+        } else {
+            byte.to_ascii_uppercase()
+        };
         inside = byte.is_ascii_alphabetic();
         cased
     };
@@ -61,13 +69,19 @@ fn this(value: &Value) -> Eval<&[u8]> {
 fn part(value: &Value) -> Eval<&[u8]> {
     match value {
         Value::Bytes(bytes) => Ok(bytes),
-        other => Err(Stop::typ(format!("a bytes-like object is required, not '{}'", other.type_name()))),
+        other => Err(Stop::typ(format!(
+            "a bytes-like object is required, not '{}'",
+            other.type_name()
+        ))),
     }
 }
 
 fn from_hex(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let Value::Str(text) = args.at(0) else {
-        return Err(Stop::typ(format!("fromhex() argument must be str, not {}", args.at(0).type_name())));
+        return Err(Stop::typ(format!(
+            "fromhex() argument must be str, not {}",
+            args.at(0).type_name()
+        )));
     };
     let mut bytes = ecow::EcoVec::new();
     let mut high = None;
@@ -75,18 +89,26 @@ fn from_hex(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         if c.is_ascii_whitespace() && high.is_none() {
             continue;
         }
-        let digit =
-            c.to_digit(16).and_then(|digit| u8::try_from(digit).ok()).ok_or_else(|| wrong_digit(place))?;
+        let digit = c
+            .to_digit(16)
+            .and_then(|digit| u8::try_from(digit).ok())
+            .ok_or_else(|| wrong_digit(place))?;
         match high.take() {
             None => high = Some(digit),
             Some(high) => bytes.push(high << 4 | digit),
         }
     }
-    if high.is_some() { Err(wrong_digit(text.chars().count())) } else { Ok(Value::Bytes(bytes)) }
+    if high.is_some() {
+        Err(wrong_digit(text.chars().count()))
+    } else {
+        Ok(Value::Bytes(bytes))
+    }
 }
 
 fn wrong_digit(place: usize) -> Stop {
-    Stop::value(format!("non-hexadecimal number found in fromhex() arg at position {place}"))
+    Stop::value(format!(
+        "non-hexadecimal number found in fromhex() arg at position {place}"
+    ))
 }
 
 /// Encodings whose code points are the same up to a limit.
@@ -103,16 +125,24 @@ fn encoding(name: Option<&Value>) -> Eval<Encoding> {
         Some(Value::Str(name)) => name,
         Some(other) => {
             let kind = argument_type(other);
-            return Err(Stop::typ(format!("encode() argument 'encoding' must be str, not {kind}")));
+            return Err(Stop::typ(format!(
+                "encode() argument 'encoding' must be str, not {kind}"
+            )));
         }
     };
-    let plain: String =
-        name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_lowercase()).collect();
+    let plain: String = name
+        .chars()
+        .filter(char::is_ascii_alphanumeric)
+        .map(|c| c.to_ascii_lowercase())
+        .collect();
     match plain.as_str() {
         "utf8" | "u8" | "cp65001" => Ok(Encoding::Utf8),
         "ascii" | "usascii" | "646" => Ok(Encoding::Ascii),
         "latin1" | "iso88591" | "latin" | "l1" | "88591" | "cp819" => Ok(Encoding::Latin1),
-        _ => Err(Stop::new(crate::host::ErrorKind::Value, format!("unknown encoding: {name}"))),
+        _ => Err(Stop::new(
+            crate::host::ErrorKind::Value,
+            format!("unknown encoding: {name}"),
+        )),
     }
 }
 
@@ -154,15 +184,27 @@ pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>)
     let encoding = encoding(name)?;
     let mode = errors.and_then(Value::as_str).unwrap_or("strict");
     if encoding == Encoding::Latin1 {
-        return Ok(Value::from(bytes.iter().map(|&byte| char::from(byte)).collect::<String>()));
+        return Ok(Value::from(
+            bytes
+                .iter()
+                .map(|&byte| char::from(byte))
+                .collect::<String>(),
+        ));
     }
     let lossy = || String::from_utf8_lossy(bytes);
     let error = match encoding {
-        Encoding::Ascii => bytes
-            .iter()
-            .position(|byte| !byte.is_ascii())
-            .map(|place| undecodable("ascii", bytes, place, place + 1, "ordinal not in range(128)")),
-        _ => std::str::from_utf8(bytes).err().map(|error| not_utf8(bytes, &error)),
+        Encoding::Ascii => bytes.iter().position(|byte| !byte.is_ascii()).map(|place| {
+            undecodable(
+                "ascii",
+                bytes,
+                place,
+                place + 1,
+                "ordinal not in range(128)",
+            )
+        }),
+        _ => std::str::from_utf8(bytes)
+            .err()
+            .map(|error| not_utf8(bytes, &error)),
     };
     match (error, mode) {
         (None, _) | (Some(_), "replace") => Ok(Value::from(lossy().into_owned())),
@@ -176,9 +218,13 @@ fn not_utf8(bytes: &[u8], error: &std::str::Utf8Error) -> Stop {
     let first = bytes.get(start).copied().unwrap_or(0);
     match error.error_len() {
         None => undecodable("utf-8", bytes, start, bytes.len(), "unexpected end of data"),
-        Some(len) if (0xc2..0xf5).contains(&first) => {
-            undecodable("utf-8", bytes, start, start + len, "invalid continuation byte")
-        }
+        Some(len) if (0xc2..0xf5).contains(&first) => undecodable(
+            "utf-8",
+            bytes,
+            start,
+            start + len,
+            "invalid continuation byte",
+        ),
         Some(len) => undecodable("utf-8", bytes, start, start + len, "invalid start byte"),
     }
 }

@@ -53,7 +53,10 @@ fn this(value: &Value) -> Eval<&Dict> {
 }
 
 fn view(value: &Value, kind: ViewKind) -> Eval {
-    Ok(Value::View(Arc::new(View { dict: this(value)?.clone(), kind })))
+    Ok(Value::View(Arc::new(View {
+        dict: this(value)?.clone(),
+        kind,
+    })))
 }
 
 fn get(_: &mut Interp, dict: &Value, args: &Args) -> Eval {
@@ -79,7 +82,10 @@ fn pop(interp: &mut Interp, dict: &Value, args: &Args) -> Eval {
 fn pop_item(_: &mut Interp, dict: &Value, _: &Args) -> Eval {
     match this(dict)?.edit(DictMap::pop) {
         Some((key, value)) => Ok(Value::tuple_from([key.into_value(), value])),
-        None => Err(Stop::new(ErrorKind::Key, "'popitem(): dictionary is empty'")),
+        None => Err(Stop::new(
+            ErrorKind::Key,
+            "'popitem(): dictionary is empty'",
+        )),
     }
 }
 
@@ -97,7 +103,11 @@ fn update(interp: &mut Interp, dict: &Value, args: &Args) -> Eval {
     if let Some(source) = args.get(0) {
         add_entries(interp, &mut map, source)?;
     }
-    map.extend(args.named.iter().map(|(name, value)| (Key::text(name.clone()), value.clone())));
+    map.extend(
+        args.named
+            .iter()
+            .map(|(name, value)| (Key::text(name.clone()), value.clone())),
+    );
     dict.edit(|own| own.extend(map));
     Ok(Value::None)
 }

@@ -69,7 +69,9 @@ fn append(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
 fn extend(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let list = this(list)?;
     let more = interp.collect(args.at(0))?;
-    interp.budget.items(more.len() as u128 + list.len() as u128)?;
+    interp
+        .budget
+        .items(more.len() as u128 + list.len() as u128)?;
     list.edit(|items| items.extend(more));
     Ok(Value::None)
 }
@@ -82,7 +84,11 @@ fn insert(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let item = args.pos.get(1).cloned().unwrap_or_default();
     list.edit(|items| {
         let len = items.len() as i128;
-        let place = if place < 0 { (place + len).max(0) } else { place.min(len) };
+        let place = if place < 0 {
+            (place + len).max(0)
+        } else {
+            place.min(len)
+        };
         items.insert(usize::try_from(place).unwrap_or(0), item);
     });
     Ok(Value::None)
@@ -91,10 +97,18 @@ fn insert(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
 fn pop(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let list = this(list)?;
     let place = args.get(0).map_or(Ok(-1), index_sized)?;
-    interp.budget.steps(if place == -1 { 1 } else { list.len() as u64 / 16 })?;
+    interp.budget.steps(if place == -1 {
+        1
+    } else {
+        list.len() as u64 / 16
+    })?;
     list.edit(|items| {
         let len = items.len();
-        let place = if place < 0 { place.saturating_add(len as i128) } else { place };
+        let place = if place < 0 {
+            place.saturating_add(len as i128)
+        } else {
+            place
+        };
         match usize::try_from(place) {
             Ok(place) if place < len => Ok(items.remove(place)),
             _ if len == 0 => Err(Stop::index("pop from empty list")),
@@ -118,14 +132,19 @@ fn remove(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
 fn list_sort(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let given = args.len() + args.named.len();
     if given > 2 {
-        return Err(Stop::typ(format!("sort() takes at most 2 arguments ({given} given)")));
+        return Err(Stop::typ(format!(
+            "sort() takes at most 2 arguments ({given} given)"
+        )));
     }
     if !args.pos.is_empty() {
         return Err(Stop::typ("sort() takes no positional arguments"));
     }
     let list = this(list)?;
     let items = list.snapshot().into_iter().collect();
-    let options = Args { pos: Vec::new(), named: args.named.clone() };
+    let options = Args {
+        pos: Vec::new(),
+        named: args.named.clone(),
+    };
     let sorted = sort(interp, items, options)?;
     list.edit(|items| *items = sorted.into_iter().collect());
     Ok(Value::None)
@@ -135,14 +154,24 @@ fn list_index(interp: &mut Interp, list: &Value, args: &Args) -> Eval {
     let items = this(list)?.snapshot();
     match index(interp, &items, args)? {
         Some(place) => Ok(place),
-        None => Err(Stop::value(format!("{} is not in list", display::shown(args.at(0))?))),
+        None => Err(Stop::value(format!(
+            "{} is not in list",
+            display::shown(args.at(0))?
+        ))),
     }
 }
 
 /// The place of the first argument between the optional others.
 fn index(interp: &mut Interp, items: &[Value], args: &Args) -> Eval<Option<Value>> {
-    if args.pos.iter().skip(1).any(|bound| as_index(bound).is_none()) {
-        return Err(Stop::typ("slice indices must be integers or have an __index__ method"));
+    if args
+        .pos
+        .iter()
+        .skip(1)
+        .any(|bound| as_index(bound).is_none())
+    {
+        return Err(Stop::typ(
+            "slice indices must be integers or have an __index__ method",
+        ));
     }
     let start = clamp_index(args.get(1), items.len(), 0)?;
     let end = clamp_index(args.get(2), items.len(), items.len())?;
@@ -165,11 +194,16 @@ fn count(interp: &mut Interp, items: &[Value], wanted: &Value) -> Eval {
 }
 
 fn range_index(interp: &mut Interp, value: &Value, args: &Args) -> Eval {
-    let Value::Range(range) = value else { return Err(Stop::Unknown) };
+    let Value::Range(range) = value else {
+        return Err(Stop::Unknown);
+    };
     if let Some(number) = as_index(args.at(0)) {
         return match range.position(number) {
             Some(place) => Ok(Value::int(place)),
-            None => Err(Stop::value(format!("{} is not in range", display::shown(args.at(0))?))),
+            None => Err(Stop::value(format!(
+                "{} is not in range",
+                display::shown(args.at(0))?
+            ))),
         };
     }
     let mut cursor = interp.iter(value)?;
@@ -184,10 +218,16 @@ fn range_index(interp: &mut Interp, value: &Value, args: &Args) -> Eval {
 }
 
 fn indices(_: &mut Interp, slice: &Value, args: &Args) -> Eval {
-    let Value::Slice(slice) = slice else { return Err(Stop::Unknown) };
+    let Value::Slice(slice) = slice else {
+        return Err(Stop::Unknown);
+    };
     check_count("indices", args.len(), 1, 1)?;
     let len = integer(args.at(0))?;
-    let Ok(len) = usize::try_from(len) else { return Err(Stop::value("length should not be negative")) };
+    let Ok(len) = usize::try_from(len) else {
+        return Err(Stop::value("length should not be negative"));
+    };
     let bounds = slice_bounds(slice, len)?;
-    Ok(Value::tuple_from([bounds.start, bounds.stop, bounds.step].map(Value::wide)))
+    Ok(Value::tuple_from(
+        [bounds.start, bounds.stop, bounds.step].map(Value::wide),
+    ))
 }

@@ -33,7 +33,11 @@ const fn up_to(min: usize, max: usize) -> Arity {
 
 /// Arguments by position or name, none of them required.
 const fn optional(names: &'static [&'static str]) -> Arity {
-    Arity::Named { names, required: 0, positional: names.len() }
+    Arity::Named {
+        names,
+        required: 0,
+        positional: names.len(),
+    }
 }
 
 fn table(kind: Type) -> &'static [Function] {
@@ -87,7 +91,10 @@ pub(crate) fn of_type(kind: Type, name: &str) -> Option<&'static Function> {
 
 /// The names of the methods of a type, for completion.
 pub fn method_names(kind: Type) -> impl Iterator<Item = &'static str> {
-    table(kind).iter().chain(class_table(kind)).map(|function| function.name)
+    table(kind)
+        .iter()
+        .chain(class_table(kind))
+        .map(|function| function.name)
 }
 
 /// A string argument; `what` starts the message of the error, as in `replace() argument 1`.

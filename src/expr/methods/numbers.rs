@@ -58,7 +58,10 @@ pub(super) static DATE: &[Function] = methods! { "datetime.date":
 };
 
 fn big(value: &Value) -> BigInt {
-    Num::of(value).and_then(Num::big).map(std::borrow::Cow::into_owned).unwrap_or_default()
+    Num::of(value)
+        .and_then(Num::big)
+        .map(std::borrow::Cow::into_owned)
+        .unwrap_or_default()
 }
 
 fn float(value: &Value) -> Eval<f64> {
@@ -77,7 +80,9 @@ fn is_big_endian(value: Option<&Value>, function: &str) -> Eval<bool> {
         Some(Value::Str(_)) => Err(Stop::value("byteorder must be either 'little' or 'big'")),
         Some(other) => {
             let kind = argument_type(other);
-            Err(Stop::typ(format!("{function}() argument 'byteorder' must be str, not {kind}")))
+            Err(Stop::typ(format!(
+                "{function}() argument 'byteorder' must be str, not {kind}"
+            )))
         }
     }
 }
@@ -87,7 +92,16 @@ fn is_signed(interp: &mut Interp, args: &Args) -> Eval<bool> {
 }
 
 fn rebind(name: &str, names: &[&str], required: usize, args: &Args) -> Eval<Args> {
-    bind_named(name, names, required, 2, Args { pos: args.pos.clone(), named: args.named.clone() })
+    bind_named(
+        name,
+        names,
+        required,
+        2,
+        Args {
+            pos: args.pos.clone(),
+            named: args.named.clone(),
+        },
+    )
 }
 
 fn to_bytes(interp: &mut Interp, number: &Value, args: &Args) -> Eval {
@@ -104,7 +118,11 @@ fn to_bytes(interp: &mut Interp, number: &Value, args: &Args) -> Eval {
     }
     interp.budget.text(u128::from(length))?;
     let length = usize::try_from(length).unwrap_or(0);
-    let mut bytes = if signed { number.to_signed_bytes_le() } else { number.magnitude().to_bytes_le() };
+    let mut bytes = if signed {
+        number.to_signed_bytes_le()
+    } else {
+        number.magnitude().to_bytes_le()
+    };
     if number.is_zero() {
         bytes.clear();
     }
@@ -125,12 +143,15 @@ fn from_bytes(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         Value::Bytes(bytes) => bytes.to_vec(),
         other if matches!(other, Value::Str(_)) || interp.iter(other).is_err() => {
             let kind = other.type_name();
-            return Err(Stop::typ(format!("cannot convert '{kind}' object to bytes")));
+            return Err(Stop::typ(format!(
+                "cannot convert '{kind}' object to bytes"
+            )));
         }
         other => {
             let items = interp.collect(other)?;
             let byte = |item: &Value| {
-                u8::try_from(integer(item)?).map_err(|_| Stop::value("bytes must be in range(0, 256)"))
+                u8::try_from(integer(item)?)
+                    .map_err(|_| Stop::value("bytes must be in range(0, 256)"))
             };
             items.iter().map(byte).collect::<Eval<_>>()?
         }
@@ -155,8 +176,13 @@ fn ratio(f: f64) -> Eval {
         return Err(Stop::overflow("cannot convert Infinity to integer ratio"));
     }
     let (mantissa, exponent, negative) = decode(f);
-    let zeros =
-        if mantissa == 0 { 0 } else { mantissa.trailing_zeros().min((-exponent).max(0).unsigned_abs()) };
+    let zeros = if mantissa == 0 {
+        0
+    } else {
+        mantissa
+            .trailing_zeros()
+            .min((-exponent).max(0).unsigned_abs())
+    };
     let sign = if negative { Sign::Minus } else { Sign::Plus };
     let top = BigInt::from_biguint(sign, BigUint::from(mantissa >> zeros));
     let down = -exponent - i32::try_from(zeros).unwrap_or(0);
@@ -169,9 +195,15 @@ fn ratio(f: f64) -> Eval {
 }
 
 fn hex(f: f64) -> String {
-    let sign = if f.is_sign_negative() && !f.is_nan() { "-" } else { "" };
+    let sign = if f.is_sign_negative() && !f.is_nan() {
+        "-"
+    } else {
+        ""
+    };
     if !f.is_finite() {
-        return display::to_str(&Value::Float(f)).unwrap_or_default().to_string();
+        return display::to_str(&Value::Float(f))
+            .unwrap_or_default()
+            .to_string();
     }
     if f == 0.0 {
         return format!("{sign}0x0.0p+0");
@@ -198,7 +230,9 @@ fn from_hex(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         rest => hex_magnitude(rest).ok_or_else(invalid)?,
     };
     if magnitude.is_infinite() && !rest.to_ascii_lowercase().starts_with("inf") {
-        return Err(Stop::overflow("hexadecimal value too large to represent as a float"));
+        return Err(Stop::overflow(
+            "hexadecimal value too large to represent as a float",
+        ));
     }
     Ok(Value::Float(if negative { -magnitude } else { magnitude }))
 }
@@ -226,5 +260,8 @@ fn hex_magnitude(text: &str) -> Option<f64> {
     }
     let shift = exponent.checked_add((dropped - i64::try_from(fraction.len()).ok()?) * 4)?;
     // One more bit remembers whether something was cut off.
-    Some(scale_by(mantissa << 1 | u64::from(sticky), shift.clamp(-10_000, 10_000) - 1))
+    Some(scale_by(
+        mantissa << 1 | u64::from(sticky),
+        shift.clamp(-10_000, 10_000) - 1,
+    ))
 }

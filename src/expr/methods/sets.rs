@@ -69,7 +69,9 @@ fn combined(interp: &mut Interp, set: &Value, args: &Args, op: BinOp) -> Eval<Se
     let mut result = (*this(set)?.snapshot()).clone();
     for other in &args.pos {
         let other = keys(interp, other)?;
-        interp.budget.items(result.len() as u128 + other.len() as u128)?;
+        interp
+            .budget
+            .items(result.len() as u128 + other.len() as u128)?;
         result = combine(op, &result, &other);
     }
     Ok(result)
@@ -86,7 +88,12 @@ fn update(interp: &mut Interp, set: &Value, args: &Args, op: BinOp) -> Eval {
     Ok(Value::None)
 }
 
-fn relation(interp: &mut Interp, set: &Value, args: &Args, holds: fn(&SetMap, &SetMap) -> bool) -> Eval {
+fn relation(
+    interp: &mut Interp,
+    set: &Value,
+    args: &Args,
+    holds: fn(&SetMap, &SetMap) -> bool,
+) -> Eval {
     let other = keys(interp, args.at(0))?;
     Ok(Value::Bool(holds(&this(set)?.snapshot(), &other)))
 }
@@ -100,7 +107,10 @@ fn add(interp: &mut Interp, set: &Value, args: &Args) -> Eval {
 
 fn copy(_: &mut Interp, set: &Value, _: &Args) -> Eval {
     let set = this(set)?;
-    Ok(Value::Set(Set::new((*set.snapshot()).clone(), set.is_frozen())))
+    Ok(Value::Set(Set::new(
+        (*set.snapshot()).clone(),
+        set.is_frozen(),
+    )))
 }
 
 fn remove(_: &mut Interp, set: &Value, args: &Args) -> Eval {

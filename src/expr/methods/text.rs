@@ -1,8 +1,8 @@
 //! Methods of strings: the table.
 
 use super::{
-    methods, optional, text_case as case, text_layout as layout, text_search as search, text_split as split,
-    up_to,
+    methods, optional, text_case as case, text_layout as layout, text_search as search,
+    text_split as split, up_to,
 };
 use crate::args::Arity::{Any, One, Zero};
 use crate::builtins::Function;

@@ -10,7 +10,9 @@ use crate::value::Value;
 /// Apply a mapping that may at most triple the text.
 pub(super) fn mapped(interp: &mut Interp, text: &Value, map: fn(&str) -> String) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
-    interp.budget.text(text.len() as u128 * if text.is_ascii() { 1 } else { 3 })?;
+    interp
+        .budget
+        .text(text.len() as u128 * if text.is_ascii() { 1 } else { 3 })?;
     Ok(Value::from(map(text)))
 }
 
@@ -62,7 +64,9 @@ fn to_title(c: char) -> String {
 
 pub(super) fn capitalize(text: &str) -> String {
     let mut chars = text.chars();
-    let Some(first) = chars.next() else { return String::new() };
+    let Some(first) = chars.next() else {
+        return String::new();
+    };
     // The whole text is lowered so that a final sigma is seen in its place.
     let lowered = text.to_lowercase();
     let skip: usize = first.to_lowercase().map(char::len_utf8).sum();
@@ -92,7 +96,11 @@ pub(super) fn title(text: &str) -> String {
     let mut chars = text.chars().peekable();
     while let Some(c) = chars.next() {
         if inside && c == 'Σ' {
-            out.push(if chars.peek().is_some_and(|&next| is_cased(next)) { 'σ' } else { 'ς' });
+            out.push(if chars.peek().is_some_and(|&next| is_cased(next)) {
+                'σ'
+            } else {
+                'ς'
+            });
         } else if inside {
             out.extend(c.to_lowercase());
         } else {
@@ -137,9 +145,15 @@ pub(super) fn all(text: &Value, class: impl Fn(char) -> bool) -> Eval {
 }
 
 /// Whether there is a letter of the case and none of the other.
-pub(super) fn uniform(text: &Value, is: impl Fn(char) -> bool, other: impl Fn(char) -> bool) -> Eval {
+pub(super) fn uniform(
+    text: &Value,
+    is: impl Fn(char) -> bool,
+    other: impl Fn(char) -> bool,
+) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
-    Ok(Value::Bool(text.chars().any(is) && !text.chars().any(other)))
+    Ok(Value::Bool(
+        text.chars().any(is) && !text.chars().any(other),
+    ))
 }
 
 /// Letters. (The property used also covers letter-like numbers, taken out here, and vowel signs of some scripts.)

@@ -21,7 +21,9 @@ pub(super) enum Side {
 fn missing(interp: &mut Interp, text: &str, width: &Value, unit: usize) -> Eval<u64> {
     let width = index_sized(width)?;
     let missing = width.saturating_sub(text.chars().count() as i128).max(0);
-    interp.budget.text(text.len() as u128 + missing.unsigned_abs() * unit as u128)?;
+    interp
+        .budget
+        .text(text.len() as u128 + missing.unsigned_abs() * unit as u128)?;
     Ok(u64::try_from(missing).unwrap_or(0))
 }
 
@@ -33,11 +35,15 @@ pub(super) fn pad(interp: &mut Interp, text: &Value, args: &Args, side: Side) ->
         None => " ",
         Some(Value::Str(fill)) if fill.chars().count() == 1 => fill,
         Some(Value::Str(_)) => {
-            return Err(Stop::typ("The fill character must be exactly one character long"));
+            return Err(Stop::typ(
+                "The fill character must be exactly one character long",
+            ));
         }
         Some(other) => {
             let kind = other.type_name();
-            return Err(Stop::typ(format!("The fill character must be a unicode character, not {kind}")));
+            return Err(Stop::typ(format!(
+                "The fill character must be a unicode character, not {kind}"
+            )));
         }
     };
     let missing = missing(interp, text, args.at(0), fill.len())?;
@@ -82,9 +88,17 @@ pub(super) fn strip(text: &Value, args: &Args, name: &str) -> Eval {
 /// `removeprefix`, `removesuffix`
 pub(super) fn remove(text: &Value, args: &Args, prefix: bool) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
-    let name = if prefix { "removeprefix() argument" } else { "removesuffix() argument" };
+    let name = if prefix {
+        "removeprefix() argument"
+    } else {
+        "removesuffix() argument"
+    };
     let part = string(args.at(0), name)?;
-    let rest = if prefix { text.strip_prefix(part) } else { text.strip_suffix(part) };
+    let rest = if prefix {
+        text.strip_prefix(part)
+    } else {
+        text.strip_suffix(part)
+    };
     Ok(Value::from(rest.unwrap_or(text)))
 }
 
@@ -93,7 +107,9 @@ pub(super) fn expand_tabs(interp: &mut Interp, text: &Value, args: &Args) -> Eva
     let size = args.get(0).map_or(Ok(8), integer)?;
     let size = usize::try_from(size.max(0)).unwrap_or(usize::MAX);
     let tabs = text.bytes().filter(|&b| b == b'\t').count();
-    interp.budget.text(text.len() as u128 + tabs as u128 * size as u128)?;
+    interp
+        .budget
+        .text(text.len() as u128 + tabs as u128 * size as u128)?;
     let mut out = String::with_capacity(text.len());
     let mut column = 0;
     for c in text.chars() {
@@ -106,7 +122,11 @@ pub(super) fn expand_tabs(interp: &mut Interp, text: &Value, args: &Args) -> Eva
             }
             c => {
                 out.push(c);
-                column = if matches!(c, '\n' | '\r') { 0 } else { column + 1 };
+                column = if matches!(c, '\n' | '\r') {
+                    0
+                } else {
+                    column + 1
+                };
             }
         }
     }
@@ -119,7 +139,9 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
     let mut map = DictMap::default();
     if args.len() == 1 {
         let Value::Dict(dict) = args.at(0) else {
-            return Err(Stop::typ("if you give only one argument to maketrans it must be a dict"));
+            return Err(Stop::typ(
+                "if you give only one argument to maketrans it must be a dict",
+            ));
         };
         for (key, value) in dict.entries() {
             let key = match &key {
@@ -127,23 +149,37 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
                     let mut chars = text.chars();
                     match (chars.next(), chars.next()) {
                         (Some(c), None) => code(c)?,
-                        _ => return Err(Stop::value("string keys in translate table must be of length 1")),
+                        _ => {
+                            return Err(Stop::value(
+                                "string keys in translate table must be of length 1",
+                            ));
+                        }
                     }
                 }
                 Value::Int(_) | Value::Bool(_) | Value::Big(_) => Key::new(key)?,
-                _ => return Err(Stop::typ("keys in translate table must be strings or integers")),
+                _ => {
+                    return Err(Stop::typ(
+                        "keys in translate table must be strings or integers",
+                    ));
+                }
             };
             map.insert(key, value);
         }
         return Ok(Value::Dict(Dict::new(map, false)));
     }
     let to = string(args.at(1), "maketrans() argument 2")?;
-    let gone = args.get(2).map_or(Ok(""), |gone| string(gone, "maketrans() argument 3"))?;
+    let gone = args
+        .get(2)
+        .map_or(Ok(""), |gone| string(gone, "maketrans() argument 3"))?;
     let Value::Str(from) = args.at(0) else {
-        return Err(Stop::typ("first maketrans argument must be a string if there is a second argument"));
+        return Err(Stop::typ(
+            "first maketrans argument must be a string if there is a second argument",
+        ));
     };
     if from.chars().count() != to.chars().count() {
-        return Err(Stop::value("the first two maketrans arguments must have equal length"));
+        return Err(Stop::value(
+            "the first two maketrans arguments must have equal length",
+        ));
     }
     for (a, b) in from.chars().zip(to.chars()) {
         map.insert(code(a)?, Value::Int(i64::from(u32::from(b))));
@@ -177,7 +213,11 @@ pub(super) fn translate(interp: &mut Interp, text: &Value, args: &Args) -> Eval 
                 None => return Err(Stop::value("character mapping must be in range(0x110000)")),
             },
             Value::Unknown => return Err(Stop::Unknown),
-            _ => return Err(Stop::typ("character mapping must return integer, None or str")),
+            _ => {
+                return Err(Stop::typ(
+                    "character mapping must return integer, None or str",
+                ));
+            }
         }
     }
     Ok(Value::from(out))

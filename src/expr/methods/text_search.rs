@@ -18,11 +18,17 @@ fn byte_offset(text: &str, chars: usize) -> usize {
     if text.is_ascii() {
         return chars.min(text.len());
     }
-    text.char_indices().nth(chars).map_or(text.len(), |(at, _)| at)
+    text.char_indices()
+        .nth(chars)
+        .map_or(text.len(), |(at, _)| at)
 }
 
 /// None if the indices leave nothing, not even room for an empty string.
-fn window<'a>(text: &'a str, start: Option<&Value>, end: Option<&Value>) -> Eval<Option<Window<'a>>> {
+fn window<'a>(
+    text: &'a str,
+    start: Option<&Value>,
+    end: Option<&Value>,
+) -> Eval<Option<Window<'a>>> {
     if start.is_none() && end.is_none() {
         return Ok(Some(Window { text, first: 0 }));
     }
@@ -32,20 +38,28 @@ fn window<'a>(text: &'a str, start: Option<&Value>, end: Option<&Value>) -> Eval
     if first > last {
         return Ok(None);
     }
-    let part = text.get(byte_offset(text, first)..byte_offset(text, last)).unwrap_or("");
+    let part = text
+        .get(byte_offset(text, first)..byte_offset(text, last))
+        .unwrap_or("");
     Ok(Some(Window { text: part, first }))
 }
 
 /// One to three arguments, none by name.
 fn check_args(args: &Args, name: &str) -> Eval<()> {
     if let [_, ..] = args.named.as_slice() {
-        return Err(Stop::typ(format!("str.{name}() takes no keyword arguments")));
+        return Err(Stop::typ(format!(
+            "str.{name}() takes no keyword arguments"
+        )));
     }
     let given = args.len();
     match given {
-        0 => Err(Stop::typ(format!("{name}() takes at least 1 argument (0 given)"))),
+        0 => Err(Stop::typ(format!(
+            "{name}() takes at least 1 argument (0 given)"
+        ))),
         1..=3 => Ok(()),
-        _ => Err(Stop::typ(format!("{name}() takes at most 3 arguments ({given} given)"))),
+        _ => Err(Stop::typ(format!(
+            "{name}() takes at most 3 arguments ({given} given)"
+        ))),
     }
 }
 
@@ -57,7 +71,11 @@ pub(super) fn find(interp: &mut Interp, text: &Value, args: &Args, name: &str) -
     let part = string(args.at(0), "")?;
     interp.budget.steps(text.len() as u64 / 256)?;
     let place = window.and_then(|window| {
-        let at = if name.starts_with('r') { window.text.rfind(part) } else { window.text.find(part) }?;
+        let at = if name.starts_with('r') {
+            window.text.rfind(part)
+        } else {
+            window.text.find(part)
+        }?;
         Some(window.first + window.text.get(..at)?.chars().count())
     });
     match place {
@@ -87,7 +105,13 @@ pub(super) fn at_end(text: &Value, args: &Args, start: bool) -> Eval {
     check_args(args, name)?;
     let window = window(text, args.get(1), args.get(2))?;
     let matches = |part: &str| {
-        window.as_ref().is_some_and(|w| if start { w.text.starts_with(part) } else { w.text.ends_with(part) })
+        window.as_ref().is_some_and(|w| {
+            if start {
+                w.text.starts_with(part)
+            } else {
+                w.text.ends_with(part)
+            }
+        })
     };
     match args.at(0) {
         Value::Str(part) => Ok(Value::Bool(matches(part))),
@@ -95,7 +119,9 @@ pub(super) fn at_end(text: &Value, args: &Args, start: bool) -> Eval {
             for part in parts.items() {
                 let Value::Str(part) = part.clone().known()? else {
                     let kind = part.type_name();
-                    return Err(Stop::typ(format!("tuple for {name} must only contain str, not {kind}")));
+                    return Err(Stop::typ(format!(
+                        "tuple for {name} must only contain str, not {kind}"
+                    )));
                 };
                 if matches(&part) {
                     return Ok(Value::Bool(true));
@@ -105,7 +131,9 @@ pub(super) fn at_end(text: &Value, args: &Args, start: bool) -> Eval {
         }
         other => {
             let kind = other.type_name();
-            Err(Stop::typ(format!("{name} first arg must be str or a tuple of str, not {kind}")))
+            Err(Stop::typ(format!(
+                "{name} first arg must be str or a tuple of str, not {kind}"
+            )))
         }
     }
 }
@@ -117,7 +145,11 @@ pub(super) fn replace(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     let limit = args.get(2).map_or(Ok(-1), index_sized)?;
     let limit = usize::try_from(limit).unwrap_or(usize::MAX);
     interp.budget.steps(text.len() as u64 / 64)?;
-    let found = if old.is_empty() { text.chars().count() + 1 } else { text.matches(old).count() };
+    let found = if old.is_empty() {
+        text.chars().count() + 1
+    } else {
+        text.matches(old).count()
+    };
     let grown = found.min(limit) as u128 * (new.len() as u128).saturating_sub(old.len() as u128);
     interp.budget.text(text.len() as u128 + grown)?;
     Ok(Value::Str(Str::from(text.replacen(old, new, limit))))

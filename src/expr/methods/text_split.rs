@@ -15,7 +15,9 @@ pub(super) fn split(interp: &mut Interp, text: &Value, args: &Args, from_right: 
     let limit = usize::try_from(limit).unwrap_or(usize::MAX);
     let separator = match args.get(0) {
         None | Some(Value::None) => None,
-        Some(Value::Str(separator)) if separator.is_empty() => return Err(Stop::value("empty separator")),
+        Some(Value::Str(separator)) if separator.is_empty() => {
+            return Err(Stop::value("empty separator"));
+        }
         Some(Value::Str(separator)) => Some(separator.as_str()),
         Some(other) => {
             let kind = other.type_name();
@@ -27,7 +29,10 @@ pub(super) fn split(interp: &mut Interp, text: &Value, args: &Args, from_right: 
         Some(separator) => text.len() / separator.len() + 1,
         None => text.len() / 2 + 1,
     };
-    interp.budget.clone().items(most.min(limit.saturating_add(1)) as u128)?;
+    interp
+        .budget
+        .clone()
+        .items(most.min(limit.saturating_add(1)) as u128)?;
     let pieces: Vec<&str> = match (separator, from_right) {
         (Some(separator), false) => text.splitn(limit.saturating_add(1), separator).collect(),
         (Some(separator), true) => {
@@ -78,7 +83,10 @@ fn words_from_right(text: &str, limit: usize) -> Vec<&str> {
 
 /// The line ends of `str.splitlines`.
 fn is_line_end(c: char) -> bool {
-    matches!(c, '\n' | '\r' | '\x0b' | '\x0c' | '\x1c'..='\x1e' | '\u{85}' | '\u{2028}' | '\u{2029}')
+    matches!(
+        c,
+        '\n' | '\r' | '\x0b' | '\x0c' | '\x1c'..='\x1e' | '\u{85}' | '\u{2028}' | '\u{2029}'
+    )
 }
 
 pub(super) fn lines(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
@@ -89,10 +97,16 @@ pub(super) fn lines(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     while !rest.is_empty() {
         let end = rest.find(is_line_end).unwrap_or(rest.len());
         let after = rest.get(end..).unwrap_or("");
-        let width =
-            if after.starts_with("\r\n") { 2 } else { after.chars().next().map_or(0, char::len_utf8) };
+        let width = if after.starts_with("\r\n") {
+            2
+        } else {
+            after.chars().next().map_or(0, char::len_utf8)
+        };
         interp.budget.items(1)?;
-        lines.push(Value::from(rest.get(..if keep { end + width } else { end }).unwrap_or("")));
+        lines.push(Value::from(
+            rest.get(..if keep { end + width } else { end })
+                .unwrap_or(""),
+        ));
         rest = rest.get(end + width..).unwrap_or("");
     }
     Ok(Value::list(lines))
@@ -105,7 +119,11 @@ pub(super) fn partition(text: &Value, args: &Args, from_right: bool) -> Eval {
     if separator.is_empty() {
         return Err(Stop::value("empty separator"));
     }
-    let found = if from_right { text.rsplit_once(separator) } else { text.split_once(separator) };
+    let found = if from_right {
+        text.rsplit_once(separator)
+    } else {
+        text.split_once(separator)
+    };
     let parts = match found {
         Some((before, after)) => [before, separator, after],
         None if from_right => ["", "", text],
@@ -133,7 +151,9 @@ pub(super) fn join(interp: &mut Interp, separator: &Value, args: &Args) -> Eval 
             Value::Unknown => return Err(Stop::Unknown),
             other => {
                 let kind = other.type_name();
-                return Err(Stop::typ(format!("sequence item {i}: expected str instance, {kind} found")));
+                return Err(Stop::typ(format!(
+                    "sequence item {i}: expected str instance, {kind} found"
+                )));
             }
         }
     }

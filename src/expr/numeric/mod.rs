@@ -103,7 +103,11 @@ impl<'a> Num<'a> {
 
 /// A big integer against any that fits an `i64`: its sign decides.
 fn sign_order(big: &BigInt) -> Ordering {
-    if big.is_negative() { Ordering::Less } else { Ordering::Greater }
+    if big.is_negative() {
+        Ordering::Less
+    } else {
+        Ordering::Greater
+    }
 }
 
 fn compare_int_float(int: i64, float: f64) -> Option<Ordering> {
@@ -127,7 +131,11 @@ fn compare_big_float(big: &BigInt, float: f64) -> Option<Ordering> {
         return None;
     }
     if float.is_infinite() {
-        return Some(if float > 0.0 { Ordering::Less } else { Ordering::Greater });
+        return Some(if float > 0.0 {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        });
     }
     // A fraction cannot tip the balance: floats of this size are whole numbers.
     Some(big.cmp(&BigInt::from_f64(float.trunc())?))
@@ -165,6 +173,10 @@ pub(crate) fn decode(f: f64) -> (u64, i32, bool) {
     let bits = f.to_bits();
     let field = i32::try_from((bits >> 52) & 0x7ff).unwrap_or(0);
     let fraction = bits & ((1 << 52) - 1);
-    let mantissa = if field == 0 { fraction } else { fraction | (1 << 52) };
+    let mantissa = if field == 0 {
+        fraction
+    } else {
+        fraction | (1 << 52)
+    };
     (mantissa, field.max(1) - 1075, bits >> 63 == 1)
 }

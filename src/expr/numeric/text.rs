@@ -94,11 +94,22 @@ pub(crate) use crate::syntax::is_python_space as is_space;
 fn ascii_number(text: &str) -> Option<Cow<'_, str>> {
     if text.is_ascii() {
         // The separators \x1c to \x1f are blanks only in texts that need translation.
-        return Some(Cow::Borrowed(text.trim_matches([' ', '\t', '\n', '\x0b', '\x0c', '\r'])));
+        return Some(Cow::Borrowed(
+            text.trim_matches([' ', '\t', '\n', '\x0b', '\x0c', '\r']),
+        ));
     }
     let text = text.trim_matches(is_space);
-    let digit = |c: char| if c.is_ascii() { Some(c) } else { char::from_digit(decimal_digit(c)?, 10) };
-    text.chars().map(digit).collect::<Option<String>>().map(Cow::Owned)
+    let digit = |c: char| {
+        if c.is_ascii() {
+            Some(c)
+        } else {
+            char::from_digit(decimal_digit(c)?, 10)
+        }
+    };
+    text.chars()
+        .map(digit)
+        .collect::<Option<String>>()
+        .map(Cow::Owned)
 }
 
 /// Underscores removed, if each stands between two digits of `radix`.
@@ -111,7 +122,10 @@ fn without_underscores(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<Cow<
         let before = i.checked_sub(1).and_then(|i| bytes.get(i));
         before.is_some_and(|&b| is_digit(b)) && bytes.get(i + 1).is_some_and(|&b| is_digit(b))
     };
-    let fine = bytes.iter().enumerate().all(|(i, &b)| b != b'_' || between(i));
+    let fine = bytes
+        .iter()
+        .enumerate()
+        .all(|(i, &b)| b != b'_' || between(i));
     fine.then(|| Cow::Owned(text.replace('_', "")))
 }
 
@@ -124,16 +138,22 @@ pub(crate) enum ParsedInt {
 
 /// `int(text, base)`; base 0 guesses from a prefix.
 pub(crate) fn parse_int(text: &str, base: u32) -> ParsedInt {
-    let Some(text) = ascii_number(text) else { return ParsedInt::Invalid };
+    let Some(text) = ascii_number(text) else {
+        return ParsedInt::Invalid;
+    };
     let (negative, digits) = match text.as_bytes().first() {
         Some(b'-') => (true, text.get(1..)),
         Some(b'+') => (false, text.get(1..)),
         _ => (false, Some(&*text)),
     };
     let digits = digits.unwrap_or("");
-    let Some((base, digits)) = strip_prefix(digits, base) else { return ParsedInt::Invalid };
+    let Some((base, digits)) = strip_prefix(digits, base) else {
+        return ParsedInt::Invalid;
+    };
     let is_digit = |b: u8| char::from(b).is_digit(base);
-    let Some(digits) = without_underscores(digits, is_digit) else { return ParsedInt::Invalid };
+    let Some(digits) = without_underscores(digits, is_digit) else {
+        return ParsedInt::Invalid;
+    };
     if digits.is_empty() || !digits.bytes().all(is_digit) {
         return ParsedInt::Invalid;
     }
@@ -175,8 +195,16 @@ pub(crate) fn parse_float(text: &str) -> Option<f64> {
     let text = ascii_number(text)?;
     let text = without_underscores(&text, |b| b.is_ascii_digit())?;
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(&text);
-    let named = ["inf", "infinity", "nan"].iter().any(|word| unsigned.eq_ignore_ascii_case(word));
+    let named = ["inf", "infinity", "nan"]
+        .iter()
+        .any(|word| unsigned.eq_ignore_ascii_case(word));
     let plain = unsigned.starts_with(|c: char| c.is_ascii_digit() || c == '.')
-        && unsigned.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'));
-    if named || plain { text.parse().ok() } else { None }
+        && unsigned
+            .bytes()
+            .all(|b| b.is_ascii_digit() || matches!(b, b'.' | b'e' | b'E' | b'+' | b'-'));
+    if named || plain {
+        text.parse().ok()
+    } else {
+        None
+    }
 }

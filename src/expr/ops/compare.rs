@@ -39,19 +39,26 @@ pub(crate) fn equal(interp: &mut Interp, a: &Value, b: &Value) -> Eval<bool> {
                 return Ok(false);
             }
             for (key, value) in x.iter() {
-                let Some(other) = y.get(key) else { return Ok(false) };
+                let Some(other) = y.get(key) else {
+                    return Ok(false);
+                };
                 if !identical_or_equal(interp, value, other)? {
                     return Ok(false);
                 }
             }
             Ok(true)
         }
-        (Value::Module(_) | Value::Scope(_), Value::Module(_) | Value::Scope(_) | Value::Dict(_))
+        (
+            Value::Module(_) | Value::Scope(_),
+            Value::Module(_) | Value::Scope(_) | Value::Dict(_),
+        )
         | (Value::Dict(_), Value::Module(_) | Value::Scope(_))
             if !a.same(b) =>
         {
             let both = (interp.mapping(a)?, interp.mapping(b)?);
-            let (Some(x), Some(y)) = both else { return Ok(false) };
+            let (Some(x), Some(y)) = both else {
+                return Ok(false);
+            };
             equal(interp, &Value::Dict(x), &Value::Dict(y))
         }
         (Value::Slice(x), Value::Slice(y)) => {
@@ -101,7 +108,9 @@ pub(crate) fn identical_or_equal(interp: &mut Interp, a: &Value, b: &Value) -> E
     if a.same(b) {
         return Ok(true);
     }
-    interp.down().map_err(|_| Stop::recursion(" in comparison"))?;
+    interp
+        .down()
+        .map_err(|_| Stop::recursion(" in comparison"))?;
     let result = equal(interp, a, b);
     interp.up();
     result
@@ -131,7 +140,9 @@ fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
     interp.budget.step()?;
     let unordered = || {
         let (symbol, a, b) = (symbol(op), a.type_name(), b.type_name());
-        Stop::typ(format!("'{symbol}' not supported between instances of '{a}' and '{b}'"))
+        Stop::typ(format!(
+            "'{symbol}' not supported between instances of '{a}' and '{b}'"
+        ))
     };
     let order = match (a, b) {
         (Value::Unknown, _) | (_, Value::Unknown) => return Err(Stop::Unknown),
@@ -142,8 +153,12 @@ fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
         (Value::List(x), Value::List(y)) if y.is_yaml() && !x.is_yaml() => {
             return ordered_items(interp, reflected(op), &y.snapshot(), &x.snapshot());
         }
-        (Value::List(x), Value::List(y)) => return ordered_items(interp, op, &x.snapshot(), &y.snapshot()),
-        (Value::Tuple(x), Value::Tuple(y)) => return ordered_items(interp, op, x.items(), y.items()),
+        (Value::List(x), Value::List(y)) => {
+            return ordered_items(interp, op, &x.snapshot(), &y.snapshot());
+        }
+        (Value::Tuple(x), Value::Tuple(y)) => {
+            return ordered_items(interp, op, x.items(), y.items());
+        }
         (Value::Date(x), Value::Date(y)) => return ordered_dates(op, x, y),
         _ => match (Num::of(a), Num::of(b)) {
             (Some(x), Some(y)) => x.compare(y),
@@ -164,12 +179,20 @@ fn reflected(op: CmpOp) -> CmpOp {
     }
 }
 
-fn ordered_dates(op: CmpOp, x: &crate::value::DateValue, y: &crate::value::DateValue) -> Eval<bool> {
+fn ordered_dates(
+    op: CmpOp,
+    x: &crate::value::DateValue,
+    y: &crate::value::DateValue,
+) -> Eval<bool> {
     if x.time.is_some() != y.time.is_some() {
-        return Err(Stop::typ("can't compare datetime.datetime to datetime.date"));
+        return Err(Stop::typ(
+            "can't compare datetime.datetime to datetime.date",
+        ));
     }
     if x.utc_offset.is_some() != y.utc_offset.is_some() {
-        return Err(Stop::typ("can't compare offset-naive and offset-aware datetimes"));
+        return Err(Stop::typ(
+            "can't compare offset-naive and offset-aware datetimes",
+        ));
     }
     Ok(holds(op, Some(x.instant().cmp(&y.instant()))))
 }
@@ -178,7 +201,9 @@ fn ordered_dates(op: CmpOp, x: &crate::value::DateValue, y: &crate::value::DateV
 fn ordered_items(interp: &mut Interp, op: CmpOp, x: &[Value], y: &[Value]) -> Eval<bool> {
     for (x, y) in x.iter().zip(y) {
         if !identical_or_equal(interp, x, y)? {
-            interp.down().map_err(|_| Stop::recursion(" in comparison"))?;
+            interp
+                .down()
+                .map_err(|_| Stop::recursion(" in comparison"))?;
             let result = ordered(interp, op, x, y);
             interp.up();
             return result;
@@ -217,7 +242,9 @@ pub(crate) fn contains(interp: &mut Interp, container: &Value, item: &Value) -> 
             }
             other => {
                 let kind = other.type_name();
-                Err(Stop::typ(format!("'in <string>' requires string as left operand, not {kind}")))
+                Err(Stop::typ(format!(
+                    "'in <string>' requires string as left operand, not {kind}"
+                )))
             }
         },
         Value::Bytes(bytes) => bytes_contain(bytes, item),
@@ -244,7 +271,10 @@ fn contains_item(interp: &mut Interp, container: &Value, item: &Value) -> Eval<b
         }
         other => interp.iter(other).map_err(|stop| match stop {
             Stop::Unknown => Stop::Unknown,
-            _ => Stop::typ(format!("argument of type '{}' is not iterable", other.type_name())),
+            _ => Stop::typ(format!(
+                "argument of type '{}' is not iterable",
+                other.type_name()
+            )),
         })?,
     };
     while let Some(candidate) = interp.next(&mut cursor)? {
@@ -260,8 +290,12 @@ fn bytes_contain(bytes: &[u8], item: &Value) -> Eval<bool> {
         Value::Bytes(part) => Ok(part.is_empty() || memchr::memmem::find(bytes, part).is_some()),
         Value::Int(_) | Value::Bool(_) => {
             let byte = super::as_index(item).and_then(|n| u8::try_from(n).ok());
-            byte.map(|byte| bytes.contains(&byte)).ok_or_else(|| Stop::value("byte must be in range(0, 256)"))
+            byte.map(|byte| bytes.contains(&byte))
+                .ok_or_else(|| Stop::value("byte must be in range(0, 256)"))
         }
-        other => Err(Stop::typ(format!("a bytes-like object is required, not '{}'", other.type_name()))),
+        other => Err(Stop::typ(format!(
+            "a bytes-like object is required, not '{}'",
+            other.type_name()
+        ))),
     }
 }

@@ -35,12 +35,20 @@ pub(super) fn fast(op: BinOp, a: i64, b: i64) -> Option<Value> {
 
 fn floor_div(a: i64, b: i64) -> Option<i64> {
     let (quotient, rest) = (a.checked_div(b)?, a.checked_rem(b)?);
-    Some(if rest != 0 && (rest < 0) != (b < 0) { quotient - 1 } else { quotient })
+    Some(if rest != 0 && (rest < 0) != (b < 0) {
+        quotient - 1
+    } else {
+        quotient
+    })
 }
 
 fn floor_mod(a: i64, b: i64) -> Option<i64> {
     let rest = a.checked_rem(b)?;
-    Some(if rest != 0 && (rest < 0) != (b < 0) { rest + b } else { rest })
+    Some(if rest != 0 && (rest < 0) != (b < 0) {
+        rest + b
+    } else {
+        rest
+    })
 }
 
 /// Quotient rounded down and the rest with the divisor's sign.
@@ -54,7 +62,12 @@ pub(crate) fn div_mod(a: &BigInt, b: &BigInt) -> (BigInt, BigInt) {
 }
 
 /// All operators on integers of any size; none if the operator does not apply.
-pub(super) fn binary(interp: &mut Interp, op: BinOp, a: &BigInt, b: &BigInt) -> Eval<Option<Value>> {
+pub(super) fn binary(
+    interp: &mut Interp,
+    op: BinOp,
+    a: &BigInt,
+    b: &BigInt,
+) -> Eval<Option<Value>> {
     let bits = u128::from(a.bits().max(b.bits()));
     let value = match op {
         BinOp::Add | BinOp::Sub => {
@@ -94,12 +107,16 @@ fn charge_multiplication(interp: &mut Interp, bits: u64, other_bits: u64) -> Eva
 
 /// The time a division of such numbers takes.
 fn charge_division(interp: &mut Interp, a: &BigInt, b: &BigInt) -> Eval<()> {
-    interp.budget.steps((a.bits() / 64 + 1).saturating_mul(b.bits() / 64 + 1) / 32)
+    interp
+        .budget
+        .steps((a.bits() / 64 + 1).saturating_mul(b.bits() / 64 + 1) / 32)
 }
 
 /// `a * b` within the limits.
 pub(crate) fn multiply(interp: &mut Interp, a: &BigInt, b: &BigInt) -> Eval<BigInt> {
-    interp.budget.int_bits(u128::from(a.bits()) + u128::from(b.bits()))?;
+    interp
+        .budget
+        .int_bits(u128::from(a.bits()) + u128::from(b.bits()))?;
     charge_multiplication(interp, a.bits(), b.bits())?;
     Ok(a * b)
 }
@@ -120,7 +137,9 @@ pub(crate) fn power(interp: &mut Interp, a: &BigInt, b: &BigInt) -> Eval {
     }
     let exponent = b.to_u64().map_or(u128::MAX >> 64, u128::from);
     // a has at least bits-1 binary digits, so this never refuses a result within the limit.
-    interp.budget.int_bits((u128::from(a.bits()) - 1) * exponent)?;
+    interp
+        .budget
+        .int_bits((u128::from(a.bits()) - 1) * exponent)?;
     let exponent = u32::try_from(exponent).unwrap_or(u32::MAX);
     let bits = a.bits() * u64::from(exponent);
     charge_multiplication(interp, bits, bits)?;
@@ -141,7 +160,9 @@ fn shift(interp: &mut Interp, op: BinOp, a: &BigInt, b: &BigInt) -> Eval {
         return Ok(Value::Int(0));
     }
     let count = b.to_u64().unwrap_or(u64::MAX);
-    interp.budget.int_bits(u128::from(a.bits()) + u128::from(count))?;
+    interp
+        .budget
+        .int_bits(u128::from(a.bits()) + u128::from(count))?;
     Ok(Value::int(a << count))
 }
 
@@ -155,11 +176,16 @@ pub(crate) fn true_divide(interp: &mut Interp, a: &BigInt, b: &BigInt) -> Eval<f
     }
     charge_division(interp, a, b)?;
     let too_large = || Stop::overflow("integer division result too large for a float");
-    let scale = i64::try_from(a.bits()).unwrap_or(i64::MAX) - i64::try_from(b.bits()).unwrap_or(i64::MAX);
+    let scale =
+        i64::try_from(a.bits()).unwrap_or(i64::MAX) - i64::try_from(b.bits()).unwrap_or(i64::MAX);
     if scale > 1025 {
         return Err(too_large());
     }
-    let magnitude = if scale < -1100 { 0.0 } else { quotient(a, b, scale) };
+    let magnitude = if scale < -1100 {
+        0.0
+    } else {
+        quotient(a, b, scale)
+    };
     if magnitude.is_infinite() {
         return Err(too_large());
     }
@@ -197,7 +223,11 @@ pub(crate) fn scale_by(mantissa: u64, exponent: i64) -> f64 {
         return 0.0;
     }
     let kept = if drop == 64 { 0 } else { mantissa >> drop };
-    let rest = if drop == 64 { mantissa } else { mantissa & ((1 << drop) - 1) };
+    let rest = if drop == 64 {
+        mantissa
+    } else {
+        mantissa & ((1 << drop) - 1)
+    };
     let half = 1u64 << (drop - 1);
     let up = rest > half || (rest == half && kept & 1 == 1);
     times_power_of_two((kept + u64::from(up)) as f64, lowest)

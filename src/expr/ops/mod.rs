@@ -66,7 +66,12 @@ fn numeric(interp: &mut Interp, op: BinOp, x: Num<'_>, y: Num<'_>) -> Eval<Optio
     }
     if matches!(
         op,
-        BinOp::MatMul | BinOp::LShift | BinOp::RShift | BinOp::BitAnd | BinOp::BitOr | BinOp::BitXor
+        BinOp::MatMul
+            | BinOp::LShift
+            | BinOp::RShift
+            | BinOp::BitAnd
+            | BinOp::BitOr
+            | BinOp::BitXor
     ) {
         return Ok(None);
     }
@@ -85,7 +90,11 @@ fn numeric(interp: &mut Interp, op: BinOp, x: Num<'_>, y: Num<'_>) -> Eval<Optio
 fn union(interp: &mut Interp, a: &Value, b: &Value) -> Eval {
     if let (Value::Dict(x), Value::Dict(y)) = (a, b) {
         let mut map = (*x.snapshot()).clone();
-        map.extend(y.snapshot().iter().map(|(key, value)| (key.clone(), value.clone())));
+        map.extend(
+            y.snapshot()
+                .iter()
+                .map(|(key, value)| (key.clone(), value.clone())),
+        );
         return Ok(Value::Dict(Dict::new(map, false)));
     }
     sets::binary(interp, BinOp::BitOr, a, b).unwrap_or_else(|| Err(unsupported(BinOp::BitOr, a, b)))
@@ -117,7 +126,9 @@ pub(crate) fn unsupported(op: BinOp, a: &Value, b: &Value) -> Stop {
 /// The same with another name for the operator.
 pub(crate) fn unsupported_as(symbol: &str, a: &Value, b: &Value) -> Stop {
     let (a, b) = (a.type_name(), b.type_name());
-    Stop::typ(format!("unsupported operand type(s) for {symbol}: '{a}' and '{b}'"))
+    Stop::typ(format!(
+        "unsupported operand type(s) for {symbol}: '{a}' and '{b}'"
+    ))
 }
 
 /// `-a`, `+a`, `~a`
@@ -131,7 +142,12 @@ pub(crate) fn unary(op: UnaryOp, value: &Value) -> Eval {
         UnaryOp::Invert => '~',
         UnaryOp::Not => return Ok(Value::Unknown),
     };
-    let bad = || Stop::typ(format!("bad operand type for unary {symbol}: '{}'", value.type_name()));
+    let bad = || {
+        Stop::typ(format!(
+            "bad operand type for unary {symbol}: '{}'",
+            value.type_name()
+        ))
+    };
     let number = Num::of(value).ok_or_else(bad)?;
     Ok(match (op, number) {
         (UnaryOp::Neg, Num::Float(f)) => Value::Float(-f),

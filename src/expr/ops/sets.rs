@@ -16,7 +16,14 @@ pub(crate) fn elements(value: &Value) -> Option<Eval<Arc<SetMap>>> {
             ViewKind::Keys => Some(Ok(Arc::new(view.dict.snapshot().keys().cloned().collect()))),
             ViewKind::Items => {
                 let pair = |(key, value)| Key::new(Value::tuple_from([key, value]));
-                Some(view.dict.entries().into_iter().map(pair).collect::<Eval<SetMap>>().map(Arc::new))
+                Some(
+                    view.dict
+                        .entries()
+                        .into_iter()
+                        .map(pair)
+                        .collect::<Eval<SetMap>>()
+                        .map(Arc::new),
+                )
             }
         },
         _ => None,
@@ -38,7 +45,11 @@ pub(super) fn binary(interp: &mut Interp, op: BinOp, a: &Value, b: &Value) -> Op
 
 fn collected(interp: &mut Interp, value: &Value) -> Eval<Arc<SetMap>> {
     let items = interp.collect(value)?;
-    items.into_iter().map(Key::new).collect::<Eval<SetMap>>().map(Arc::new)
+    items
+        .into_iter()
+        .map(Key::new)
+        .collect::<Eval<SetMap>>()
+        .map(Arc::new)
 }
 
 /// The elements of `x op y`.

@@ -46,14 +46,22 @@ impl Parser<'_> {
             _ => return self.no_atom(),
         };
         self.bump();
-        Expr { kind, range: token.range }
+        Expr {
+            kind,
+            range: token.range,
+        }
     }
 
     fn number(&mut self, range: TextRange) -> ExprKind {
         match number::value(range.slice(self.text)) {
             Ok(value) => ExprKind::Const(value),
             Err(reference) => {
-                self.report.add(Stage::Grammar, range, "integer has too many digits", &reference);
+                self.report.add(
+                    Stage::Grammar,
+                    range,
+                    "integer has too many digits",
+                    &reference,
+                );
                 ExprKind::Missing
             }
         }
@@ -77,7 +85,10 @@ impl Parser<'_> {
                 let hole = self.token().range;
                 self.unexpected(format!("`{found}` is not allowed in an expression"));
                 self.bump();
-                Expr { kind: ExprKind::Missing, range: hole }
+                Expr {
+                    kind: ExprKind::Missing,
+                    range: hole,
+                }
             }
             _ => self.hole("a value"),
         }
@@ -88,7 +99,8 @@ impl Parser<'_> {
         let word = self.bump().range;
         let value = self.nested(Self::primary);
         let message = "`await` is not supported";
-        self.report.not_supported(Stage::Tree, word, message, "'await' outside function");
+        self.report
+            .not_supported(Stage::Tree, word, message, "'await' outside function");
         self.node(word.start, value, |value| value.kind)
     }
 
@@ -96,12 +108,16 @@ impl Parser<'_> {
     pub(super) fn yielded(&mut self, start: u32) -> Expr {
         let word = self.bump().range;
         let message = "`yield` is not supported";
-        self.report.not_supported(Stage::Tree, word, message, "'yield' outside function");
+        self.report
+            .not_supported(Stage::Tree, word, message, "'yield' outside function");
         if self.token().range.slice(self.text) == "from" {
             self.bump();
         }
         let mut values = Vec::new();
         self.items(|p| values.push(p.starred_or_named()));
-        Expr { kind: ExprKind::Tuple(values), range: self.range_from(start) }
+        Expr {
+            kind: ExprKind::Tuple(values),
+            range: self.range_from(start),
+        }
     }
 }

@@ -21,12 +21,24 @@ impl Parser<'_> {
         let mut braces = Braces::default();
         self.items(|p| p.braces_item(&mut braces));
         let range = self.range_from(start);
-        let Braces { mut pairs, items, clauses } = braces;
+        let Braces {
+            mut pairs,
+            items,
+            clauses,
+        } = braces;
         let kind = match clauses {
             Some(clauses) => match pairs.pop() {
                 Some((key, value)) => {
-                    let element = key.unwrap_or_else(|| Expr { kind: ExprKind::Missing, range: value.range });
-                    let comp = Comprehension { kind: CompKind::Dict, element, value: Some(value), clauses };
+                    let element = key.unwrap_or_else(|| Expr {
+                        kind: ExprKind::Missing,
+                        range: value.range,
+                    });
+                    let comp = Comprehension {
+                        kind: CompKind::Dict,
+                        element,
+                        value: Some(value),
+                        clauses,
+                    };
                     ExprKind::Comprehension(Arc::new(comp))
                 }
                 None => return self.comprehension_of(start, Bracket::Curly, items, clauses),
@@ -51,7 +63,11 @@ impl Parser<'_> {
                 self.operand_start = None;
                 if self.at(Tok::For) {
                     let reference = "dict unpacking cannot be used in dict comprehension";
-                    self.error(value.range, "`**` is not allowed in a comprehension", reference);
+                    self.error(
+                        value.range,
+                        "`**` is not allowed in a comprehension",
+                        reference,
+                    );
                 }
                 braces.pairs.push((None, value));
             }
@@ -78,7 +94,10 @@ impl Parser<'_> {
 
     fn first_or_set_item(&mut self, braces: &mut Braces) {
         let item = self.starred_or_named();
-        if self.at(Tok::Colon) && braces.items.is_empty() && !matches!(item.kind, ExprKind::Starred(_)) {
+        if self.at(Tok::Colon)
+            && braces.items.is_empty()
+            && !matches!(item.kind, ExprKind::Starred(_))
+        {
             self.pair(item, braces);
         } else {
             braces.items.push(item);

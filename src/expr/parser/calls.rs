@@ -31,8 +31,8 @@ impl Parser<'_> {
             Tok::Name => self.bump().range,
             _ => {
                 let word = token.range.slice(self.text);
-                let glued =
-                    token.range.start == dot_end && word.starts_with(|c: char| c.is_ascii_alphabetic());
+                let glued = token.range.start == dot_end
+                    && word.starts_with(|c: char| c.is_ascii_alphabetic());
                 if glued && !matches!(token.kind, Tok::Str | Tok::OpenStr) {
                     self.unexpected(format!("keyword `{word}` is not allowed as an attribute"));
                     self.bump().range
@@ -43,7 +43,14 @@ impl Parser<'_> {
         };
         let name = normalized(name_range.slice(self.text).trim()).into();
         let range = self.range_from(start);
-        Expr { kind: ExprKind::Attribute { value: Box::new(value), name, name_range }, range }
+        Expr {
+            kind: ExprKind::Attribute {
+                value: Box::new(value),
+                name,
+                name_range,
+            },
+            range,
+        }
     }
 
     /// `[index]`
@@ -61,12 +68,19 @@ impl Parser<'_> {
             items.push(item);
         });
         let index = match items.pop() {
-            Some(only) if !comma && items.is_empty() && !matches!(only.kind, ExprKind::Starred(_)) => only,
+            Some(only)
+                if !comma && items.is_empty() && !matches!(only.kind, ExprKind::Starred(_)) =>
+            {
+                only
+            }
             last => {
                 let end = self.items_end;
                 items.extend(last);
                 let from = items.first().map_or(open_end, |first| first.range.start);
-                Expr { kind: ExprKind::Tuple(items), range: TextRange::new(from, end) }
+                Expr {
+                    kind: ExprKind::Tuple(items),
+                    range: TextRange::new(from, end),
+                }
             }
         };
         self.indexed(start, value, index)
@@ -75,12 +89,22 @@ impl Parser<'_> {
     /// CPython's text for brackets that are no index: within others it takes them for a list.
     /// `own` is 1 while the level counts these brackets themselves.
     fn no_index(&self, own: u32) -> &'static str {
-        if self.level > own { "invalid syntax. Perhaps you forgot a comma?" } else { "invalid syntax" }
+        if self.level > own {
+            "invalid syntax. Perhaps you forgot a comma?"
+        } else {
+            "invalid syntax"
+        }
     }
 
     fn indexed(&self, start: u32, value: Expr, index: Expr) -> Expr {
-        let kind = ExprKind::Subscript { value: Box::new(value), index: Box::new(index) };
-        Expr { kind, range: self.range_from(start) }
+        let kind = ExprKind::Subscript {
+            value: Box::new(value),
+            index: Box::new(index),
+        };
+        Expr {
+            kind,
+            range: self.range_from(start),
+        }
     }
 
     /// A slice, or one index.
@@ -99,29 +123,49 @@ impl Parser<'_> {
         let clauses = self.clauses();
         self.operand_start = None;
         self.reword_unclosed(error);
-        self.comprehension_of(start.min(item.range.start), Bracket::Round, vec![item], clauses)
+        self.comprehension_of(
+            start.min(item.range.start),
+            Bracket::Round,
+            vec![item],
+            clauses,
+        )
     }
 
     fn slice_or_index(&mut self, start: u32) -> Expr {
-        let lower = if self.at(Tok::Colon) { None } else { Some(self.starred_or_named()) };
+        let lower = if self.at(Tok::Colon) {
+            None
+        } else {
+            Some(self.starred_or_named())
+        };
         if !self.at(Tok::Colon) {
             return lower.unwrap_or_else(|| self.missing());
         }
-        if matches!(lower.as_ref().map(|l| &l.kind), Some(ExprKind::NamedExpr { .. } | ExprKind::Starred(_)))
-        {
+        if matches!(
+            lower.as_ref().map(|l| &l.kind),
+            Some(ExprKind::NamedExpr { .. } | ExprKind::Starred(_))
+        ) {
             self.unexpected("`:=` and `*` are not allowed before `:`");
         }
-        let start = lower.as_ref().map_or(start, |lower| start.min(lower.range.start));
+        let start = lower
+            .as_ref()
+            .map_or(start, |lower| start.min(lower.range.start));
         self.bump();
         let upper = self.bound();
-        let step = if self.eat(Tok::Colon) { self.bound() } else { None };
+        let step = if self.eat(Tok::Colon) {
+            self.bound()
+        } else {
+            None
+        };
         self.grow();
         let kind = ExprKind::Slice {
             lower: lower.map(Box::new),
             upper: upper.map(Box::new),
             step: step.map(Box::new),
         };
-        Expr { kind, range: self.range_from(start) }
+        Expr {
+            kind,
+            range: self.range_from(start),
+        }
     }
 
     fn bound(&mut self) -> Option<Expr> {
@@ -132,22 +176,38 @@ impl Parser<'_> {
     /// `(arguments)`
     pub(super) fn call(&mut self, start: u32, func: Expr) -> Expr {
         let open = self.bump().range.start;
-        let mut found = Arguments { mark: self.report.len(), ..Arguments::default() };
+        let mut found = Arguments {
+            mark: self.report.len(),
+            ..Arguments::default()
+        };
         let comma = self.items(|p| p.argument(&mut found));
         let alone = !comma && found.args.len() + found.keywords.len() == 1;
         match (found.generator, found.args.as_mut_slice()) {
             // CPython counts the parentheses of the call to the generator.
-            (Some(_), [generator]) if alone => generator.range = TextRange::new(open, self.prev_end),
+            (Some(_), [generator]) if alone => {
+                generator.range = TextRange::new(open, self.prev_end)
+            }
             (Some(range), _) => {
                 let reference = "Generator expression must be parenthesized";
-                self.error(range, "a generator next to other arguments must be in parentheses", reference);
+                self.error(
+                    range,
+                    "a generator next to other arguments must be in parentheses",
+                    reference,
+                );
             }
             (None, _) => {}
         }
         self.check_order(&found);
         self.check_repeated(&found.keywords);
-        let kind = ExprKind::Call { func: Box::new(func), args: found.args, keywords: found.keywords };
-        Expr { kind, range: self.range_from(start) }
+        let kind = ExprKind::Call {
+            func: Box::new(func),
+            args: found.args,
+            keywords: found.keywords,
+        };
+        Expr {
+            kind,
+            range: self.range_from(start),
+        }
     }
 
     fn argument(&mut self, found: &mut Arguments) {
@@ -160,7 +220,11 @@ impl Parser<'_> {
                 let name_range = self.bump().range;
                 let value = self.expression();
                 found.unpacking = true;
-                found.keywords.push(Keyword { name: None, name_range, value });
+                found.keywords.push(Keyword {
+                    name: None,
+                    name_range,
+                    value,
+                });
             }
             Tok::Name if self.next_kind() == Tok::Equal => self.keyword(found),
             Tok::True | Tok::False | Tok::None if self.next_kind() == Tok::Equal => {
@@ -184,11 +248,19 @@ impl Parser<'_> {
         let value = self.expression();
         if matches!(self.kind(), Tok::For | Tok::Async) {
             let reference = "invalid syntax. Maybe you meant '==' or ':=' instead of '='?";
-            self.error(name_range, "a generator must not start with `name =`", reference);
+            self.error(
+                name_range,
+                "a generator must not start with `name =`",
+                reference,
+            );
             self.clauses();
         }
         let name = Some(self.identifier(name_range));
-        found.keywords.push(Keyword { name, name_range, value });
+        found.keywords.push(Keyword {
+            name,
+            name_range,
+            value,
+        });
     }
 
     fn unpacked(&mut self, found: &mut Arguments) {
@@ -212,8 +284,12 @@ impl Parser<'_> {
         };
         if matches!(self.kind(), Tok::For | Tok::Async) {
             let clauses = self.clauses();
-            let expr =
-                self.comprehension_of(start.min(expr.range.start), Bracket::Round, vec![expr], clauses);
+            let expr = self.comprehension_of(
+                start.min(expr.range.start),
+                Bracket::Round,
+                vec![expr],
+                clauses,
+            );
             self.operand_start = None;
             found.generator = Some(expr.range);
             found.args.push(expr);
@@ -223,11 +299,19 @@ impl Parser<'_> {
             Tok::Equal => {
                 self.bump();
                 let reference = "expression cannot contain assignment, perhaps you meant \"==\"?";
-                self.error(expr.range, "only a name is allowed before `=` in a call", reference);
+                self.error(
+                    expr.range,
+                    "only a name is allowed before `=` in a call",
+                    reference,
+                );
                 let value = self.expression();
                 let name_range = expr.range;
                 found.args.push(expr);
-                found.keywords.push(Keyword { name: None, name_range, value });
+                found.keywords.push(Keyword {
+                    name: None,
+                    name_range,
+                    value,
+                });
             }
             Tok::Walrus => {
                 self.unexpected("`:=` must follow a name");
@@ -257,10 +341,16 @@ impl Parser<'_> {
     }
 
     fn check_order(&mut self, found: &Arguments) {
-        let Some((range, reference)) = found.misplaced else { return };
+        let Some((range, reference)) = found.misplaced else {
+            return;
+        };
         match self.report.plain_since(found.mark) {
             Some(index) => self.reword(index, range.start, reference),
-            None => self.error(range, "positional arguments must come before keyword arguments", reference),
+            None => self.error(
+                range,
+                "positional arguments must come before keyword arguments",
+                reference,
+            ),
         }
     }
 
@@ -271,7 +361,8 @@ impl Parser<'_> {
             if !seen.insert(name) {
                 let message = format!("duplicate argument `{name}`");
                 let reference = format!("keyword argument repeated: {name}");
-                self.report.add(Stage::Tree, keyword.name_range, message, &reference);
+                self.report
+                    .add(Stage::Tree, keyword.name_range, message, &reference);
             }
         }
     }

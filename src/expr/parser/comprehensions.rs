@@ -20,7 +20,12 @@ impl Parser<'_> {
                     break;
                 }
                 let reference = "asynchronous comprehension outside of an asynchronous function";
-                self.report.not_supported(Stage::Tree, range, "`async` is not supported", reference);
+                self.report.not_supported(
+                    Stage::Tree,
+                    range,
+                    "`async` is not supported",
+                    reference,
+                );
             }
             self.bump();
             clauses.push(self.clause());
@@ -55,7 +60,11 @@ impl Parser<'_> {
         while self.eat(Tok::If) {
             conditions.push(self.operand(power::OR));
         }
-        CompFor { target, iter, conditions }
+        CompFor {
+            target,
+            iter,
+            conditions,
+        }
     }
 
     /// `a`, `a, b`, `a, *b`, …
@@ -66,7 +75,12 @@ impl Parser<'_> {
         if !self.at(Tok::Comma) {
             if matches!(first.kind, ExprKind::Starred(_)) {
                 let reference = "starred assignment target must be in a list or tuple";
-                self.report.add(Stage::Tree, first.range, "`*` must be used with other targets", reference);
+                self.report.add(
+                    Stage::Tree,
+                    first.range,
+                    "`*` must be used with other targets",
+                    reference,
+                );
             }
             return first;
         }
@@ -77,7 +91,10 @@ impl Parser<'_> {
             }
             items.push(self.target());
         }
-        Expr { kind: ExprKind::Tuple(items), range: self.range_from(start) }
+        Expr {
+            kind: ExprKind::Tuple(items),
+            range: self.range_from(start),
+        }
     }
 
     fn target(&mut self) -> Expr {
@@ -107,7 +124,11 @@ impl Parser<'_> {
             [only] if self.token_at(self.pos.saturating_sub(1)).kind != Tok::Comma => {
                 if matches!(only.kind, ExprKind::Starred(_)) {
                     let reference = "iterable unpacking cannot be used in comprehension";
-                    self.error(only.range, "`*` is not allowed in a comprehension", reference);
+                    self.error(
+                        only.range,
+                        "`*` is not allowed in a comprehension",
+                        reference,
+                    );
                 }
             }
             [first, ..] => {
@@ -132,19 +153,35 @@ impl Parser<'_> {
         let element = match (items.pop(), items.is_empty()) {
             (Some(only), true) => only,
             (Some(last), false) => {
-                let from = items.first().map_or(last.range.start, |first| first.range.start);
+                let from = items
+                    .first()
+                    .map_or(last.range.start, |first| first.range.start);
                 let range = TextRange::new(from, last.range.end);
                 items.push(last);
-                Expr { kind: ExprKind::Tuple(items), range }
+                Expr {
+                    kind: ExprKind::Tuple(items),
+                    range,
+                }
             }
-            (None, _) => Expr { kind: ExprKind::Missing, range: TextRange::empty(start) },
+            (None, _) => Expr {
+                kind: ExprKind::Missing,
+                range: TextRange::empty(start),
+            },
         };
         let kind = match bracket {
             Bracket::Round => CompKind::Generator,
             Bracket::Square => CompKind::List,
             Bracket::Curly => CompKind::Set,
         };
-        let comp = Comprehension { kind, element, value: None, clauses };
-        Expr { kind: ExprKind::Comprehension(Arc::new(comp)), range: self.range_from(start) }
+        let comp = Comprehension {
+            kind,
+            element,
+            value: None,
+            clauses,
+        };
+        Expr {
+            kind: ExprKind::Comprehension(Arc::new(comp)),
+            range: self.range_from(start),
+        }
     }
 }

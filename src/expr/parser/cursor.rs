@@ -9,7 +9,10 @@ use crate::syntax::normalized;
 use crate::token::{Tok, Token};
 use base::TextRange;
 
-const END: Token = Token { kind: Tok::End, range: TextRange { start: 0, end: 0 } };
+const END: Token = Token {
+    kind: Tok::End,
+    range: TextRange { start: 0, end: 0 },
+};
 
 impl<'t> Parser<'t> {
     pub(super) fn new(text: &'t str, tokens: Vec<Token>, report: Report<'t>, start: u32) -> Self {
@@ -36,7 +39,11 @@ impl<'t> Parser<'t> {
     }
 
     pub(super) fn token_at(&self, index: usize) -> Token {
-        self.tokens.get(index).or(self.tokens.last()).copied().unwrap_or(END)
+        self.tokens
+            .get(index)
+            .or(self.tokens.last())
+            .copied()
+            .unwrap_or(END)
     }
 
     pub(super) fn token(&self) -> Token {
@@ -95,7 +102,10 @@ impl<'t> Parser<'t> {
     pub(super) fn missing(&mut self) -> Expr {
         let range = self.gap();
         self.reach = range.end;
-        Expr { kind: ExprKind::Missing, range }
+        Expr {
+            kind: ExprKind::Missing,
+            range,
+        }
     }
 
     /// Skip one token, or a bracket with all it holds.
@@ -122,13 +132,21 @@ impl<'t> Parser<'t> {
     /// The same for another token than the current one.
     pub(super) fn is_unclosed_end(&self, index: usize) -> bool {
         let start = self.token_at(index).range.start;
-        self.report.unclosed.is_some() && self.tokens.last().is_some_and(|end| start == end.range.start)
+        self.report.unclosed.is_some()
+            && self
+                .tokens
+                .last()
+                .is_some_and(|end| start == end.range.start)
     }
 
     /// Offset on the line on which CPython sees the current token.
     fn place(&self) -> u32 {
         let range = self.token().range;
-        if range.is_empty() { self.prev_end } else { range.start }
+        if range.is_empty() {
+            self.prev_end
+        } else {
+            range.start
+        }
     }
 }
 
@@ -152,10 +170,17 @@ impl Parser<'_> {
         if let Some((unclosed, open_line)) = self.report.never_closed()
             && (self.at_unclosed_end() || self.report.line(self.place()) > open_line)
         {
-            self.report.add_at_line(Stage::Grammar, range, message, &unclosed, open_line);
+            self.report
+                .add_at_line(Stage::Grammar, range, message, &unclosed, open_line);
             return;
         }
-        self.report.add_at_line(Stage::Grammar, range, message, reference, self.report.line(from));
+        self.report.add_at_line(
+            Stage::Grammar,
+            range,
+            message,
+            reference,
+            self.report.line(from),
+        );
     }
 
     /// The text of the current token for a message; of a string over several lines, the first one.
@@ -170,14 +195,25 @@ impl Parser<'_> {
     /// The next token is wrong.
     pub(super) fn unexpected(&mut self, message: impl Into<String>) {
         let token = self.token();
-        let range = if token.range.is_empty() { self.gap() } else { token.range };
-        let reference = if token.kind == Tok::Indent { "unexpected indent" } else { "invalid syntax" };
+        let range = if token.range.is_empty() {
+            self.gap()
+        } else {
+            token.range
+        };
+        let reference = if token.kind == Tok::Indent {
+            "unexpected indent"
+        } else {
+            "invalid syntax"
+        };
         self.error_from(self.place(), range, message, reference);
     }
 
     /// What was reported at `index` has a better text in CPython, provided that all brackets are closed.
     pub(super) fn reword(&mut self, index: usize, from: u32, reference: &str) {
-        let unclosed = self.report.never_closed().filter(|_| self.at_unclosed_end());
+        let unclosed = self
+            .report
+            .never_closed()
+            .filter(|_| self.at_unclosed_end());
         match unclosed {
             Some((unclosed, line)) => self.report.reword(index, &unclosed, line),
             None => self.report.reword(index, reference, self.report.line(from)),
@@ -190,7 +226,10 @@ impl Parser<'_> {
         let message = if found.range.is_empty() || found.kind.is_close() {
             format!("expected {what}")
         } else {
-            format!("expected {what} before `{}`", found.range.slice(self.text).replace('\n', "\\n"))
+            format!(
+                "expected {what} before `{}`",
+                found.range.slice(self.text).replace('\n', "\\n")
+            )
         };
         self.unexpected(message);
         self.missing()

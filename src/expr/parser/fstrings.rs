@@ -21,7 +21,11 @@ struct Scan<'t> {
 impl Scan<'_> {
     fn byte(&self, ahead: usize) -> Option<u8> {
         let at = self.pos + ahead;
-        if at < self.end { self.text.as_bytes().get(at).copied() } else { None }
+        if at < self.end {
+            self.text.as_bytes().get(at).copied()
+        } else {
+            None
+        }
     }
 
     fn at_tripled(&self, quote: u8) -> bool {
@@ -42,9 +46,20 @@ fn no_brace() -> Problem {
 
 impl Parser<'_> {
     /// Add the parts of an f-string.
-    pub(super) fn format_string(&mut self, literal: &Literal, token: TextRange, parts: &mut Vec<FPart>) {
+    pub(super) fn format_string(
+        &mut self,
+        literal: &Literal,
+        token: TextRange,
+        parts: &mut Vec<FPart>,
+    ) {
         let Literal { raw, body, .. } = *literal;
-        let mut scan = Scan { text: self.text, pos: body.start as usize, end: body.end as usize, raw, token };
+        let mut scan = Scan {
+            text: self.text,
+            pos: body.start as usize,
+            end: body.end as usize,
+            raw,
+            token,
+        };
         if let Err((message, reference)) = self.format_parts(&mut scan, 0, parts) {
             self.report.add(Stage::Grammar, token, message, &reference);
         }
@@ -70,7 +85,12 @@ impl Parser<'_> {
     }
 
     /// Text up to the next brace that is not doubled.
-    fn format_text(&mut self, scan: &mut Scan<'_>, level: u8, parts: &mut Vec<FPart>) -> Result<(), Problem> {
+    fn format_text(
+        &mut self,
+        scan: &mut Scan<'_>,
+        level: u8,
+        parts: &mut Vec<FPart>,
+    ) -> Result<(), Problem> {
         let mut start = scan.pos;
         while let Some(b) = scan.byte(0) {
             match b {
@@ -91,7 +111,9 @@ impl Parser<'_> {
                     }
                     scan.pos = (scan.pos + 1).min(scan.end);
                 }
-                b'\\' if !scan.raw && !matches!(scan.byte(1), None | Some(b'{' | b'}')) => scan.pos += 2,
+                b'\\' if !scan.raw && !matches!(scan.byte(1), None | Some(b'{' | b'}')) => {
+                    scan.pos += 2
+                }
                 _ => scan.pos += 1,
             }
         }
@@ -116,7 +138,11 @@ impl Parser<'_> {
             while scan.byte(0).is_some_and(|b| b.is_ascii_whitespace()) {
                 scan.pos += 1;
             }
-            debug = Some(TextRange::new(start as u32, scan.pos as u32).slice(self.text).into());
+            debug = Some(
+                TextRange::new(start as u32, scan.pos as u32)
+                    .slice(self.text)
+                    .into(),
+            );
         }
         let mut conversion = conversion(scan)?;
         let mut spec = Vec::new();
@@ -132,13 +158,27 @@ impl Parser<'_> {
         if debug.is_some() && !has_spec && conversion.is_none() {
             conversion = Some('r');
         }
-        Ok(FPart::Field { value, conversion, spec, debug })
+        Ok(FPart::Field {
+            value,
+            conversion,
+            spec,
+            debug,
+        })
     }
 
     /// The expression of a field: what could stand in parentheses.
-    fn field_value(&mut self, start: usize, end: usize, behind: Option<u8>) -> Result<Expr, Problem> {
+    fn field_value(
+        &mut self,
+        start: usize,
+        end: usize,
+        behind: Option<u8>,
+    ) -> Result<Expr, Problem> {
         let range = TextRange::new(start as u32, end as u32);
-        if range.slice(self.text).trim_matches(is_python_space).is_empty() {
+        if range
+            .slice(self.text)
+            .trim_matches(is_python_space)
+            .is_empty()
+        {
             let reference = match behind {
                 Some(b @ (b'!' | b':' | b'=')) => {
                     format!("f-string: expression required before '{}'", char::from(b))
@@ -148,14 +188,23 @@ impl Parser<'_> {
             return Err(("expected a value between the braces".to_owned(), reference));
         }
         let mut report = Report::new(self.text, self.report.start());
-        let source = Source { text: self.text, start, end, outer_end: end, bracketed: true };
+        let source = Source {
+            text: self.text,
+            start,
+            end,
+            outer_end: end,
+            bracketed: true,
+        };
         let tokens = lex(&source, &mut report);
         let mut inner = Parser::new(self.text, tokens, report, start as u32);
         inner.depth = self.depth;
         let value = inner.nested(|p| {
             let value = p.group(start as u32);
             match value.kind {
-                ExprKind::Missing => Expr { kind: ExprKind::Missing, range },
+                ExprKind::Missing => Expr {
+                    kind: ExprKind::Missing,
+                    range,
+                },
                 _ => value,
             }
         });
@@ -173,7 +222,10 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
     while let Some(b) = scan.byte(0) {
         if b == b'\\' {
             let reference = "f-string expression part cannot include a backslash";
-            return Err(problem("a backslash is not allowed between the braces", reference));
+            return Err(problem(
+                "a backslash is not allowed between the braces",
+                reference,
+            ));
         }
         match (quote, b) {
             (Some((q, triple)), _) if b == q && (!triple || scan.at_tripled(q)) => {
@@ -207,10 +259,14 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
         scan.pos += 1;
     }
     match (quote, open.last()) {
-        (Some(_), _) => Err(problem("unclosed string between the braces", "f-string: unterminated string")),
-        (None, Some(&b)) => {
-            Err(problem("unclosed bracket", &format!("f-string: unmatched '{}'", char::from(b))))
-        }
+        (Some(_), _) => Err(problem(
+            "unclosed string between the braces",
+            "f-string: unterminated string",
+        )),
+        (None, Some(&b)) => Err(problem(
+            "unclosed bracket",
+            &format!("f-string: unmatched '{}'", char::from(b)),
+        )),
         (None, None) if scan.pos >= scan.end => Err(no_brace()),
         _ => Ok(()),
     }
@@ -227,11 +283,18 @@ fn close(open: &mut Vec<u8>, closer: u8) -> Result<(), Problem> {
         Some(top) if top == opener => Ok(()),
         Some(top) => {
             let top = char::from(top);
-            let reference =
-                format!("f-string: closing parenthesis '{found}' does not match opening parenthesis '{top}'");
-            Err((format!("`{found}` does not match the opening `{top}`"), reference))
+            let reference = format!(
+                "f-string: closing parenthesis '{found}' does not match opening parenthesis '{top}'"
+            );
+            Err((
+                format!("`{found}` does not match the opening `{top}`"),
+                reference,
+            ))
         }
-        None => Err((format!("unmatched `{found}`"), format!("f-string: unmatched '{found}'"))),
+        None => Err((
+            format!("unmatched `{found}`"),
+            format!("f-string: unmatched '{found}'"),
+        )),
     }
 }
 
@@ -241,13 +304,18 @@ fn conversion(scan: &mut Scan<'_>) -> Result<Option<char>, Problem> {
         return Ok(None);
     }
     scan.pos += 1;
-    let Some(b) = scan.byte(0) else { return Err(no_brace()) };
+    let Some(b) = scan.byte(0) else {
+        return Err(no_brace());
+    };
     scan.pos += 1;
     match b {
         b'r' | b's' | b'a' => Ok(Some(char::from(b))),
         _ => {
             let reference = "f-string: invalid conversion character: expected 's', 'r', or 'a'";
-            Err(problem("unknown conversion; only `!r`, `!s` and `!a` are allowed", reference))
+            Err(problem(
+                "unknown conversion; only `!r`, `!s` and `!a` are allowed",
+                reference,
+            ))
         }
     }
 }

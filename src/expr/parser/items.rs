@@ -53,7 +53,11 @@ impl Parser<'_> {
         self.grow();
         let what = target.kind_name();
         let message = format!("`:=` must follow a name, not {}", with_article(what));
-        self.error(target.range, message, &format!("cannot use assignment expressions with {what}"));
+        self.error(
+            target.range,
+            message,
+            &format!("cannot use assignment expressions with {what}"),
+        );
         self.node(start, value, |value| ExprKind::Tuple(vec![target, *value]))
     }
 
@@ -66,14 +70,25 @@ impl Parser<'_> {
         let hole = matches!(value.kind, ExprKind::Missing);
         let reference = match &target.kind {
             _ if again || hole || !target.is_bitwise_or() => "invalid syntax".to_owned(),
-            ExprKind::Name(_) => "invalid syntax. Maybe you meant '==' or ':=' instead of '='?".to_owned(),
+            ExprKind::Name(_) => {
+                "invalid syntax. Maybe you meant '==' or ':=' instead of '='?".to_owned()
+            }
             _ if !target.may_be_blamed() => "invalid syntax".to_owned(),
             _ => {
-                format!("cannot assign to {} here. Maybe you meant '==' instead of '='?", target.kind_name())
+                format!(
+                    "cannot assign to {} here. Maybe you meant '==' instead of '='?",
+                    target.kind_name()
+                )
             }
         };
-        self.error(target.range, "assignment with `=` is not allowed; use `==` to compare", &reference);
-        self.node(start, value, |value| ExprKind::Compare(Box::new(target), vec![(CmpOp::Eq, *value)]))
+        self.error(
+            target.range,
+            "assignment with `=` is not allowed; use `==` to compare",
+            &reference,
+        );
+        self.node(start, value, |value| {
+            ExprKind::Compare(Box::new(target), vec![(CmpOp::Eq, *value)])
+        })
     }
 
     /// `(…)`: a group, a tuple or a generator.
@@ -105,7 +120,10 @@ impl Parser<'_> {
             }
             last => {
                 items.extend(last);
-                Expr { kind: ExprKind::Tuple(items), range }
+                Expr {
+                    kind: ExprKind::Tuple(items),
+                    range,
+                }
             }
         }
     }
@@ -115,19 +133,29 @@ impl Parser<'_> {
         let stars = self.bump().range;
         let value = self.expression();
         let alone = self.at_close() && !matches!(value.kind, ExprKind::Missing);
-        let reference = if alone { "cannot use double starred expression here" } else { "invalid syntax" };
+        let reference = if alone {
+            "cannot use double starred expression here"
+        } else {
+            "invalid syntax"
+        };
         self.error(stars, "`**` is only allowed in calls and dicts", reference);
         let mut values = vec![value];
         self.eat(Tok::Comma);
         self.items(|p| values.push(p.starred_or_named()));
-        Expr { kind: ExprKind::Tuple(values), range: self.range_from(start) }
+        Expr {
+            kind: ExprKind::Tuple(values),
+            range: self.range_from(start),
+        }
     }
 
     /// `[…]` as a display.
     pub(super) fn list(&mut self) -> Expr {
         let start = self.bump().range.start;
         let (items, _, done) = self.elements(start, Bracket::Square);
-        done.unwrap_or_else(|| Expr { kind: ExprKind::List(items), range: self.range_from(start) })
+        done.unwrap_or_else(|| Expr {
+            kind: ExprKind::List(items),
+            range: self.range_from(start),
+        })
     }
 
     /// The elements of a tuple or list, or the comprehension they turn out to be.
@@ -151,8 +179,9 @@ impl Parser<'_> {
                 }
             }
         });
-        let done =
-            clauses.map(|clauses| self.comprehension_of(start, bracket, std::mem::take(&mut items), clauses));
+        let done = clauses.map(|clauses| {
+            self.comprehension_of(start, bracket, std::mem::take(&mut items), clauses)
+        });
         (items, comma, done)
     }
 }

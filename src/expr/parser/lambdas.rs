@@ -30,16 +30,28 @@ impl Parser<'_> {
                 if !self.at_close() || matches!(self.kind(), Tok::Newline) {
                     self.unexpected("expected `,` or `:`");
                 }
-                if self.pos == before || !matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar) {
+                if self.pos == before
+                    || !matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar)
+                {
                     break;
                 }
             }
         }
         self.check_duplicates(&list.params);
-        let body = if self.eat(Tok::Colon) { self.expression() } else { self.hole("`:` with a value") };
+        let body = if self.eat(Tok::Colon) {
+            self.expression()
+        } else {
+            self.hole("`:` with a value")
+        };
         self.grow();
         let range = self.range_from(start);
-        Expr { kind: ExprKind::Lambda(Arc::new(Lambda { params: list.params, body })), range }
+        Expr {
+            kind: ExprKind::Lambda(Arc::new(Lambda {
+                params: list.params,
+                body,
+            })),
+            range,
+        }
     }
 
     fn parameter(&mut self, list: &mut Params) {
@@ -52,7 +64,11 @@ impl Parser<'_> {
                 let name = self.parameter_name();
                 self.no_default("var-keyword");
                 list.double_star = true;
-                list.params.push(Param { name, kind: ParamKind::VarKeywords, default: None });
+                list.params.push(Param {
+                    name,
+                    kind: ParamKind::VarKeywords,
+                    default: None,
+                });
             }
             Tok::Open(Bracket::Round) => {
                 let range = self.token().range;
@@ -71,10 +87,12 @@ impl Parser<'_> {
     fn skip_names(&mut self) -> bool {
         let start = self.pos + 1;
         self.skip();
-        let names =
-            (start..self.pos.saturating_sub(1)).step_by(2).all(|i| self.token_at(i).kind == Tok::Name);
-        let commas =
-            (start + 1..self.pos.saturating_sub(1)).step_by(2).all(|i| self.token_at(i).kind == Tok::Comma);
+        let names = (start..self.pos.saturating_sub(1))
+            .step_by(2)
+            .all(|i| self.token_at(i).kind == Tok::Name);
+        let commas = (start + 1..self.pos.saturating_sub(1))
+            .step_by(2)
+            .all(|i| self.token_at(i).kind == Tok::Comma);
         names && commas && self.pos > start + 1
     }
 
@@ -83,19 +101,35 @@ impl Parser<'_> {
         let at = self.token().range;
         let name = self.parameter_name();
         let default = self.eat(Tok::Equal).then(|| self.default_value());
-        let kind = if list.star { ParamKind::KeywordOnly } else { ParamKind::Normal };
+        let kind = if list.star {
+            ParamKind::KeywordOnly
+        } else {
+            ParamKind::Normal
+        };
         if kind == ParamKind::Normal && default.is_none() && list.defaults {
             let reference = "non-default argument follows default argument";
-            self.error(at, "a parameter without a default follows one with a default", reference);
+            self.error(
+                at,
+                "a parameter without a default follows one with a default",
+                reference,
+            );
         }
         list.defaults |= default.is_some();
-        list.params.push(Param { name, kind, default });
+        list.params.push(Param {
+            name,
+            kind,
+            default,
+        });
     }
 
     fn default_value(&mut self) -> Expr {
         if matches!(self.kind(), Tok::Comma | Tok::Close(Bracket::Round)) {
             let range = self.gap();
-            self.error(range, "expected a default value", "expected default value expression");
+            self.error(
+                range,
+                "expected a default value",
+                "expected default value expression",
+            );
             return self.missing();
         }
         self.expression()
@@ -120,7 +154,11 @@ impl Parser<'_> {
         } else if list.star {
             Some("/ must be ahead of *")
         } else if list.params.is_empty() {
-            Some(if self.at(Tok::Comma) { "at least one argument must precede /" } else { "invalid syntax" })
+            Some(if self.at(Tok::Comma) {
+                "at least one argument must precede /"
+            } else {
+                "invalid syntax"
+            })
         } else {
             None
         };
@@ -130,7 +168,11 @@ impl Parser<'_> {
         if std::mem::replace(&mut list.slash, true) {
             return;
         }
-        for param in list.params.iter_mut().filter(|p| p.kind == ParamKind::Normal) {
+        for param in list
+            .params
+            .iter_mut()
+            .filter(|p| p.kind == ParamKind::Normal)
+        {
             param.kind = ParamKind::PositionalOnly;
         }
     }
@@ -140,7 +182,11 @@ impl Parser<'_> {
         let at = self.bump().range;
         self.after_double_star(list);
         if list.star {
-            self.error(at, "`*` is allowed only once", "* argument may appear only once");
+            self.error(
+                at,
+                "`*` is allowed only once",
+                "* argument may appear only once",
+            );
         }
         list.star = true;
         let name = if self.at(Tok::Name) {
@@ -150,15 +196,24 @@ impl Parser<'_> {
             name
         } else {
             let last = self.at(Tok::Colon)
-                || (self.at(Tok::Comma) && matches!(self.next_kind(), Tok::Colon | Tok::DoubleStar));
+                || (self.at(Tok::Comma)
+                    && matches!(self.next_kind(), Tok::Colon | Tok::DoubleStar));
             if last {
-                self.error(at, "expected a parameter after `*`", "named arguments must follow bare *");
+                self.error(
+                    at,
+                    "expected a parameter after `*`",
+                    "named arguments must follow bare *",
+                );
             } else if !self.at(Tok::Comma) {
                 self.hole("the name of a parameter");
             }
             ecow::EcoString::new()
         };
-        list.params.push(Param { name, kind: ParamKind::VarArgs, default: None });
+        list.params.push(Param {
+            name,
+            kind: ParamKind::VarArgs,
+            default: None,
+        });
     }
 
     fn no_default(&mut self, kind: &str) {
@@ -171,9 +226,18 @@ impl Parser<'_> {
     }
 
     fn after_double_star(&mut self, list: &Params) {
-        if list.double_star && matches!(self.kind(), Tok::Name | Tok::Star | Tok::DoubleStar | Tok::Slash) {
+        if list.double_star
+            && matches!(
+                self.kind(),
+                Tok::Name | Tok::Star | Tok::DoubleStar | Tok::Slash
+            )
+        {
             let reference = "arguments cannot follow var-keyword argument";
-            self.error(self.token().range, "parameters are not allowed after `**`", reference);
+            self.error(
+                self.token().range,
+                "parameters are not allowed after `**`",
+                reference,
+            );
         }
     }
 
@@ -181,9 +245,15 @@ impl Parser<'_> {
         let mut seen = FastSet::default();
         for param in params.iter().filter(|p| !p.name.is_empty()) {
             if !seen.insert(&param.name) {
-                let reference = format!("duplicate argument '{}' in function definition", param.name);
+                let reference =
+                    format!("duplicate argument '{}' in function definition", param.name);
                 let message = format!("duplicate parameter `{}`", param.name);
-                self.report.add(Stage::Tree, TextRange::empty(self.prev_end), message, &reference);
+                self.report.add(
+                    Stage::Tree,
+                    TextRange::empty(self.prev_end),
+                    message,
+                    &reference,
+                );
             }
         }
     }

@@ -66,18 +66,35 @@ impl Parser<'_> {
         if let Some(before) = before.filter(|before| before.plain && !plain) {
             self.reword(before.error, first.range.start, &reference);
         }
-        let (error, brace) = (self.report.len(), self.at(Tok::Open(crate::token::Bracket::Curly)));
-        let from = if plain { self.start() } else { first.range.start };
-        self.error_from(from, self.gap(), "expected a comma or an operator", &reference);
+        let (error, brace) = (
+            self.report.len(),
+            self.at(Tok::Open(crate::token::Bracket::Curly)),
+        );
+        let from = if plain {
+            self.start()
+        } else {
+            first.range.start
+        };
+        self.error_from(
+            from,
+            self.gap(),
+            "expected a comma or an operator",
+            &reference,
+        );
         let followed = !plain || (alone && self.operand_start.is_some());
-        (followed && self.report.len() > error).then_some(Gap { error, plain, brace })
+        (followed && self.report.len() > error).then_some(Gap {
+            error,
+            plain,
+            brace,
+        })
     }
 
     /// The item behind a gap was read: CPython may have run into the end of the text, or may not have
     /// recognized it.
     fn settle(&mut self, gap: &Gap) {
         if gap.brace && self.report.len() > gap.error + 1 {
-            self.report.reword(gap.error, "invalid syntax", self.report.line(self.prev_end));
+            self.report
+                .reword(gap.error, "invalid syntax", self.report.line(self.prev_end));
         }
         self.reword_unclosed(gap.error);
     }
@@ -94,11 +111,15 @@ impl Parser<'_> {
 
     /// Whether CPython thinks of a comma between the operand just read and the one that follows.
     pub(super) fn suggests_comma(&self) -> bool {
-        let Some(start) = self.operand_start else { return false };
+        let Some(start) = self.operand_start else {
+            return false;
+        };
         let (first, second) = (self.token_at(start), self.token_at(start + 1));
         let word = first.range.slice(self.text);
         // For words such as `match` it does not; and it compares as many characters as the word has.
-        let soft = ["_", "case", "match"].iter().any(|soft| soft.starts_with(word));
+        let soft = ["_", "case", "match"]
+            .iter()
+            .any(|soft| soft.starts_with(word));
         let name_string = first.kind == Tok::Name && second.kind == Tok::Str;
         !soft && !name_string && self.operand_follows()
     }
@@ -138,7 +159,10 @@ impl Parser<'_> {
             names &= matches!(expr.kind, ExprKind::Name(_));
             items.push(expr);
         }
-        Expr { kind: ExprKind::Tuple(items), range: self.range_from(start) }
+        Expr {
+            kind: ExprKind::Tuple(items),
+            range: self.range_from(start),
+        }
     }
 
     /// Report the first token behind `first`; true if CPython reads on there.
@@ -167,7 +191,9 @@ impl Parser<'_> {
 
     /// The name, if `expr` is a `print` that misses its parentheses.
     fn old_print(&self, expr: &Expr) -> Option<&'static str> {
-        let ExprKind::Name(name) = &expr.kind else { return None };
+        let ExprKind::Name(name) = &expr.kind else {
+            return None;
+        };
         let name = ["print", "exec"].into_iter().find(|n| name == n)?;
         (self.kind().starts_operand() || self.at(Tok::Star)).then_some(name)
     }

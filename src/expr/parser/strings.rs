@@ -30,8 +30,17 @@ impl Literal {
         let triple = quoted.starts_with("'''") || quoted.starts_with("\"\"\"");
         let quotes = if triple { 3 } else { 1 };
         let start = range.start + prefix_len as u32 + quotes;
-        let end = if closed { range.end.saturating_sub(quotes) } else { range.end };
-        Self { raw: has('r'), bytes: has('b'), formatted: has('f'), body: TextRange::new(start, end) }
+        let end = if closed {
+            range.end.saturating_sub(quotes)
+        } else {
+            range.end
+        };
+        Self {
+            raw: has('r'),
+            bytes: has('b'),
+            formatted: has('f'),
+            body: TextRange::new(start, end),
+        }
     }
 }
 
@@ -53,16 +62,28 @@ impl Parser<'_> {
         while matches!(self.kind(), Tok::Str | Tok::OpenStr) {
             let token = self.bump();
             let literal = Literal::new(self.text, token.range, token.kind == Tok::Str);
-            let seen = if literal.bytes { &mut kinds.0 } else { &mut kinds.1 };
+            let seen = if literal.bytes {
+                &mut kinds.0
+            } else {
+                &mut kinds.1
+            };
             *seen = true;
             self.literal(&literal, token.range, &mut joined);
         }
         let range = self.range_from(start);
         if kinds == (true, true) {
             let message = "cannot join strings and bytes";
-            self.report.add(Stage::Grammar, range, message, "cannot mix bytes and nonbytes literals");
+            self.report.add(
+                Stage::Grammar,
+                range,
+                message,
+                "cannot mix bytes and nonbytes literals",
+            );
         }
-        Expr { kind: joined.finish(), range }
+        Expr {
+            kind: joined.finish(),
+            range,
+        }
     }
 
     fn literal(&mut self, literal: &Literal, token: TextRange, joined: &mut Joined) {
@@ -94,9 +115,11 @@ impl Parser<'_> {
         }
         let decoded = escape::decode_str(&source);
         if let Some(error) = decoded.error {
-            self.report.add(Stage::Grammar, token, error.message, &error.reference);
+            self.report
+                .add(Stage::Grammar, token, error.message, &error.reference);
         } else if let Some(message) = decoded.not_supported {
-            self.report.not_supported(Stage::Ours, token, message, message);
+            self.report
+                .not_supported(Stage::Ours, token, message, message);
         }
         decoded.text
     }
@@ -105,7 +128,12 @@ impl Parser<'_> {
         let source = unify_line_ends(literal.body.slice(self.text));
         if !source.is_ascii() {
             let reference = "bytes can only contain ASCII literal characters";
-            self.report.add(Stage::Grammar, token, "only ASCII characters are allowed in bytes", reference);
+            self.report.add(
+                Stage::Grammar,
+                token,
+                "only ASCII characters are allowed in bytes",
+                reference,
+            );
             return Vec::new();
         }
         if literal.raw || !source.contains('\\') {
@@ -113,7 +141,8 @@ impl Parser<'_> {
         }
         let (bytes, error) = escape::decode_bytes(&source);
         if let Some(error) = error {
-            self.report.add(Stage::Grammar, token, error.message, &error.reference);
+            self.report
+                .add(Stage::Grammar, token, error.message, &error.reference);
         }
         bytes
     }

@@ -15,7 +15,9 @@ impl Expr {
             ExprKind::Const(Const::Ellipsis) => "ellipsis",
             ExprKind::Const(_) => "literal",
             ExprKind::FString(_) => "f-string expression",
-            ExprKind::Unary(..) | ExprKind::Binary(..) | ExprKind::And(_) | ExprKind::Or(_) => "expression",
+            ExprKind::Unary(..) | ExprKind::Binary(..) | ExprKind::And(_) | ExprKind::Or(_) => {
+                "expression"
+            }
             ExprKind::Compare(..) => "comparison",
             ExprKind::IfElse { .. } => "conditional expression",
             ExprKind::Lambda(_) => "lambda",
@@ -53,7 +55,9 @@ impl Expr {
     /// Whether `x = y` inside brackets blames `x`; for some kinds CPython only says "invalid syntax".
     pub(super) fn may_be_blamed(&self) -> bool {
         match &self.kind {
-            ExprKind::List(_) | ExprKind::Tuple(_) | ExprKind::Const(Const::None | Const::Bool(_)) => false,
+            ExprKind::List(_)
+            | ExprKind::Tuple(_)
+            | ExprKind::Const(Const::None | Const::Bool(_)) => false,
             ExprKind::Comprehension(comp) => comp.kind != CompKind::Generator,
             _ => true,
         }
@@ -63,7 +67,9 @@ impl Expr {
 impl Parser<'_> {
     /// Report what cannot be the target of a `for`.
     pub(super) fn check_target(&mut self, target: &Expr) {
-        let Some(wrong) = invalid_target(target) else { return self.check_stars(target) };
+        let Some(wrong) = invalid_target(target) else {
+            return self.check_stars(target);
+        };
         let what = wrong.kind_name();
         let message = format!("cannot assign to this {what} in `for`");
         self.error(wrong.range, message, &format!("cannot assign to {what}"));
@@ -76,11 +82,20 @@ impl Parser<'_> {
 
     /// One list of targets has at most one `*`.
     fn check_stars(&mut self, target: &Expr) {
-        let (ExprKind::List(items) | ExprKind::Tuple(items)) = &target.kind else { return };
-        let mut starred = items.iter().filter(|item| matches!(item.kind, ExprKind::Starred(_)));
+        let (ExprKind::List(items) | ExprKind::Tuple(items)) = &target.kind else {
+            return;
+        };
+        let mut starred = items
+            .iter()
+            .filter(|item| matches!(item.kind, ExprKind::Starred(_)));
         if let Some(second) = starred.nth(1) {
             let reference = "multiple starred expressions in assignment";
-            self.report.add(Stage::Tree, second.range, "only one target can have a `*`", reference);
+            self.report.add(
+                Stage::Tree,
+                second.range,
+                "only one target can have a `*`",
+                reference,
+            );
         }
         items.iter().for_each(|item| self.check_stars(item));
     }
@@ -90,9 +105,10 @@ fn invalid_target(target: &Expr) -> Option<&Expr> {
     match &target.kind {
         ExprKind::List(items) | ExprKind::Tuple(items) => items.iter().find_map(invalid_target),
         ExprKind::Starred(inner) => invalid_target(inner),
-        ExprKind::Name(_) | ExprKind::Attribute { .. } | ExprKind::Subscript { .. } | ExprKind::Missing => {
-            None
-        }
+        ExprKind::Name(_)
+        | ExprKind::Attribute { .. }
+        | ExprKind::Subscript { .. }
+        | ExprKind::Missing => None,
         _ => Some(target),
     }
 }

@@ -49,7 +49,11 @@ fn deep_nesting_is_an_error() {
         let text = format!("{}{middle}{}", open.repeat(n), close.repeat(n));
         let parsed = parse(&text);
         // Comparisons do not nest.
-        assert_eq!(parsed.errors.is_empty(), close == " < b", "{open}{middle}{close}");
+        assert_eq!(
+            parsed.errors.is_empty(),
+            close == " < b",
+            "{open}{middle}{close}"
+        );
         assert!(
             height(&parsed.expr) <= EXPRESSION_DEPTH + 1,
             "{open}{middle}{close}: {}",
@@ -82,17 +86,27 @@ fn valid_expressions() {
         let (tree, ranges) = rest.split_once('\t').unwrap();
         let parsed = parse(&text);
         let (found, found_ranges) = dump(&parsed.expr);
-        let found_ranges: Vec<String> =
-            found_ranges.iter().map(|r| format!("{}:{}", r.start, r.end)).collect();
+        let found_ranges: Vec<String> = found_ranges
+            .iter()
+            .map(|r| format!("{}:{}", r.start, r.end))
+            .collect();
         if !parsed.errors.is_empty() {
             wrong.push(format!("{text:?}: {:?}", parsed.errors));
         } else if found != tree {
             wrong.push(format!("{text:?}\n  want {tree}\n  got  {found}"));
         } else if ranges != "-" && found_ranges.join(" ") != ranges {
-            wrong.push(format!("{text:?} {tree}\n  want {ranges}\n  got  {}", found_ranges.join(" ")));
+            wrong.push(format!(
+                "{text:?} {tree}\n  want {ranges}\n  got  {}",
+                found_ranges.join(" ")
+            ));
         }
     }
-    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} wrong\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }
 
 /// The first error has the text of CPython.
@@ -107,7 +121,12 @@ fn invalid_expressions() {
             wrong.push(format!("{text:?}\n  want {want}\n  got  {got}"));
         }
     }
-    assert!(wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} wrong\n{}",
+        wrong.len(),
+        wrong.join("\n")
+    );
 }
 
 /// What is typed so far is in the tree, holes are `?`.
@@ -117,10 +136,22 @@ fn half_typed_text_has_a_tree() {
         ("a +", "(+ a ?)", "expected a value"),
         ("a + b *", "(+ a (* b ?))", "expected a value"),
         ("a.", "(. a )", "expected the name of an attribute"),
-        ("(a.b.) + 1", "(+ (. (. a b) ) 1)", "expected the name of an attribute"),
-        ("x.is", "(. x is)", "keyword `is` is not allowed as an attribute"),
+        (
+            "(a.b.) + 1",
+            "(+ (. (. a b) ) 1)",
+            "expected the name of an attribute",
+        ),
+        (
+            "x.is",
+            "(. x is)",
+            "keyword `is` is not allowed as an attribute",
+        ),
         ("f(1,", "(call f 1)", "unclosed `(`"),
-        ("f(a.", "(call f (. a ))", "expected the name of an attribute"),
+        (
+            "f(a.",
+            "(call f (. a ))",
+            "expected the name of an attribute",
+        ),
         ("f(a, k=", "(call f a k=?)", "expected a value"),
         ("f(,a)", "(call f ? a)", "expected an argument before `,`"),
         ("d['a'", "(index d \"a\")", "unclosed `[`"),
@@ -130,14 +161,26 @@ fn half_typed_text_has_a_tree() {
         ("d[1:", "(index d (slice 1 _ _))", "unclosed `[`"),
         ("[1, 2", "(list 1 2)", "unclosed `[`"),
         ("[a b]", "(list a b)", "expected a comma or an operator"),
-        ("(a, [b)", "(tuple a (list b))", "`)` does not close the `[` before it"),
+        (
+            "(a, [b)",
+            "(tuple a (list b))",
+            "`)` does not close the `[` before it",
+        ),
         ("(a]", "a", "`]` does not close the `(` before it"),
         ("a)", "a", "unmatched `)`"),
         ("{a: b, c", "(dict a b c ?)", "expected `:` and a value"),
-        ("a if b", "(if b a ?)", "expected `else` and a value after `if`"),
+        (
+            "a if b",
+            "(if b a ?)",
+            "expected `else` and a value after `if`",
+        ),
         ("a if b else", "(if b a ?)", "expected a value"),
         ("lambda", "(lambda () ?)", "expected `:` with a value"),
-        ("lambda x, y", "(lambda (arg:x arg:y) ?)", "expected `:` with a value"),
+        (
+            "lambda x, y",
+            "(lambda (arg:x arg:y) ?)",
+            "expected `:` with a value",
+        ),
         ("[x for", "(list-comp x for ? ?)", "expected a value"),
         ("[x for y in", "(list-comp x for y ?)", "expected a value"),
         (
@@ -150,29 +193,59 @@ fn half_typed_text_has_a_tree() {
             "(list-comp (tuple a b) for a c)",
             "several values before `for` must be in parentheses",
         ),
-        ("a b.c", "(tuple a (. b c))", "unexpected `b`; an operator may be missing"),
-        ("a = b.c", "(tuple a (. b c))", "assignment with `=` is not allowed; use `==` to compare"),
-        ("(a = b)", "(cmp a == b)", "assignment with `=` is not allowed; use `==` to compare"),
+        (
+            "a b.c",
+            "(tuple a (. b c))",
+            "unexpected `b`; an operator may be missing",
+        ),
+        (
+            "a = b.c",
+            "(tuple a (. b c))",
+            "assignment with `=` is not allowed; use `==` to compare",
+        ),
+        (
+            "(a = b)",
+            "(cmp a == b)",
+            "assignment with `=` is not allowed; use `==` to compare",
+        ),
         ("not", "(not ?)", "expected a value"),
         ("", "?", "expected an expression"),
-        ("0777", "?", "`0777` is not a number; leading zeros are not allowed"),
+        (
+            "0777",
+            "?",
+            "`0777` is not a number; leading zeros are not allowed",
+        ),
     ] {
         let parsed = parse(text);
         assert_eq!(dump(&parsed.expr).0, tree, "{text}");
-        assert_eq!(parsed.errors.first().map(|e| e.message.as_str()), Some(ours), "{text}");
+        assert_eq!(
+            parsed.errors.first().map(|e| e.message.as_str()),
+            Some(ours),
+            "{text}"
+        );
     }
 }
 
 /// A hole spans the blanks a cursor may stand in.
 #[test]
 fn holes_can_be_found_by_offset() {
-    for (text, cursor) in [("a + ", 4), ("a +  ", 4), ("f(a, k= )", 8), ("  a and  ", 8), ("[ ( a +  ) ]", 8)]
-    {
+    for (text, cursor) in [
+        ("a + ", 4),
+        ("a +  ", 4),
+        ("f(a, k= )", 8),
+        ("  a and  ", 8),
+        ("[ ( a +  ) ]", 8),
+    ] {
         let parsed = parse(text);
-        assert!(innermost(&parsed.expr, cursor).kind == ExprKind::Missing, "{text:?}");
+        assert!(
+            innermost(&parsed.expr, cursor).kind == ExprKind::Missing,
+            "{text:?}"
+        );
     }
     let parsed = parse("x.  + 1");
-    let ExprKind::Attribute { name_range, .. } = &innermost(&parsed.expr, 3).kind else { panic!() };
+    let ExprKind::Attribute { name_range, .. } = &innermost(&parsed.expr, 3).kind else {
+        panic!()
+    };
     assert!(name_range.touches(3));
 }
 
@@ -189,9 +262,19 @@ fn innermost(expr: &Expr, offset: u32) -> &Expr {
 /// Python, but not here.
 #[test]
 fn unsupported_expressions() {
-    for text in ["'\\N{DIGIT ONE}'", "'\\ud800'", "(yield)", "await x", "[a async for a in b]"] {
+    for text in [
+        "'\\N{DIGIT ONE}'",
+        "'\\ud800'",
+        "(yield)",
+        "await x",
+        "[a async for a in b]",
+    ] {
         let errors = parse(text).errors;
-        assert_eq!(errors.first().map(|e| e.kind), Some(ExprErrorKind::NotSupported), "{text}");
+        assert_eq!(
+            errors.first().map(|e| e.kind),
+            Some(ExprErrorKind::NotSupported),
+            "{text}"
+        );
     }
 }
 
@@ -201,7 +284,8 @@ fn check_ranges(text: &str) {
     let all = TextRange::new(0, text.len() as u32);
     for error in &parsed.errors {
         assert!(
-            text.get(error.range.start as usize..error.range.end as usize).is_some(),
+            text.get(error.range.start as usize..error.range.end as usize)
+                .is_some(),
             "{text:?} {error:?}"
         );
     }
@@ -209,21 +293,33 @@ fn check_ranges(text: &str) {
 }
 
 fn check_node(text: &str, expr: &Expr, parent: TextRange) {
-    assert!(parent.contains_range(expr.range), "{text:?}: {expr:?} outside of {parent:?}");
     assert!(
-        text.is_char_boundary(expr.range.start as usize) && text.is_char_boundary(expr.range.end as usize)
+        parent.contains_range(expr.range),
+        "{text:?}: {expr:?} outside of {parent:?}"
+    );
+    assert!(
+        text.is_char_boundary(expr.range.start as usize)
+            && text.is_char_boundary(expr.range.end as usize)
     );
     let inner = match &expr.kind {
-        ExprKind::Attribute { name_range, .. } | ExprKind::NamedExpr { name_range, .. } => *name_range,
+        ExprKind::Attribute { name_range, .. } | ExprKind::NamedExpr { name_range, .. } => {
+            *name_range
+        }
         _ => expr.range,
     };
-    assert!(expr.range.contains_range(inner), "{text:?}: {inner:?} outside of {expr:?}");
+    assert!(
+        expr.range.contains_range(inner),
+        "{text:?}: {inner:?} outside of {expr:?}"
+    );
     children(expr, &mut |child| check_node(text, child, expr.range));
 }
 
 #[test]
 fn ranges_are_nested_in_all_tables() {
-    let tables = [include_str!("../testdata/valid.txt"), include_str!("../testdata/invalid.txt")];
+    let tables = [
+        include_str!("../testdata/valid.txt"),
+        include_str!("../testdata/invalid.txt"),
+    ];
     for (text, _) in tables.into_iter().flat_map(rows) {
         check_ranges(&text);
         // Every way to have typed only a part of it.
@@ -310,8 +406,15 @@ const WORDS: &[&str] = &[
 /// As many brackets as CPython allows, with room for what is in them.
 #[test]
 fn two_hundred_brackets_are_fine() {
-    for (open, close) in [("(", ")"), ("[", "]"), ("f(", ")"), ("a[", "]"), ("{1:", "}")] {
-        let nested = |n: usize| parse(&format!("{}1 + a.b{}", open.repeat(n), close.repeat(n))).errors;
+    for (open, close) in [
+        ("(", ")"),
+        ("[", "]"),
+        ("f(", ")"),
+        ("a[", "]"),
+        ("{1:", "}"),
+    ] {
+        let nested =
+            |n: usize| parse(&format!("{}1 + a.b{}", open.repeat(n), close.repeat(n))).errors;
         assert_eq!(nested(200), [], "{open}");
         assert_eq!(
             nested(201).first().map(|e| e.reference.as_str()),

@@ -7,7 +7,12 @@ use base::TextRange;
 
 /// Report every `:=` that clashes with a comprehension around it.
 pub(super) fn check(expr: &Expr, report: &mut Report<'_>) {
-    Checker { report, scopes: Vec::new(), in_iterable: false }.visit(expr);
+    Checker {
+        report,
+        scopes: Vec::new(),
+        in_iterable: false,
+    }
+    .visit(expr);
 }
 
 /// The names of one comprehension, as far as it was read.
@@ -31,13 +36,21 @@ impl<'e> Checker<'e, '_, '_> {
 
     fn visit(&mut self, expr: &'e Expr) {
         match &expr.kind {
-            ExprKind::NamedExpr { name, name_range, value } => {
+            ExprKind::NamedExpr {
+                name,
+                name_range,
+                value,
+            } => {
                 self.assignment(name, *name_range);
                 self.visit(value);
             }
             ExprKind::Comprehension(comp) => self.comprehension(comp),
             ExprKind::Lambda(lambda) => {
-                lambda.params.iter().filter_map(|p| p.default.as_ref()).for_each(|d| self.visit(d));
+                lambda
+                    .params
+                    .iter()
+                    .filter_map(|p| p.default.as_ref())
+                    .for_each(|d| self.visit(d));
                 let outer = std::mem::take(&mut self.scopes);
                 self.visit(&lambda.body);
                 self.scopes = outer;
@@ -48,11 +61,21 @@ impl<'e> Checker<'e, '_, '_> {
 
     fn assignment(&mut self, name: &'e str, range: TextRange) {
         if self.in_iterable {
-            let reference = "assignment expression cannot be used in a comprehension iterable expression";
-            self.error(range, "`:=` is not allowed in the iterable of a comprehension", reference);
-        } else if self.scopes.iter().any(|scope| scope.targets.contains(&name)) {
             let reference =
-                format!("assignment expression cannot rebind comprehension iteration variable '{name}'");
+                "assignment expression cannot be used in a comprehension iterable expression";
+            self.error(
+                range,
+                "`:=` is not allowed in the iterable of a comprehension",
+                reference,
+            );
+        } else if self
+            .scopes
+            .iter()
+            .any(|scope| scope.targets.contains(&name))
+        {
+            let reference = format!(
+                "assignment expression cannot rebind comprehension iteration variable '{name}'"
+            );
             let message = format!("cannot assign to `{name}`, the variable of a comprehension");
             self.error(range, &message, &reference);
         } else if let Some(scope) = self.scopes.last_mut() {
@@ -84,7 +107,9 @@ impl<'e> Checker<'e, '_, '_> {
     }
 
     fn target(&mut self, target: &'e Expr) {
-        let Some(scope) = self.scopes.last_mut() else { return };
+        let Some(scope) = self.scopes.last_mut() else {
+            return;
+        };
         let mut clash = None;
         target_names(target, &mut |name| {
             if scope.assigned.contains(&name.as_str()) {
@@ -93,8 +118,9 @@ impl<'e> Checker<'e, '_, '_> {
             scope.targets.push(name);
         });
         if let Some(name) = clash {
-            let reference =
-                format!("comprehension inner loop cannot rebind assignment expression target '{name}'");
+            let reference = format!(
+                "comprehension inner loop cannot rebind assignment expression target '{name}'"
+            );
             let message = format!("`{name}` is already assigned with `:=`");
             self.error(target.range, &message, &reference);
         }

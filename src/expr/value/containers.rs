@@ -43,7 +43,10 @@ impl Drop for ListObject {
 impl List {
     /// A list of `items`; `yaml` makes it wrap what is taken out of it.
     pub(crate) fn new(items: EcoVec<Value>, yaml: bool) -> Self {
-        Self(Arc::new(ListObject { yaml, items: Mutex::new(items) }))
+        Self(Arc::new(ListObject {
+            yaml,
+            items: Mutex::new(items),
+        }))
     }
 
     /// The items as they are now.
@@ -70,7 +73,11 @@ impl List {
     /// The items as iteration gives them.
     pub fn items(&self) -> EcoVec<Value> {
         let items = self.snapshot();
-        if !self.0.yaml || !items.iter().any(|item| matches!(item, Value::List(_) | Value::Dict(_))) {
+        if !self.0.yaml
+            || !items
+                .iter()
+                .any(|item| matches!(item, Value::List(_) | Value::Dict(_)))
+        {
             return items;
         }
         items.into_iter().map(Value::wrapped).collect()
@@ -145,7 +152,10 @@ struct DictObject {
 impl Drop for DictObject {
     fn drop(&mut self) {
         let map = self.map.get_mut().unwrap_or_else(PoisonError::into_inner);
-        if map.iter().any(|(key, value)| is_nested(key.value()) || is_nested(value)) {
+        if map
+            .iter()
+            .any(|(key, value)| is_nested(key.value()) || is_nested(value))
+        {
             drop_iteratively(std::mem::take(map));
         }
     }
@@ -154,7 +164,10 @@ impl Drop for DictObject {
 impl Dict {
     /// A dict; `yaml` gives it dotted access.
     pub(crate) fn new(map: DictMap, yaml: bool) -> Self {
-        Self(Arc::new(DictObject { yaml, map: Mutex::new(Arc::new(map)) }))
+        Self(Arc::new(DictObject {
+            yaml,
+            map: Mutex::new(Arc::new(map)),
+        }))
     }
 
     /// The entries as they are now.
@@ -164,7 +177,10 @@ impl Dict {
 
     /// Keys and values in order, values unwrapped.
     pub fn entries(&self) -> Vec<(Value, Value)> {
-        self.snapshot().iter().map(|(key, value)| (key.value().clone(), value.clone())).collect()
+        self.snapshot()
+            .iter()
+            .map(|(key, value)| (key.value().clone(), value.clone()))
+            .collect()
     }
 
     /// Number of entries.
@@ -199,7 +215,10 @@ impl Dict {
 
     /// Another dict with the same entries.
     pub(crate) fn copied(&self, yaml: bool) -> Self {
-        Self(Arc::new(DictObject { yaml, map: Mutex::new(self.snapshot()) }))
+        Self(Arc::new(DictObject {
+            yaml,
+            map: Mutex::new(self.snapshot()),
+        }))
     }
 
     pub(crate) fn address(&self) -> usize {
@@ -229,7 +248,10 @@ impl Drop for SetObject {
 impl Set {
     /// A set, or a frozenset.
     pub(crate) fn new(items: SetMap, frozen: bool) -> Self {
-        Self(Arc::new(SetObject { frozen, items: Mutex::new(Arc::new(items)) }))
+        Self(Arc::new(SetObject {
+            frozen,
+            items: Mutex::new(Arc::new(items)),
+        }))
     }
 
     /// The elements as they are now, in insertion order.

@@ -19,7 +19,8 @@ impl DateValue {
         let (year, month, day) = self.date;
         let (hour, minute, second, micro) = self.time.unwrap_or_default();
         let days = days_before(year, month) + i64::from(day);
-        let seconds = days * 86_400 + i64::from(hour) * 3600 + i64::from(minute) * 60 + i64::from(second);
+        let seconds =
+            days * 86_400 + i64::from(hour) * 3600 + i64::from(minute) * 60 + i64::from(second);
         (seconds - i64::from(self.utc_offset.unwrap_or(0))) * 1_000_000 + i64::from(micro)
     }
 }
@@ -27,8 +28,11 @@ impl DateValue {
 /// Days of the Gregorian calendar before the first of a month.
 fn days_before(year: i32, month: u32) -> i64 {
     // Counting years from March puts the leap day last.
-    let (year, month) =
-        if month <= 2 { (i64::from(year) - 1, month + 9) } else { (i64::from(year), month - 3) };
+    let (year, month) = if month <= 2 {
+        (i64::from(year) - 1, month + 9)
+    } else {
+        (i64::from(year), month - 3)
+    };
     year * 365 + year / 4 - year / 100 + year / 400 + (i64::from(month) * 153 + 2) / 5
 }
 
@@ -36,14 +40,22 @@ fn days_before(year: i32, month: u32) -> i64 {
 pub(crate) fn date_text(date: &DateValue, separator: &str) -> String {
     let (year, month, day) = date.date;
     let mut out = format!("{year:04}-{month:02}-{day:02}");
-    let Some((hour, minute, second, micro)) = date.time else { return out };
-    push(&mut out, format_args!("{separator}{hour:02}:{minute:02}:{second:02}"));
+    let Some((hour, minute, second, micro)) = date.time else {
+        return out;
+    };
+    push(
+        &mut out,
+        format_args!("{separator}{hour:02}:{minute:02}:{second:02}"),
+    );
     if micro != 0 {
         push(&mut out, format_args!(".{micro:06}"));
     }
     if let Some(offset) = date.utc_offset {
         let sign = if offset < 0 { '-' } else { '+' };
-        let (hours, minutes) = (offset.unsigned_abs() / 3600, offset.unsigned_abs() / 60 % 60);
+        let (hours, minutes) = (
+            offset.unsigned_abs() / 3600,
+            offset.unsigned_abs() / 60 % 60,
+        );
         push(&mut out, format_args!("{sign}{hours:02}:{minutes:02}"));
     }
     out
@@ -70,7 +82,9 @@ pub(crate) fn date_repr(date: &DateValue) -> String {
             let seconds = offset.rem_euclid(86_400);
             push(
                 &mut out,
-                format_args!(", tzinfo=datetime.timezone(datetime.timedelta({days}seconds={seconds}))"),
+                format_args!(
+                    ", tzinfo=datetime.timezone(datetime.timedelta({days}seconds={seconds}))"
+                ),
             );
         }
     }

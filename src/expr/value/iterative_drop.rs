@@ -58,7 +58,12 @@ fn put_aside(contents: Contents) {
 }
 
 fn work_off() {
-    let next = || QUEUE.try_with(|queue| queue.borrow_mut().waiting.pop()).ok().flatten();
+    let next = || {
+        QUEUE
+            .try_with(|queue| queue.borrow_mut().waiting.pop())
+            .ok()
+            .flatten()
+    };
     while let Some(contents) = next() {
         // Counts as nested, so that drops inside it queue up here instead of starting another loop.
         let _ = QUEUE.try_with(|queue| queue.borrow_mut().depth += 1);

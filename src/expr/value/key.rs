@@ -55,19 +55,27 @@ fn check(value: &Value, depth: u32, parts: &mut u32) -> Eval<()> {
     }
     match value {
         Value::Unknown => Err(Stop::Unknown),
-        Value::Tuple(tuple) => tuple.items().iter().try_for_each(|item| check(item, depth + 1, parts)),
-        Value::Set(set) if set.is_frozen() => {
-            set.snapshot().iter().try_for_each(|item| check(item.value(), depth + 1, parts))
-        }
+        Value::Tuple(tuple) => tuple
+            .items()
+            .iter()
+            .try_for_each(|item| check(item, depth + 1, parts)),
+        Value::Set(set) if set.is_frozen() => set
+            .snapshot()
+            .iter()
+            .try_for_each(|item| check(item.value(), depth + 1, parts)),
         Value::List(_)
         | Value::Dict(_)
         | Value::Set(_)
         | Value::Slice(_)
         | Value::Scope(_)
-        | Value::Module(_) => Err(Stop::typ(format!("unhashable type: '{}'", value.type_name()))),
-        Value::View(view) if view.kind != super::ViewKind::Values => {
-            Err(Stop::typ(format!("unhashable type: '{}'", value.type_name())))
-        }
+        | Value::Module(_) => Err(Stop::typ(format!(
+            "unhashable type: '{}'",
+            value.type_name()
+        ))),
+        Value::View(view) if view.kind != super::ViewKind::Values => Err(Stop::typ(format!(
+            "unhashable type: '{}'",
+            value.type_name()
+        ))),
         _ => Ok(()),
     }
 }
@@ -88,7 +96,8 @@ fn equal(a: &Value, b: &Value) -> bool {
         (Value::Bytes(a), Value::Bytes(b)) => a == b,
         (Value::Tuple(a), Value::Tuple(b)) => {
             let (x, y) = (a.items(), b.items());
-            a.address() == b.address() || (x.len() == y.len() && x.iter().zip(y).all(|(x, y)| equal(x, y)))
+            a.address() == b.address()
+                || (x.len() == y.len() && x.iter().zip(y).all(|(x, y)| equal(x, y)))
         }
         (Value::Set(a), Value::Set(b)) => {
             let (a, b) = (a.snapshot(), b.snapshot());
@@ -128,10 +137,15 @@ pub(crate) fn hash_value(value: &Value) -> i64 {
     match value {
         Value::Str(text) => text.hash(&mut state),
         Value::Bytes(bytes) => bytes.hash(&mut state),
-        Value::Tuple(tuple) => tuple.items().iter().for_each(|item| state.write_i64(hash_value(item))),
+        Value::Tuple(tuple) => tuple
+            .items()
+            .iter()
+            .for_each(|item| state.write_i64(hash_value(item))),
         Value::Set(set) => {
-            let sum =
-                set.snapshot().iter().fold(0i64, |sum, item| sum.wrapping_add(hash_value(item.value())));
+            let sum = set
+                .snapshot()
+                .iter()
+                .fold(0i64, |sum, item| sum.wrapping_add(hash_value(item.value())));
             state.write_i64(sum);
         }
         Value::Range(range) => range.len().hash(&mut state),
@@ -146,7 +160,10 @@ pub(crate) fn hash_value(value: &Value) -> i64 {
 /// The elements of a set in the order Python iterates them, if they are all numbers; else in insertion order
 /// (Python's order of strings changes from run to run).
 pub(crate) fn set_order(items: &SetMap) -> Vec<Value> {
-    let hashes: Option<Vec<i64>> = items.iter().map(|key| Num::of(key.value()).map(hash_num)).collect();
+    let hashes: Option<Vec<i64>> = items
+        .iter()
+        .map(|key| Num::of(key.value()).map(hash_num))
+        .collect();
     let values = items.iter().map(|key| key.value().clone());
     match hashes {
         Some(hashes) => {
@@ -189,7 +206,9 @@ struct Table {
 
 impl Table {
     fn new(size: usize) -> Self {
-        Self { entries: vec![None; size] }
+        Self {
+            entries: vec![None; size],
+        }
     }
 
     fn resized(&self, size: usize) -> Self {

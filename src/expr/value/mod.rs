@@ -142,7 +142,13 @@ impl Value {
 
     /// A set; elements that are not hashable are left out.
     pub fn set_from(items: impl IntoIterator<Item = Value>) -> Self {
-        Self::Set(Set::new(items.into_iter().filter_map(|item| Key::new(item).ok()).collect(), false))
+        Self::Set(Set::new(
+            items
+                .into_iter()
+                .filter_map(|item| Key::new(item).ok())
+                .collect(),
+            false,
+        ))
     }
 
     /// A tuple.
@@ -218,7 +224,11 @@ impl Value {
 
     /// The same, or a stop when it is unknown.
     pub(crate) fn known(self) -> Eval {
-        if self.is_unknown() { Err(Stop::Unknown) } else { Ok(self) }
+        if self.is_unknown() {
+            Err(Stop::Unknown)
+        } else {
+            Ok(self)
+        }
     }
 }
 

@@ -22,7 +22,11 @@ pub struct Range {
 impl Range {
     /// How many numbers it has.
     pub fn len(&self) -> u128 {
-        let (low, high) = if self.step > 0 { (self.start, self.stop) } else { (self.stop, self.start) };
+        let (low, high) = if self.step > 0 {
+            (self.start, self.stop)
+        } else {
+            (self.stop, self.start)
+        };
         if low >= high {
             return 0;
         }
@@ -150,8 +154,16 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    pub(crate) fn new(parent: Option<Arc<Frame>>, comprehension: bool, vars: Vec<(Str, Value)>) -> Self {
-        Self { parent, comprehension, vars: Mutex::new(vars) }
+    pub(crate) fn new(
+        parent: Option<Arc<Frame>>,
+        comprehension: bool,
+        vars: Vec<(Str, Value)>,
+    ) -> Self {
+        Self {
+            parent,
+            comprehension,
+            vars: Mutex::new(vars),
+        }
     }
 
     fn vars(&self) -> MutexGuard<'_, Vec<(Str, Value)>> {
@@ -160,7 +172,10 @@ impl Frame {
 
     /// The value of `name` in this frame alone.
     pub(crate) fn get(&self, name: &str) -> Option<Value> {
-        self.vars().iter().find(|(n, _)| n == name).map(|(_, value)| value.clone())
+        self.vars()
+            .iter()
+            .find(|(n, _)| n == name)
+            .map(|(_, value)| value.clone())
     }
 
     /// Bind `name` in this frame.

@@ -72,7 +72,9 @@ impl Type {
             },
             Value::Iter(iter) => of_iterator(iter.kind()),
             Value::Type(_) => Self::Type,
-            Value::Builtin(builtin) if builtin.deprecated.is_some() || builtin.function.is_python() => {
+            Value::Builtin(builtin)
+                if builtin.deprecated.is_some() || builtin.function.is_python() =>
+            {
                 Self::Function
             }
             Value::Builtin(_) => Self::Builtin,

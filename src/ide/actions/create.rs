@@ -15,13 +15,20 @@ pub(super) fn undefined_property(source: &SourceFile, range: TextRange) -> Vec<A
         return Vec::new();
     }
     let parameter = parameter(source, range, &name);
-    property(source, range, &name).into_iter().chain(parameter).collect()
+    property(source, range, &name)
+        .into_iter()
+        .chain(parameter)
+        .collect()
 }
 
 /// A declaration of the argument.
 pub(super) fn undefined_arg(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let name = source.document.slice(range);
-    if is_plain(&name) { argument(source, &name).into_iter().collect() } else { Vec::new() }
+    if is_plain(&name) {
+        argument(source, &name).into_iter().collect()
+    } else {
+        Vec::new()
+    }
 }
 
 /// A macro that takes what the call gives.
@@ -33,7 +40,11 @@ pub(super) fn undefined_macro(source: &SourceFile, range: TextRange) -> Vec<Acti
 pub(super) fn undefined_link(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let name = source.document.slice(range);
     let text = || format!("<link name=\"{name}\"/>");
-    if is_plain(&name) { element(source, range, format!("add link `{name}`"), text()) } else { Vec::new() }
+    if is_plain(&name) {
+        element(source, range, format!("add link `{name}`"), text())
+    } else {
+        Vec::new()
+    }
 }
 
 /// A gray material of the name.
@@ -55,11 +66,14 @@ pub(super) fn missing_joint_limit(source: &SourceFile, range: TextRange) -> Vec<
 
 /// Whether a name can be written into an attribute as it is.
 fn is_plain(name: &str) -> bool {
-    !name.is_empty() && !name.contains(|c: char| matches!(c, '$' | '<' | '&' | '"' | '\'') || c.is_control())
+    !name.is_empty()
+        && !name.contains(|c: char| matches!(c, '$' | '<' | '&' | '"' | '\'') || c.is_control())
 }
 
 fn speaks_xacro(document: &Document) -> bool {
-    document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some())
+    document
+        .root()
+        .is_some_and(|root| root.attr("xmlns:xacro").is_some())
 }
 
 /// A new child of the root in front of the element at a range.
@@ -80,11 +94,18 @@ fn property(source: &SourceFile, range: TextRange, name: &str) -> Option<Action>
 /// A further parameter of the macro around.
 fn parameter(source: &SourceFile, range: TextRange, name: &str) -> Option<Action> {
     let (base, node) = enclosing(&source.document, range.start, "xacro:macro")?;
-    let title = format!("add parameter `{name}` to macro `{}`", node.attr("name")?.raw());
+    let title = format!(
+        "add parameter `{name}` to macro `{}`",
+        node.attr("name")?.raw()
+    );
     let new = match node.attr("params") {
         Some(params) => {
             let at = TextRange::empty(base + params.value_range().end);
-            let blank = if params.raw().is_empty() || params.raw().ends_with(' ') { "" } else { " " };
+            let blank = if params.raw().is_empty() || params.raw().ends_with(' ') {
+                ""
+            } else {
+                " "
+            };
             edit(source, at, format!("{blank}{name}"))
         }
         None => {
@@ -98,13 +119,22 @@ fn parameter(source: &SourceFile, range: TextRange, name: &str) -> Option<Action
 /// Arguments are declared before anything reads them.
 fn argument(source: &SourceFile, name: &str) -> Option<Action> {
     let at = first_child(&source.document)?;
-    let text = top_level(&source.document, at, &format!("<xacro:arg name=\"{name}\" default=\"\"/>"));
-    Some(fix(format!("add argument `{name}`"), vec![edit(source, TextRange::empty(at), text)]))
+    let text = top_level(
+        &source.document,
+        at,
+        &format!("<xacro:arg name=\"{name}\" default=\"\"/>"),
+    );
+    Some(fix(
+        format!("add argument `{name}`"),
+        vec![edit(source, TextRange::empty(at), text)],
+    ))
 }
 
 /// The name that an element calls a macro by.
 fn called<'a>(node: Node<'a>) -> Option<&'a str> {
-    node.name().strip_prefix("xacro:").filter(|name| !name.is_empty() && !name.contains('.'))
+    node.name()
+        .strip_prefix("xacro:")
+        .filter(|name| !name.is_empty() && !name.contains('.'))
 }
 
 /// A macro that takes what the call gives.
@@ -116,7 +146,10 @@ fn new_macro(source: &SourceFile, range: TextRange) -> Option<Action> {
     if node.child_elements().next().is_some() {
         params.push("*content".to_owned());
     }
-    let text = format!("<xacro:macro name=\"{name}\" params=\"{}\"></xacro:macro>", params.join(" "));
+    let text = format!(
+        "<xacro:macro name=\"{name}\" params=\"{}\"></xacro:macro>",
+        params.join(" ")
+    );
     element(source, range, format!("add macro `{name}`"), text).pop()
 }
 
@@ -134,8 +167,12 @@ pub fn include_macro(
 ) -> Vec<Action> {
     let document = &source.document;
     let name = element_at(document, range.start).and_then(|(_, node)| called(node));
-    let (Some(name), true) = (name, speaks_xacro(document)) else { return Vec::new() };
-    let files = find(name).into_iter().filter(|file| !file.filename.contains(['"', '<', '&']));
+    let (Some(name), true) = (name, speaks_xacro(document)) else {
+        return Vec::new();
+    };
+    let files = find(name)
+        .into_iter()
+        .filter(|file| !file.filename.contains(['"', '<', '&']));
     let include = |file: MacroFile| {
         let title = format!("include `{}`", file.filename);
         let text = format!("<xacro:include filename=\"{}\"/>", file.filename);
@@ -145,8 +182,16 @@ pub fn include_macro(
 }
 
 /// A new child of the element at a range.
-fn child(source: &SourceFile, range: TextRange, parent: &str, title: &str, text: &str) -> Vec<Action> {
-    let Some((base, node)) = element_at(&source.document, range.start) else { return Vec::new() };
+fn child(
+    source: &SourceFile,
+    range: TextRange,
+    parent: &str,
+    title: &str,
+    text: &str,
+) -> Vec<Action> {
+    let Some((base, node)) = element_at(&source.document, range.start) else {
+        return Vec::new();
+    };
     if node.name() != parent {
         return Vec::new();
     }
@@ -156,16 +201,29 @@ fn child(source: &SourceFile, range: TextRange, parent: &str, title: &str, text:
 
 /// The attributes that parsers insist on, to be filled in.
 pub(super) fn missing_attributes(source: &SourceFile, range: TextRange) -> Vec<Action> {
-    let Some((base, node)) = element_at(&source.document, range.start) else { return Vec::new() };
+    let Some((base, node)) = element_at(&source.document, range.start) else {
+        return Vec::new();
+    };
     let specs = schema::element(node);
-    let [spec] = specs.as_slice() else { return Vec::new() };
-    let missing = spec.attributes.iter().filter(|attr| attr.required && node.attr(attr.name).is_none());
+    let [spec] = specs.as_slice() else {
+        return Vec::new();
+    };
+    let missing = spec
+        .attributes
+        .iter()
+        .filter(|attr| attr.required && node.attr(attr.name).is_none());
     let missing: Vec<&str> = missing.map(|attr| attr.name).collect();
     if missing.is_empty() {
         return Vec::new();
     }
     let text: String = missing.iter().map(|name| format!(" {name}=\"\"")).collect();
-    let at = node.attrs().last().map_or(node.name_range().end, |attr| attr.range().end);
+    let at = node
+        .attrs()
+        .last()
+        .map_or(node.name_range().end, |attr| attr.range().end);
     let title = format!("add `{}`", missing.join("` and `"));
-    vec![fix(title, vec![edit(source, TextRange::empty(base + at), text)])]
+    vec![fix(
+        title,
+        vec![edit(source, TextRange::empty(base + at), text)],
+    )]
 }

@@ -32,13 +32,20 @@ pub(super) fn call(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let range = node.range().shift(base);
     let content = indented(document, range, &text)?;
     let title = format!("expand macro call `{name}` with evaluated values");
-    Some(Action { title, kind: ActionKind::Inline, edits: vec![edit(cx.source, range, content)] })
+    Some(Action {
+        title,
+        kind: ActionKind::Inline,
+        edits: vec![edit(cx.source, range, content)],
+    })
 }
 
 /// The only expansion of the call whose tag stands at a range.
 pub(super) fn only_frame(cx: &Cx<'_>, tag: TextRange) -> Option<FrameId> {
     let is_macro = |id: &FrameId| {
-        cx.expansion.frames.get(id.0 as usize).is_some_and(|frame| frame.kind == FrameKind::Macro)
+        cx.expansion
+            .frames
+            .get(id.0 as usize)
+            .is_some_and(|frame| frame.kind == FrameKind::Macro)
     };
     let mut made = frames_of_tag(cx, tag).into_iter().filter(is_macro);
     let only = made.next()?;
@@ -49,11 +56,13 @@ pub(super) fn only_frame(cx: &Cx<'_>, tag: TextRange) -> Option<FrameId> {
 fn leaves_something(cx: &Cx<'_>, outer: FrameId) -> bool {
     let frames = numbered(cx.expansion).filter(|(id, _)| is_within(cx.expansion, *id, outer));
     let mut definitions = frames.filter_map(|(_, frame)| Some((frame.kind, frame.definition?)));
-    definitions.any(|(kind, definition)| match (kind, source_node(cx, definition)) {
-        (FrameKind::Macro, Some(node)) => below(node).any(defines),
-        (FrameKind::Include, _) | (FrameKind::Macro, None) => true,
-        _ => false,
-    })
+    definitions.any(
+        |(kind, definition)| match (kind, source_node(cx, definition)) {
+            (FrameKind::Macro, Some(node)) => below(node).any(defines),
+            (FrameKind::Include, _) | (FrameKind::Macro, None) => true,
+            _ => false,
+        },
+    )
 }
 
 pub(super) fn source_node<'a>(cx: &Cx<'a>, origin: Origin) -> Option<Node<'a>> {
@@ -68,7 +77,9 @@ pub(super) fn source_node<'a>(cx: &Cx<'a>, origin: Origin) -> Option<Node<'a>> {
 
 fn below<'a>(node: Node<'a>) -> impl Iterator<Item = Node<'a>> {
     let range = node.range();
-    node.item().all_nodes().filter(move |inner| *inner != node && range.contains_range(inner.range()))
+    node.item()
+        .all_nodes()
+        .filter(move |inner| *inner != node && range.contains_range(inner.range()))
 }
 
 fn defines(node: Node<'_>) -> bool {
@@ -84,6 +95,10 @@ fn parts(cx: &Cx<'_>, frame: FrameId) -> Vec<String> {
     let written = write_mapped(&cx.expansion.tree, "");
     let mut found = made_in(cx.expansion, &written, frame);
     // indentation starts again
-    found.retain(|text| Document::parse(&format!("<a>{text}</a>")).errors().is_empty());
+    found.retain(|text| {
+        Document::parse(&format!("<a>{text}</a>"))
+            .errors()
+            .is_empty()
+    });
     found
 }

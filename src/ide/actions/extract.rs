@@ -24,21 +24,52 @@ struct Value<'a> {
 /// written alike in the same attribute of such elements. Zeros and ones are in every line, so they have to be selected.
 pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     let source = cx.source;
-    let Some(value) = value_at(source, selection) else { return Vec::new() };
-    let Some(at) = before(&source.document, value.range.start) else { return Vec::new() };
+    let Some(value) = value_at(source, selection) else {
+        return Vec::new();
+    };
+    let Some(at) = before(&source.document, value.range.start) else {
+        return Vec::new();
+    };
     let name = free_name(cx, &value);
     let text = format!("<xacro:property name=\"{name}\" value=\"{}\"/>", value.text);
-    let new = edit(source, TextRange::empty(at), top_level(&source.document, at, &text));
-    let used = |in_expression: bool| if in_expression { name.clone() } else { format!("${{{name}}}") };
-    let one = vec![new.clone(), edit(source, value.range, used(value.in_expression))];
+    let new = edit(
+        source,
+        TextRange::empty(at),
+        top_level(&source.document, at, &text),
+    );
+    let used = |in_expression: bool| {
+        if in_expression {
+            name.clone()
+        } else {
+            format!("${{{name}}}")
+        }
+    };
+    let one = vec![
+        new.clone(),
+        edit(source, value.range, used(value.in_expression)),
+    ];
     let title = format!("extract `{}` to property `{name}`", value.text);
-    let mut actions = vec![Action { title, kind: ActionKind::Extract, edits: one }];
+    let mut actions = vec![Action {
+        title,
+        kind: ActionKind::Extract,
+        edits: one,
+    }];
     let alike = alike(source, &value, at);
     if alike.len() > 1 {
-        let uses = alike.iter().map(|(range, in_expression)| edit(source, *range, used(*in_expression)));
+        let uses = alike
+            .iter()
+            .map(|(range, in_expression)| edit(source, *range, used(*in_expression)));
         let edits = std::iter::once(new).chain(uses).collect();
-        let title = format!("extract all {} `{}` to property `{name}`", alike.len(), value.text);
-        actions.push(Action { title, kind: ActionKind::Extract, edits });
+        let title = format!(
+            "extract all {} `{}` to property `{name}`",
+            alike.len(),
+            value.text
+        );
+        actions.push(Action {
+            title,
+            kind: ActionKind::Extract,
+            edits,
+        });
     }
     actions
 }
@@ -50,7 +81,9 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
     let document = &source.document;
     let speaks_xacro = document.root()?.attr("xmlns:xacro").is_some();
     let at: At<'_> = locate(document, selection.start);
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
+    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+        return None;
+    };
     let whole = at.shift(attr.value_range());
     let fixed = FIXED.contains(&attr.name()) || attr.name().starts_with("xmlns") || at.base == 0;
     if !speaks_xacro
@@ -70,7 +103,11 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
         return None;
     }
     let text = document.slice(range);
-    if selection.is_empty() && text.parse().is_ok_and(|number: f64| number == 0.0 || number == 1.0) {
+    if selection.is_empty()
+        && text
+            .parse()
+            .is_ok_and(|number: f64| number == 0.0 || number == 1.0)
+    {
         return None;
     }
     let inside = TextRange::new(range.start - whole.start, range.end - whole.start);
@@ -78,9 +115,16 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
     let in_expression = in_expression(attr.raw(), inside.start as usize)?;
     // xacro reads truth values from properties, and prints them in another way
     let truth = matches!(text.trim(), "true" | "false" | "True" | "False");
-    let plain = !truth && !text.trim().is_empty() && !text.contains(['$', '"', '\'', '<', '&', '{', '}']);
+    let plain =
+        !truth && !text.trim().is_empty() && !text.contains(['$', '"', '\'', '<', '&', '{', '}']);
     let admitted = is_number || plain && !in_expression && text.parse::<f64>().is_err();
-    admitted.then(|| Value { text, range, in_expression, attr, element: node.local_name() })
+    admitted.then(|| Value {
+        text,
+        range,
+        in_expression,
+        attr,
+        element: node.local_name(),
+    })
 }
 
 /// The numbers that are written in a text.
@@ -94,14 +138,17 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
             let word = text.get(start..)?;
             let mut len = word.find(|c| !is_word(c)).unwrap_or(word.len());
             let number = |len: usize| {
-                word.get(..len).filter(|word| word.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
+                word.get(..len)
+                    .filter(|word| word.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
             };
             // the sign of an exponent
             if number(len).is_some_and(|word| word.ends_with(['e', 'E']))
                 && word.get(len..)?.starts_with(['-', '+'])
             {
                 let more = word.get(len + 1..)?;
-                len += 1 + more.find(|c: char| !c.is_ascii_digit()).unwrap_or(more.len());
+                len += 1 + more
+                    .find(|c: char| !c.is_ascii_digit())
+                    .unwrap_or(more.len());
             }
             at = start + len;
             if number(len).is_some_and(|word| word.parse::<f64>().is_ok()) {
@@ -115,15 +162,20 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
 fn in_expression(text: &str, offset: usize) -> Option<bool> {
     let before = text.get(..offset)?;
     let (opened, closed) = (before.rfind('$'), before.rfind(['}', ')']));
-    let Some(opened) = opened else { return Some(false) };
+    let Some(opened) = opened else {
+        return Some(false);
+    };
     let quotes = before.get(opened..)?.matches('\'').count();
     match before.get(opened + 1..)?.chars().next() {
         Some('{')
-            if before.get(opened..)?.matches('{').count() > before.get(opened..)?.matches('}').count() =>
+            if before.get(opened..)?.matches('{').count()
+                > before.get(opened..)?.matches('}').count() =>
         {
             (quotes % 2 == 0).then_some(true)
         }
-        Some('{' | '(') => closed.is_some_and(|closed| closed > opened).then_some(false),
+        Some('{' | '(') => closed
+            .is_some_and(|closed| closed > opened)
+            .then_some(false),
         _ => None,
     }
 }
@@ -131,8 +183,14 @@ fn in_expression(text: &str, offset: usize) -> Option<bool> {
 /// The same value in attributes of the same meaning, behind an offset.
 fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, bool)> {
     let mut found = Vec::new();
-    for (base, item) in source.document.items().filter(|(base, item)| base + item.len() > from) {
-        let elements = item.all_nodes().filter(|node| node.local_name() == value.element);
+    for (base, item) in source
+        .document
+        .items()
+        .filter(|(base, item)| base + item.len() > from)
+    {
+        let elements = item
+            .all_nodes()
+            .filter(|node| node.local_name() == value.element);
         let attrs = elements.flat_map(|node| node.attrs());
         for attr in attrs.filter(|attr| attr.name() == value.attr.name()) {
             let raw = attr.raw();
@@ -143,7 +201,8 @@ fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, b
             same.dedup();
             for range in same {
                 let place = range.shift(base + attr.value_range().start);
-                if let Some(inside) = in_expression(raw, range.start as usize).filter(|_| place.start >= from)
+                if let Some(inside) =
+                    in_expression(raw, range.start as usize).filter(|_| place.start >= from)
                 {
                     found.push((place, inside));
                 }
@@ -157,14 +216,27 @@ fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, b
 fn free_name(cx: &Cx<'_>, value: &Value<'_>) -> String {
     let plain = |text: &str| text.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
     let wanted = format!("{}_{}", plain(value.element), plain(value.attr.name()));
-    let wanted = if is_identifier(&wanted) { wanted } else { "value".to_owned() };
+    let wanted = if is_identifier(&wanted) {
+        wanted
+    } else {
+        "value".to_owned()
+    };
     let here = facts(&cx.source.document).flat_map(|(_, facts)| {
-        let named = facts.of(FactKind::Property).map(|fact| fact.name.to_string());
+        let named = facts
+            .of(FactKind::Property)
+            .map(|fact| fact.name.to_string());
         let read = facts.mentions().map(|mention| mention.name.to_string());
         named.chain(read).collect::<Vec<_>>()
     });
-    let known: Vec<String> =
-        here.chain(cx.expansion.symbols.definitions.iter().map(|known| known.name.to_string())).collect();
+    let known: Vec<String> = here
+        .chain(
+            cx.expansion
+                .symbols
+                .definitions
+                .iter()
+                .map(|known| known.name.to_string()),
+        )
+        .collect();
     let numbered = (2..1000).map(|number| format!("{wanted}_{number}"));
     let mut names = std::iter::once(wanted.clone()).chain(numbered);
     names.find(|name| !known.contains(name)).unwrap_or(wanted)
@@ -193,7 +265,11 @@ mod tests {
             ("${dict(a={}) + |1}", Some(true)),
         ] {
             let offset = text.find('|').unwrap();
-            assert_eq!(in_expression(&text.replace('|', ""), offset), expected, "{text}");
+            assert_eq!(
+                in_expression(&text.replace('|', ""), offset),
+                expected,
+                "{text}"
+            );
         }
     }
 }

@@ -37,30 +37,53 @@ pub(super) fn extract_macro(cx: &Cx<'_>, selection: TextRange) -> Option<Action>
     let mut names = free_names(document, range);
     // names of includes are known everywhere, and no values
     let symbols = &cx.expansion.symbols;
-    names.retain(|name| !symbols.iter().any(|(_, it)| it.name == *name && it.kind == SymbolKind::Namespace));
+    names.retain(|name| {
+        !symbols
+            .iter()
+            .any(|(_, it)| it.name == *name && it.kind == SymbolKind::Namespace)
+    });
     let macro_name = free_macro_name(cx, "extracted");
     let at = before(document, range.start)?;
     let end = line_end(document);
     let unit = indentation(document).unit;
     let own = margin(document, range.start);
-    let body = document.slice(range).replace(&format!("\n{own}"), &format!("\n{unit}{unit}"));
-    let params = if names.is_empty() { String::new() } else { format!(" params=\"{}\"", names.join(" ")) };
+    let body = document
+        .slice(range)
+        .replace(&format!("\n{own}"), &format!("\n{unit}{unit}"));
+    let params = if names.is_empty() {
+        String::new()
+    } else {
+        format!(" params=\"{}\"", names.join(" "))
+    };
     let definition = format!(
         "<xacro:macro name=\"{macro_name}\"{params}>{end}{unit}{unit}{body}{end}{unit}</xacro:macro>"
     );
-    let given: Vec<String> = names.iter().map(|name| format!(" {name}=\"${{{name}}}\"")).collect();
+    let given: Vec<String> = names
+        .iter()
+        .map(|name| format!(" {name}=\"${{{name}}}\""))
+        .collect();
     let call = format!("<xacro:{macro_name}{}/>", given.concat());
     let edits = vec![
-        edit(source, TextRange::empty(at), top_level(document, at, &definition)),
+        edit(
+            source,
+            TextRange::empty(at),
+            top_level(document, at, &definition),
+        ),
         edit(source, range, call),
     ];
     let title = format!("extract selection to macro `{macro_name}`");
-    Some(Action { title, kind: ActionKind::Extract, edits })
+    Some(Action {
+        title,
+        kind: ActionKind::Extract,
+        edits,
+    })
 }
 
 /// The nodes of a range, with the offsets their ranges count from.
 pub(super) fn nodes_in(document: &Document, range: TextRange) -> Vec<(u32, Node<'_>)> {
-    let items = document.items().filter(|(base, item)| *base < range.end && range.start < base + item.len());
+    let items = document
+        .items()
+        .filter(|(base, item)| *base < range.end && range.start < base + item.len());
     let nodes = items.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
     nodes
         .filter(|(base, node)| {
@@ -80,7 +103,10 @@ fn is_bound(node: Node<'_>) -> bool {
 fn free_names(document: &Document, range: TextRange) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for (base, facts) in facts(document) {
-        let sites = facts.sites().iter().filter(|site| range.contains_range(site.range.shift(base)));
+        let sites = facts
+            .sites()
+            .iter()
+            .filter(|site| range.contains_range(site.range.shift(base)));
         let mentions = sites.flat_map(|site| &site.mentions);
         for mention in mentions.filter(|mention| mention.kind == MentionKind::Name) {
             let name = mention.name.to_string();
@@ -94,13 +120,25 @@ fn free_names(document: &Document, range: TextRange) -> Vec<String> {
 
 fn free_macro_name(cx: &Cx<'_>, wanted: &str) -> String {
     let here = facts(&cx.source.document).flat_map(|(_, facts)| {
-        facts.of(FactKind::Macro).map(|fact| fact.name.to_string()).collect::<Vec<_>>()
+        facts
+            .of(FactKind::Macro)
+            .map(|fact| fact.name.to_string())
+            .collect::<Vec<_>>()
     });
-    let known: Vec<String> =
-        here.chain(cx.expansion.symbols.definitions.iter().map(|known| known.name.to_string())).collect();
+    let known: Vec<String> = here
+        .chain(
+            cx.expansion
+                .symbols
+                .definitions
+                .iter()
+                .map(|known| known.name.to_string()),
+        )
+        .collect();
     let numbered = (2..1000).map(|number| format!("{wanted}_{number}"));
     let mut names = std::iter::once(wanted.to_owned()).chain(numbered);
-    names.find(|name| !known.contains(name)).unwrap_or_else(|| wanted.to_owned())
+    names
+        .find(|name| !known.contains(name))
+        .unwrap_or_else(|| wanted.to_owned())
 }
 
 /// Move the selected children of the root to a file of their own, and include that.
@@ -122,21 +160,34 @@ pub fn move_to_file(
     }
     let relative = ["load_yaml('", "$(dirname)", "<xacro:include filename=\""];
     let body = document.slice(range);
-    if relative.iter().any(|text| body.contains(text) && !body.contains("$(find ")) {
+    if relative
+        .iter()
+        .any(|text| body.contains(text) && !body.contains("$(find "))
+    {
         return None;
     }
     let wanted = name_of(first).unwrap_or_else(|| "part".to_owned());
     let numbered = (2..1000).map(|number| format!("{wanted}_{number}.xacro"));
-    let name = std::iter::once(format!("{wanted}.xacro")).chain(numbered).find(|name| !exists(name))?;
+    let name = std::iter::once(format!("{wanted}.xacro"))
+        .chain(numbered)
+        .find(|name| !exists(name))?;
     let (end, unit) = (line_end(document), indentation(document).unit);
     let own = margin(document, range.start);
     let body = body.replace(&format!("\n{own}"), &format!("\n{unit}"));
     let text = format!(
         "<?xml version=\"1.0\"?>{end}<robot xmlns:xacro=\"{namespace}\">{end}{unit}{body}{end}</robot>{end}"
     );
-    let include = indented(document, range, &format!("<xacro:include filename=\"{name}\"/>"))?;
+    let include = indented(
+        document,
+        range,
+        &format!("<xacro:include filename=\"{name}\"/>"),
+    )?;
     let title = format!("move selection to `{name}`");
-    let action = Action { title, kind: ActionKind::Extract, edits: vec![edit(source, range, include)] };
+    let action = Action {
+        title,
+        kind: ActionKind::Extract,
+        edits: vec![edit(source, range, include)],
+    };
     Some((action, NewFile { name, text }))
 }
 

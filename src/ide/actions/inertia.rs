@@ -24,10 +24,15 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     }
     let source = child(node, "inertial")?;
     let body = body(link)?;
-    let body_node = node.child_elements().find(|child| is_at(cx, body.element, child.range().shift(base)))?;
+    let body_node = node
+        .child_elements()
+        .find(|child| is_at(cx, body.element, child.range().shift(base)))?;
     // an origin that a macro brings along has no text here
     let written = |node: Node<'_>, origin: bool| child(node, "origin").is_some() == origin;
-    let given = link.inertial.as_ref().is_some_and(|inertial| inertial.origin.is_some());
+    let given = link
+        .inertial
+        .as_ref()
+        .is_some_and(|inertial| inertial.origin.is_some());
     if !written(body_node, body.origin.is_some()) || !written(source, given) {
         return None;
     }
@@ -35,7 +40,11 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     edits.extend(center(cx, base, source, child(body_node, "origin")));
     edits.sort_by_key(|edit| (edit.span.range.start, edit.span.range.end));
     let title = format!("compute inertia from the {}", shape_name(body)?);
-    Some(Action { title, kind: ActionKind::Rewrite, edits })
+    Some(Action {
+        title,
+        kind: ActionKind::Rewrite,
+        edits,
+    })
 }
 
 /// The links that the element at a place makes, one a call.
@@ -47,7 +56,10 @@ pub(super) fn place_of_links<'a>(cx: &Cx<'a>, place: TextRange) -> impl Iterator
 
 pub(super) fn is_at(cx: &Cx<'_>, element: XId, place: TextRange) -> bool {
     let span = cx.span(SourceRange::from(element_range(cx.expansion, element)));
-    span == Some(Span { file: cx.source.id, range: place })
+    span == Some(Span {
+        file: cx.source.id,
+        range: place,
+    })
 }
 
 pub(super) fn child<'a>(node: Node<'a>, name: &str) -> Option<Node<'a>> {
@@ -78,7 +90,10 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
     let number = |text: &Option<Text>| text.as_ref().and_then(Text::number).filter(|n| *n > 0.0);
     let [x, y, z] = match &body(link)?.shape()?.kind {
         ShapeKind::Box { size } => {
-            let [x, y, z] = size.as_ref()?.numbers::<3>()?.map(|length| length * length / 12.0);
+            let [x, y, z] = size
+                .as_ref()?
+                .numbers::<3>()?
+                .map(|length| length * length / 12.0);
             [y + z, x + z, x + y]
         }
         ShapeKind::Cylinder { radius, length } => {
@@ -94,7 +109,10 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
         _ => return None,
     };
     let inertia = [mass * x, mass * y, mass * z];
-    inertia.iter().all(|entry| entry.is_finite() && *entry > 0.0).then_some(inertia)
+    inertia
+        .iter()
+        .all(|entry| entry.is_finite() && *entry > 0.0)
+        .then_some(inertia)
 }
 
 /// The moments of a capsule for a mass of 1: those of its cylinder and of its half spheres, by their volumes.
@@ -102,15 +120,16 @@ fn capsule(r: f64, l: f64) -> [f64; 3] {
     let round = 4.0 * r / (3.0 * l + 4.0 * r);
     let straight = 1.0 - round;
     let along = straight * r * r / 2.0 + round * 0.4 * r * r;
-    let across =
-        straight * (r * r / 4.0 + l * l / 12.0) + round * (0.4 * r * r + l * l / 4.0 + 3.0 * l * r / 8.0);
+    let across = straight * (r * r / 4.0 + l * l / 12.0)
+        + round * (0.4 * r * r + l * l / 4.0 + 3.0 * l * r / 8.0);
     [across, across, along]
 }
 
 /// The element `inertia` with these numbers.
 fn entries(cx: &Cx<'_>, base: u32, inertial: Node<'_>, [x, y, z]: [f64; 3]) -> Vec<Edit> {
     let [x, y, z] = [x, y, z].map(shown);
-    let text = format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
+    let text =
+        format!("<inertia ixx=\"{x}\" ixy=\"0\" ixz=\"0\" iyy=\"{y}\" iyz=\"0\" izz=\"{z}\"/>");
     let (range, text) = match child(inertial, "inertia") {
         Some(old) => (old.range().shift(base), text),
         None => last_child(cx.source, base, inertial, &text),
@@ -144,5 +163,9 @@ fn center(cx: &Cx<'_>, base: u32, inertial: Node<'_>, shape: Option<Node<'_>>) -
 pub(super) fn shown(number: f64) -> String {
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     let plain = format!("{rounded}");
-    if plain.len() <= 12 { plain } else { format!("{rounded:e}") }
+    if plain.len() <= 12 {
+        plain
+    } else {
+        format!("{rounded:e}")
+    }
 }

@@ -13,7 +13,10 @@ pub fn inlinable(cx: &Cx<'_>, offset: u32) -> Option<(DefinitionId, String)> {
     let (id, _) = cx.symbol_at(offset)?;
     let symbols = &cx.expansion.symbols;
     let own = symbols.get(id)?;
-    let rivals = symbols.iter().filter(|(_, other)| other.name == own.name).count();
+    let rivals = symbols
+        .iter()
+        .filter(|(_, other)| other.name == own.name)
+        .count();
     let plain = own.kind == SymbolKind::Property && !own.conditional && rivals == 1;
     plain.then(|| (id, own.name.to_string()))
 }
@@ -24,14 +27,20 @@ pub(super) fn property(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Opt
     let target = definition_of(cx, id)?;
     let document = &cx.file_of(target.whole.file)?.document;
     let (base, node) = element_at(document, target.whole.range.start)?;
-    let value = node.attr("value").filter(|_| node.name() == "xacro:property")?.raw();
+    let value = node
+        .attr("value")
+        .filter(|_| node.name() == "xacro:property")?
+        .raw();
     // other attributes, such as scope, mean more than the value
     let literal = !value.contains(['$', '"', '\'', '&']) && node.attrs().len() == 2;
     let definition = node.range().shift(base);
     if !literal || document.slice(target.name.range) != name {
         return None;
     }
-    let mut edits = vec![Edit { span: line(document, target.whole, definition), content: String::new() }];
+    let mut edits = vec![Edit {
+        span: line(document, target.whole, definition),
+        content: String::new(),
+    }];
     let names = TextNames::of(cx.expansion, world);
     let all = places(cx, &names, &[target.name], &name);
     for span in all.into_iter().filter(|span| *span != target.name) {
@@ -39,7 +48,11 @@ pub(super) fn property(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Opt
         edits.push(inlined(document, span, &name, value)?);
     }
     edits.sort_by_key(|edit| (edit.span.file, edit.span.range.start));
-    Some(Action { title: format!("inline property `{name}`"), kind: ActionKind::Inline, edits })
+    Some(Action {
+        title: format!("inline property `{name}`"),
+        kind: ActionKind::Inline,
+        edits,
+    })
 }
 
 /// The value at one use.
@@ -56,14 +69,24 @@ fn inlined(document: &Document, span: Span, name: &str, value: &str) -> Option<E
         let start = range.start - (before.len() - left.len()) as u32 - 2;
         let end = range.end + (behind.len() - right.len()) as u32 + 1;
         return Some(Edit {
-            span: Span { range: TextRange::new(start, end), ..span },
+            span: Span {
+                range: TextRange::new(start, end),
+                ..span
+            },
             content: value.to_owned(),
         });
     }
     // in an expression only numbers mean what they are
     let number = value.trim();
-    number.parse::<f64>().ok().filter(|number| number.is_finite())?;
-    let content = if number.starts_with(['-', '+']) { format!("({number})") } else { number.to_owned() };
+    number
+        .parse::<f64>()
+        .ok()
+        .filter(|number| number.is_finite())?;
+    let content = if number.starts_with(['-', '+']) {
+        format!("({number})")
+    } else {
+        number.to_owned()
+    };
     Some(Edit { span, content })
 }
 
@@ -71,9 +94,16 @@ fn inlined(document: &Document, span: Span, name: &str, value: &str) -> Option<E
 fn line(document: &Document, span: Span, element: TextRange) -> Span {
     let start = document.line_col(element.start, base::Encoding::Utf8).col;
     let line_start = element.start - start;
-    let alone = document.slice(TextRange::new(line_start, element.start)).trim().is_empty();
+    let alone = document
+        .slice(TextRange::new(line_start, element.start))
+        .trim()
+        .is_empty();
     let behind = document.slice(TextRange::new(element.end, element.end.saturating_add(200)));
-    let end = behind.find('\n').filter(|end| behind.get(..*end).is_some_and(|rest| rest.trim().is_empty()));
+    let end = behind.find('\n').filter(|end| {
+        behind
+            .get(..*end)
+            .is_some_and(|rest| rest.trim().is_empty())
+    });
     let range = match end.filter(|_| alone) {
         Some(end) => TextRange::new(line_start, element.end + end as u32 + 1),
         None => element,

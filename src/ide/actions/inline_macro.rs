@@ -22,13 +22,24 @@ pub fn inline_macro(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     }
     let frame = cx.expansion.frames.get(only_frame(cx, tag)?.0 as usize)?;
     let origin = frame.definition?;
-    let (definition, item) =
-        (source_node(cx, origin)?, &cx.expansion.sources.get(origin.src.0 as usize)?.item);
-    let text = Body { item, definition, given: given(definition, call)? }.text()?;
+    let (definition, item) = (
+        source_node(cx, origin)?,
+        &cx.expansion.sources.get(origin.src.0 as usize)?.item,
+    );
+    let text = Body {
+        item,
+        definition,
+        given: given(definition, call)?,
+    }
+    .text()?;
     let range = call.range().shift(base);
     let content = indented(document, range, &text)?;
     let title = format!("expand macro call `{}`", frame.name);
-    Some(Action { title, kind: ActionKind::Inline, edits: vec![edit(cx.source, range, content)] })
+    Some(Action {
+        title,
+        kind: ActionKind::Inline,
+        edits: vec![edit(cx.source, range, content)],
+    })
 }
 
 /// What a call passes, by the name of the parameter as the list of parameters spells it. A parameter that the caller's
@@ -36,7 +47,11 @@ pub fn inline_macro(cx: &Cx<'_>, offset: u32) -> Option<Action> {
 fn given(definition: Node<'_>, call: Node<'_>) -> Option<FastMap<String, String>> {
     let mut given = FastMap::default();
     let mut blocks = call.child_elements();
-    for param in definition.attr("params").and_then(|params| parse_params(params.raw())).unwrap_or_default() {
+    for param in definition
+        .attr("params")
+        .and_then(|params| parse_params(params.raw()))
+        .unwrap_or_default()
+    {
         let name = param.name.to_string();
         let value = match name.strip_prefix("**") {
             Some(_) => inside(blocks.next()?),
@@ -54,7 +69,9 @@ fn given(definition: Node<'_>, call: Node<'_>) -> Option<FastMap<String, String>
 
 /// A default without the quotes around it.
 fn unquoted(text: &str) -> String {
-    let inner = ['\'', '"'].iter().find_map(|quote| text.strip_prefix(*quote)?.strip_suffix(*quote));
+    let inner = ['\'', '"']
+        .iter()
+        .find_map(|quote| text.strip_prefix(*quote)?.strip_suffix(*quote));
     inner.unwrap_or(text).to_owned()
 }
 
@@ -64,8 +81,12 @@ fn text_of(node: Node<'_>) -> String {
 
 /// What stands between the tags of an element.
 fn inside(node: Node<'_>) -> String {
-    let Some(end) = node.end_tag() else { return String::new() };
-    TextRange::new(node.start_tag_range().end, end.start).slice(node.item().text()).to_owned()
+    let Some(end) = node.end_tag() else {
+        return String::new();
+    };
+    TextRange::new(node.start_tag_range().end, end.start)
+        .slice(node.item().text())
+        .to_owned()
 }
 
 /// The body of a macro, and what is passed to it.
@@ -79,10 +100,17 @@ impl Body<'_> {
     /// The body with what is passed in the place of the parameters.
     fn text(&self) -> Option<String> {
         let item = self.item;
-        let range = TextRange::new(self.definition.start_tag_range().end, self.definition.end_tag()?.start);
-        let nodes = || item.all_nodes().filter(|node| range.contains_range(node.range()));
+        let range = TextRange::new(
+            self.definition.start_tag_range().end,
+            self.definition.end_tag()?.start,
+        );
+        let nodes = || {
+            item.all_nodes()
+                .filter(|node| range.contains_range(node.range()))
+        };
         // what these define would be known to others
-        if nodes().any(|node| matches!(node.name(), "xacro:macro" | "xacro:include" | "xacro:arg")) {
+        if nodes().any(|node| matches!(node.name(), "xacro:macro" | "xacro:include" | "xacro:arg"))
+        {
             return None;
         }
         let mut edits: Vec<(TextRange, String)> = Vec::new();
@@ -91,9 +119,17 @@ impl Body<'_> {
             edits.push((node.range(), block.trim().to_owned()));
         }
         let facts = facts_of(item);
-        let sites = facts.sites().iter().filter(|site| range.contains_range(site.range));
-        for mention in sites.flat_map(|site| &site.mentions).filter(|it| it.kind == MentionKind::Name) {
-            let Some(value) = self.given.get(mention.name.as_str()) else { continue };
+        let sites = facts
+            .sites()
+            .iter()
+            .filter(|site| range.contains_range(site.range));
+        for mention in sites
+            .flat_map(|site| &site.mentions)
+            .filter(|it| it.kind == MentionKind::Name)
+        {
+            let Some(value) = self.given.get(mention.name.as_str()) else {
+                continue;
+            };
             let whole = around(item.text(), mention.range);
             let edit = match whole {
                 Some(whole) => (whole, value.clone()),
@@ -117,7 +153,9 @@ impl Body<'_> {
     }
 
     fn block(&self, name: &str) -> Option<&String> {
-        self.given.get(&format!("*{name}")).or_else(|| self.given.get(&format!("**{name}")))
+        self.given
+            .get(&format!("*{name}"))
+            .or_else(|| self.given.get(&format!("**{name}")))
     }
 }
 
@@ -125,19 +163,31 @@ impl Body<'_> {
 fn around(text: &str, name: TextRange) -> Option<TextRange> {
     let before = text.get(..name.start as usize)?;
     let behind = text.get(name.end as usize..)?;
-    let left = before.trim_end_matches(' ').strip_suffix("${").filter(|rest| !rest.ends_with('$'))?;
+    let left = before
+        .trim_end_matches(' ')
+        .strip_suffix("${")
+        .filter(|rest| !rest.ends_with('$'))?;
     let blanks = behind.len() - behind.trim_start_matches(' ').len();
     behind.trim_start_matches(' ').strip_prefix('}')?;
-    Some(TextRange::new(left.len() as u32, name.end + blanks as u32 + 1))
+    Some(TextRange::new(
+        left.len() as u32,
+        name.end + blanks as u32 + 1,
+    ))
 }
 
 /// A value inside of a longer expression; none where that would mean something else.
 fn term(value: &str) -> Option<String> {
     let text = value.trim();
     if text.parse::<f64>().is_ok_and(f64::is_finite) {
-        return Some(if text.starts_with(['-', '+']) { format!("({text})") } else { text.to_owned() });
+        return Some(if text.starts_with(['-', '+']) {
+            format!("({text})")
+        } else {
+            text.to_owned()
+        });
     }
-    let inner = text.strip_prefix("${").and_then(|rest| rest.strip_suffix('}'));
+    let inner = text
+        .strip_prefix("${")
+        .and_then(|rest| rest.strip_suffix('}'));
     if let Some(inner) = inner.filter(|inner| !inner.contains(['{', '}', '$'])) {
         return Some(format!("({})", inner.trim()));
     }
@@ -163,7 +213,11 @@ mod tests {
             let at = text.find('|').unwrap() as u32;
             let plain = text.replace('|', "");
             let found = around(&plain, TextRange::new(at, at + 1));
-            assert_eq!(found.map(|range| range.slice(&plain).to_owned()).as_deref(), expected, "{text}");
+            assert_eq!(
+                found.map(|range| range.slice(&plain).to_owned()).as_deref(),
+                expected,
+                "{text}"
+            );
         }
     }
 

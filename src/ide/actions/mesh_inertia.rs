@@ -14,7 +14,11 @@ use rules::{Edit, FileTarget, Surroundings, factors, resolve_file};
 use xml::Node;
 
 /// Substances offered where no mass is given, and what they weigh, kg/m³.
-const SUBSTANCES: [(&str, f64); 3] = [("plastic", 1000.0), ("aluminium", 2700.0), ("steel", 7850.0)];
+const SUBSTANCES: [(&str, f64); 3] = [
+    ("plastic", 1000.0),
+    ("aluminium", 2700.0),
+    ("steel", 7850.0),
+];
 
 /// Why there is no inertia of the mesh of a link.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,9 +55,16 @@ struct Asked<'a> {
 /// # Errors
 /// Why there is none, when the link has a mesh.
 pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<Action>, Refused> {
-    let Some(asked) = asked(cx, world, offset)? else { return Ok(Vec::new()) };
+    let Some(asked) = asked(cx, world, offset)? else {
+        return Ok(Vec::new());
+    };
     let source = child(asked.node, "inertial");
-    let mass = asked.link.inertial.as_ref().and_then(Inertial::mass).filter(|mass| *mass > 0.0);
+    let mass = asked
+        .link
+        .inertial
+        .as_ref()
+        .and_then(Inertial::mass)
+        .filter(|mass| *mass > 0.0);
     let name = &asked.name;
     let Some(source) = source else {
         let brings_one = |node: Node<'_>| node.name().starts_with("xacro:");
@@ -61,13 +72,20 @@ pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<
             return Ok(Vec::new());
         }
         let offered = SUBSTANCES.iter().filter_map(|(substance, density)| {
-            let title =
-                format!("compute mass and inertia from mesh `{name}` for {substance} ({density} kg/m³)");
-            Some(Action { title, kind: ActionKind::Rewrite, edits: vec![asked.inertial(cx, *density)?] })
+            let title = format!(
+                "compute mass and inertia from mesh `{name}` for {substance} ({density} kg/m³)"
+            );
+            Some(Action {
+                title,
+                kind: ActionKind::Rewrite,
+                edits: vec![asked.inertial(cx, *density)?],
+            })
         });
         return Ok(offered.collect());
     };
-    let Some(mass) = mass else { return Ok(Vec::new()) };
+    let Some(mass) = mass else {
+        return Ok(Vec::new());
+    };
     let density = mass / asked.solid.volume;
     let title = format!(
         "compute inertia from mesh `{name}` ({} m³, {} kg/m³)",
@@ -75,47 +93,100 @@ pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<
         density.round()
     );
     let edits = asked.entries(cx, source, density);
-    Ok(edits.map(|edits| Action { title, kind: ActionKind::Rewrite, edits }).into_iter().collect())
+    Ok(edits
+        .map(|edits| Action {
+            title,
+            kind: ActionKind::Rewrite,
+            edits,
+        })
+        .into_iter()
+        .collect())
 }
 
 /// The link at an offset, when its shape is a mesh; the numbers are to be the same from call to call.
-fn asked<'a>(cx: &Cx<'a>, world: Surroundings<'_>, offset: u32) -> Result<Option<Asked<'a>>, Refused> {
-    let Some((base, node)) = enclosing(&cx.source.document, offset, "link") else { return Ok(None) };
+fn asked<'a>(
+    cx: &Cx<'a>,
+    world: Surroundings<'_>,
+    offset: u32,
+) -> Result<Option<Asked<'a>>, Refused> {
+    let Some((base, node)) = enclosing(&cx.source.document, offset, "link") else {
+        return Ok(None);
+    };
     let mut links = place_of_links(cx, node.range().shift(base));
-    let Some(link) = links.next() else { return Ok(None) };
+    let Some(link) = links.next() else {
+        return Ok(None);
+    };
     let key = |link: &Link| {
         let body = body(link)?;
-        let ShapeKind::Mesh { filename, scale } = &body.shape()?.kind else { return None };
-        let pose = body.origin.as_ref().map(|origin| (origin.translation(), origin.angles()));
+        let ShapeKind::Mesh { filename, scale } = &body.shape()?.kind else {
+            return None;
+        };
+        let pose = body
+            .origin
+            .as_ref()
+            .map(|origin| (origin.translation(), origin.angles()));
         let mass = link.inertial.as_ref().and_then(Inertial::mass);
-        Some((filename.as_ref()?.value.clone(), factors(scale.as_ref())?, pose, mass))
+        Some((
+            filename.as_ref()?.value.clone(),
+            factors(scale.as_ref())?,
+            pose,
+            mass,
+        ))
     };
-    let Some(first) = key(link) else { return Ok(None) };
+    let Some(first) = key(link) else {
+        return Ok(None);
+    };
     if !links.all(|other| key(other).as_ref() == Some(&first)) {
         return Ok(None);
     }
-    let Some(body) = body(link) else { return Ok(None) };
-    let Some(ShapeKind::Mesh { filename: Some(file), .. }) = body.shape().map(|shape| &shape.kind) else {
+    let Some(body) = body(link) else {
         return Ok(None);
     };
-    let name = file.value.rsplit(['/', '\\']).next().unwrap_or_default().to_owned();
-    let FileTarget::File(path) = resolve_file(cx.expansion, world, file) else { return Ok(None) };
+    let Some(ShapeKind::Mesh {
+        filename: Some(file),
+        ..
+    }) = body.shape().map(|shape| &shape.kind)
+    else {
+        return Ok(None);
+    };
+    let name = file
+        .value
+        .rsplit(['/', '\\'])
+        .next()
+        .unwrap_or_default()
+        .to_owned();
+    let FileTarget::File(path) = resolve_file(cx.expansion, world, file) else {
+        return Ok(None);
+    };
     let solid = solid(world, &path, first.1).map_err(|reason| Refused {
         title: format!("compute inertia from mesh `{name}`"),
         reason: format!("mesh `{name}` {reason}"),
     })?;
     // an origin that a macro brings along has no text here
-    let body_node = node.child_elements().find(|child| is_at(cx, body.element, child.range().shift(base)));
-    let written = body_node.is_some_and(|node| child(node, "origin").is_some() == body.origin.is_some());
+    let body_node = node
+        .child_elements()
+        .find(|child| is_at(cx, body.element, child.range().shift(base)));
+    let written =
+        body_node.is_some_and(|node| child(node, "origin").is_some() == body.origin.is_some());
     let origin = body.origin.as_ref();
-    Ok(written.then_some(Asked { base, node, link, origin, name, solid }))
+    Ok(written.then_some(Asked {
+        base,
+        node,
+        link,
+        origin,
+        name,
+        solid,
+    }))
 }
 
 /// The mesh as a solid body.
 fn solid(world: Surroundings<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid, String> {
     let mesh: &Mesh = &world.meshes.get(world.vfs, path);
     let unread = || {
-        let defect = mesh.defect.as_ref().map_or("", |defect| defect.message.as_str());
+        let defect = mesh
+            .defect
+            .as_ref()
+            .map_or("", |defect| defect.message.as_str());
         format!("cannot be read: {defect}")
     };
     let surface: &Surface = mesh.surface.as_ref().ok_or_else(unread)?;
@@ -129,8 +200,8 @@ fn solid(world: Surroundings<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid,
     if matches!(mesh.up_axis, Some(UpAxis::X | UpAxis::Y)) {
         return Err("has an up axis other than z, which not all programs apply".to_owned());
     }
-    let triangles =
-        Meshes::triangles(world.vfs, path).map_err(|defect| format!("cannot be read: {}", defect.message))?;
+    let triangles = Meshes::triangles(world.vfs, path)
+        .map_err(|defect| format!("cannot be read: {}", defect.message))?;
     integrate(&triangles, scale).ok_or_else(|| "encloses no volume".to_owned())
 }
 
@@ -148,7 +219,8 @@ fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<Solid> {
         let (six, sum) = (a.dot(&b.cross(&c)), a + b + c);
         volume += six / 6.0;
         first += sum * (six / 24.0);
-        let squares = a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose();
+        let squares =
+            a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose();
         second += squares * (six / 120.0);
     }
     let center = first / volume;
@@ -169,7 +241,9 @@ impl Asked<'_> {
         let angles = self.origin.map_or(Some([0.0; 3]), Pose::angles)?;
         let [x, y, z] = [at.x, at.y, at.z].map(small);
         let [roll, pitch, yaw] = angles.map(|angle| format!("{angle}"));
-        Some(format!("<origin xyz=\"{x} {y} {z}\" rpy=\"{roll} {pitch} {yaw}\"/>"))
+        Some(format!(
+            "<origin xyz=\"{x} {y} {z}\" rpy=\"{roll} {pitch} {yaw}\"/>"
+        ))
     }
 
     /// The element `inertia` for a density, kg/m³.
@@ -177,7 +251,13 @@ impl Asked<'_> {
         let it = self.solid.inertia * density;
         let largest = it.m11.max(it.m22).max(it.m33);
         // what is left of sums that cancel out is nothing
-        let across = |entry: f64| if entry.abs() < largest * 1e-9 { "0".to_owned() } else { shown(entry) };
+        let across = |entry: f64| {
+            if entry.abs() < largest * 1e-9 {
+                "0".to_owned()
+            } else {
+                shown(entry)
+            }
+        };
         let (ixy, ixz, iyz) = (across(it.m12), across(it.m13), across(it.m23));
         let (ixx, iyy, izz) = (shown(it.m11), shown(it.m22), shown(it.m33));
         format!(
@@ -204,21 +284,38 @@ impl Asked<'_> {
         let replaced = |name: &str, text: String| match child(inertial, name) {
             Some(old) => (old.range().shift(self.base), text),
             None if name == "origin" => {
-                let first =
-                    inertial.child_elements().next().map_or(0, |first| first.range().start) + self.base;
+                let first = inertial
+                    .child_elements()
+                    .next()
+                    .map_or(0, |first| first.range().start)
+                    + self.base;
                 let margin = super::place::margin(&cx.source.document, first);
-                (TextRange::empty(first), format!("{text}{}{margin}", line_end(&cx.source.document)))
+                (
+                    TextRange::empty(first),
+                    format!("{text}{}{margin}", line_end(&cx.source.document)),
+                )
             }
             None => last_child(cx.source, self.base, inertial, &text),
         };
-        let both = [replaced("origin", self.origin()?), replaced("inertia", self.inertia(density))];
-        Some(both.into_iter().map(|(range, text)| edit(cx.source, range, text)).collect())
+        let both = [
+            replaced("origin", self.origin()?),
+            replaced("inertia", self.inertia(density)),
+        ];
+        Some(
+            both.into_iter()
+                .map(|(range, text)| edit(cx.source, range, text))
+                .collect(),
+        )
     }
 }
 
 /// A length, meters; less than a nanometer is nothing.
 fn small(length: f64) -> String {
-    if length.abs() < 1e-9 { "0".to_owned() } else { shown(length) }
+    if length.abs() < 1e-9 {
+        "0".to_owned()
+    } else {
+        shown(length)
+    }
 }
 
 #[cfg(test)]
@@ -228,19 +325,43 @@ mod tests {
 
     /// A box of 1, 2 and 3 m whose corner is the origin.
     fn cuboid() -> Triangles {
-        let points = (0..8).map(|i| [f64::from(i & 1), f64::from(i >> 1 & 1) * 2.0, f64::from(i >> 2) * 3.0]);
-        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-        let corners = sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
-        Triangles { points: points.collect(), corners: corners.collect(), tints: Vec::new() }
+        let points = (0..8).map(|i| {
+            [
+                f64::from(i & 1),
+                f64::from(i >> 1 & 1) * 2.0,
+                f64::from(i >> 2) * 3.0,
+            ]
+        });
+        let sides = [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ];
+        let corners = sides
+            .into_iter()
+            .flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+        Triangles {
+            points: points.collect(),
+            corners: corners.collect(),
+            tints: Vec::new(),
+        }
     }
 
     #[test]
     fn a_mesh_of_a_box_weighs_as_the_box() {
-        for (scale, turned) in [([1.0, 1.0, 1.0], false), ([1.0, 1.0, -1.0], false), ([1.0, 1.0, 1.0], true)]
-        {
+        for (scale, turned) in [
+            ([1.0, 1.0, 1.0], false),
+            ([1.0, 1.0, -1.0], false),
+            ([1.0, 1.0, 1.0], true),
+        ] {
             let mut mesh = cuboid();
             if turned {
-                mesh.corners.iter_mut().for_each(|triangle| triangle.reverse());
+                mesh.corners
+                    .iter_mut()
+                    .for_each(|triangle| triangle.reverse());
             }
             let solid = integrate(&mesh, scale).unwrap();
             let density = 12.0 / solid.volume;

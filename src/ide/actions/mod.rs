@@ -67,9 +67,13 @@ const QUICK_FIXES: [(&Rule, QuickFix); 15] = [
     (named::UNKNOWN_MACRO_PARAM, xacro::without_attribute),
     (named::UNKNOWN_XACRO_ATTRIBUTE, xacro::without_attribute),
     (named::UNKNOWN_ATTRIBUTE, xacro::without_attribute),
-    (named::WRONG_VECTOR_LENGTH, |source, range| Vec::from_iter(vector::length(source, range))),
+    (named::WRONG_VECTOR_LENGTH, |source, range| {
+        Vec::from_iter(vector::length(source, range))
+    }),
     (named::ZERO_AXIS, vector::axis),
-    (named::DUPLICATE_JOINT_NAME, |source, range| Vec::from_iter(vector::other_joint_name(source, range))),
+    (named::DUPLICATE_JOINT_NAME, |source, range| {
+        Vec::from_iter(vector::other_joint_name(source, range))
+    }),
     (named::UNDEFINED_PROPERTY, create::undefined_property),
     (named::UNDEFINED_ARG, create::undefined_arg),
     (named::UNDEFINED_MACRO, create::undefined_macro),
@@ -95,7 +99,9 @@ pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) 
     if !cx.source.document.errors().is_empty() {
         return Vec::new();
     }
-    let mut found: Vec<Action> = inertia::from_geometry(cx, selection.start).into_iter().collect();
+    let mut found: Vec<Action> = inertia::from_geometry(cx, selection.start)
+        .into_iter()
+        .collect();
     found.extend(extract::property(cx, selection));
     found.extend(inline::property(cx, world, selection.start));
     found.extend(expand::call(cx, selection.start));
@@ -117,9 +123,19 @@ pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) 
 
 /// An edit of a file.
 fn edit(source: &SourceFile, range: TextRange, content: impl Into<String>) -> Edit {
-    Edit { span: Span { file: source.id, range }, content: content.into() }
+    Edit {
+        span: Span {
+            file: source.id,
+            range,
+        },
+        content: content.into(),
+    }
 }
 
 fn fix(title: String, edits: Vec<Edit>) -> Action {
-    Action { title, kind: ActionKind::Fix, edits }
+    Action {
+        title,
+        kind: ActionKind::Fix,
+        edits,
+    }
 }

@@ -15,7 +15,9 @@ pub(super) fn line_end(document: &Document) -> &'static str {
 pub(super) fn margin(document: &Document, offset: u32) -> String {
     let line = document.line_col(offset, base::Encoding::Utf8).line;
     let text = document.line_text(line);
-    text.chars().take_while(|c| matches!(c, ' ' | '\t')).collect()
+    text.chars()
+        .take_while(|c| matches!(c, ' ' | '\t'))
+        .collect()
 }
 
 /// The innermost element at an offset; at the border of two, the one that begins there.
@@ -30,7 +32,11 @@ pub(super) fn element_at(document: &Document, offset: u32) -> Option<(u32, Node<
 }
 
 /// The nearest element of this name at or around an offset.
-pub(super) fn enclosing<'a>(document: &'a Document, offset: u32, name: &str) -> Option<(u32, Node<'a>)> {
+pub(super) fn enclosing<'a>(
+    document: &'a Document,
+    offset: u32,
+    name: &str,
+) -> Option<(u32, Node<'a>)> {
     let (base, node) = element_at(document, offset)?;
     let mut next = Some(node);
     while let Some(node) = next {
@@ -50,7 +56,11 @@ pub(super) fn before(document: &Document, offset: u32) -> Option<u32> {
         return first_child(document);
     }
     let element = place.item.element()?;
-    let mut nodes: Vec<Node<'_>> = place.item.nodes().take_while(|node| *node != element).collect();
+    let mut nodes: Vec<Node<'_>> = place
+        .item
+        .nodes()
+        .take_while(|node| *node != element)
+        .collect();
     let mut start = element.range().start;
     while let Some(node) = nodes.pop() {
         match node.kind() {
@@ -83,12 +93,23 @@ pub(super) fn indented(document: &Document, range: TextRange, text: &str) -> Opt
     let mut changed = document.text();
     changed.replace_range(range.start as usize..range.end as usize, text);
     let new = TextRange::new(range.start, range.start + text.len() as u32);
-    let edits = format_range(&Document::parse(&changed), new, &indentation(document), &Format::default());
-    for (place, text) in edits.iter().rev().filter(|(place, _)| new.contains_range(*place)) {
+    let edits = format_range(
+        &Document::parse(&changed),
+        new,
+        &indentation(document),
+        &Format::default(),
+    );
+    for (place, text) in edits
+        .iter()
+        .rev()
+        .filter(|(place, _)| new.contains_range(*place))
+    {
         changed.replace_range(place.start as usize..place.end as usize, text);
     }
     let end = (changed.len() as u32 + range.end).checked_sub(document.len())?;
-    changed.get(range.start as usize..end as usize).map(str::to_owned)
+    changed
+        .get(range.start as usize..end as usize)
+        .map(str::to_owned)
 }
 
 /// The place and text of a new last child of an element.
@@ -105,13 +126,26 @@ pub(super) fn last_child(
     let Some(tag) = parent.end_tag() else {
         let closer = parent.start_tag_range().shift(base);
         let text = document.slice(closer);
-        let blanks = text.trim_end_matches('>').trim_end_matches('/').trim_end().len() as u32;
+        let blanks = text
+            .trim_end_matches('>')
+            .trim_end_matches('/')
+            .trim_end()
+            .len() as u32;
         let range = TextRange::new(closer.start + blanks, closer.end);
-        return (range, format!(">{end}{inner}{child}{end}{margin}</{}>", parent.name()));
+        return (
+            range,
+            format!(">{end}{inner}{child}{end}{margin}</{}>", parent.name()),
+        );
     };
-    let last = parent.children().filter(|node| node.kind() != NodeKind::Text).last();
+    let last = parent
+        .children()
+        .filter(|node| node.kind() != NodeKind::Text)
+        .last();
     match last {
-        Some(last) => (TextRange::empty(base + last.range().end), format!("{end}{inner}{child}")),
+        Some(last) => (
+            TextRange::empty(base + last.range().end),
+            format!("{end}{inner}{child}"),
+        ),
         None => {
             let range = TextRange::new(parent.start_tag_range().end, tag.start).shift(base);
             (range, format!("{end}{inner}{child}{end}{margin}"))

@@ -28,8 +28,13 @@ pub(super) fn names(source: &SourceFile, selection: TextRange) -> Option<Action>
     let body = around.range().shift(base);
     let mut edits: Vec<Edit> = Vec::new();
     for (base, node) in nodes_in(document, body) {
-        let attrs = given(node).into_iter().filter(|_| range.contains_range(node.range().shift(base)));
-        for attr in attrs.chain(referring(node)).filter(|attr| named.iter().any(|name| name == attr.raw())) {
+        let attrs = given(node)
+            .into_iter()
+            .filter(|_| range.contains_range(node.range().shift(base)));
+        for attr in attrs
+            .chain(referring(node))
+            .filter(|attr| named.iter().any(|name| name == attr.raw()))
+        {
             let at = TextRange::empty(base + attr.value_range().start);
             edits.push(edit(source, at, PREFIX));
         }
@@ -37,15 +42,22 @@ pub(super) fn names(source: &SourceFile, selection: TextRange) -> Option<Action>
     edits.extend(parameter(source, base, around));
     edits.sort_by_key(|edit| edit.span.range.start);
     let title = "add `${prefix}` to names".to_owned();
-    Some(Action { title, kind: ActionKind::Rewrite, edits })
+    Some(Action {
+        title,
+        kind: ActionKind::Rewrite,
+        edits,
+    })
 }
 
 /// The name that a link or joint gives, when it has no prefix yet.
 fn given<'a>(node: Node<'a>) -> Option<Attr<'a>> {
-    if !matches!(node.name(), "link" | "joint") || node.name() == "joint" && node.attr("type").is_none() {
+    if !matches!(node.name(), "link" | "joint")
+        || node.name() == "joint" && node.attr("type").is_none()
+    {
         return None;
     }
-    node.attr("name").filter(|name| !name.raw().is_empty() && !name.raw().contains(PREFIX))
+    node.attr("name")
+        .filter(|name| !name.raw().is_empty() && !name.raw().contains(PREFIX))
 }
 
 /// The attribute that refers to a link or joint.
@@ -71,6 +83,14 @@ fn parameter(source: &SourceFile, base: u32, around: Node<'_>) -> Option<Edit> {
     if known.any(|name| name == "prefix") {
         return None;
     }
-    let blank = if params.raw().is_empty() || params.raw().ends_with(' ') { "" } else { " " };
-    Some(edit(source, TextRange::empty(base + params.value_range().end), format!("{blank}{NEW}")))
+    let blank = if params.raw().is_empty() || params.raw().ends_with(' ') {
+        ""
+    } else {
+        " "
+    };
+    Some(edit(
+        source,
+        TextRange::empty(base + params.value_range().end),
+        format!("{blank}{NEW}"),
+    ))
 }

@@ -9,8 +9,13 @@ use xml::NodeKind;
 /// Hide a finding of a rule where it stands, or in the whole file.
 pub(super) fn suppress(source: &SourceFile, rule: &str, range: TextRange) -> Vec<Action> {
     // only the name of a rule is written into the file
-    let Some(rule) = rules::find(rule).find(|known| known.name == rule) else { return Vec::new() };
-    here(source, rule.name, range).into_iter().chain([in_file(source, rule.name)]).collect()
+    let Some(rule) = rules::find(rule).find(|known| known.name == rule) else {
+        return Vec::new();
+    };
+    here(source, rule.name, range)
+        .into_iter()
+        .chain([in_file(source, rule.name)])
+        .collect()
 }
 
 /// A comment in front of the element whose start tag, or whose text, holds the finding.
@@ -22,8 +27,14 @@ fn here(source: &SourceFile, rule: &str, range: TextRange) -> Option<Action> {
         return None;
     }
     let (end, margin) = (line_end(document), margin(document, tag.start));
-    let stands_alone = document.slice(TextRange::new(0, tag.start)).ends_with(&format!("\n{margin}"));
-    let behind = if stands_alone || tag.start == 0 { format!("{end}{margin}") } else { " ".to_owned() };
+    let stands_alone = document
+        .slice(TextRange::new(0, tag.start))
+        .ends_with(&format!("\n{margin}"));
+    let behind = if stands_alone || tag.start == 0 {
+        format!("{end}{margin}")
+    } else {
+        " ".to_owned()
+    };
     let comment = format!("<!-- xacro-lint: disable-next-line {rule} -->{behind}");
     let edits = vec![edit(source, TextRange::empty(tag.start), comment)];
     Some(fix(format!("disable `{rule}` for this line"), edits))
@@ -40,7 +51,10 @@ fn in_file(source: &SourceFile, rule: &str) -> Action {
         Some(declaration) => (declaration.range().end, format!("{end}{comment}")),
         None => (0, format!("{comment}{end}")),
     };
-    fix(format!("disable `{rule}` for this file"), vec![edit(source, TextRange::empty(at), text)])
+    fix(
+        format!("disable `{rule}` for this file"),
+        vec![edit(source, TextRange::empty(at), text)],
+    )
 }
 
 /// Switch a rule off in the text of a configuration file: the range that is replaced, and by what.
@@ -48,11 +62,21 @@ pub fn ignored_in_config(text: &str, rule: &str) -> Option<(TextRange, String)> 
     let rule = rules::find(rule).find(|known| known.name == rule)?.name;
     let mut offset = 0;
     for line in text.split_inclusive('\n') {
-        let key = line.trim_start().strip_prefix("ignore").map(str::trim_start);
-        if let Some(value) = key.and_then(|rest| rest.strip_prefix('=')).map(str::trim_start) {
+        let key = line
+            .trim_start()
+            .strip_prefix("ignore")
+            .map(str::trim_start);
+        if let Some(value) = key
+            .and_then(|rest| rest.strip_prefix('='))
+            .map(str::trim_start)
+        {
             let list = value.strip_prefix('[')?;
             let at = TextRange::empty((offset + line.len() - list.len()) as u32);
-            let comma = if list.trim_start().starts_with(']') { "" } else { ", " };
+            let comma = if list.trim_start().starts_with(']') {
+                ""
+            } else {
+                ", "
+            };
             return Some((at, format!("\"{rule}\"{comma}")));
         }
         if line.trim_start().starts_with('[') {
@@ -72,9 +96,18 @@ mod tests {
     fn rules_are_ignored_in_the_list_that_is_there() {
         for (text, expected) in [
             ("", "ignore = [\"orphan-link\"]\n"),
-            ("target = 'ros1'\nignore = []\n", "target = 'ros1'\nignore = [\"orphan-link\"]\n"),
-            ("ignore=[\n  'STY',\n]\n", "ignore=[\"orphan-link\", \n  'STY',\n]\n"),
-            ("[x]\nignore = [1]\n", "ignore = [\"orphan-link\"]\n[x]\nignore = [1]\n"),
+            (
+                "target = 'ros1'\nignore = []\n",
+                "target = 'ros1'\nignore = [\"orphan-link\"]\n",
+            ),
+            (
+                "ignore=[\n  'STY',\n]\n",
+                "ignore=[\"orphan-link\", \n  'STY',\n]\n",
+            ),
+            (
+                "[x]\nignore = [1]\n",
+                "ignore = [\"orphan-link\"]\n[x]\nignore = [1]\n",
+            ),
         ] {
             let (range, new) = ignored_in_config(text, "orphan-link").unwrap();
             let mut changed = text.to_owned();

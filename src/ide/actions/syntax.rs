@@ -13,7 +13,9 @@ pub(super) fn fixes(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let here = |error: &&SyntaxError| {
         error.range == range || error.related.is_some_and(|(related, _)| related == range)
     };
-    let Some(error) = errors.iter().find(here) else { return Vec::new() };
+    let Some(error) = errors.iter().find(here) else {
+        return Vec::new();
+    };
     let found: Vec<Action> = match error.kind {
         SyntaxErrorKind::MismatchedEndTag => end_tag(source, error),
         SyntaxErrorKind::UnclosedElement => unclosed(source, error).into_iter().collect(),
@@ -23,7 +25,10 @@ pub(super) fn fixes(source: &SourceFile, range: TextRange) -> Vec<Action> {
         _ => Vec::new(),
     };
     // what leaves as many errors is no fix
-    found.into_iter().filter(|action| helps(&source.document, &action.edits, errors.len())).collect()
+    found
+        .into_iter()
+        .filter(|action| helps(&source.document, &action.edits, errors.len()))
+        .collect()
 }
 
 fn helps(document: &Document, edits: &[Edit], errors: usize) -> bool {
@@ -45,27 +50,48 @@ fn end_tag(source: &SourceFile, error: &SyntaxError) -> Vec<Action> {
         Some((open, _)) => {
             let (own, name) = (document.slice(open), document.slice(error.range));
             vec![
-                fix(format!("change end tag to `{own}`"), vec![edit(source, error.range, own.as_str())]),
-                fix(format!("change start tag to `{name}`"), vec![edit(source, open, name.as_str())]),
+                fix(
+                    format!("change end tag to `{own}`"),
+                    vec![edit(source, error.range, own.as_str())],
+                ),
+                fix(
+                    format!("change start tag to `{name}`"),
+                    vec![edit(source, open, name.as_str())],
+                ),
             ]
         }
-        None => vec![fix("remove end tag".to_owned(), vec![edit(source, error.range, "")])],
+        None => vec![fix(
+            "remove end tag".to_owned(),
+            vec![edit(source, error.range, "")],
+        )],
     }
 }
 
 /// The end tag of an element, behind the last thing in it.
 fn unclosed(source: &SourceFile, error: &SyntaxError) -> Option<Action> {
     let document = &source.document;
-    if document.root_end_tag().is_none() && document.root()?.start_tag_range().contains_range(error.range) {
+    if document.root_end_tag().is_none()
+        && document
+            .root()?
+            .start_tag_range()
+            .contains_range(error.range)
+    {
         let name = document.root()?.name();
         let at = document.text().trim_end().len() as u32;
         let end = super::place::line_end(document);
-        let edits = vec![edit(source, TextRange::empty(at), format!("{end}</{name}>"))];
+        let edits = vec![edit(
+            source,
+            TextRange::empty(at),
+            format!("{end}</{name}>"),
+        )];
         return Some(fix(format!("add `</{name}>`"), edits));
     }
     let place = document.item_at(error.range.start);
     let inside = error.range.start - place.start;
-    let mut elements = place.item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
+    let mut elements = place
+        .item
+        .all_nodes()
+        .filter(|node| node.kind() == NodeKind::Element);
     let element = elements.find(|node| {
         let tag = node.start_tag_range();
         node.end_tag().is_none() && tag.start <= inside && inside < tag.end
@@ -73,7 +99,10 @@ fn unclosed(source: &SourceFile, error: &SyntaxError) -> Option<Action> {
     let text = document.slice(element.range().shift(place.start));
     let at = place.start + element.range().start + text.trim_end().len() as u32;
     let name = element.name();
-    Some(fix(format!("add `</{name}>`"), vec![edit(source, TextRange::empty(at), format!("</{name}>"))]))
+    Some(fix(
+        format!("add `</{name}>`"),
+        vec![edit(source, TextRange::empty(at), format!("</{name}>"))],
+    ))
 }
 
 /// The second of two attributes goes, with the blank in front of it.
@@ -86,7 +115,10 @@ fn duplicate(source: &SourceFile, error: &SyntaxError) -> Option<Action> {
     let before = document.slice(TextRange::new(place.start, range.start));
     let blanks = before.len() - before.trim_end().len();
     let range = TextRange::new(range.start - blanks as u32, range.end);
-    Some(fix(format!("remove duplicate `{}`", attr.name()), vec![edit(source, range, "")]))
+    Some(fix(
+        format!("remove duplicate `{}`", attr.name()),
+        vec![edit(source, range, "")],
+    ))
 }
 
 fn escape(source: &SourceFile, error: &SyntaxError, character: char, entity: &str) -> Vec<Action> {
@@ -95,5 +127,8 @@ fn escape(source: &SourceFile, error: &SyntaxError, character: char, entity: &st
     if document.slice(at) != character.to_string() {
         return Vec::new();
     }
-    vec![fix(format!("replace with `{entity}`"), vec![edit(source, at, entity)])]
+    vec![fix(
+        format!("replace with `{entity}`"),
+        vec![edit(source, at, entity)],
+    )]
 }

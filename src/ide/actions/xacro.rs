@@ -13,20 +13,39 @@ use xml::{Document, Part};
 /// Another name for a property or parameter that hides something of Python, everywhere it is used.
 pub fn other_name(cx: &Cx<'_>, all: &TextNames, range: TextRange) -> Option<Action> {
     let old = cx.source.document.slice(range);
-    let names = [format!("{old}_"), format!("{old}_value"), format!("my_{old}")];
-    names.iter().filter(|name| is_identifier(name)).find_map(|name| {
-        let places = rename(cx, all, range.start, name).ok()?;
-        let edits = places.into_iter().map(|span| Edit { span, content: name.clone() }).collect();
-        Some(fix(format!("rename `{old}` to `{name}`"), edits))
-    })
+    let names = [
+        format!("{old}_"),
+        format!("{old}_value"),
+        format!("my_{old}"),
+    ];
+    names
+        .iter()
+        .filter(|name| is_identifier(name))
+        .find_map(|name| {
+            let places = rename(cx, all, range.start, name).ok()?;
+            let edits = places
+                .into_iter()
+                .map(|span| Edit {
+                    span,
+                    content: name.clone(),
+                })
+                .collect();
+            Some(fix(format!("rename `{old}` to `{name}`"), edits))
+        })
 }
 
 /// Replace the text of a finding by the known name that its help suggests.
 pub fn suggested(source: &SourceFile, range: TextRange, near: &str) -> Option<Action> {
     let old = source.document.slice(range);
-    let plain = |text: &str| !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n']);
+    let plain =
+        |text: &str| !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n']);
     let fits = plain(&old) && plain(near) && old != near;
-    fits.then(|| fix(format!("change to `{near}`"), vec![edit(source, range, near)]))
+    fits.then(|| {
+        fix(
+            format!("change to `{near}`"),
+            vec![edit(source, range, near)],
+        )
+    })
 }
 
 /// Remove the attribute that a finding names.
@@ -36,12 +55,20 @@ pub(super) fn without_attribute(source: &SourceFile, range: TextRange) -> Vec<Ac
 
 fn removed(source: &SourceFile, range: TextRange) -> Option<Action> {
     let (base, node) = element_at(&source.document, range.start)?;
-    let attr = node.attrs().find(|attr| attr.range().shift(base).contains_range(range))?;
+    let attr = node
+        .attrs()
+        .find(|attr| attr.range().shift(base).contains_range(range))?;
     let whole = attr.range().shift(base);
-    let before = source.document.slice(TextRange::new(base + node.start_tag_range().start, whole.start));
+    let before = source.document.slice(TextRange::new(
+        base + node.start_tag_range().start,
+        whole.start,
+    ));
     let blanks = (before.len() - before.trim_end().len()) as u32;
     let gone = TextRange::new(whole.start - blanks, whole.end);
-    Some(fix(format!("remove `{}`", attr.name()), vec![edit(source, gone, "")]))
+    Some(fix(
+        format!("remove `{}`", attr.name()),
+        vec![edit(source, gone, "")],
+    ))
 }
 
 /// Move a definition, a child of the root, in front of the child of the root that uses it.
@@ -49,7 +76,10 @@ pub fn before_use(cx: &Cx<'_>, used: TextRange, given: TextRange) -> Option<Acti
     let (source, document) = (cx.source, &cx.source.document);
     let place = document.item_at(given.start);
     let (_, name) = element_at(document, given.start)?;
-    let element = place.item.element().filter(|_| matches!(place.part, Part::Item(_)))?;
+    let element = place
+        .item
+        .element()
+        .filter(|_| matches!(place.part, Part::Item(_)))?;
     if element.range() != name.range() || used.start >= place.start {
         return None;
     }
@@ -62,11 +92,20 @@ pub fn before_use(cx: &Cx<'_>, used: TextRange, given: TextRange) -> Option<Acti
     let text = top_level(document, at, &text);
     // with the line it has for itself
     let lead = format!("{}{}", line_end(document), margin(document, whole.start));
-    let start = whole.start.checked_sub(lead.len() as u32).unwrap_or(whole.start);
+    let start = whole
+        .start
+        .checked_sub(lead.len() as u32)
+        .unwrap_or(whole.start);
     let alone = document.slice(TextRange::new(start, whole.start)) == lead;
     let gone = TextRange::new(if alone { start } else { whole.start }, whole.end);
-    let edits = vec![edit(source, TextRange::empty(at), text), edit(source, gone, "")];
-    Some(fix("move definition before its first use".to_owned(), edits))
+    let edits = vec![
+        edit(source, TextRange::empty(at), text),
+        edit(source, gone, ""),
+    ];
+    Some(fix(
+        "move definition before its first use".to_owned(),
+        edits,
+    ))
 }
 
 /// Whether the definition in the item at `given` uses names that are defined, or may be included, from `at` on: it
@@ -75,13 +114,21 @@ fn rests_on(document: &Document, given: u32, at: u32) -> bool {
     const DEFINING: [FactKind; 3] = [FactKind::Property, FactKind::Macro, FactKind::Argument];
     let own = facts(document).filter(|(base, _)| *base == given);
     let used: Vec<String> = own
-        .flat_map(|(_, own)| own.mentions().map(|used| used.name.to_string()).collect::<Vec<_>>())
+        .flat_map(|(_, own)| {
+            own.mentions()
+                .map(|used| used.name.to_string())
+                .collect::<Vec<_>>()
+        })
         .collect();
     let ends = document.items().map(|(base, item)| base + item.len());
-    let between = facts(document).zip(ends).filter(|((base, _), end)| *end > at && *base < given);
+    let between = facts(document)
+        .zip(ends)
+        .filter(|((base, _), end)| *end > at && *base < given);
     let is_used = |name: &str| used.iter().any(|used| used == name);
     between.map(|((_, facts), _)| facts).any(|facts| {
-        let defines = DEFINING.iter().any(|&kind| facts.of(kind).any(|fact| is_used(&fact.name)));
+        let defines = DEFINING
+            .iter()
+            .any(|&kind| facts.of(kind).any(|fact| is_used(&fact.name)));
         defines || !used.is_empty() && facts.of(FactKind::Include).next().is_some()
     })
 }

@@ -13,7 +13,11 @@ use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
 const NAMESPACE: &str = "http://www.ros.org/wiki/xacro";
 
 /// The element of URDF that a start tag stands for.
-pub(super) fn spec_of_tag(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Option<&'static ElementSpec> {
+pub(super) fn spec_of_tag(
+    scope: &Scope<'_>,
+    typed: &Typed,
+    tag: &Open,
+) -> Option<&'static ElementSpec> {
     let mut names: Vec<&str> = typed.open.iter().map(|open| open.name.as_str()).collect();
     names.push(&tag.name);
     spec_of(scope, &names)
@@ -25,7 +29,10 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
     let rest = typed.rest_of_word(is_name_char);
     let (behind, _) = typed.rest_of_tag();
     let has = |name: &str| tag.attr(name).is_some() || behind.iter().any(|given| given == name);
-    let has_value = typed.after.get(rest as usize..).is_some_and(|after| after.trim_start().starts_with('='));
+    let has_value = typed
+        .after
+        .get(rest as usize..)
+        .is_some_and(|after| after.trim_start().starts_with('='));
     let mut items = if let Some(directive) = directive(&tag.name) {
         let all = directive.attributes.iter();
         all.map(|attribute| {
@@ -42,7 +49,9 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
         let spec = spec_of_tag(scope, typed, tag);
         let known = spec.map(of_urdf).unwrap_or_default();
         let rank = if known.is_empty() { 1 } else { 4 };
-        let further = learned::attributes(scope, typed, &tag.name).into_iter().map(|item| item.rank(rank));
+        let further = learned::attributes(scope, typed, &tag.name)
+            .into_iter()
+            .map(|item| item.rank(rank));
         let mut items: Vec<Completion> = known.into_iter().chain(further).collect();
         if spec.is_none() {
             // what plugins and simulators read has names, too
@@ -67,7 +76,11 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
 
 /// `value`: nothing, or the words to choose from.
 fn attribute_item(name: &str, required: bool, value: &str) -> Completion {
-    let place = if value.is_empty() { "$1".to_owned() } else { format!("${{1{value}}}") };
+    let place = if value.is_empty() {
+        "$1".to_owned()
+    } else {
+        format!("${{1{value}}}")
+    };
     Completion::new(ItemKind::Attribute, name)
         .snippet(format!("{name}=\"{place}\"$0"))
         .rank(if required { 0 } else { 3 })
@@ -78,12 +91,17 @@ fn of_urdf(spec: &'static ElementSpec) -> Vec<Completion> {
     let item = |attribute: &'static AttributeSpec| {
         let words = match attribute.kind {
             AttributeKind::Choice(words) => format!("|{}|", words.join(",")),
-            _ => attribute.default.map_or(String::new(), |value| format!(":{}", escaped(value))),
+            _ => attribute
+                .default
+                .map_or(String::new(), |value| format!(":{}", escaped(value))),
         };
         attribute_item(attribute.name, attribute.required, &words)
             .note(facts_in_short(attribute))
             .detail(attribute.docs)
-            .about(Topic::Attribute { element: spec.key.to_owned(), name: attribute.name.to_owned() })
+            .about(Topic::Attribute {
+                element: spec.key.to_owned(),
+                name: attribute.name.to_owned(),
+            })
     };
     spec.attributes.iter().map(item).collect()
 }
@@ -100,19 +118,28 @@ fn facts_in_short(attribute: &AttributeSpec) -> String {
 /// The parameters of the macro that a tag calls; blocks are children, not attributes.
 fn parameters(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Vec<Completion> {
     // of a macro whose file is missing, other calls say what it takes
-    let Some(info) = scope.called(&tag.name) else { return learned::attributes(scope, typed, &tag.name) };
+    let Some(info) = scope.called(&tag.name) else {
+        return learned::attributes(scope, typed, &tag.name);
+    };
     let values = info.params.iter().filter(|param| !param.is_block());
     values
         .map(|param| {
-            let default = param.default.as_ref().map(|(text, _)| format!("default {text}"));
+            let default = param
+                .default
+                .as_ref()
+                .map(|(text, _)| format!("default {text}"));
             let note = match (default, param.forward) {
                 (Some(default), false) => default,
                 (Some(default), true) => format!("from the caller, {default}"),
                 (None, true) => "from the caller".to_owned(),
                 (None, false) => "required".to_owned(),
             };
-            let about = Topic::Macro { name: info.name.clone() };
-            attribute_item(&param.name, is_required(param), "").note(note).about(about)
+            let about = Topic::Macro {
+                name: info.name.clone(),
+            };
+            attribute_item(&param.name, is_required(param), "")
+                .note(note)
+                .about(about)
         })
         .collect()
 }

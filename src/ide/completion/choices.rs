@@ -50,8 +50,24 @@ pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &s
     let items = match directive(&tag.name) {
         Some(_) => of_directive(scope, typed, tag, attribute),
         None if tag.name.starts_with("xacro:") => of_call(scope, typed, tag, attribute),
-        None if scope.is_semantic => semantic::values(scope, typed, Place { spec, tag, attribute }),
-        None => of_element(scope, typed, Place { spec, tag, attribute }),
+        None if scope.is_semantic => semantic::values(
+            scope,
+            typed,
+            Place {
+                spec,
+                tag,
+                attribute,
+            },
+        ),
+        None => of_element(
+            scope,
+            typed,
+            Place {
+                spec,
+                tag,
+                attribute,
+            },
+        ),
     };
     whole_value(typed, items)
 }
@@ -83,11 +99,18 @@ fn of_directive(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -
         ("xacro:if" | "xacro:unless", "value") => conditions(scope, typed),
         ("xacro:call", "macro") => {
             let macros = scope.macros().into_iter();
-            macros.map(|info| Completion::new(ItemKind::Macro, info.name)).collect()
+            macros
+                .map(|info| Completion::new(ItemKind::Macro, info.name))
+                .collect()
         }
         (name, _) => {
-            let all = directive(name).map(|directive| directive.attributes).unwrap_or_default();
-            let words = all.iter().find(|given| given.name == attribute).map_or(&[][..], |given| given.words);
+            let all = directive(name)
+                .map(|directive| directive.attributes)
+                .unwrap_or_default();
+            let words = all
+                .iter()
+                .find(|given| given.name == attribute)
+                .map_or(&[][..], |given| given.words);
             words_to_choose(words)
         }
     }
@@ -95,25 +118,44 @@ fn of_directive(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -
 
 /// Words as they are.
 pub(super) fn words_to_choose(words: &[&str]) -> Vec<Completion> {
-    words.iter().map(|word| Completion::new(ItemKind::Choice, *word)).collect()
+    words
+        .iter()
+        .map(|word| Completion::new(ItemKind::Choice, *word))
+        .collect()
 }
 
 /// An expression, and the arguments that are true or false.
 fn conditions(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let is_truth = |text: &str| matches!(text.to_ascii_lowercase().as_str(), "true" | "false" | "0" | "1");
-    let mut items = vec![Completion::new(ItemKind::Snippet, "${}").snippet("\\${$1}$0").rank(0)];
-    items.extend(substitutions::arguments(scope, typed).into_iter().filter(|item| is_truth(&item.note)).map(
-        |item| {
-            let text = format!("$(arg {})", item.label);
-            Completion::new(ItemKind::Argument, text).note(item.note).rank(1)
-        },
-    ));
+    let is_truth = |text: &str| {
+        matches!(
+            text.to_ascii_lowercase().as_str(),
+            "true" | "false" | "0" | "1"
+        )
+    };
+    let mut items = vec![
+        Completion::new(ItemKind::Snippet, "${}")
+            .snippet("\\${$1}$0")
+            .rank(0),
+    ];
+    items.extend(
+        substitutions::arguments(scope, typed)
+            .into_iter()
+            .filter(|item| is_truth(&item.note))
+            .map(|item| {
+                let text = format!("$(arg {})", item.label);
+                Completion::new(ItemKind::Argument, text)
+                    .note(item.note)
+                    .rank(1)
+            }),
+    );
     items
 }
 
 /// Arguments of macro calls: names, when that is what the macro makes of them.
 fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec<Completion> {
-    let Some(info) = scope.called(&tag.name) else { return Vec::new() };
+    let Some(info) = scope.called(&tag.name) else {
+        return Vec::new();
+    };
     let mut items = match flows_into(scope, &info, attribute) {
         Some(wanted) => names::names(scope, typed, wanted, false),
         None => Vec::new(),
@@ -123,7 +165,12 @@ fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec
         let value = default.trim_matches('\'').to_owned();
         if !value.is_empty() {
             let snippet = escaped(&value);
-            items.push(Completion::new(ItemKind::Choice, value).snippet(snippet).note("default").rank(4));
+            items.push(
+                Completion::new(ItemKind::Choice, value)
+                    .snippet(snippet)
+                    .note("default")
+                    .rank(4),
+            );
         }
     }
     items
@@ -132,7 +179,11 @@ fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec
 fn of_element(
     scope: &Scope<'_>,
     typed: &Typed,
-    Place { spec, tag, attribute }: Place<'_>,
+    Place {
+        spec,
+        tag,
+        attribute,
+    }: Place<'_>,
 ) -> Vec<Completion> {
     if tag.name == "material" && attribute == "name" {
         return materials(scope, typed);
@@ -143,22 +194,29 @@ fn of_element(
     if attribute == "frame_id" || attribute == "frame_name" {
         return names::names(scope, typed, Wanted::Link, false);
     }
-    let Some(kind) = spec.and_then(|spec| spec.attribute(attribute)).map(|given| given.kind) else {
+    let Some(kind) = spec
+        .and_then(|spec| spec.attribute(attribute))
+        .map(|given| given.kind)
+    else {
         return Vec::new();
     };
     if let Some(wanted) = Wanted::of(kind) {
         return names::names(scope, typed, wanted, tag.name == "child");
     }
     match kind {
-        AttributeKind::Choice(words) => {
-            words.iter().map(|word| Completion::new(ItemKind::Choice, *word).detail(meaning(word))).collect()
-        }
+        AttributeKind::Choice(words) => words
+            .iter()
+            .map(|word| Completion::new(ItemKind::Choice, *word).detail(meaning(word)))
+            .collect(),
         _ => numbers(&tag.name, attribute),
     }
 }
 
 fn meaning(word: &str) -> &'static str {
-    JOINT_TYPES.iter().find(|(name, _)| *name == word).map_or("", |(_, meaning)| meaning)
+    JOINT_TYPES
+        .iter()
+        .find(|(name, _)| *name == word)
+        .map_or("", |(_, meaning)| meaning)
 }
 
 /// A few values that people often write.
@@ -179,10 +237,16 @@ fn numbers(tag: &str, attribute: &str) -> Vec<Completion> {
             ("0 ${pi/2} 0", "90° about y"),
             ("0 0 ${pi/2}", "90° about z"),
             ("0 0 ${pi}", "180° about z"),
-            ("${-pi/2} 0 ${-pi/2}", "from a camera frame to its optical frame"),
+            (
+                "${-pi/2} 0 ${-pi/2}",
+                "from a camera frame to its optical frame",
+            ),
         ],
         ("box", "size") => &[("0.1 0.1 0.1", "m"), ("1 1 1", "m")],
-        ("mesh", "scale") => &[("1 1 1", "metres"), ("0.001 0.001 0.001", "millimeters to meters")],
+        ("mesh", "scale") => &[
+            ("1 1 1", "metres"),
+            ("0.001 0.001 0.001", "millimeters to meters"),
+        ],
         (_, "rgba") => &[
             ("0.8 0.8 0.8 1", "light gray"),
             ("0.2 0.2 0.2 1", "dark gray"),
@@ -197,7 +261,10 @@ fn numbers(tag: &str, attribute: &str) -> Vec<Completion> {
     };
     let item = |(place, (value, note)): (usize, &(&str, &str))| {
         let snippet = format!("{}$0", escaped(value));
-        Completion::new(ItemKind::Snippet, *value).snippet(snippet).note(*note).rank(place as u8)
+        Completion::new(ItemKind::Snippet, *value)
+            .snippet(snippet)
+            .note(*note)
+            .rank(place as u8)
     };
     values.iter().enumerate().map(item).collect()
 }

@@ -22,11 +22,18 @@ pub(super) fn comment(scope: &Scope<'_>, typed: &Typed) -> Completions {
     if let Some(rest) = text.strip_prefix("xacro-root:") {
         return root(scope, typed, rest.trim_start());
     }
-    let begins = !text.is_empty() && ["xacro-lint:", "xacro-root:"].iter().any(|word| word.starts_with(text));
+    let begins = !text.is_empty()
+        && ["xacro-lint:", "xacro-root:"]
+            .iter()
+            .any(|word| word.starts_with(text));
     let items = match begins {
         true => vec![
-            Completion::new(ItemKind::Directive, "xacro-lint:").text("xacro-lint: ").rank(0),
-            Completion::new(ItemKind::Directive, "xacro-root:").text("xacro-root: ").rank(1),
+            Completion::new(ItemKind::Directive, "xacro-lint:")
+                .text("xacro-lint: ")
+                .rank(0),
+            Completion::new(ItemKind::Directive, "xacro-root:")
+                .text("xacro-root: ")
+                .rank(1),
         ],
         false => Vec::new(),
     };
@@ -35,15 +42,19 @@ pub(super) fn comment(scope: &Scope<'_>, typed: &Typed) -> Completions {
 
 fn lint(typed: &Typed, text: &str) -> Completions {
     let rest = typed.rest_of_word(|c| c.is_alphanumeric() || c == '-');
-    let answer =
-        |word: &str, items| Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items);
+    let answer = |word: &str, items| {
+        Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
+    };
     let Some((_, selected)) = text.split_once(' ') else {
-        let items = DIRECTIVES.iter().enumerate().map(|(place, (name, detail))| {
-            Completion::new(ItemKind::Directive, *name)
-                .text(format!("{name} "))
-                .detail(*detail)
-                .rank(place as u8)
-        });
+        let items = DIRECTIVES
+            .iter()
+            .enumerate()
+            .map(|(place, (name, detail))| {
+                Completion::new(ItemKind::Directive, *name)
+                    .text(format!("{name} "))
+                    .detail(*detail)
+                    .rank(place as u8)
+            });
         return answer(text, items.collect());
     };
     if selected.contains(':') {
@@ -55,7 +66,9 @@ fn lint(typed: &Typed, text: &str) -> Completions {
         Completion::new(ItemKind::Choice, rule.name)
             .note(rule.code)
             .detail(rule.summary())
-            .about(Topic::Rule { name: rule.name.to_owned() })
+            .about(Topic::Rule {
+                name: rule.name.to_owned(),
+            })
     });
     answer(word, items.collect())
 }
@@ -72,5 +85,10 @@ fn root(scope: &Scope<'_>, typed: &Typed, text: &str) -> Completions {
         Completion::new(ItemKind::File, name).note(file_name(root))
     });
     let rest = typed.rest_of_word(|c| !c.is_whitespace());
-    Completions::new(typed.offset - text.len() as u32, typed.offset, rest, items.collect())
+    Completions::new(
+        typed.offset - text.len() as u32,
+        typed.offset,
+        rest,
+        items.collect(),
+    )
 }

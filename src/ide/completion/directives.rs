@@ -22,15 +22,30 @@ pub(super) struct DirectiveAttribute {
 }
 
 const fn at(name: &'static str, docs: &'static str) -> DirectiveAttribute {
-    DirectiveAttribute { name, required: false, docs, words: &[] }
+    DirectiveAttribute {
+        name,
+        required: false,
+        docs,
+        words: &[],
+    }
 }
 
 const fn required(name: &'static str, docs: &'static str) -> DirectiveAttribute {
-    DirectiveAttribute { name, required: true, docs, words: &[] }
+    DirectiveAttribute {
+        name,
+        required: true,
+        docs,
+        words: &[],
+    }
 }
 
 const fn flag(name: &'static str, docs: &'static str) -> DirectiveAttribute {
-    DirectiveAttribute { name, required: false, docs, words: &["true", "false"] }
+    DirectiveAttribute {
+        name,
+        required: false,
+        docs,
+        words: &["true", "false"],
+    }
 }
 
 /// All of them.
@@ -41,14 +56,20 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         attributes: &[
             required("name", "The name used in expressions"),
             at("value", "The value; evaluated on first use"),
-            at("default", "The value, unless the property is already defined"),
+            at(
+                "default",
+                "The value, unless the property is already defined",
+            ),
             DirectiveAttribute {
                 name: "scope",
                 required: false,
                 docs: "Define the property in an outer scope",
                 words: &["parent", "global"],
             },
-            flag("lazy_eval", "Whether the value is evaluated on first use instead of immediately"),
+            flag(
+                "lazy_eval",
+                "Whether the value is evaluated on first use instead of immediately",
+            ),
             flag("remove", "Remove the property"),
         ],
         snippet: " name=\"$1\" value=\"$2\"/>$0",
@@ -66,7 +87,10 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         name: "xacro:include",
         docs: "Include another file",
         attributes: &[
-            required("filename", "The file, relative to this file or with `$(find package)`"),
+            required(
+                "filename",
+                "The file, relative to this file or with `$(find package)`",
+            ),
             at("ns", "Namespace for the macros and properties of the file"),
             flag("optional", "Whether the file may be missing"),
         ],
@@ -77,7 +101,10 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         docs: "Define a macro: XML with parameters",
         attributes: &[
             required("name", "The name used to call the macro"),
-            at("params", "Parameters: `name`, `name:=default`, `*block`, `**blocks`"),
+            at(
+                "params",
+                "Parameters: `name`, `name:=default`, `*block`, `**blocks`",
+            ),
         ],
         snippet: " name=\"$1\" params=\"$2\">\n\t$0\n</xacro:macro>",
     },
@@ -114,7 +141,10 @@ pub(super) static DIRECTIVES: &[Directive] = &[
     Directive {
         name: "xacro:attribute",
         docs: "Add an attribute with a computed name to the parent element",
-        attributes: &[required("name", "The name of the attribute"), required("value", "Its value")],
+        attributes: &[
+            required("name", "The name of the attribute"),
+            required("value", "Its value"),
+        ],
         snippet: " name=\"$1\" value=\"$2\"/>$0",
     },
 ];

@@ -14,8 +14,9 @@ pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
     match topic {
         Topic::Element { key } => every_element().find(|spec| spec.key == *key).map(element),
         Topic::Attribute { element, name } => {
-            let attribute =
-                every_element().filter(|spec| spec.key == *element).find_map(|spec| spec.attribute(name));
+            let attribute = every_element()
+                .filter(|spec| spec.key == *element)
+                .find_map(|spec| spec.attribute(name));
             attribute.map(of_attribute)
         }
         Topic::Directive { name } => directive(name).map(|directive| {
@@ -26,17 +27,26 @@ pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
             let lines: Vec<String> = attributes.collect();
             format!("{}.\n\n{}", directive.docs, lines.join("\n"))
         }),
-        Topic::Macro { name } => {
-            scope.macros().into_iter().find(|info| info.name == *name).map(|i| of_macro(&i))
-        }
+        Topic::Macro { name } => scope
+            .macros()
+            .into_iter()
+            .find(|info| info.name == *name)
+            .map(|i| of_macro(&i)),
         Topic::Property { name } => property(scope, name),
         Topic::Symbol { module, name } => {
             let is_it = |symbol: &expr::GlobalSymbol| {
                 symbol.name == name && symbol.namespace.map_or("", expr::Module::name) == module
             };
             let symbol = global_symbols().find(is_it)?;
-            let call = if symbol.params.is_empty() { String::new() } else { format!("({})", symbol.params) };
-            Some(format!("```python\n{}{call}\n```\n\n{}", symbol.name, symbol.doc))
+            let call = if symbol.params.is_empty() {
+                String::new()
+            } else {
+                format!("({})", symbol.params)
+            };
+            Some(format!(
+                "```python\n{}{call}\n```\n\n{}",
+                symbol.name, symbol.doc
+            ))
         }
         Topic::Rule { name } => {
             let rule = rules::all().find(|rule| rule.name == *name)?;
@@ -48,7 +58,11 @@ pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
 fn element(spec: &'static ElementSpec) -> String {
     let mut lines = vec![format!("{}.", spec.docs), String::new()];
     if !spec.parents.is_empty() {
-        let parents: Vec<String> = spec.parents.iter().map(|parent| format!("`{parent}`")).collect();
+        let parents: Vec<String> = spec
+            .parents
+            .iter()
+            .map(|parent| format!("`{parent}`"))
+            .collect();
         lines.push(format!("In {}.", parents.join(", ")));
         lines.push(String::new());
     }
@@ -87,10 +101,17 @@ fn of_macro(info: &MacroInfo) -> String {
 fn property(scope: &Scope<'_>, name: &str) -> Option<String> {
     let all = scope.properties(0);
     let found = all.iter().rev().find(|property| property.name == name)?;
-    let file = scope.files.get(found.file).map(|file| file_name(&file.source.path)).unwrap_or_default();
+    let file = scope
+        .files
+        .get(found.file)
+        .map(|file| file_name(&file.source.path))
+        .unwrap_or_default();
     let value = found.value().unwrap_or_default();
     let mut text = format!("```\n{name} = {value}\n```\n\n");
-    if let Some(shown) = Evaluator::new(scope, 0).shown(name).filter(|shown| *shown != value) {
+    if let Some(shown) = Evaluator::new(scope, 0)
+        .shown(name)
+        .filter(|shown| *shown != value)
+    {
         text.push_str(&format!("is `{shown}`, "));
     }
     text.push_str(&format!("in `{file}`"));

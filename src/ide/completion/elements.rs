@@ -76,9 +76,14 @@ fn plain(snippet: &str) -> String {
     while let Some((before, after)) = rest.split_once('$') {
         text.push_str(before);
         rest = after.trim_start_matches(|c: char| c.is_ascii_digit());
-        if let Some((place, behind)) = after.strip_prefix('{').and_then(|place| place.split_once('}')) {
+        if let Some((place, behind)) = after
+            .strip_prefix('{')
+            .and_then(|place| place.split_once('}'))
+        {
             let value = place.trim_start_matches(|c: char| c.is_ascii_digit());
-            let choice = value.strip_prefix('|').and_then(|words| words.split([',', '|']).next());
+            let choice = value
+                .strip_prefix('|')
+                .and_then(|words| words.split([',', '|']).next());
             text.push_str(choice.unwrap_or_else(|| value.trim_start_matches(':')));
             rest = behind;
         }
@@ -92,9 +97,16 @@ mod tests {
 
     #[test]
     fn without_places_a_snippet_is_its_defaults() {
-        assert_eq!(plain("a x=\"${1:0 1}\" y=\"${2}\" z=\"${3|b,c|}\"/>$0"), "a x=\"0 1\" y=\"\" z=\"b\"/>");
+        assert_eq!(
+            plain("a x=\"${1:0 1}\" y=\"${2}\" z=\"${3|b,c|}\"/>$0"),
+            "a x=\"0 1\" y=\"\" z=\"b\"/>"
+        );
         for whole in &WHOLE {
-            assert!(xml::Document::parse(&format!("<r><{}</r>", plain(whole.snippet))).errors().is_empty());
+            assert!(
+                xml::Document::parse(&format!("<r><{}</r>", plain(whole.snippet)))
+                    .errors()
+                    .is_empty()
+            );
         }
     }
 }

@@ -80,7 +80,9 @@ impl<'a> Evaluator<'a> {
         if let Some(known) = self.memo.get(name) {
             return known.clone();
         }
-        let Some(given) = self.given.get(name) else { return Value::Unknown };
+        let Some(given) = self.given.get(name) else {
+            return Value::Unknown;
+        };
         if self.open.iter().any(|open| open == name) || self.open.len() >= Self::MOST_OPEN {
             return Value::Unknown;
         }
@@ -88,7 +90,9 @@ impl<'a> Evaluator<'a> {
             let file = self.scope.files.get(property.file)?;
             Some((property.value()?, file.source.path.clone()))
         });
-        let Some((text, file)) = found else { return Value::Unknown };
+        let Some((text, file)) = found else {
+            return Value::Unknown;
+        };
         self.open.push(name.to_owned());
         let before = std::mem::replace(&mut self.file, file);
         let value = match literal::from_text(&text) {
@@ -116,7 +120,9 @@ impl<'a> Evaluator<'a> {
         if !parsed.errors.is_empty() {
             return Value::Unknown;
         }
-        let Some(left) = self.evaluations.checked_sub(1) else { return Value::Unknown };
+        let Some(left) = self.evaluations.checked_sub(1) else {
+            return Value::Unknown;
+        };
         self.evaluations = left;
         // a property may be read inside of another one's evaluation: all of them share the stack
         let depth = (Self::DEPTH >> self.open.len().min(8)).max(Self::LEAST_DEPTH);
@@ -134,13 +140,27 @@ impl<'a> Evaluator<'a> {
         for token in &template.tokens {
             let value = match token {
                 Token::Text(range) | Token::Escape(range) => Value::str(range.slice(text)),
-                Token::Expr { inner, code: Code::Static(_), .. } => self.code(inner.slice(text)),
-                Token::Expr { code: Code::Dynamic(nested), .. } => match self.template(text, nested) {
+                Token::Expr {
+                    inner,
+                    code: Code::Static(_),
+                    ..
+                } => self.code(inner.slice(text)),
+                Token::Expr {
+                    code: Code::Dynamic(nested),
+                    ..
+                } => match self.template(text, nested) {
                     Value::Str(code) => self.code(&code),
                     _ => Value::Unknown,
                 },
-                Token::Subst { inner, nested: None, .. } => self.substitution(inner.slice(text)),
-                Token::Subst { nested: Some(nested), .. } => match self.template(text, nested) {
+                Token::Subst {
+                    inner,
+                    nested: None,
+                    ..
+                } => self.substitution(inner.slice(text)),
+                Token::Subst {
+                    nested: Some(nested),
+                    ..
+                } => match self.template(text, nested) {
                     Value::Str(inner) => self.substitution(&inner),
                     _ => Value::Unknown,
                 },
@@ -159,10 +179,14 @@ impl<'a> Evaluator<'a> {
 
     fn substitution(&mut self, inner: &str) -> Value {
         let found = expr::resolve_substitution(inner, |subst| match subst {
-            Subst::Arg(word) => self.argument(&word.text).ok_or_else(|| SubstError::new("unknown")),
+            Subst::Arg(word) => self
+                .argument(&word.text)
+                .ok_or_else(|| SubstError::new("unknown")),
             Subst::Find(word) => {
                 let found = self.scope.sources.packages.find(&word.text, &self.file);
-                let path = found.ok().and_then(|found| Some(EcoString::from(found.path.to_str()?)));
+                let path = found
+                    .ok()
+                    .and_then(|found| Some(EcoString::from(found.path.to_str()?)));
                 path.ok_or_else(|| SubstError::new("unknown"))
             }
             Subst::Eval { code } => {
@@ -217,13 +241,19 @@ impl Names for Evaluator<'_> {
     }
 
     fn yaml(&mut self, args: &[Value]) -> Value {
-        let [Value::Str(name)] = args else { return Value::Unknown };
+        let [Value::Str(name)] = args else {
+            return Value::Unknown;
+        };
         let path = self.path(name);
         if !self.scope.may_list(path.parent().unwrap_or(&path)) {
             return Value::Unknown;
         }
-        let Ok(file) = self.scope.sources.vfs.yaml(&path, name) else { return Value::Unknown };
-        let Ok(node) = &file.value else { return Value::Unknown };
+        let Ok(file) = self.scope.sources.vfs.yaml(&path, name) else {
+            return Value::Unknown;
+        };
+        let Ok(node) = &file.value else {
+            return Value::Unknown;
+        };
         yaml_value(node, &mut host::budget(Self::DEPTH)).unwrap_or(Value::Unknown)
     }
 }
@@ -247,7 +277,11 @@ pub(super) fn shown(value: &Value) -> Option<String> {
 /// The keys of a value that has some, with what they stand for.
 pub(super) fn keys(value: &Value) -> Vec<(Value, Option<String>)> {
     match value {
-        Value::Dict(dict) => dict.entries().into_iter().map(|(key, value)| (key, shown(&value))).collect(),
+        Value::Dict(dict) => dict
+            .entries()
+            .into_iter()
+            .map(|(key, value)| (key, shown(&value)))
+            .collect(),
         _ => Vec::new(),
     }
 }

@@ -33,7 +33,10 @@ pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions
 /// Behind a `$`.
 fn dollar(typed: &Typed, start: u32) -> Completions {
     let item = |label: &str, snippet: &str, detail: &str| {
-        Completion::new(ItemKind::Snippet, label).snippet(snippet).detail(detail).rank(0)
+        Completion::new(ItemKind::Snippet, label)
+            .snippet(snippet)
+            .detail(detail)
+            .rank(0)
     };
     let items = vec![
         item("${}", "\\${$1}$0", "an expression"),
@@ -81,7 +84,10 @@ fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completi
                 });
                 items.extend(quoted.into_iter().map(|item| item.rank(0)));
             }
-            Completions { more, ..answer(start, items) }
+            Completions {
+                more,
+                ..answer(start, items)
+            }
         }
     }
 }
@@ -94,23 +100,41 @@ fn entries(
     spelled: impl Fn(&Value) -> Option<String>,
 ) -> Vec<Completion> {
     let value = Evaluator::new(scope, typed.offset).code(object);
-    let keys = keys(&value).into_iter().filter_map(|(key, shown)| Some((spelled(&key)?, shown)));
-    keys.map(|(key, shown)| Completion::new(ItemKind::Key, key).note(shown.unwrap_or_default()).rank(1))
-        .collect()
+    let keys = keys(&value)
+        .into_iter()
+        .filter_map(|(key, shown)| Some((spelled(&key)?, shown)));
+    keys.map(|(key, shown)| {
+        Completion::new(ItemKind::Key, key)
+            .note(shown.unwrap_or_default())
+            .rank(1)
+    })
+    .collect()
 }
 
 /// What can stand behind a dot.
 fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
     let symbols = global_symbols()
-        .filter(|symbol| symbol.namespace.is_some_and(|module| module.name() == object))
+        .filter(|symbol| {
+            symbol
+                .namespace
+                .is_some_and(|module| module.name() == object)
+        })
         .map(|symbol| global(&symbol));
     let mut items: Vec<Completion> = symbols.collect();
     let prefix = format!("{object}.");
     let mut evaluator = Evaluator::new(scope, typed.offset);
     for property in scope.properties(typed.offset) {
-        if let Some(name) = property.name.strip_prefix(&prefix).filter(|_| !property.is_block) {
+        if let Some(name) = property
+            .name
+            .strip_prefix(&prefix)
+            .filter(|_| !property.is_block)
+        {
             let value = evaluator.shown(&property.name).unwrap_or_default();
-            items.push(Completion::new(ItemKind::Property, name).note(value).rank(1));
+            items.push(
+                Completion::new(ItemKind::Property, name)
+                    .note(value)
+                    .rank(1),
+            );
         }
     }
     let value = evaluator.code(object);
@@ -120,11 +144,15 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
     };
     if dotted {
         let keys = keys(&value).into_iter();
-        items.extend(keys.filter_map(|(key, shown)| match key {
-            Value::Str(name) if expr::is_identifier(&name) => {
-                Some(Completion::new(ItemKind::Key, name).note(shown.unwrap_or_default()).rank(1))
+        items.extend(keys.filter_map(|(key, shown)| {
+            match key {
+                Value::Str(name) if expr::is_identifier(&name) => Some(
+                    Completion::new(ItemKind::Key, name)
+                        .note(shown.unwrap_or_default())
+                        .rank(1),
+                ),
+                _ => None,
             }
-            _ => None,
         }));
     } else if matches!(value, Value::Unknown) {
         items.extend(members::seen(scope, typed, object));
@@ -146,20 +174,29 @@ fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Co
         items.extend(properties(scope, &found));
         items.extend(inherited::names(scope, typed));
     }
-    let bare = global_symbols().filter(|symbol| symbol.namespace.is_none() && symbol.deprecated.is_none());
+    let bare =
+        global_symbols().filter(|symbol| symbol.namespace.is_none() && symbol.deprecated.is_none());
     items.extend(bare.map(|symbol| global(&symbol)));
     (items, more)
 }
 
 fn parameters(typed: &Typed) -> Vec<Completion> {
     let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
-    let params = macros.filter_map(|open| parse_params(&open.attr("params")?)).flatten();
+    let params = macros
+        .filter_map(|open| parse_params(&open.attr("params")?))
+        .flatten();
     let values = params.filter(|param| !param.is_block());
     values
         .map(|param| {
-            let default = param.default.as_ref().map(|(text, _)| format!("default {text}"));
+            let default = param
+                .default
+                .as_ref()
+                .map(|(text, _)| format!("default {text}"));
             let note = default.unwrap_or_else(|| "parameter".to_owned());
-            Completion::new(ItemKind::Parameter, param.name.as_str()).note(note).detail("parameter").rank(0)
+            Completion::new(ItemKind::Parameter, param.name.as_str())
+                .note(note)
+                .detail("parameter")
+                .rank(0)
         })
         .collect()
 }
@@ -169,17 +206,33 @@ fn properties(scope: &Scope<'_>, found: &[PropertyInfo]) -> Vec<Completion> {
     let own = &scope.sources.source.path;
     let mut items: Vec<Completion> = Vec::new();
     let mut seen = base::FastSet::default();
-    let named = |property: &&PropertyInfo| !property.name.is_empty() && !property.name.contains('$');
-    for property in found.iter().filter(|property| !property.is_block).filter(named) {
+    let named =
+        |property: &&PropertyInfo| !property.name.is_empty() && !property.name.contains('$');
+    for property in found
+        .iter()
+        .filter(|property| !property.is_block)
+        .filter(named)
+    {
         if !seen.insert(property.name.clone()) {
             continue;
         }
-        let here = scope.files.get(property.file).is_some_and(|file| file.source.path == *own);
-        let rank = if property.local { 0 } else { 2 - u8::from(here) };
+        let here = scope
+            .files
+            .get(property.file)
+            .is_some_and(|file| file.source.path == *own);
+        let rank = if property.local {
+            0
+        } else {
+            2 - u8::from(here)
+        };
         let name = property.name.to_string();
         match name.split_once('.') {
             Some((namespace, _)) => {
-                items.push(Completion::new(ItemKind::Module, namespace).note("namespace").rank(2));
+                items.push(
+                    Completion::new(ItemKind::Module, namespace)
+                        .note("namespace")
+                        .rank(2),
+                );
             }
             None => {
                 let item = Completion::new(ItemKind::Property, name.as_str()).detail("property");
@@ -211,14 +264,22 @@ fn global(symbol: &expr::GlobalSymbol) -> Completion {
     let item = Completion::new(kind, symbol.name)
         .detail(symbol.doc)
         .rank(rank)
-        .about(Topic::Symbol { module, name: symbol.name.to_owned() });
+        .about(Topic::Symbol {
+            module,
+            name: symbol.name.to_owned(),
+        });
     match symbol.kind {
-        SymbolKind::Function | SymbolKind::Type => {
-            item.note(format!("({})", symbol.params)).snippet(format!("{}($1)$0", symbol.name))
-        }
+        SymbolKind::Function | SymbolKind::Type => item
+            .note(format!("({})", symbol.params))
+            .snippet(format!("{}($1)$0", symbol.name)),
         SymbolKind::Constant => {
             let value = expr::global_symbol(symbol.name);
-            item.note(value.as_ref().and_then(super::evaluate::shown).unwrap_or_default())
+            item.note(
+                value
+                    .as_ref()
+                    .and_then(super::evaluate::shown)
+                    .unwrap_or_default(),
+            )
         }
         SymbolKind::Namespace => item,
     }

@@ -24,7 +24,9 @@ struct Caller {
 
 /// The names of the macros that call the one around the cursor, and of those that call them: the nearest first.
 pub(super) fn names(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let Some(own) = typed.in_macro().and_then(|open| open.attr("name")) else { return Vec::new() };
+    let Some(own) = typed.in_macro().and_then(|open| open.attr("name")) else {
+        return Vec::new();
+    };
     let mut open: Vec<EcoString> = vec![own.trim_start_matches("xacro:").into()];
     let mut seen: FastSet<EcoString> = open.iter().cloned().collect();
     let mut found = Vec::new();
@@ -49,8 +51,16 @@ fn callers(scope: &Scope<'_>, name: &str) -> Vec<Caller> {
         let calls = facts.of(FactKind::Call).filter(|call| call.in_macro);
         let calls = calls.filter(|call| call.name.rsplit('.').next() == Some(name));
         for node in calls.filter_map(|call| macro_around(item.node(call.node))) {
-            let name = node.attr("name").map_or("", |attr| attr.raw()).trim_start_matches("xacro:").into();
-            found.push(Caller { name, item: item.clone(), node: node.id() });
+            let name = node
+                .attr("name")
+                .map_or("", |attr| attr.raw())
+                .trim_start_matches("xacro:")
+                .into();
+            found.push(Caller {
+                name,
+                item: item.clone(),
+                node: node.id(),
+            });
         }
     }
     found
@@ -67,15 +77,23 @@ fn given_in(caller: &Caller) -> Vec<Completion> {
     let node = caller.item.node(caller.node);
     let note = format!("from `{}`, which calls this macro", caller.name);
     let item = |kind, name: EcoString| Completion::new(kind, name).note(note.clone()).rank(3);
-    let params = node.attr("params").map(|attr| attr.value(&Entities::default()).into_owned());
-    let params = params.and_then(|text| parse_params(&text)).unwrap_or_default().into_iter();
+    let params = node
+        .attr("params")
+        .map(|attr| attr.value(&Entities::default()).into_owned());
+    let params = params
+        .and_then(|text| parse_params(&text))
+        .unwrap_or_default()
+        .into_iter();
     let params = params.filter(|param| !param.is_block());
-    let mut found: Vec<Completion> = params.map(|param| item(ItemKind::Parameter, param.name)).collect();
+    let mut found: Vec<Completion> = params
+        .map(|param| item(ItemKind::Parameter, param.name))
+        .collect();
     let body = node.range();
     let facts = facts_of(&caller.item);
     let own = facts.of(FactKind::Property).filter(|fact| {
         let given = caller.item.node(fact.node);
-        body.contains_range(given.range()) && given.attr("value").or(given.attr("default")).is_some()
+        body.contains_range(given.range())
+            && given.attr("value").or(given.attr("default")).is_some()
     });
     let own = own.filter(|fact| !fact.name.contains('$'));
     found.extend(own.map(|fact| item(ItemKind::Property, fact.name.clone()).detail("property")));

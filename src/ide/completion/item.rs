@@ -166,7 +166,12 @@ impl Completions {
     pub(super) fn new(start: u32, offset: u32, rest: u32, items: Vec<Completion>) -> Self {
         let insert = TextRange::new(start.min(offset), offset);
         let replace = TextRange::new(insert.start, offset + rest);
-        Self { items, insert, replace, more: false }
+        Self {
+            items,
+            insert,
+            replace,
+            more: false,
+        }
     }
 
     /// Each label once, the best first, of one rank the nearest, and not too many: only what fits to `typed` counts then.
@@ -178,7 +183,11 @@ impl Completions {
         self.items.sort_by_cached_key(|item| {
             let begins = item.label.to_lowercase().starts_with(&typed_lower);
             // of the others, of which there may be thousands, the rank is enough
-            (!begins, item.rank, Reverse(if begins { nearness(item) } else { 0 }))
+            (
+                !begins,
+                item.rank,
+                Reverse(if begins { nearness(item) } else { 0 }),
+            )
         });
         self.items.retain(|item| seen.insert(item.label.clone()));
         if self.more || self.items.len() > COMPLETIONS {
@@ -193,12 +202,17 @@ impl Completions {
 /// Whether the letters of `typed` stand in `label` in that order, whatever their case.
 pub(super) fn fits(typed: &str, label: &str) -> bool {
     let mut letters = label.chars().flat_map(char::to_lowercase);
-    typed.chars().flat_map(char::to_lowercase).all(|wanted| letters.any(|letter| letter == wanted))
+    typed
+        .chars()
+        .flat_map(char::to_lowercase)
+        .all(|wanted| letters.any(|letter| letter == wanted))
 }
 
 /// Literal text inside of a snippet.
 pub(super) fn escaped(text: &str) -> String {
-    text.replace('\\', "\\\\").replace('$', "\\$").replace('}', "\\}")
+    text.replace('\\', "\\\\")
+        .replace('$', "\\$")
+        .replace('}', "\\}")
 }
 
 /// A text of at most so many characters.

@@ -15,26 +15,34 @@ const MOST: usize = 60;
 
 /// Attributes that elements with a tag have elsewhere.
 pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &str) -> Vec<Completion> {
-    learned(scope, typed, tag, |node, add| node.attrs().for_each(|attr| add(attr.name())))
-        .into_iter()
-        .filter(|(name, _)| !name.contains(':'))
-        .map(|(name, file)| {
-            let snippet = format!("{name}=\"$1\"$0");
-            Completion::new(ItemKind::Attribute, name).snippet(snippet).note(file)
-        })
-        .collect()
+    learned(scope, typed, tag, |node, add| {
+        node.attrs().for_each(|attr| add(attr.name()))
+    })
+    .into_iter()
+    .filter(|(name, _)| !name.contains(':'))
+    .map(|(name, file)| {
+        let snippet = format!("{name}=\"$1\"$0");
+        Completion::new(ItemKind::Attribute, name)
+            .snippet(snippet)
+            .note(file)
+    })
+    .collect()
 }
 
 /// Elements that stand in elements with a tag elsewhere.
 pub(super) fn children(scope: &Scope<'_>, typed: &Typed, tag: &str) -> Vec<Completion> {
-    learned(scope, typed, tag, |node, add| node.child_elements().for_each(|child| add(child.name())))
-        .into_iter()
-        .filter(|(name, _)| !name.contains(':'))
-        .map(|(name, file)| {
-            let snippet = format!("{name}>$1</{name}>$0");
-            Completion::new(ItemKind::Element, name).snippet(snippet).note(file)
-        })
-        .collect()
+    learned(scope, typed, tag, |node, add| {
+        node.child_elements().for_each(|child| add(child.name()))
+    })
+    .into_iter()
+    .filter(|(name, _)| !name.contains(':'))
+    .map(|(name, file)| {
+        let snippet = format!("{name}>$1</{name}>$0");
+        Completion::new(ItemKind::Element, name)
+            .snippet(snippet)
+            .note(file)
+    })
+    .collect()
 }
 
 /// What is read off the elements with a tag, each with the file that it is taken from. What is being typed is left out.
@@ -50,13 +58,18 @@ fn learned(
     let mut seen: FastSet<EcoString> = FastSet::default();
     let mut found = Vec::new();
     let start = format!("<{tag}");
-    for (_, file, item) in scope.items().filter(|(_, _, item)| item.text().contains(start.as_str())) {
+    for (_, file, item) in scope
+        .items()
+        .filter(|(_, _, item)| item.text().contains(start.as_str()))
+    {
         let here = Arc::ptr_eq(item, place.item);
         let is_typed = |node: &Node<'_>| {
             let range = node.range();
             here && range.start <= inside && inside <= range.end
         };
-        let elements = item.all_nodes().filter(|node| node.kind() == NodeKind::Element && node.name() == tag);
+        let elements = item
+            .all_nodes()
+            .filter(|node| node.kind() == NodeKind::Element && node.name() == tag);
         for node in elements.filter(|node| !is_typed(node)) {
             read(node, &mut |name| {
                 if found.len() < MOST && seen.insert(name.into()) {

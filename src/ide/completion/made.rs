@@ -23,11 +23,22 @@ const MOST_DEEP: u32 = 3;
 type Given = FastMap<EcoString, Option<EcoString>>;
 
 /// The names that the calls of the edited file make; those around the cursor come before the others.
-pub(super) fn names(scope: &Scope<'_>, typed: &Typed, fact: FactKind, kind: ItemKind) -> Vec<Completion> {
+pub(super) fn names(
+    scope: &Scope<'_>,
+    typed: &Typed,
+    fact: FactKind,
+    kind: ItemKind,
+) -> Vec<Completion> {
     let document = &scope.sources.source.document;
     let place = document.item_at(typed.offset.saturating_sub(1));
     let around = macro_at(place.item, typed.offset.saturating_sub(place.start));
-    let mut work = Work { scope, fact, macros: FastMap::default(), left: MOST_CALLS, found: Vec::new() };
+    let mut work = Work {
+        scope,
+        fact,
+        macros: FastMap::default(),
+        left: MOST_CALLS,
+        found: Vec::new(),
+    };
     let mut found = Vec::new();
     for (base, item) in document.parts() {
         let here = Arc::ptr_eq(item, place.item);
@@ -43,7 +54,10 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, fact: FactKind, kind: Item
             work.call(&call.name, node, &|text| Some(text.into()), MOST_DEEP);
             let rank = if is_near { 2 } else { 4 };
             let note = format!("made by {}", call.name);
-            let made = work.found.drain(..).map(|name| Completion::new(kind, name).note(note.clone()));
+            let made = work
+                .found
+                .drain(..)
+                .map(|name| Completion::new(kind, name).note(note.clone()));
             found.extend(made.map(|item| item.rank(rank)));
         }
     }
@@ -70,26 +84,45 @@ impl Work<'_> {
     ) {
         let scope = self.scope;
         let look_up = || scope.called(&format!("xacro:{name}")).map(Arc::new);
-        let Some(info) = self.macros.entry(name.clone()).or_insert_with(look_up).clone() else { return };
-        let Some(left) = self.left.checked_sub(1) else { return };
+        let Some(info) = self
+            .macros
+            .entry(name.clone())
+            .or_insert_with(look_up)
+            .clone()
+        else {
+            return;
+        };
+        let Some(left) = self.left.checked_sub(1) else {
+            return;
+        };
         self.left = left;
         let given = given(&info, node, written);
         let body = info.item.node(info.node).range();
         let facts = facts_of(&info.item);
         let inside = |fact: &&Fact| body.contains_range(info.item.node(fact.node).range());
         for fact in facts.of(self.fact).filter(inside) {
-            self.found.extend(spelled(&fact.name, &given).filter(|name| !name.is_empty()));
+            self.found
+                .extend(spelled(&fact.name, &given).filter(|name| !name.is_empty()));
         }
-        let Some(deeper) = deep.checked_sub(1) else { return };
+        let Some(deeper) = deep.checked_sub(1) else {
+            return;
+        };
         for call in facts.of(FactKind::Call).filter(inside) {
-            self.call(&call.name, info.item.node(call.node), &|text| spelled(text, &given), deeper);
+            self.call(
+                &call.name,
+                info.item.node(call.node),
+                &|text| spelled(text, &given),
+                deeper,
+            );
         }
     }
 }
 
 /// What the names in a macro's body stand for in a call.
 fn given(info: &MacroInfo, node: Node<'_>, written: &dyn Fn(&str) -> Option<EcoString>) -> Given {
-    let mut given: Given = own_properties(&info.item, info.node).map(|name| (name, None)).collect();
+    let mut given: Given = own_properties(&info.item, info.node)
+        .map(|name| (name, None))
+        .collect();
     for param in info.params.iter().filter(|param| !param.is_block()) {
         let value = match (node.attr(&param.name), &param.default) {
             (Some(attr), _) => written(&attr.value(&Entities::default())),
@@ -106,8 +139,12 @@ fn given(info: &MacroInfo, node: Node<'_>, written: &dyn Fn(&str) -> Option<EcoS
 fn own_properties(item: &Arc<Item>, of: xml::NodeId) -> impl Iterator<Item = EcoString> {
     let body = item.node(of).range();
     let facts = facts_of(item);
-    let own = facts.of(FactKind::Property).filter(|fact| body.contains_range(item.node(fact.node).range()));
-    own.map(|fact| fact.name.clone()).collect::<Vec<_>>().into_iter()
+    let own = facts
+        .of(FactKind::Property)
+        .filter(|fact| body.contains_range(item.node(fact.node).range()));
+    own.map(|fact| fact.name.clone())
+        .collect::<Vec<_>>()
+        .into_iter()
 }
 
 /// A text of a macro's body as the caller would write it; none when it is computed from what the caller gives.
@@ -122,7 +159,12 @@ fn spelled(text: &str, given: &Given) -> Option<EcoString> {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
         match given.get(code.trim()) {
             Some(value) => found.push_str(value.as_ref()?),
-            None if code.split(|c| !is_word(c)).any(|word| given.contains_key(word)) => return None,
+            None if code
+                .split(|c| !is_word(c))
+                .any(|word| given.contains_key(word)) =>
+            {
+                return None;
+            }
             None => found.push_str(range.slice(text)),
         }
     }

@@ -27,14 +27,26 @@ pub(super) fn seen(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Comple
         let here = std::sync::Arc::ptr_eq(item, place.item);
         for (at, _) in text.match_indices(&start) {
             let behind = at + start.len();
-            if text.get(..at).is_some_and(|before| before.ends_with(is_word)) || here && behind == end {
+            if text
+                .get(..at)
+                .is_some_and(|before| before.ends_with(is_word))
+                || here && behind == end
+            {
                 continue;
             }
             let rest = text.get(behind..).unwrap_or("");
-            let name = rest.get(..rest.find(|c: char| !is_word(c)).unwrap_or(rest.len())).unwrap_or("");
-            let is_call = rest.get(name.len()..).is_some_and(|rest| rest.starts_with('('));
+            let name = rest
+                .get(..rest.find(|c: char| !is_word(c)).unwrap_or(rest.len()))
+                .unwrap_or("");
+            let is_call = rest
+                .get(name.len()..)
+                .is_some_and(|rest| rest.starts_with('('));
             let is_typed = here && (behind..=behind + name.len()).contains(&end);
-            if expr::is_identifier(name) && !is_call && !is_typed && found.len() < MOST && names.insert(name)
+            if expr::is_identifier(name)
+                && !is_call
+                && !is_typed
+                && found.len() < MOST
+                && names.insert(name)
             {
                 let note = file_name(&file.source.path);
                 found.push(Completion::new(ItemKind::Key, name).note(note).rank(4));

@@ -22,7 +22,11 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, kind: ItemKind) -> Vec<Com
     let lead = lead(&typed.before);
     if !lead.is_empty() {
         found.extend(behind(scope, typed, lead, kind));
-        let fact = if kind == ItemKind::Link { FactKind::Link } else { FactKind::Joint };
+        let fact = if kind == ItemKind::Link {
+            FactKind::Link
+        } else {
+            FactKind::Joint
+        };
         found.extend(spelled_alike(scope, lead, fact, kind));
         found.extend(rests_of_others(scope, lead, fact, kind));
     }
@@ -35,17 +39,31 @@ fn referred_to(scope: &Scope<'_>, typed: &Typed, kind: ItemKind) -> Vec<Completi
     for (base, item) in scope.sources.source.document.parts() {
         let attrs = item.all_nodes().flat_map(|node| references(node, kind));
         let others = attrs.filter(|attr| !attr.value_range().shift(base).touches(typed.offset));
-        let named = others.map(|attr| attr.raw().trim()).filter(|name| !name.is_empty());
-        found.extend(named.map(|name| Completion::new(kind, name).note("used in this file").rank(4)));
+        let named = others
+            .map(|attr| attr.raw().trim())
+            .filter(|name| !name.is_empty());
+        found.extend(named.map(|name| {
+            Completion::new(kind, name)
+                .note("used in this file")
+                .rank(4)
+        }));
     }
     found
 }
 
 /// The attributes of an element that refer to links or joints: of a call those that are there to name a link.
 fn references(node: Node<'_>, kind: ItemKind) -> impl Iterator<Item = xml::Attr<'_>> {
-    let called = node.name().strip_prefix("xacro:").filter(|called| !facts::is_keyword(called));
-    let given = called.filter(|_| kind == ItemKind::Link).map(|_| node.attrs());
-    let given = given.into_iter().flatten().filter(|attr| is_link_name(attr.name()));
+    let called = node
+        .name()
+        .strip_prefix("xacro:")
+        .filter(|called| !facts::is_keyword(called));
+    let given = called
+        .filter(|_| kind == ItemKind::Link)
+        .map(|_| node.attrs());
+    let given = given
+        .into_iter()
+        .flatten()
+        .filter(|attr| is_link_name(attr.name()));
     reference(node, kind).into_iter().chain(given)
 }
 
@@ -65,7 +83,8 @@ fn lead(text: &str) -> &str {
         Token::Expr { range, .. } | Token::Subst { range, .. } => Some(range.end),
         _ => None,
     });
-    text.get(..computed.max().unwrap_or(0) as usize).unwrap_or("")
+    text.get(..computed.max().unwrap_or(0) as usize)
+        .unwrap_or("")
 }
 
 /// The names of the robot that begin with what an expression stands for, with the expression instead.
@@ -75,21 +94,41 @@ fn behind(scope: &Scope<'_>, typed: &Typed, lead: &str, kind: ItemKind) -> Vec<C
     let mut known: Option<Option<String>> = None;
     for (expansion, robot) in scope.robots() {
         // an SRDF has an expansion of its own
-        let own = scope.sources.expansions.iter().map(|(own, _)| *own).filter(|_| scope.is_semantic);
-        let mut values: Vec<String> =
-            own.chain([expansion]).flat_map(|known| values_in(scope, known, lead)).collect();
+        let own = scope
+            .sources
+            .expansions
+            .iter()
+            .map(|(own, _)| *own)
+            .filter(|_| scope.is_semantic);
+        let mut values: Vec<String> = own
+            .chain([expansion])
+            .flat_map(|known| values_in(scope, known, lead))
+            .collect();
         if values.is_empty() {
-            let known = known.get_or_insert_with(|| Evaluator::new(scope, typed.offset).string(lead));
+            let known =
+                known.get_or_insert_with(|| Evaluator::new(scope, typed.offset).string(lead));
             values.extend(known.clone());
         }
         let names: Vec<&Text> = match kind {
-            ItemKind::Link => robot.links.iter().filter_map(|link| link.name.as_ref()).collect(),
-            _ => robot.joints.iter().filter_map(|joint| joint.name.as_ref()).collect(),
+            ItemKind::Link => robot
+                .links
+                .iter()
+                .filter_map(|link| link.name.as_ref())
+                .collect(),
+            _ => robot
+                .joints
+                .iter()
+                .filter_map(|joint| joint.name.as_ref())
+                .collect(),
         };
         for text in names.into_iter().filter(|text| text.name().is_some()) {
-            let rests = values.iter().filter_map(|value| text.value.strip_prefix(value.as_str()));
+            let rests = values
+                .iter()
+                .filter_map(|value| text.value.strip_prefix(value.as_str()));
             found.extend(rests.filter(|rest| !rest.is_empty()).map(|rest| {
-                Completion::new(kind, format!("{lead}{rest}")).note(file_of(expansion, text)).rank(5)
+                Completion::new(kind, format!("{lead}{rest}"))
+                    .note(file_of(expansion, text))
+                    .rank(5)
             }));
         }
     }
@@ -98,7 +137,10 @@ fn behind(scope: &Scope<'_>, typed: &Typed, lead: &str, kind: ItemKind) -> Vec<C
 
 /// What `${name}` with text around it stood for when a robot was expanded, where the file gives that name.
 fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String> {
-    let Some((text, name)) = lead.strip_suffix('}').and_then(|lead| lead.rsplit_once("${")) else {
+    let Some((text, name)) = lead
+        .strip_suffix('}')
+        .and_then(|lead| lead.rsplit_once("${"))
+    else {
         return Vec::new();
     };
     let name = name.trim();
@@ -107,7 +149,9 @@ fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String
     }
     let own = &scope.sources.source.path;
     let is_here = |id| {
-        let source = expansion.sources.get(expansion.symbols.get(id)?.place.src.0 as usize)?;
+        let source = expansion
+            .sources
+            .get(expansion.symbols.get(id)?.place.src.0 as usize)?;
         Some(expansion.files.get(source.file.0 as usize)?.source.path == *own)
     };
     let bindings = expansion.bindings.iter().filter(|info| {
@@ -118,7 +162,10 @@ fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String
     let mut seen = FastSet::default();
     let values = bindings.filter_map(|info| display::to_str(info.value.as_ref()?));
     let values = values.map(|value| format!("{text}{value}"));
-    values.filter(|value| seen.insert(value.clone())).take(MOST_VALUES).collect()
+    values
+        .filter(|value| seen.insert(value.clone()))
+        .take(MOST_VALUES)
+        .collect()
 }
 
 /// The computed names of all files that begin with the same expression.
@@ -126,23 +173,41 @@ fn spelled_alike(scope: &Scope<'_>, lead: &str, fact: FactKind, kind: ItemKind) 
     let mut found = Vec::new();
     for (_, file, item) in scope.items() {
         let facts = facts::facts_of(item);
-        let alike = facts.of(fact).filter(|fact| fact.name.starts_with(lead) && fact.name.len() > lead.len());
+        let alike = facts
+            .of(fact)
+            .filter(|fact| fact.name.starts_with(lead) && fact.name.len() > lead.len());
         let note = file_name(&file.source.path);
-        found.extend(alike.map(|fact| Completion::new(kind, fact.name.as_str()).note(note.clone()).rank(5)));
+        found.extend(alike.map(|fact| {
+            Completion::new(kind, fact.name.as_str())
+                .note(note.clone())
+                .rank(5)
+        }));
     }
     found
 }
 
 /// What the edited file writes behind other expressions, behind this one: where it has `${name}_link`, `${parent}_link` may be meant.
-fn rests_of_others(scope: &Scope<'_>, own: &str, fact: FactKind, kind: ItemKind) -> Vec<Completion> {
+fn rests_of_others(
+    scope: &Scope<'_>,
+    own: &str,
+    fact: FactKind,
+    kind: ItemKind,
+) -> Vec<Completion> {
     let mut found = Vec::new();
     for (_, item) in scope.sources.source.document.parts() {
-        for fact in facts::facts_of(item).of(fact).filter(|fact| fact.name.contains('$')) {
+        for fact in facts::facts_of(item)
+            .of(fact)
+            .filter(|fact| fact.name.contains('$'))
+        {
             let other = lead(&fact.name);
             let rest = fact.name.get(other.len()..).unwrap_or("");
             if other != own && !rest.is_empty() {
                 let note = format!("like `{}`", fact.name);
-                found.push(Completion::new(kind, format!("{own}{rest}")).note(note).rank(6));
+                found.push(
+                    Completion::new(kind, format!("{own}{rest}"))
+                        .note(note)
+                        .rank(6),
+                );
             }
         }
     }

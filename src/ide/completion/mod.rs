@@ -57,7 +57,11 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
         Typing::Content => content(scope, &typed, trigger),
     };
     let length = found.insert.len() as usize;
-    let word = typed.before.get(typed.before.len().saturating_sub(length)..).unwrap_or("").to_owned();
+    let word = typed
+        .before
+        .get(typed.before.len().saturating_sub(length)..)
+        .unwrap_or("")
+        .to_owned();
     let around = Surroundings::of(&typed, &scope.sources.source.path, &word);
     let mut found = found.bounded(&word, |item| around.nearness(item));
     expressions::show_values(scope, offset, &mut found.items);
@@ -74,13 +78,19 @@ fn content(scope: &Scope<'_>, typed: &Typed, trigger: Option<char>) -> Completio
         return Completions::default();
     }
     let parent = typed.open.last().map_or("", |open| open.name.as_str());
-    if matches!(parent, "frame_id" | "frameName" | "frame_name" | "bodyName" | "baseLink" | "robotBaseFrame")
-    {
+    if matches!(
+        parent,
+        "frame_id" | "frameName" | "frame_name" | "bodyName" | "baseLink" | "robotBaseFrame"
+    ) {
         let text = typed.before.trim_start();
         let rest = typed.rest_of_word(is_name_char);
         let items = names::names(scope, typed, Wanted::Link, false);
         return Completions::new(typed.offset - text.len() as u32, typed.offset, rest, items);
     }
     let is_word = typed.before.trim_start().chars().all(is_name_char);
-    if is_word { tags::tags(scope, typed, "<") } else { Completions::default() }
+    if is_word {
+        tags::tags(scope, typed, "<")
+    } else {
+        Completions::default()
+    }
 }

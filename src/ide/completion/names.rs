@@ -25,8 +25,10 @@ pub(super) enum Wanted {
 
 impl Wanted {
     fn kinds(self) -> &'static [(FactKind, ItemKind)] {
-        const BOTH: &[(FactKind, ItemKind)] =
-            &[(FactKind::Link, ItemKind::Link), (FactKind::Joint, ItemKind::Joint)];
+        const BOTH: &[(FactKind, ItemKind)] = &[
+            (FactKind::Link, ItemKind::Link),
+            (FactKind::Joint, ItemKind::Joint),
+        ];
         match self {
             Wanted::Link => BOTH.get(..1).unwrap_or(BOTH),
             Wanted::Joint => BOTH.get(1..).unwrap_or(BOTH),
@@ -47,10 +49,18 @@ impl Wanted {
 
 /// Links or joints: those that the macro around gives as they are written, those of the expanded robot, those that
 /// stand in the texts. `is_end` says that the value is the child of a joint: links that have no parent come first.
-pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bool) -> Vec<Completion> {
+pub(super) fn names(
+    scope: &Scope<'_>,
+    typed: &Typed,
+    wanted: Wanted,
+    is_end: bool,
+) -> Vec<Completion> {
     let mut found = Vec::new();
     for &(fact, kind) in wanted.kinds() {
-        let patterns = scope.patterns(fact, typed.offset).into_iter().filter(|name| !name.is_empty());
+        let patterns = scope
+            .patterns(fact, typed.offset)
+            .into_iter()
+            .filter(|name| !name.is_empty());
         found.extend(patterns.map(|name| Completion::new(kind, name).note("here").rank(0)));
         let beside = scope.patterns_beside(fact, typed.offset).into_iter();
         found.extend(beside.map(|name| Completion::new(kind, name).note("in this file").rank(4)));
@@ -59,34 +69,57 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, wanted: Wanted, is_end: bo
         }
         for (expansion, robot) in scope.robots() {
             let texts: Vec<&Text> = match kind {
-                ItemKind::Link => robot.links.iter().filter_map(|link| link.name.as_ref()).collect(),
-                _ => robot.joints.iter().filter_map(|joint| joint.name.as_ref()).collect(),
+                ItemKind::Link => robot
+                    .links
+                    .iter()
+                    .filter_map(|link| link.name.as_ref())
+                    .collect(),
+                _ => robot
+                    .joints
+                    .iter()
+                    .filter_map(|joint| joint.name.as_ref())
+                    .collect(),
             };
-            let held: FastSet<&str> =
-                robot.joints.iter().filter_map(|joint| Some(joint.child.as_ref()?.value.as_str())).collect();
+            let held: FastSet<&str> = robot
+                .joints
+                .iter()
+                .filter_map(|joint| Some(joint.child.as_ref()?.value.as_str()))
+                .collect();
             for text in texts.into_iter().filter(|text| text.name().is_some()) {
                 let free = is_end && !held.contains(text.value.as_str());
-                let item = Completion::new(kind, text.value.as_str()).note(file_of(expansion, text));
+                let item =
+                    Completion::new(kind, text.value.as_str()).note(file_of(expansion, text));
                 found.push(item.rank(if free { 1 } else { 2 }));
             }
         }
         found.extend(made::names(scope, typed, fact, kind));
         found.extend(mentioned::names(scope, typed, kind));
         // an SRDF gives none of them
-        let plain =
-            scope.plain_names(fact).into_iter().filter(|(name, _)| !name.is_empty() && !scope.is_semantic);
-        found.extend(plain.map(|(name, file)| Completion::new(kind, name).note(file_name(&file)).rank(3)));
+        let plain = scope
+            .plain_names(fact)
+            .into_iter()
+            .filter(|(name, _)| !name.is_empty() && !scope.is_semantic);
+        found.extend(
+            plain.map(|(name, file)| Completion::new(kind, name).note(file_name(&file)).rank(3)),
+        );
     }
     found
 }
 
 /// Parameters of the macro around that are there to name a link.
 fn link_parameters(typed: &Typed) -> Vec<Completion> {
-    let params = typed.in_macro().and_then(|open| parse_params(&open.attr("params")?)).unwrap_or_default();
-    let links = params.iter().filter(|param| !param.is_block() && is_link_name(&param.name));
+    let params = typed
+        .in_macro()
+        .and_then(|open| parse_params(&open.attr("params")?))
+        .unwrap_or_default();
+    let links = params
+        .iter()
+        .filter(|param| !param.is_block() && is_link_name(&param.name));
     links
         .map(|param| {
-            Completion::new(ItemKind::Link, format!("${{{}}}", param.name)).note("parameter").rank(1)
+            Completion::new(ItemKind::Link, format!("${{{}}}", param.name))
+                .note("parameter")
+                .rank(1)
         })
         .collect()
 }
@@ -112,9 +145,9 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
     for node in inside {
         for attr in node.attrs().filter(|attr| attr.raw().trim() == read) {
             let found = match node.name() {
-                name if name.starts_with("xacro:") && depth > 0 => {
-                    scope.called(name).and_then(|inner| flow(scope, &inner, attr.name(), depth - 1))
-                }
+                name if name.starts_with("xacro:") && depth > 0 => scope
+                    .called(name)
+                    .and_then(|inner| flow(scope, &inner, attr.name(), depth - 1)),
                 _ => spec(scope, node)
                     .and_then(|spec| spec.attribute(attr.name()))
                     .and_then(|attribute| Wanted::of(attribute.kind)),
@@ -128,8 +161,9 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
 }
 
 fn spec(scope: &Scope<'_>, node: Node<'_>) -> Option<&'static rules::schema::ElementSpec> {
-    let mut names: Vec<&str> =
-        std::iter::successors(Some(node), |node| node.parent()).map(Node::name).collect();
+    let mut names: Vec<&str> = std::iter::successors(Some(node), |node| node.parent())
+        .map(Node::name)
+        .collect();
     names.push("robot");
     names.reverse();
     spec_of(scope, &names)
@@ -137,16 +171,21 @@ fn spec(scope: &Scope<'_>, node: Node<'_>) -> Option<&'static rules::schema::Ele
 
 /// The materials of the robot, and those the texts give.
 pub(super) fn materials(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let patterns =
-        scope.patterns(FactKind::Material, typed.offset).into_iter().filter(|name| !name.is_empty());
-    let mut found: Vec<Completion> =
-        patterns.map(|name| Completion::new(ItemKind::Color, name).note("here").rank(0)).collect();
+    let patterns = scope
+        .patterns(FactKind::Material, typed.offset)
+        .into_iter()
+        .filter(|name| !name.is_empty());
+    let mut found: Vec<Completion> = patterns
+        .map(|name| Completion::new(ItemKind::Color, name).note("here").rank(0))
+        .collect();
     for (expansion, robot) in scope.sources.expansions {
         let Some(robot) = robot else { continue };
         let visuals = robot.links.iter().flat_map(|link| &link.visuals);
         let own = visuals.filter_map(|visual| visual.material.as_deref());
         for material in robot.materials.iter().chain(own) {
-            let Some(name) = material.name.as_ref().filter(|name| name.name().is_some()) else { continue };
+            let Some(name) = material.name.as_ref().filter(|name| name.name().is_some()) else {
+                continue;
+            };
             let item = Completion::new(ItemKind::Color, name.value.as_str());
             let item = item.note(file_of(expansion, name)).rank(1);
             found.push(match material.rgba.as_ref().and_then(Text::numbers::<4>) {
@@ -155,12 +194,23 @@ pub(super) fn materials(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
             });
         }
     }
-    let beside = scope.patterns_beside(FactKind::Material, typed.offset).into_iter();
-    found.extend(beside.map(|name| Completion::new(ItemKind::Color, name).note("in this file").rank(3)));
-    let plain = scope.plain_names(FactKind::Material).into_iter().filter(|(name, _)| !name.is_empty());
-    found.extend(
-        plain.map(|(name, file)| Completion::new(ItemKind::Color, name).note(file_name(&file)).rank(2)),
-    );
+    let beside = scope
+        .patterns_beside(FactKind::Material, typed.offset)
+        .into_iter();
+    found.extend(beside.map(|name| {
+        Completion::new(ItemKind::Color, name)
+            .note("in this file")
+            .rank(3)
+    }));
+    let plain = scope
+        .plain_names(FactKind::Material)
+        .into_iter()
+        .filter(|(name, _)| !name.is_empty());
+    found.extend(plain.map(|(name, file)| {
+        Completion::new(ItemKind::Color, name)
+            .note(file_name(&file))
+            .rank(2)
+    }));
     found
 }
 
@@ -174,15 +224,22 @@ fn hex(rgba: [f64; 4]) -> String {
 /// The blocks that can be inserted: parameters of the macros around, and properties.
 pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
-    let params = macros.filter_map(|open| parse_params(&open.attr("params")?)).flatten();
+    let params = macros
+        .filter_map(|open| parse_params(&open.attr("params")?))
+        .flatten();
     let params: Vec<Completion> = params
         .filter(|param| param.is_block())
         .map(|param| {
             let name = param.name.trim_start_matches('*').to_owned();
-            Completion::new(ItemKind::Block, name).note("parameter").rank(0)
+            Completion::new(ItemKind::Block, name)
+                .note("parameter")
+                .rank(0)
         })
         .collect();
-    let properties = scope.properties(typed.offset).into_iter().filter(|property| property.is_block);
+    let properties = scope
+        .properties(typed.offset)
+        .into_iter()
+        .filter(|property| property.is_block);
     let properties =
         properties.map(|property| Completion::new(ItemKind::Block, property.name).note("property"));
     params.into_iter().chain(properties).collect()
@@ -191,10 +248,13 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
 pub(super) fn file_of(expansion: &Expansion, text: &Text) -> String {
     let source = expansion.sources.get(text.origin.src.0 as usize);
     let file = source.and_then(|source| expansion.files.get(source.file.0 as usize));
-    file.map(|file| file_name(&file.source.path)).unwrap_or_default()
+    file.map(|file| file_name(&file.source.path))
+        .unwrap_or_default()
 }
 
 /// The last part of a path.
 pub(super) fn file_name(path: &Path) -> String {
-    path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+    path.file_name()
+        .map(|name| name.to_string_lossy().into_owned())
+        .unwrap_or_default()
 }

@@ -24,26 +24,51 @@ pub(super) struct Surroundings {
 impl Surroundings {
     /// Of what is typed in a file. `word` is what was typed of the name itself.
     pub fn of(typed: &Typed, file: &Path, word: &str) -> Self {
-        let mut found = Self { words: FastMap::default() };
-        let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let mut found = Self {
+            words: FastMap::default(),
+        };
+        let stem = file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+            .unwrap_or_default();
         found.read(&stem, OF_FILE);
-        let text = typed.text_before.strip_suffix(word).unwrap_or(&typed.text_before);
+        let text = typed
+            .text_before
+            .strip_suffix(word)
+            .unwrap_or(&typed.text_before);
         let tag = text.rfind('<').unwrap_or(0);
         let near = text.len().saturating_sub(NEAR);
-        let start = (near..=tag.max(near)).find(|at| text.is_char_boundary(*at)).unwrap_or(tag);
-        let (before, own) = (text.get(start..tag).unwrap_or(""), text.get(tag..).unwrap_or(""));
+        let start = (near..=tag.max(near))
+            .find(|at| text.is_char_boundary(*at))
+            .unwrap_or(tag);
+        let (before, own) = (
+            text.get(start..tag).unwrap_or(""),
+            text.get(tag..).unwrap_or(""),
+        );
         // names of elements say nothing: they are everywhere
-        let values = |text: &str| text.split('<').map(|tag| behind_name(tag).to_owned()).collect::<Vec<_>>();
-        values(before).iter().for_each(|value| found.read(value, CLOSE));
+        let values = |text: &str| {
+            text.split('<')
+                .map(|tag| behind_name(tag).to_owned())
+                .collect::<Vec<_>>()
+        };
+        values(before)
+            .iter()
+            .for_each(|value| found.read(value, CLOSE));
         for open in typed.open.iter().filter(|open| open.name != "robot") {
             found.read(&open.attr("name").unwrap_or_default(), AROUND);
         }
         match typed.what {
-            Typing::Content => found.read(own.split_once('>').map_or("", |(_, text)| text), OWN_TAG),
+            Typing::Content => {
+                found.read(own.split_once('>').map_or("", |(_, text)| text), OWN_TAG)
+            }
             _ => found.read(behind_name(own.trim_start_matches('<')), OWN_TAG),
         }
         let rest = typed.after.split('>').next().unwrap_or("");
-        found.read(rest.split_once(char::is_whitespace).map_or("", |(_, rest)| rest), OWN_TAG);
+        found.read(
+            rest.split_once(char::is_whitespace)
+                .map_or("", |(_, rest)| rest),
+            OWN_TAG,
+        );
         found
     }
 
@@ -80,7 +105,8 @@ impl Surroundings {
 
 /// A tag without its name.
 fn behind_name(tag: &str) -> &str {
-    tag.split_once(char::is_whitespace).map_or("", |(_, rest)| rest)
+    tag.split_once(char::is_whitespace)
+        .map_or("", |(_, rest)| rest)
 }
 
 /// The words of a text in small letters: `leftWrist_2` has `left`, `wrist` and `2`. Numbers that stand alone are none.
@@ -117,7 +143,12 @@ mod tests {
     #[test]
     fn words_of_names() {
         let mut found = Vec::new();
-        each_word("${prefix}leftWrist_2.stl 0.5 l4s", &mut |word| found.push(word.to_owned()));
-        assert_eq!(found, ["prefix", "left", "wrist", "2", "stl", "l", "4", "s"]);
+        each_word("${prefix}leftWrist_2.stl 0.5 l4s", &mut |word| {
+            found.push(word.to_owned())
+        });
+        assert_eq!(
+            found,
+            ["prefix", "left", "wrist", "2", "stl", "l", "4", "s"]
+        );
     }
 }

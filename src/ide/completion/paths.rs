@@ -23,9 +23,16 @@ impl Wanted {
         match self {
             Wanted::Mesh => &["stl", "dae", "obj", "glb"],
             Wanted::Picture => &["png", "jpg", "jpeg"],
-            Wanted::Description => {
-                &["xacro", "urdf", "xml", "gazebo", "transmission", "trans", "sdf", "srdf"]
-            }
+            Wanted::Description => &[
+                "xacro",
+                "urdf",
+                "xml",
+                "gazebo",
+                "transmission",
+                "trans",
+                "sdf",
+                "srdf",
+            ],
             Wanted::Yaml => &["yaml", "yml"],
         }
     }
@@ -39,8 +46,15 @@ impl Scope<'_> {
     /// Whether the names in a folder may be told: it belongs to the workspace or to a package.
     pub(super) fn may_list(&self, folder: &Path) -> bool {
         let folder = without_parents(folder);
-        self.sources.folders.iter().any(|own| folder.starts_with(own))
-            || self.sources.packages.containing(&folder.join("package.xml")).is_some()
+        self.sources
+            .folders
+            .iter()
+            .any(|own| folder.starts_with(own))
+            || self
+                .sources
+                .packages
+                .containing(&folder.join("package.xml"))
+                .is_some()
             || [&*self.sources.source.path, self.sources.root]
                 .iter()
                 .any(|file| file.parent() == Some(&folder))
@@ -49,15 +63,26 @@ impl Scope<'_> {
 
 /// Files for a value, or a part of one, of which `text` was typed so far.
 pub(super) fn in_text(scope: &Scope<'_>, typed: &Typed, text: &str, wanted: Wanted) -> Completions {
-    if let Some(name) = text.strip_prefix("package://").filter(|rest| !rest.contains('/')) {
+    if let Some(name) = text
+        .strip_prefix("package://")
+        .filter(|rest| !rest.contains('/'))
+    {
         let rest = typed.rest_of_word(is_file_char);
-        let closed = typed.after.get(rest as usize..).is_some_and(|after| after.starts_with('/'));
+        let closed = typed
+            .after
+            .get(rest as usize..)
+            .is_some_and(|after| after.starts_with('/'));
         let end = if closed { "" } else { "/" };
         let packages = substitutions::packages(scope).into_iter().map(|item| {
             let text = format!("{}{end}", item.label);
             item.text(text)
         });
-        return Completions::new(typed.offset - name.len() as u32, typed.offset, rest, packages.collect());
+        return Completions::new(
+            typed.offset - name.len() as u32,
+            typed.offset,
+            rest,
+            packages.collect(),
+        );
     }
     let (folder, word) = match text.rsplit_once('/') {
         Some((folder, word)) => (Some(folder), word),
@@ -81,7 +106,9 @@ fn is_file_char(c: char) -> bool {
 /// The folder that the first part of a value names.
 fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<PathBuf> {
     let own = &scope.sources.source.path;
-    let Some(folder) = folder else { return own.parent().map(Path::to_path_buf) };
+    let Some(folder) = folder else {
+        return own.parent().map(Path::to_path_buf);
+    };
     let folder = match folder.contains('$') {
         true => Evaluator::new(scope, typed.offset).string(folder)?,
         false => folder.to_owned(),
@@ -89,11 +116,23 @@ fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<Path
     let path = match folder.strip_prefix("package://") {
         Some(rest) => {
             let (package, inside) = rest.split_once('/').unwrap_or((rest, ""));
-            scope.sources.packages.find(package, own).ok()?.path.join(inside)
+            scope
+                .sources
+                .packages
+                .find(package, own)
+                .ok()?
+                .path
+                .join(inside)
         }
-        None => own.parent()?.join(folder.strip_prefix("file://").unwrap_or(&folder)),
+        None => own
+            .parent()?
+            .join(folder.strip_prefix("file://").unwrap_or(&folder)),
     };
-    let path = scope.sources.packages.present(&without_parents(&path)).into_owned();
+    let path = scope
+        .sources
+        .packages
+        .present(&without_parents(&path))
+        .into_owned();
     scope.may_list(&path).then_some(path)
 }
 
@@ -103,7 +142,10 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
     let names = vfs.list_dir(folder);
     let visible = names.iter().filter(|entry| !entry.name.starts_with('.'));
     let fits = |name: &str| {
-        let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
+        let ending = name
+            .rsplit_once('.')
+            .map_or("", |(_, ending)| ending)
+            .to_ascii_lowercase();
         wanted.endings().contains(&ending.as_str()) && name != "package.xml"
     };
     visible
@@ -112,11 +154,18 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
         .map(|entry| match entry.is_dir {
             true => {
                 let text = format!("{}/", entry.name);
-                Completion::new(ItemKind::Folder, entry.name.clone()).text(text).rank(3)
+                Completion::new(ItemKind::Folder, entry.name.clone())
+                    .text(text)
+                    .rank(3)
             }
             false => {
-                let size = vfs.size(&folder.join(&entry.name)).map(readable).unwrap_or_default();
-                Completion::new(ItemKind::File, entry.name.clone()).note(size).rank(1)
+                let size = vfs
+                    .size(&folder.join(&entry.name))
+                    .map(readable)
+                    .unwrap_or_default();
+                Completion::new(ItemKind::File, entry.name.clone())
+                    .note(size)
+                    .rank(1)
             }
         })
         .collect()
@@ -125,9 +174,15 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
 /// Entries in an order that begins with the one that the text in front named last: what follows it in the folder mostly follows it in
 /// the robot, too.
 fn from_last_named(typed: &Typed, mut items: Vec<Completion>) -> Vec<Completion> {
-    let text = typed.text_before.strip_suffix(typed.before.as_str()).unwrap_or("");
+    let text = typed
+        .text_before
+        .strip_suffix(typed.before.as_str())
+        .unwrap_or("");
     let last = |item: &Completion| text.rfind(&format!("/{}", item.label));
-    let named = items.iter().enumerate().filter(|(_, item)| item.kind == ItemKind::File);
+    let named = items
+        .iter()
+        .enumerate()
+        .filter(|(_, item)| item.kind == ItemKind::File);
     let named = named.filter_map(|(place, item)| Some((last(item)?, place)));
     if let Some((_, place)) = named.max() {
         items.rotate_left(place);
@@ -137,20 +192,31 @@ fn from_last_named(typed: &Typed, mut items: Vec<Completion>) -> Vec<Completion>
 
 /// How a value can begin.
 fn beginnings(scope: &Scope<'_>, wanted: Wanted) -> Vec<Completion> {
-    let own = scope.sources.packages.containing(&scope.sources.source.path).map(|package| package.name);
-    let item =
-        |text: String, snippet: String| Completion::new(ItemKind::Snippet, text).snippet(snippet).rank(2);
+    let own = scope
+        .sources
+        .packages
+        .containing(&scope.sources.source.path)
+        .map(|package| package.name);
+    let item = |text: String, snippet: String| {
+        Completion::new(ItemKind::Snippet, text)
+            .snippet(snippet)
+            .rank(2)
+    };
     let mut items = Vec::new();
     if wanted.takes_uris() {
         items.push(item("package://".to_owned(), "package://$1".to_owned()));
         items.extend(
-            own.iter().map(|name| item(format!("package://{name}/"), format!("package://{name}/$1"))),
+            own.iter()
+                .map(|name| item(format!("package://{name}/"), format!("package://{name}/$1"))),
         );
     }
     items.extend(own.iter().map(|name| {
         let text = format!("$(find {name})/");
         let lead = if wanted.takes_uris() { "file://" } else { "" };
-        item(format!("{lead}{text}"), format!("{lead}{}$1", escaped(&text)))
+        item(
+            format!("{lead}{text}"),
+            format!("{lead}{}$1", escaped(&text)),
+        )
     }));
     items.push(item("$(find )/".to_owned(), "\\$(find $1)/$2".to_owned()));
     items
@@ -169,6 +235,9 @@ fn readable(bytes: u64) -> String {
 mod tests {
     #[test]
     fn sizes() {
-        assert_eq!([600, 2048, 3 << 20].map(super::readable), ["600 B", "2.0 KiB", "3.0 MiB"]);
+        assert_eq!(
+            [600, 2048, 3 << 20].map(super::readable),
+            ["600 B", "2.0 KiB", "3.0 MiB"]
+        );
     }
 }

@@ -106,23 +106,38 @@ impl<'a> Scope<'a> {
     /// The files of a context: the root and what it includes, the edited file, what the last expansion read.
     pub fn new(sources: Sources<'a>) -> Self {
         let is_semantic = is_semantic_file(&sources.source.path, &sources.source.document);
-        let mut scope = Self { sources, files: Vec::new(), is_semantic };
+        let mut scope = Self {
+            sources,
+            files: Vec::new(),
+            is_semantic,
+        };
         let mut seen = FastSet::default();
         let own = &sources.source.path;
         let mut open = vec![(sources.root.to_path_buf(), String::new())];
         while let Some((path, namespace)) = open.pop() {
-            if scope.files.len() < Self::MOST_FILES && seen.insert((path.clone(), namespace.clone())) {
+            if scope.files.len() < Self::MOST_FILES
+                && seen.insert((path.clone(), namespace.clone()))
+            {
                 open.extend(scope.add(&path, namespace));
             }
         }
-        let known = |scope: &Self, path: &Path| scope.files.iter().any(|file| *file.source.path == *path);
-        let read = sources.expansions.iter().flat_map(|(expansion, _)| &expansion.files);
+        let known =
+            |scope: &Self, path: &Path| scope.files.iter().any(|file| *file.source.path == *path);
+        let read = sources
+            .expansions
+            .iter()
+            .flat_map(|(expansion, _)| &expansion.files);
         let read = read.map(|file| file.source.path.to_path_buf());
         for path in [own.to_path_buf()].into_iter().chain(read) {
             let mut open = vec![path];
             while let Some(path) = open.pop() {
                 if !known(&scope, &path) && scope.files.len() < Self::MOST_FILES {
-                    open.extend(scope.add(&path, String::new()).into_iter().map(|(path, _)| path));
+                    open.extend(
+                        scope
+                            .add(&path, String::new())
+                            .into_iter()
+                            .map(|(path, _)| path),
+                    );
                 }
             }
         }
@@ -131,7 +146,11 @@ impl<'a> Scope<'a> {
 
     /// The root element of files such as the edited one.
     pub(super) fn root_spec(&self) -> &'static ElementSpec {
-        if self.is_semantic { semantic_robot() } else { robot() }
+        if self.is_semantic {
+            semantic_robot()
+        } else {
+            robot()
+        }
     }
 
     /// The robots whose links and joints are named: of an SRDF, those that it is for.
@@ -148,7 +167,9 @@ impl<'a> Scope<'a> {
             // an include may point anywhere; what no package and no workspace holds is not told
             return Vec::new();
         }
-        let Ok(source) = self.sources.vfs.document(path) else { return Vec::new() };
+        let Ok(source) = self.sources.vfs.document(path) else {
+            return Vec::new();
+        };
         let mut found = Vec::new();
         for (_, item) in source.document.parts() {
             for fact in facts_of(item).of(FactKind::Include) {
@@ -157,7 +178,10 @@ impl<'a> Scope<'a> {
                     Some(path) => vec![path],
                     None => admitted_files(&fact.name, &source.path, packages, vfs),
                 };
-                let name = item.node(fact.node).attr("ns").map(|ns| format!("{namespace}{}.", ns.raw()));
+                let name = item
+                    .node(fact.node)
+                    .attr("ns")
+                    .map(|ns| format!("{namespace}{}.", ns.raw()));
                 let name = name.unwrap_or_else(|| namespace.clone());
                 found.extend(paths.into_iter().map(|path| (path, name.clone())));
             }
@@ -171,20 +195,33 @@ impl<'a> Scope<'a> {
         let (packages, vfs) = (self.sources.packages, self.sources.vfs);
         let own = self.sources.source;
         let names = own.document.parts().flat_map(|(_, item)| {
-            facts_of(item).of(FactKind::Include).map(|fact| fact.name.clone()).collect::<Vec<_>>()
+            facts_of(item)
+                .of(FactKind::Include)
+                .map(|fact| fact.name.clone())
+                .collect::<Vec<_>>()
         });
-        names.filter_map(|name| named_file(&name, &own.path, packages, vfs)).collect()
+        names
+            .filter_map(|name| named_file(&name, &own.path, packages, vfs))
+            .collect()
     }
 
     /// All items with the index of their file.
     pub(super) fn items(&self) -> impl Iterator<Item = (usize, &InScope, &Arc<Item>)> {
         let files = self.files.iter().enumerate();
-        files.flat_map(|(index, file)| file.source.document.parts().map(move |(_, item)| (index, file, item)))
+        files.flat_map(|(index, file)| {
+            file.source
+                .document
+                .parts()
+                .map(move |(_, item)| (index, file, item))
+        })
     }
 
     /// The namespaces of a file, each with its dot, as they are written in the edited file: those around that are not.
     fn namespace_here<'n>(&self, namespace: &'n str) -> &'n str {
-        let edited = self.files.iter().filter(|file| file.source.path == self.sources.source.path);
+        let edited = self
+            .files
+            .iter()
+            .filter(|file| file.source.path == self.sources.source.path);
         let own = edited.filter_map(|file| namespace.strip_prefix(file.namespace.as_str()));
         own.min_by_key(|rest| rest.len()).unwrap_or(namespace)
     }
@@ -202,14 +239,18 @@ impl<'a> Scope<'a> {
             let wanted = |fact: &&Fact| is_wanted(fact.name.trim_start_matches("xacro:"));
             for fact in facts.of(FactKind::Macro).filter(wanted) {
                 let node = item.node(fact.node);
-                let params = node.attr("params").map(|attr| attr.value(&Entities::default()).into_owned());
+                let params = node
+                    .attr("params")
+                    .map(|attr| attr.value(&Entities::default()).into_owned());
                 found.push(MacroInfo {
                     name: format!(
                         "{}{}",
                         self.namespace_here(&file.namespace),
                         fact.name.trim_start_matches("xacro:")
                     ),
-                    params: params.and_then(|text| parse_params(&text)).unwrap_or_default(),
+                    params: params
+                        .and_then(|text| parse_params(&text))
+                        .unwrap_or_default(),
                     comment: comment_above(node),
                     file: file.source.path.clone(),
                     item: item.clone(),
@@ -236,7 +277,10 @@ impl<'a> Scope<'a> {
             return None;
         }
         let first = macros.pop()?;
-        macros.iter().all(|other| Arc::ptr_eq(&other.item, &first.item)).then_some(first)
+        macros
+            .iter()
+            .all(|other| Arc::ptr_eq(&other.item, &first.item))
+            .then_some(first)
     }
 
     /// The properties that can be read at `offset` of the edited file, in the order of the text.
@@ -248,7 +292,8 @@ impl<'a> Scope<'a> {
         for (file, in_scope, item) in self.items() {
             for fact in facts_of(item).of(FactKind::Property) {
                 let node = item.node(fact.node);
-                let here = Arc::ptr_eq(item, place.item) && macro_around(node) == macro_at(item, inside);
+                let here =
+                    Arc::ptr_eq(item, place.item) && macro_around(node) == macro_at(item, inside);
                 let handed_on = node.attr("scope").is_some();
                 if fact.in_macro && !here && !handed_on {
                     continue;
@@ -260,7 +305,14 @@ impl<'a> Scope<'a> {
                 let is_block = written_value(node).is_none();
                 let local = fact.in_macro && here;
                 let item = item.clone();
-                found.push(PropertyInfo { name, is_block, file, local, item, node: fact.node });
+                found.push(PropertyInfo {
+                    name,
+                    is_block,
+                    file,
+                    local,
+                    item,
+                    node: fact.node,
+                });
             }
         }
         found
@@ -268,7 +320,11 @@ impl<'a> Scope<'a> {
 
     /// The arguments of the context with their defaults; the value of the last expansion comes first.
     pub(super) fn arguments(&self) -> Vec<(String, Option<String>)> {
-        let known = self.sources.expansions.iter().flat_map(|(expansion, _)| &expansion.arguments);
+        let known = self
+            .sources
+            .expansions
+            .iter()
+            .flat_map(|(expansion, _)| &expansion.arguments);
         let known = known.map(|(name, value)| (name.to_string(), Some(value.to_string())));
         let declared = self.items().flat_map(|(_, _, item)| {
             let read = |fact: &Fact| {
@@ -276,10 +332,15 @@ impl<'a> Scope<'a> {
                 let default = default.map(|attr| attr.value(&Entities::default()).into_owned());
                 (fact.name.to_string(), default)
             };
-            facts_of(item).of(FactKind::Argument).map(read).collect::<Vec<_>>()
+            facts_of(item)
+                .of(FactKind::Argument)
+                .map(read)
+                .collect::<Vec<_>>()
         });
         let mut seen: FastSet<String> = FastSet::default();
-        let all = known.chain(declared).filter(|(name, _)| !name.is_empty() && seen.insert(name.clone()));
+        let all = known
+            .chain(declared)
+            .filter(|(name, _)| !name.is_empty() && seen.insert(name.clone()));
         all.collect()
     }
 
@@ -288,7 +349,9 @@ impl<'a> Scope<'a> {
         let mut found = Vec::new();
         for (_, file, item) in self.items() {
             let facts = facts_of(item);
-            let plain = facts.of(kind).filter(|fact| !fact.in_macro && !fact.name.contains('$'));
+            let plain = facts
+                .of(kind)
+                .filter(|fact| !fact.in_macro && !fact.name.contains('$'));
             found.extend(plain.map(|fact| (fact.name.clone(), file.source.path.clone())));
         }
         found
@@ -304,7 +367,9 @@ impl<'a> Scope<'a> {
         let mut found = Vec::new();
         for (base, item) in document.parts() {
             let facts = facts_of(item);
-            let computed = facts.of(kind).filter(|fact| fact.in_macro && fact.name.contains('$'));
+            let computed = facts
+                .of(kind)
+                .filter(|fact| fact.in_macro && fact.name.contains('$'));
             let others = computed.filter(|fact| !fact.range.shift(base).touches(offset));
             found.extend(others.map(|fact| fact.name.clone()));
         }
@@ -338,7 +403,10 @@ impl<'a> Scope<'a> {
 /// The outermost macro element around a node.
 pub(super) fn macro_around(node: Node<'_>) -> Option<u32> {
     let around = std::iter::successors(node.parent(), |node| node.parent());
-    around.filter(|node| node.name() == "xacro:macro").last().map(|node| node.id().0)
+    around
+        .filter(|node| node.name() == "xacro:macro")
+        .last()
+        .map(|node| node.id().0)
 }
 
 /// The outermost macro element around an offset of an item.
@@ -353,15 +421,24 @@ pub(super) fn macro_at(item: &Item, inside: u32) -> Option<u32> {
 /// The text of the comment that stands directly above an element.
 pub fn comment_above(node: Node<'_>) -> String {
     let before: Vec<Node<'_>> = match node.parent() {
-        Some(parent) => parent.children().take_while(|other| *other != node).collect(),
-        None => node.item().nodes().take_while(|other| *other != node).collect(),
+        Some(parent) => parent
+            .children()
+            .take_while(|other| *other != node)
+            .collect(),
+        None => node
+            .item()
+            .nodes()
+            .take_while(|other| *other != node)
+            .collect(),
     };
     let near = before.iter().rev().take_while(|other| match other.kind() {
         NodeKind::Text => other.raw().trim().is_empty() && other.raw().matches('\n').count() < 2,
         kind => kind == NodeKind::Comment,
     });
-    let mut comments: Vec<&str> =
-        near.filter(|other| other.kind() == NodeKind::Comment).map(|node| node.raw().trim()).collect();
+    let mut comments: Vec<&str> = near
+        .filter(|other| other.kind() == NodeKind::Comment)
+        .map(|node| node.raw().trim())
+        .collect();
     comments.reverse();
     comments.retain(|text| !text.starts_with("xacro-lint:"));
     comments.join("\n")

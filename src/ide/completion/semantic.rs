@@ -17,9 +17,15 @@ use xml::Node;
 pub(super) fn values(
     scope: &Scope<'_>,
     typed: &Typed,
-    Place { spec, tag, attribute }: Place<'_>,
+    Place {
+        spec,
+        tag,
+        attribute,
+    }: Place<'_>,
 ) -> Vec<Completion> {
-    let Some(given) = spec.and_then(|spec| spec.attribute(attribute)) else { return Vec::new() };
+    let Some(given) = spec.and_then(|spec| spec.attribute(attribute)) else {
+        return Vec::new();
+    };
     match given.kind {
         AttributeKind::Name if tag.name == "robot" => robots(scope),
         AttributeKind::Link => names::names(scope, typed, Wanted::Link, false),
@@ -32,20 +38,32 @@ pub(super) fn values(
 }
 
 fn robots(scope: &Scope<'_>) -> Vec<Completion> {
-    let names = scope.robots().filter_map(|(_, robot)| robot.name.as_ref()?.name());
-    names.map(|name| Completion::new(ItemKind::Choice, name.as_str())).collect()
+    let names = scope
+        .robots()
+        .filter_map(|(_, robot)| robot.name.as_ref()?.name());
+    names
+        .map(|name| Completion::new(ItemKind::Choice, name.as_str()))
+        .collect()
 }
 
 /// Joints; in a state of a group, those of the group that have no position yet come first.
 fn joints(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     let around = typed.open.last().filter(|open| open.name == "group_state");
     let group = around.and_then(|open| open.attr("group"));
-    let members = group.map(|group| members(scope, &group)).unwrap_or_default();
-    let taken = if around.is_some() { given_beside(scope, typed) } else { Vec::new() };
+    let members = group
+        .map(|group| members(scope, &group))
+        .unwrap_or_default();
+    let taken = if around.is_some() {
+        given_beside(scope, typed)
+    } else {
+        Vec::new()
+    };
     let mut found = names::names(scope, typed, Wanted::Joint, false);
     found.retain(|item| !taken.contains(&item.label));
     for item in &mut found {
-        let known = scope.robots().find_map(|(_, robot)| robot.joint(&item.label));
+        let known = scope
+            .robots()
+            .find_map(|(_, robot)| robot.joint(&item.label));
         if let Some(joint) = known {
             let shown = joint_item(joint, item.rank);
             (item.note, item.detail) = (shown.note, shown.detail);
@@ -60,10 +78,17 @@ fn joints(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
 /// The driven joints of a group.
 fn members(scope: &Scope<'_>, group: &str) -> FastSet<String> {
     let mut found = FastSet::default();
-    for srdf in scope.sources.expansions.iter().filter_map(|(own, _)| Srdf::of(own)) {
+    for srdf in scope
+        .sources
+        .expansions
+        .iter()
+        .filter_map(|(own, _)| Srdf::of(own))
+    {
         for (_, robot) in scope.robots() {
             let kinematics = Kinematics::of(robot);
-            let joints = joints_of_group(&srdf, group, (robot, &kinematics)).unwrap_or_default().into_iter();
+            let joints = joints_of_group(&srdf, group, (robot, &kinematics))
+                .unwrap_or_default()
+                .into_iter();
             let is_driven = |name: &&str| robot.joint(name).is_some_and(Joint::is_driven);
             found.extend(joints.filter(is_driven).map(str::to_owned));
         }
@@ -73,14 +98,25 @@ fn members(scope: &Scope<'_>, group: &str) -> FastSet<String> {
 
 /// The joints that have a position in the state around already.
 fn given_beside(scope: &Scope<'_>, typed: &Typed) -> Vec<String> {
-    let place = scope.sources.source.document.item_at(typed.offset.saturating_sub(1));
+    let place = scope
+        .sources
+        .source
+        .document
+        .item_at(typed.offset.saturating_sub(1));
     let inside = typed.offset.saturating_sub(place.start);
     let is_around = |node: &Node<'_>| {
         node.name() == "group_state" && node.range().start < inside && inside <= node.range().end
     };
     let states = place.item.all_nodes().filter(is_around);
-    let names = states.flat_map(|state| state.child_elements().filter_map(|child| child.attr("name")));
-    names.filter(|name| !name.value_range().touches(inside)).map(|name| name.raw().to_owned()).collect()
+    let names = states.flat_map(|state| {
+        state
+            .child_elements()
+            .filter_map(|child| child.attr("name"))
+    });
+    names
+        .filter(|name| !name.value_range().touches(inside))
+        .map(|name| name.raw().to_owned())
+        .collect()
 }
 
 /// The groups: those that the text defines, and those of the last expansion.
@@ -91,19 +127,30 @@ fn groups(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
         let groups = srdf.iter().flat_map(|srdf| &srdf.groups);
         found.extend(groups.filter_map(|group| {
             let name = group.name.as_ref()?.name()?;
-            Some(Completion::new(ItemKind::Group, name.as_str()).note(group.in_short()).rank(1))
+            Some(
+                Completion::new(ItemKind::Group, name.as_str())
+                    .note(group.in_short())
+                    .rank(1),
+            )
         }));
     }
     for (base, item) in scope.sources.source.document.parts() {
         let is_defined = |node: &Node<'_>| {
             node.name() == "group" && node.parent().is_none_or(|parent| parent.name() != "group")
         };
-        let names = item.all_nodes().filter(is_defined).filter_map(|node| node.attr("name"));
+        let names = item
+            .all_nodes()
+            .filter(is_defined)
+            .filter_map(|node| node.attr("name"));
         let names = names.filter(|name| !name.value_range().shift(base).touches(typed.offset));
         found.extend(names.map(|name| Completion::new(ItemKind::Group, name.raw()).rank(2)));
     }
     // a group is no part of itself
-    let own = typed.open.last().filter(|open| open.name == "group").and_then(|open| open.attr("name"));
+    let own = typed
+        .open
+        .last()
+        .filter(|open| open.name == "group")
+        .and_then(|open| open.attr("name"));
     found.retain(|item| {
         !item.label.is_empty() && !own.as_ref().is_some_and(|own| same_text(own, &item.label))
     });
@@ -118,7 +165,9 @@ fn positions(scope: &Scope<'_>, tag: &Open) -> Vec<Completion> {
     let range = joint.and_then(|joint| joint.limit.as_ref()?.range());
     let range = range.filter(|_| matches!(kind, Some(JointType::Revolute | JointType::Prismatic)));
     let item = |value: f64, note: &str, rank: u8| {
-        Completion::new(ItemKind::Choice, format!("{value}")).note(note).rank(rank)
+        Completion::new(ItemKind::Choice, format!("{value}"))
+            .note(note)
+            .rank(rank)
     };
     let zero = range.is_none_or(|(lower, upper)| lower <= 0.0 && 0.0 <= upper);
     let mut found: Vec<Completion> = zero.then(|| item(0.0, "", 0)).into_iter().collect();

@@ -35,7 +35,11 @@ pub fn completions_in_settings(
         Wanted::StateInterface => interfaces(sources, false),
         Wanted::JointInterface => joint_interfaces(sources),
         Wanted::Group => groups(sources),
-        Wanted::Planner => own.planners.iter().map(|name| Completion::new(ItemKind::Choice, name)).collect(),
+        Wanted::Planner => own
+            .planners
+            .iter()
+            .map(|name| Completion::new(ItemKind::Choice, name))
+            .collect(),
         Wanted::Controller => controllers(sources, &own, word.is_key),
         Wanted::Limit => limit_keys(sources, &word.around),
     };
@@ -44,7 +48,10 @@ pub fn completions_in_settings(
     let is_typed = |item: &Completion| item.kind == ItemKind::Controller && item.label == typed;
     items.retain(|item| !word.taken.contains(&item.label) && !is_typed(item));
     if word.is_key && !word.has_colon {
-        items.iter_mut().filter(|item| item.text == item.label).for_each(as_key);
+        items
+            .iter_mut()
+            .filter(|item| item.text == item.label)
+            .for_each(as_key);
     }
     if word.has_colon {
         for item in &mut items {
@@ -67,11 +74,22 @@ struct Own {
 impl Own {
     fn of(text: &str, offset: u32) -> Self {
         let (before, after) = text.split_at_checked(offset as usize).unwrap_or((text, ""));
-        let before = before.rfind('\n').map_or("", |end| before.get(..=end).unwrap_or(""));
-        let after = after.find('\n').map_or("", |start| after.get(start + 1..).unwrap_or(""));
+        let before = before
+            .rfind('\n')
+            .map_or("", |end| before.get(..=end).unwrap_or(""));
+        let after = after
+            .find('\n')
+            .map_or("", |start| after.get(start + 1..).unwrap_or(""));
         let root = yaml::load(text, "").or_else(|_| yaml::load(&format!("{before}{after}"), ""));
-        let planners = root.iter().flat_map(planner_names).map(|name| name.name.to_string()).collect();
-        Self { settings: root.ok().as_ref().and_then(Settings::of), planners }
+        let planners = root
+            .iter()
+            .flat_map(planner_names)
+            .map(|name| name.name.to_string())
+            .collect();
+        Self {
+            settings: root.ok().as_ref().and_then(Settings::of),
+            planners,
+        }
     }
 }
 
@@ -85,8 +103,10 @@ fn joints(sources: &BesideSources<'_>, word: &Word) -> Vec<Completion> {
             .flat_map(|control| &control.joints)
             .filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str()))
             .collect();
-        for joint in
-            robot.joints.iter().filter(|joint| joint.name.as_ref().is_some_and(|name| name.is_known()))
+        for joint in robot
+            .joints
+            .iter()
+            .filter(|joint| joint.name.as_ref().is_some_and(|name| name.is_known()))
         {
             let has_hardware = controlled.contains(&joint.shown());
             let rank = match (joint.is_driven(), has_hardware) {
@@ -109,7 +129,10 @@ fn joints(sources: &BesideSources<'_>, word: &Word) -> Vec<Completion> {
 pub(super) fn joint_item(joint: &Joint, rank: u8) -> Completion {
     let kind = joint.kind.as_ref().map_or("", |kind| kind.value.as_str());
     let detail = limits(joint, joint.joint_type()).unwrap_or_default();
-    Completion::new(ItemKind::Joint, joint.shown()).note(kind).detail(detail).rank(rank)
+    Completion::new(ItemKind::Joint, joint.shown())
+        .note(kind)
+        .detail(detail)
+        .rank(rank)
 }
 
 /// Whether two texts are the same.
@@ -120,21 +143,35 @@ pub(super) fn same_text(one: &str, other: &str) -> bool {
 /// The interfaces of the hardware with the number of joints that offer each; the usual ones where there is none.
 fn interfaces(sources: &BesideSources<'_>, is_command: bool) -> Vec<Completion> {
     let mut counts: FastMap<&str, usize> = FastMap::default();
-    let joints =
-        sources.robots.iter().flat_map(|(_, robot)| &robot.controls).flat_map(|control| &control.joints);
-    for interface in joints.flat_map(|joint| if is_command { &joint.commands } else { &joint.states }) {
+    let joints = sources
+        .robots
+        .iter()
+        .flat_map(|(_, robot)| &robot.controls)
+        .flat_map(|control| &control.joints);
+    for interface in joints.flat_map(|joint| {
+        if is_command {
+            &joint.commands
+        } else {
+            &joint.states
+        }
+    }) {
         if let Some(name) = name_of(interface) {
             *counts.entry(name).or_default() += 1;
         }
     }
     if counts.is_empty() {
-        return INTERFACES.iter().map(|name| Completion::new(ItemKind::Choice, *name)).collect();
+        return INTERFACES
+            .iter()
+            .map(|name| Completion::new(ItemKind::Choice, *name))
+            .collect();
     }
     let mut counts: Vec<(&str, usize)> = counts.into_iter().collect();
     counts.sort_by_key(|(name, count)| (std::cmp::Reverse(*count), *name));
     let item = |(rank, (name, count)): (usize, (&str, usize))| {
         let plural = if count == 1 { "" } else { "s" };
-        Completion::new(ItemKind::Choice, name).note(format!("{count} joint{plural}")).rank(rank.min(9) as u8)
+        Completion::new(ItemKind::Choice, name)
+            .note(format!("{count} joint{plural}"))
+            .rank(rank.min(9) as u8)
     };
     counts.into_iter().enumerate().map(item).collect()
 }
@@ -145,20 +182,31 @@ fn name_of(interface: &Interface) -> Option<&str> {
 
 /// `joint_1/position`
 fn joint_interfaces(sources: &BesideSources<'_>) -> Vec<Completion> {
-    let joints =
-        sources.robots.iter().flat_map(|(_, robot)| &robot.controls).flat_map(|control| &control.joints);
+    let joints = sources
+        .robots
+        .iter()
+        .flat_map(|(_, robot)| &robot.controls)
+        .flat_map(|control| &control.joints);
     let named = joints.filter_map(|joint| Some((joint.name.as_ref()?.name()?, joint)));
     let all = named.flat_map(|(name, joint)| {
-        joint.interfaces().filter_map(name_of).map(move |interface| format!("{name}/{interface}"))
+        joint
+            .interfaces()
+            .filter_map(name_of)
+            .map(move |interface| format!("{name}/{interface}"))
     });
-    all.map(|name| Completion::new(ItemKind::Choice, name)).collect()
+    all.map(|name| Completion::new(ItemKind::Choice, name))
+        .collect()
 }
 
 fn groups(sources: &BesideSources<'_>) -> Vec<Completion> {
     let groups = sources.srdfs.iter().flat_map(|srdf| &srdf.groups);
     let item = |group: &project::Group| {
         let name = group.name.as_ref()?.name()?;
-        Some(Completion::new(ItemKind::Group, name.as_str()).note(group.in_short()).rank(0))
+        Some(
+            Completion::new(ItemKind::Group, name.as_str())
+                .note(group.in_short())
+                .rank(0),
+        )
     };
     groups.filter_map(item).collect()
 }
@@ -168,14 +216,23 @@ fn controllers(sources: &BesideSources<'_>, own: &Own, with_broadcasters: bool) 
     let all = sources.settings.iter().copied().chain(&own.settings);
     let mut found = Vec::new();
     for settings in all {
-        let listed = settings.listed.iter().map(|listed| (&listed.name.name, listed.class.name.as_str()));
-        let named = settings.moveit.iter().map(|controller| (&controller.name.name, ""));
-        let all =
-            listed.chain(named).filter(|(_, class)| with_broadcasters || !class.contains("Broadcaster"));
+        let listed = settings
+            .listed
+            .iter()
+            .map(|listed| (&listed.name.name, listed.class.name.as_str()));
+        let named = settings
+            .moveit
+            .iter()
+            .map(|controller| (&controller.name.name, ""));
+        let all = listed
+            .chain(named)
+            .filter(|(_, class)| with_broadcasters || !class.contains("Broadcaster"));
         found.extend(all.map(|(name, class)| {
             let rank = if class.contains("Broadcaster") { 3 } else { 0 };
             let class = class.rsplit('/').next().unwrap_or(class);
-            Completion::new(ItemKind::Controller, name.as_str()).note(class).rank(rank)
+            Completion::new(ItemKind::Controller, name.as_str())
+                .note(class)
+                .rank(rank)
         }));
     }
     found
@@ -183,7 +240,10 @@ fn controllers(sources: &BesideSources<'_>, own: &Own, with_broadcasters: bool) 
 
 /// The limits of a joint that MoveIt reads, with the values of the URDF.
 fn limit_keys(sources: &BesideSources<'_>, joint: &str) -> Vec<Completion> {
-    let joint = sources.robots.iter().find_map(|(_, robot)| robot.joint(joint));
+    let joint = sources
+        .robots
+        .iter()
+        .find_map(|(_, robot)| robot.joint(joint));
     let limit = joint.and_then(|joint| joint.limit.as_ref());
     let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
     let velocity = limit.and_then(|limit| number(&limit.velocity));
@@ -195,10 +255,16 @@ fn limit_keys(sources: &BesideSources<'_>, joint: &str) -> Vec<Completion> {
         ("max_position", range.map(|range| range.1)),
         ("max_jerk", None),
     ];
-    let switches =
-        ["has_velocity_limits", "has_acceleration_limits", "has_position_limits", "has_jerk_limits"];
+    let switches = [
+        "has_velocity_limits",
+        "has_acceleration_limits",
+        "has_position_limits",
+        "has_jerk_limits",
+    ];
     let switch = |(rank, name): (usize, &&str)| {
-        Completion::new(ItemKind::Key, *name).text(format!("{name}: true")).rank(rank as u8)
+        Completion::new(ItemKind::Key, *name)
+            .text(format!("{name}: true"))
+            .rank(rank as u8)
     };
     let value = |(rank, (name, value)): (usize, &(&str, Option<f64>))| {
         let item = Completion::new(ItemKind::Key, *name).rank(4 + rank as u8);
@@ -207,11 +273,16 @@ fn limit_keys(sources: &BesideSources<'_>, joint: &str) -> Vec<Completion> {
             Some(value) => {
                 let text = format!("{name}: {value:?}");
                 let snippet = format!("{}$0", escaped(&text));
-                item.text(text).snippet(snippet).note(format!("{value:?} in the URDF"))
+                item.text(text)
+                    .snippet(snippet)
+                    .note(format!("{value:?} in the URDF"))
             }
             None => item.text(format!("{name}: ")),
         }
     };
     let switches: Vec<Completion> = switches.iter().enumerate().map(switch).collect();
-    switches.into_iter().chain(values.iter().enumerate().map(value)).collect()
+    switches
+        .into_iter()
+        .chain(values.iter().enumerate().map(value))
+        .collect()
 }

@@ -46,7 +46,10 @@ pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
 }
 
 fn position(info: &MacroInfo, name: &str) -> Option<u32> {
-    info.params.iter().position(|param| param.name == name).map(|place| place as u32)
+    info.params
+        .iter()
+        .position(|param| param.name == name)
+        .map(|place| place as u32)
 }
 
 /// The parameter whose name is typed; else the next one that is not given yet, the required ones first.
@@ -58,9 +61,15 @@ fn next(info: &MacroInfo, tag: &Open, typed: &Typed) -> Option<u32> {
     }
     let (behind, _) = typed.rest_of_tag();
     let open = |name: &str| tag.attr(name).is_none() && !behind.iter().any(|given| given == name);
-    let free = || info.params.iter().filter(|param| !param.is_block() && open(&param.name));
+    let free = || {
+        info.params
+            .iter()
+            .filter(|param| !param.is_block() && open(&param.name))
+    };
     let begun = free().find(|param| !word.is_empty() && param.name.starts_with(&word));
-    let wanted = begun.or_else(|| free().find(|param| is_required(param))).or_else(|| free().next())?;
+    let wanted = begun
+        .or_else(|| free().find(|param| is_required(param)))
+        .or_else(|| free().next())?;
     position(info, &wanted.name)
 }
 
@@ -68,7 +77,12 @@ fn of_macro(info: &MacroInfo, active: Option<u32>) -> Signature {
     let parameters: Vec<String> = info.params.iter().map(parameter).collect();
     let label = signature(info);
     let parameters = places(info.name.len() + 1, &parameters);
-    Signature { label, parameters, active, docs: info.comment.clone() }
+    Signature {
+        label,
+        parameters,
+        active,
+        docs: info.comment.clone(),
+    }
 }
 
 fn of_code(code: &str) -> Option<Signature> {

@@ -11,8 +11,16 @@ const COMMANDS: &[(&str, &str, &str)] = &[
     ("find", " ", "the folder of a package"),
     ("env", " ", "an environment variable"),
     ("optenv", " ", "an environment variable, or a default"),
-    ("eval", " ", "a Python expression that can use arguments by name"),
-    ("dirname", "", "not supported by xacro 2: use a relative path"),
+    (
+        "eval",
+        " ",
+        "a Python expression that can use arguments by name",
+    ),
+    (
+        "dirname",
+        "",
+        "not supported by xacro 2: use a relative path",
+    ),
     ("cwd", "", "the working directory"),
 ];
 
@@ -25,10 +33,14 @@ pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed, inner: &str) -> Com
     let rest = typed.rest_of_word(is_word);
     let Some((command, word)) = inner.split_once(' ') else {
         let start = typed.offset - inner.len() as u32;
-        let items = COMMANDS.iter().enumerate().map(|(place, (name, behind, detail))| {
-            let item = Completion::new(ItemKind::Function, *name).text(format!("{name}{behind}"));
-            item.detail(*detail).rank(place as u8)
-        });
+        let items = COMMANDS
+            .iter()
+            .enumerate()
+            .map(|(place, (name, behind, detail))| {
+                let item =
+                    Completion::new(ItemKind::Function, *name).text(format!("{name}{behind}"));
+                item.detail(*detail).rank(place as u8)
+            });
         return Completions::new(start, typed.offset, rest, items.collect());
     };
     let word = word.trim_start();
@@ -40,7 +52,10 @@ pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed, inner: &str) -> Com
     if word.contains(' ') {
         items.clear();
     }
-    let closed = typed.after.get(rest as usize..).is_some_and(|after| after.starts_with(')'));
+    let closed = typed
+        .after
+        .get(rest as usize..)
+        .is_some_and(|after| after.starts_with(')'));
     if !closed {
         items.iter_mut().for_each(|item| item.text.push(')'));
     }
@@ -52,25 +67,43 @@ pub(super) fn arguments(scope: &Scope<'_>, _: &Typed) -> Vec<Completion> {
     let all = scope.arguments().into_iter();
     all.map(|(name, value)| {
         let note = value.unwrap_or_else(|| "no default".to_owned());
-        Completion::new(ItemKind::Argument, name).note(super::item::shortened(&note, 40)).detail("argument")
+        Completion::new(ItemKind::Argument, name)
+            .note(super::item::shortened(&note, 40))
+            .detail("argument")
     })
     .collect()
 }
 
 /// The packages that can be named: those of the workspace first.
 pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
-    let own = scope.sources.packages.containing(&scope.sources.source.path).map(|package| package.name);
+    let own = scope
+        .sources
+        .packages
+        .containing(&scope.sources.source.path)
+        .map(|package| package.name);
     let all = scope.sources.packages.all(&scope.sources.source.path);
     let is_there = |name: &String| all.iter().any(|entry| entry.name == *name);
-    let declared = scope.sources.packages.declared(&scope.sources.source.path).into_iter();
+    let declared = scope
+        .sources
+        .packages
+        .declared(&scope.sources.source.path)
+        .into_iter();
     let missing: Vec<Completion> = declared
         .filter(|name| !is_there(name))
-        .map(|name| Completion::new(ItemKind::Package, name).note("named in package.xml, not found").rank(3))
+        .map(|name| {
+            Completion::new(ItemKind::Package, name)
+                .note("named in package.xml, not found")
+                .rank(3)
+        })
         .collect();
-    let mentioned = mentioned(scope).into_iter().filter(|(name, _)| !is_there(name));
+    let mentioned = mentioned(scope)
+        .into_iter()
+        .filter(|(name, _)| !is_there(name));
     let mentioned: Vec<Completion> = mentioned
         .map(|(name, file)| {
-            Completion::new(ItemKind::Package, name).note(format!("named in {file}, not found")).rank(4)
+            Completion::new(ItemKind::Package, name)
+                .note(format!("named in {file}, not found"))
+                .rank(4)
         })
         .collect();
     let known = all.into_iter();
@@ -83,7 +116,9 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
                 _ => 2,
             };
             let note = super::item::shortened(&vfs::slashed(&entry.path), 60);
-            Completion::new(ItemKind::Package, entry.name).note(note).rank(rank)
+            Completion::new(ItemKind::Package, entry.name)
+                .note(note)
+                .rank(rank)
         })
         .chain(missing)
         .chain(mentioned)
@@ -93,18 +128,29 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
 /// The packages that descriptions in the folder of the file find, with the name of the first such file. What is typed is none.
 fn mentioned(scope: &Scope<'_>) -> Vec<(String, String)> {
     let own = &scope.sources.source.path;
-    let Some(folder) = own.parent().filter(|folder| scope.may_list(folder)) else { return Vec::new() };
+    let Some(folder) = own.parent().filter(|folder| scope.may_list(folder)) else {
+        return Vec::new();
+    };
     let names = scope.sources.vfs.list_dir(folder);
-    let files = names.iter().filter(|entry| !entry.is_dir && entry.name.ends_with(".xacro"));
+    let files = names
+        .iter()
+        .filter(|entry| !entry.is_dir && entry.name.ends_with(".xacro"));
     let mut found: Vec<(String, String)> = Vec::new();
     for entry in files.take(MOST_FILES) {
         let path = folder.join(&entry.name);
-        let source = scope.sources.vfs.document(&path).ok().filter(|source| source.path != *own);
+        let source = scope
+            .sources
+            .vfs
+            .document(&path)
+            .ok()
+            .filter(|source| source.path != *own);
         for (_, item) in source.iter().flat_map(|source| source.document.parts()) {
             let finds = item.text().split("$(find ").skip(1);
             for name in finds.filter_map(|rest| Some(rest.split_once(')')?.0.trim())) {
-                let is_name =
-                    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '-'));
+                let is_name = !name.is_empty()
+                    && name
+                        .chars()
+                        .all(|c| c.is_alphanumeric() || matches!(c, '_' | '-'));
                 if is_name && !found.iter().any(|(known, _)| known == name) {
                     found.push((name.to_owned(), entry.name.clone()));
                 }

@@ -35,11 +35,16 @@ pub(super) fn spec_of(scope: &Scope<'_>, names: &[&str]) -> Option<&'static Elem
 
 /// The element of a name, when it is the same wherever it stands, as `origin` is.
 fn only(name: &str) -> Option<&'static ElementSpec> {
-    let names =
-        |spec: &ElementSpec| spec.attributes.iter().map(|attribute| attribute.name).collect::<Vec<_>>();
+    let names = |spec: &ElementSpec| {
+        spec.attributes
+            .iter()
+            .map(|attribute| attribute.name)
+            .collect::<Vec<_>>()
+    };
     let mut all = elements().filter(|spec| spec.name == name);
     let first = all.next()?;
-    all.all(|other| names(other) == names(first) && other.key == first.key).then_some(first)
+    all.all(|other| names(other) == names(first) && other.key == first.key)
+        .then_some(first)
 }
 
 /// Which macros are the nearest: those that the file calls already or includes by itself, then those of its folder.
@@ -53,14 +58,23 @@ impl<'a> Near<'a> {
     fn of(scope: &Scope<'a>) -> Self {
         let source = scope.sources.source;
         let calls = facts(&source.document).flat_map(|(_, facts)| {
-            facts.of(FactKind::Call).map(|call| call.name.clone()).collect::<Vec<_>>()
+            facts
+                .of(FactKind::Call)
+                .map(|call| call.name.clone())
+                .collect::<Vec<_>>()
         });
-        Self { folder: source.path.parent(), calls: calls.collect(), included: scope.included_here() }
+        Self {
+            folder: source.path.parent(),
+            calls: calls.collect(),
+            included: scope.included_here(),
+        }
     }
 
     fn rank(&self, info: &MacroInfo) -> u8 {
         match info.file.parent() == self.folder {
-            _ if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) => 0,
+            _ if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) => {
+                0
+            }
             true => 1,
             // of the same robot, but no part of what this file works with: behind the elements of URDF
             false => 4,
@@ -76,36 +90,67 @@ pub(super) fn parent_of(scope: &Scope<'_>, typed: &Typed) -> Option<&'static Ele
 
 /// Names of start tags. `lead` stands in front of each: nothing behind a `<`, else that.
 pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions {
-    let word = typed.before.rfind(|c: char| !is_name_char(c)).map_or(0, |at| at + 1);
+    let word = typed
+        .before
+        .rfind(|c: char| !is_name_char(c))
+        .map_or(0, |at| at + 1);
     let start = typed.offset - (typed.before.len() - word) as u32;
     let rest = typed.rest_of_word(is_name_char);
     // a tag that is complete but for its name keeps what it has
     let bare = lead.is_empty() && typed.rest_of_tag().1;
     let mut items = children(scope, typed);
-    if !bare && !scope.is_semantic && parent_of(scope, typed).is_some_and(|parent| parent.name == "robot") {
+    if !bare
+        && !scope.is_semantic
+        && parent_of(scope, typed).is_some_and(|parent| parent.name == "robot")
+    {
         items.extend(whole_elements());
     }
     let is_transparent = |name: &str| matches!(name, "xacro:if" | "xacro:unless");
-    let around = typed.open.iter().rev().find(|open| !is_transparent(&open.name));
-    if let Some(around) = around.filter(|open| !open.name.starts_with("xacro:") && open.name != "robot") {
+    let around = typed
+        .open
+        .iter()
+        .rev()
+        .find(|open| !is_transparent(&open.name));
+    if let Some(around) =
+        around.filter(|open| !open.name.starts_with("xacro:") && open.name != "robot")
+    {
         // what the schema knows was offered, or is there and stands there once
         let parent = parent_of(scope, typed);
         let is_known = |name: &str| parent.is_some_and(|parent| parent.child(name).is_some());
         let further = learned::children(scope, typed, &around.name).into_iter();
         let rank = if parent.is_some() { 4 } else { 2 };
-        items.extend(further.filter(|item| !is_known(&item.label)).map(|item| item.rank(rank)));
+        items.extend(
+            further
+                .filter(|item| !is_known(&item.label))
+                .map(|item| item.rank(rank)),
+        );
     }
     items.extend(DIRECTIVES.iter().map(|directive| {
         Completion::new(ItemKind::Directive, directive.name)
             .snippet(format!("{}{}", directive.name, directive.snippet))
             .detail(directive.docs)
-            .rank(if typed.before.starts_with("xacro:") { 2 } else { 6 })
-            .about(Topic::Directive { name: directive.name.to_owned() })
+            .rank(if typed.before.starts_with("xacro:") {
+                2
+            } else {
+                6
+            })
+            .about(Topic::Directive {
+                name: directive.name.to_owned(),
+            })
     }));
     let near = Near::of(scope);
-    items.extend(scope.macros().iter().map(|info| called(info).rank(near.rank(info))));
+    items.extend(
+        scope
+            .macros()
+            .iter()
+            .map(|info| called(info).rank(near.rank(info))),
+    );
     for item in &mut items {
-        item.snippet = item.snippet.take().filter(|_| !bare).map(|text| format!("{lead}{text}"));
+        item.snippet = item
+            .snippet
+            .take()
+            .filter(|_| !bare)
+            .map(|text| format!("{lead}{text}"));
         item.text.insert_str(0, lead);
     }
     Completions::new(start, typed.offset, rest, items)
@@ -113,12 +158,19 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
 
 /// The name of the end tag: that of the element that is open.
 pub(super) fn end_tag(typed: &Typed) -> Completions {
-    let Some(open) = typed.open.last() else { return Completions::default() };
+    let Some(open) = typed.open.last() else {
+        return Completions::default();
+    };
     let start = typed.offset - typed.before.len() as u32;
     let rest = typed.rest_of_word(is_name_char);
-    let closed = typed.after.get(rest as usize..).is_some_and(|after| after.trim_start().starts_with('>'));
+    let closed = typed
+        .after
+        .get(rest as usize..)
+        .is_some_and(|after| after.trim_start().starts_with('>'));
     let end = if closed { "" } else { ">" };
-    let item = Completion::new(ItemKind::Element, &open.name).text(format!("{}{end}", open.name)).rank(0);
+    let item = Completion::new(ItemKind::Element, &open.name)
+        .text(format!("{}{end}", open.name))
+        .rank(0);
     Completions::new(start, typed.offset, rest, vec![item])
 }
 
@@ -130,23 +182,36 @@ fn children(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
         return vec![element(scope.root_spec()).snippet(root).rank(0)];
     }
     let Some(parent) = parent_of(scope, typed) else {
-        return if scope.is_semantic { Vec::new() } else { anything() };
+        return if scope.is_semantic {
+            Vec::new()
+        } else {
+            anything()
+        };
     };
     let siblings = typed.siblings();
     let is_there = |name: &str| siblings.iter().any(|sibling| sibling == name);
-    let shape_is_there = parent.name == "geometry" && parent.children().any(|shape| is_there(shape.name));
-    let free = parent.children().filter(|spec| spec.repeats || !(shape_is_there || is_there(spec.name)));
+    let shape_is_there =
+        parent.name == "geometry" && parent.children().any(|shape| is_there(shape.name));
+    let free = parent
+        .children()
+        .filter(|spec| spec.repeats || !(shape_is_there || is_there(spec.name)));
     free.map(|spec| {
         let missing = parent.required.contains(&spec.name) && !is_there(spec.name);
-        element(spec).rank(if missing { 0 } else { 3 }).note(if missing { "required" } else { "" })
+        element(spec)
+            .rank(if missing { 0 } else { 3 })
+            .note(if missing { "required" } else { "" })
     })
     .collect()
 }
 
 /// All elements of URDF, for places where nothing says which.
 fn anything() -> Vec<Completion> {
-    let common =
-        |spec: &&ElementSpec| matches!(spec.name, "origin" | "link" | "joint" | "inertial" | "geometry");
+    let common = |spec: &&ElementSpec| {
+        matches!(
+            spec.name,
+            "origin" | "link" | "joint" | "inertial" | "geometry"
+        )
+    };
     elements()
         .filter(|spec| spec.name != robot().name)
         .map(|spec| element(spec).rank(if common(&spec) { 4 } else { 5 }))
@@ -158,7 +223,9 @@ fn element(spec: &'static ElementSpec) -> Completion {
     Completion::new(ItemKind::Element, spec.name)
         .snippet(format!("{}$0", whole(spec, "", &mut places)))
         .detail(spec.docs)
-        .about(Topic::Element { key: spec.key.to_owned() })
+        .about(Topic::Element {
+            key: spec.key.to_owned(),
+        })
 }
 
 /// Numbers the places to fill in.
@@ -182,20 +249,35 @@ impl Places {
 
 /// An element with what it needs, behind its `<`.
 fn whole(spec: &'static ElementSpec, indent: &str, places: &mut Places) -> String {
-    let attributes = spec.attributes.iter().filter(|attribute| is_usual(spec, attribute));
-    let attributes: String = attributes.map(|attribute| assignment(attribute, places)).collect();
-    let needed: Vec<_> = spec.required.iter().filter_map(|name| spec.child(name)).collect();
+    let attributes = spec
+        .attributes
+        .iter()
+        .filter(|attribute| is_usual(spec, attribute));
+    let attributes: String = attributes
+        .map(|attribute| assignment(attribute, places))
+        .collect();
+    let needed: Vec<_> = spec
+        .required
+        .iter()
+        .filter_map(|name| spec.child(name))
+        .collect();
     let head = format!("{}{attributes}", spec.name);
     let deeper = format!("{indent}\t");
     if !needed.is_empty() {
-        let inside: String =
-            needed.iter().map(|child| format!("\n{deeper}<{}", whole(child, &deeper, places))).collect();
+        let inside: String = needed
+            .iter()
+            .map(|child| format!("\n{deeper}<{}", whole(child, &deeper, places)))
+            .collect();
         return format!("{head}>{inside}\n{indent}</{}>", spec.name);
     }
     match (spec.content, spec.children().next().is_some()) {
         (Content::Text, _) => format!("{head}>{}</{}>", places.next(""), spec.name),
         (_, true) | (Content::Free, _) => {
-            format!("{head}>\n{deeper}{}\n{indent}</{}>", places.next(""), spec.name)
+            format!(
+                "{head}>\n{deeper}{}\n{indent}</{}>",
+                places.next(""),
+                spec.name
+            )
         }
         (Content::Elements, false) => format!("{head}/>"),
     }
@@ -209,7 +291,8 @@ fn is_usual(spec: &ElementSpec, attribute: &AttributeSpec) -> bool {
         "robot" | "link" | "visual" | "collision" => attribute.required,
         "limit" => limit(),
         _ => {
-            attribute.required || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1)
+            attribute.required
+                || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1)
         }
     }
 }
@@ -226,9 +309,13 @@ fn assignment(attribute: &AttributeSpec, places: &mut Places) -> String {
 fn called(info: &MacroInfo) -> Completion {
     let tag = format!("xacro:{}", info.name);
     let mut places = Places::default();
-    let required = info.params.iter().filter(|param| !param.is_block() && is_required(param));
-    let attributes: String =
-        required.map(|param| format!(" {}=\"{}\"", param.name, places.next(""))).collect();
+    let required = info
+        .params
+        .iter()
+        .filter(|param| !param.is_block() && is_required(param));
+    let attributes: String = required
+        .map(|param| format!(" {}=\"{}\"", param.name, places.next("")))
+        .collect();
     let blocks: Vec<String> = info
         .params
         .iter()
@@ -239,13 +326,19 @@ fn called(info: &MacroInfo) -> Completion {
         [] => format!("{tag}{attributes}/>$0"),
         blocks => format!("{tag}{attributes}>\n\t{}\n</{tag}>$0", blocks.join("\n\t")),
     };
-    let file = info.file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let file = info
+        .file
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned())
+        .unwrap_or_default();
     Completion::new(ItemKind::Macro, tag)
         .snippet(snippet)
         .note(file)
         .detail(super::docs::signature(info))
         .rank(1)
-        .about(Topic::Macro { name: info.name.clone() })
+        .about(Topic::Macro {
+            name: info.name.clone(),
+        })
 }
 
 /// Whether a call has to give a parameter.
@@ -259,9 +352,22 @@ fn block(name: &str, places: &mut Places) -> String {
     if name.starts_with("**") {
         return format!("<{bare}>{}</{bare}>", places.next(""));
     }
-    let pose = ["origin", "pose", "at", "xyz", "tf", "transform", "offset", "mount"];
+    let pose = [
+        "origin",
+        "pose",
+        "at",
+        "xyz",
+        "tf",
+        "transform",
+        "offset",
+        "mount",
+    ];
     let is_pose = bare.split('_').any(|word| pose.contains(&word));
-    match only(bare).or_else(|| elements().find(|spec| spec.name == "origin").filter(|_| is_pose)) {
+    match only(bare).or_else(|| {
+        elements()
+            .find(|spec| spec.name == "origin")
+            .filter(|_| is_pose)
+    }) {
         Some(spec) => format!("<{}", whole(spec, "\t", places)),
         None => format!("<{}/>", places.next("origin")),
     }

@@ -19,12 +19,18 @@ impl Indent {
     /// Steps of blanks.
     pub fn blanks(count: usize) -> Self {
         let count = count.clamp(1, 16);
-        Self { unit: " ".repeat(count), tab: count }
+        Self {
+            unit: " ".repeat(count),
+            tab: count,
+        }
     }
 
     /// Steps of one tabulator, shown as this many columns.
     pub fn tabs(columns: usize) -> Self {
-        Self { unit: "\t".to_owned(), tab: columns.clamp(1, 16) }
+        Self {
+            unit: "\t".to_owned(),
+            tab: columns.clamp(1, 16),
+        }
     }
 
     /// White space this wide: as many tabulators as fit when steps are made of them.
@@ -74,10 +80,15 @@ pub fn own_indentation(document: &Document) -> Option<Indent> {
             _ => {}
         }
     }
-    let most =
-        steps.iter().max_by_key(|(step, count)| (**count, **step == "  ", std::cmp::Reverse(step.len())));
+    let most = steps
+        .iter()
+        .max_by_key(|(step, count)| (**count, **step == "  ", std::cmp::Reverse(step.len())));
     let (step, _) = most?;
-    Some(if *step == "\t" { Indent::tabs(4) } else { Indent::blanks(step.len()) })
+    Some(if *step == "\t" {
+        Indent::tabs(4)
+    } else {
+        Indent::blanks(step.len())
+    })
 }
 
 fn is_step(step: &str) -> bool {
@@ -88,5 +99,7 @@ fn is_step(step: &str) -> bool {
 fn margin(text: &str, range: TextRange) -> Option<&str> {
     let before = text.get(..range.start as usize)?;
     let line = before.rfind('\n').map_or(0, |at| at + 1);
-    before.get(line..).filter(|margin| margin.bytes().all(|byte| matches!(byte, b' ' | b'\t')))
+    before
+        .get(line..)
+        .filter(|margin| margin.bytes().all(|byte| matches!(byte, b' ' | b'\t')))
 }

@@ -20,7 +20,11 @@ use xml::Document;
 const MOST_STEPS: usize = 200;
 
 /// The replacements that format a document, in order; none when its syntax is broken.
-pub fn format(document: &Document, indent: &Indent, options: &config::Format) -> Vec<(TextRange, String)> {
+pub fn format(
+    document: &Document,
+    indent: &Indent,
+    options: &config::Format,
+) -> Vec<(TextRange, String)> {
     if !document.errors().is_empty() || document.root().is_none() {
         return Vec::new();
     }
@@ -42,7 +46,9 @@ pub fn format_range(
 ) -> Vec<(TextRange, String)> {
     let mut edits = format(document, indent, options);
     // the line end in front of a line belongs to it
-    edits.retain(|(place, _)| place.start < range.end.max(range.start + 1) && range.start <= place.end);
+    edits.retain(|(place, _)| {
+        place.start < range.end.max(range.start + 1) && range.start <= place.end
+    });
     edits
 }
 
@@ -65,8 +71,21 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(text: &'a str, indent: &'a Indent, options: &'a config::Format) -> Self {
         let all = text.matches('\n').count();
-        let line_end = if text.matches("\r\n").count() * 2 > all { "\r\n" } else { "\n" };
-        Self { text, indent, options, line_end, at: 0, column: 0, has_tag: false, edits: Vec::new() }
+        let line_end = if text.matches("\r\n").count() * 2 > all {
+            "\r\n"
+        } else {
+            "\n"
+        };
+        Self {
+            text,
+            indent,
+            options,
+            line_end,
+            at: 0,
+            column: 0,
+            has_tag: false,
+            edits: Vec::new(),
+        }
     }
 
     /// The text up to `end` becomes `new`.
@@ -152,7 +171,11 @@ impl<'a> Writer<'a> {
         let gap = TextRange::new(self.at, self.text.len() as u32).slice(self.text);
         if is_blank(gap) && self.at > 0 && gap.contains('\n') {
             let line_break = self.line_break(gap, 0);
-            let one = if line_break.starts_with('\r') { "\r\n" } else { "\n" };
+            let one = if line_break.starts_with('\r') {
+                "\r\n"
+            } else {
+                "\n"
+            };
             self.put(self.text.len() as u32, one);
         }
     }
@@ -160,5 +183,6 @@ impl<'a> Writer<'a> {
 
 /// Whether there is nothing but what XML calls white space.
 fn is_blank(text: &str) -> bool {
-    text.bytes().all(|byte| matches!(byte, b' ' | b'\t' | b'\n' | b'\r'))
+    text.bytes()
+        .all(|byte| matches!(byte, b' ' | b'\t' | b'\n' | b'\r'))
 }

@@ -34,10 +34,16 @@ pub(super) enum Kind<'a> {
 /// The row of a document without mistakes.
 pub(super) fn pieces(document: &Document) -> Vec<Piece<'_>> {
     let mut row = Row::default();
-    for node in document.header().nodes().filter(|node| node.kind() != NodeKind::Text) {
+    for node in document
+        .header()
+        .nodes()
+        .filter(|node| node.kind() != NodeKind::Text)
+    {
         row.node(node, 0);
     }
-    let Some(root) = document.root() else { return row.pieces };
+    let Some(root) = document.root() else {
+        return row.pieces;
+    };
     let end_tag = document.root_end_tag();
     if let Some(end) = end_tag {
         let start = root.start_tag_range().end;
@@ -48,9 +54,18 @@ pub(super) fn pieces(document: &Document) -> Vec<Piece<'_>> {
             row.inside(document);
         }
         row.depth = 0;
-        row.push(Kind::End { closes_elements: !whole && document.item_count() > 0 }, end, 0);
+        row.push(
+            Kind::End {
+                closes_elements: !whole && document.item_count() > 0,
+            },
+            end,
+            0,
+        );
     }
-    for node in document.epilog().filter(|node| node.kind() != NodeKind::Text) {
+    for node in document
+        .epilog()
+        .filter(|node| node.kind() != NodeKind::Text)
+    {
         row.node(node, document.footer_start());
     }
     row.pieces
@@ -71,7 +86,9 @@ fn is_text(node: Node<'_>) -> bool {
 }
 
 fn keeps_space(element: Node<'_>) -> bool {
-    element.attr("xml:space").is_some_and(|attr| attr.raw() == "preserve")
+    element
+        .attr("xml:space")
+        .is_some_and(|attr| attr.raw() == "preserve")
 }
 
 #[derive(Default)]
@@ -84,7 +101,12 @@ struct Row<'a> {
 
 impl<'a> Row<'a> {
     fn push(&mut self, kind: Kind<'a>, range: TextRange, base: u32) {
-        self.pieces.push(Piece { kind, range: range.shift(base), base, depth: self.depth });
+        self.pieces.push(Piece {
+            kind,
+            range: range.shift(base),
+            base,
+            depth: self.depth,
+        });
     }
 
     /// Everything in the root.
@@ -92,7 +114,10 @@ impl<'a> Row<'a> {
         for (base, item) in document.items() {
             self.depth = 1;
             let mut behind = 0;
-            for node in item.all_nodes().filter(|node| node.kind() != NodeKind::Text) {
+            for node in item
+                .all_nodes()
+                .filter(|node| node.kind() != NodeKind::Text)
+            {
                 // what lies in an element with text was taken as a whole
                 if node.range().start < behind {
                     continue;
@@ -105,14 +130,22 @@ impl<'a> Row<'a> {
             self.close_before(u32::MAX, base);
         }
         self.depth = 1;
-        for node in document.footer_content().filter(|node| node.kind() != NodeKind::Text) {
+        for node in document
+            .footer_content()
+            .filter(|node| node.kind() != NodeKind::Text)
+        {
             self.node(node, document.footer_start());
         }
     }
 
     /// The end tags that stand in front of an offset.
     fn close_before(&mut self, offset: u32, base: u32) {
-        while let Some(element) = self.open.last().copied().filter(|open| open.range().end <= offset) {
+        while let Some(element) = self
+            .open
+            .last()
+            .copied()
+            .filter(|open| open.range().end <= offset)
+        {
             self.open.pop();
             self.depth -= 1;
             if let Some(end) = element.end_tag() {
@@ -133,7 +166,13 @@ impl<'a> Row<'a> {
         if keeps_space(node) || node.children().any(is_text) {
             let content = TextRange::new(node.start_tag_range().end, end.start);
             self.push(Kind::Content, content, base);
-            self.push(Kind::End { closes_elements: false }, end, base);
+            self.push(
+                Kind::End {
+                    closes_elements: false,
+                },
+                end,
+                base,
+            );
             return Some(node.range().end);
         }
         self.open.push(node);

@@ -25,7 +25,11 @@ impl Writer<'_> {
         for (number, attr) in element.attrs().enumerate() {
             let name = shift(attr.name_range());
             let gap = TextRange::new(self.at, name.start).slice(self.text);
-            let closer = if number + 1 < count { 0 } else { closer(element, piece, self.text).trim().len() };
+            let closer = if number + 1 < count {
+                0
+            } else {
+                closer(element, piece, self.text).trim().len()
+            };
             let breaks = match self.options.attributes {
                 AttributeLayout::Keep => gap.contains(['\n', '\r']),
                 AttributeLayout::Auto => number > 0 && self.is_full(attr, closer),
@@ -64,7 +68,9 @@ impl Writer<'_> {
 
     /// `<a></a>` becomes `<a/>` where that is wished.
     fn close_empty(&mut self, element: Node<'_>, piece: &Piece<'_>) {
-        let end = element.end_tag().filter(|end| end.start == element.start_tag_range().end);
+        let end = element
+            .end_tag()
+            .filter(|end| end.start == element.start_tag_range().end);
         match end {
             Some(end) if self.options.self_close => self.put(end.end + piece.base, "/>"),
             _ => self.keep(piece.range.end),
@@ -78,7 +84,11 @@ impl Writer<'_> {
             Some(column) => {
                 let gap = TextRange::new(self.at, end).slice(self.text);
                 let line_break = self.line_break(gap, 0);
-                let line_end = if line_break.starts_with('\r') { "\r\n" } else { "\n" };
+                let line_end = if line_break.starts_with('\r') {
+                    "\r\n"
+                } else {
+                    "\n"
+                };
                 line_end.to_owned() + &self.indent.blank(column)
             }
         };
@@ -90,7 +100,11 @@ impl Writer<'_> {
         let first = attr.raw().split(['\n', '\r']).next().unwrap_or("");
         let text = format!("{}=\"{first}\"", attr.name());
         let own = width(&text, self.column + 1, self.indent.tab);
-        let closer = if first.len() == attr.raw().len() { closer } else { 0 };
+        let closer = if first.len() == attr.raw().len() {
+            closer
+        } else {
+            0
+        };
         self.column + 1 + own + closer > self.options.line_width as usize
     }
 
@@ -101,12 +115,18 @@ impl Writer<'_> {
         let tag_text = piece.range.slice(self.text);
         if self.options.attributes == AttributeLayout::Auto || !tag_text.contains(['\n', '\r']) {
             // columns in the old text are not looked for: its lines may be long
-            return Layout { column: below_first, end: new };
+            return Layout {
+                column: below_first,
+                end: new,
+            };
         }
         let old = |offset: u32| column_of(self.text, offset, self.indent.tab);
         let tag = old(piece.range.start);
         let beginning = self.beginning_lines(element, piece);
-        let first = element.attrs().next().map(|attr| attr.name_range().start + piece.base);
+        let first = element
+            .attrs()
+            .next()
+            .map(|attr| attr.name_range().start + piece.base);
         let first_is_broken = first.is_some_and(|at| beginning.first() == Some(&at));
         let common = beginning.first().map(|at| old(*at));
         let common = common.filter(|first| beginning.iter().all(|at| old(*at) == *first));
@@ -118,7 +138,11 @@ impl Writer<'_> {
         };
         let closer = closer(element, piece, self.text);
         let closer_at = piece.range.end - closer.trim_start().len() as u32;
-        let end = if beginning.is_empty() || old(closer_at) == tag { new } else { column };
+        let end = if beginning.is_empty() || old(closer_at) == tag {
+            new
+        } else {
+            column
+        };
         Layout { column, end }
     }
 
@@ -139,7 +163,10 @@ impl Writer<'_> {
 
 /// The end of a start tag with the white space in front of it.
 fn closer<'t>(element: Node<'_>, piece: &Piece<'_>, text: &'t str) -> &'t str {
-    let behind = element.attrs().last().map_or(element.name_range().end, |attr| attr.range().end);
+    let behind = element
+        .attrs()
+        .last()
+        .map_or(element.name_range().end, |attr| attr.range().end);
     TextRange::new(behind + piece.base, piece.range.end).slice(text)
 }
 

@@ -23,7 +23,11 @@ pub struct HintSettings {
 
 impl Default for HintSettings {
     fn default() -> Self {
-        Self { values: true, blocks: true, most: 24 }
+        Self {
+            values: true,
+            blocks: true,
+            most: 24,
+        }
     }
 }
 
@@ -54,10 +58,17 @@ pub enum HintKind {
 /// The hints in a range of the file, in document order.
 pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint> {
     let document = &cx.source.document;
-    let calls = if settings.blocks { calls(cx) } else { FastMap::default() };
+    let calls = if settings.blocks {
+        calls(cx)
+    } else {
+        FastMap::default()
+    };
     let mut found = Vec::new();
     let mut values = Values::new(cx, settings.most);
-    for (base, item) in document.parts().filter(|(base, item)| overlaps(range, *base, item.len())) {
+    for (base, item) in document
+        .parts()
+        .filter(|(base, item)| overlaps(range, *base, item.len()))
+    {
         for node in item.all_nodes() {
             let whole = node.range().shift(base);
             if !overlaps(range, whole.start, whole.len()) {
@@ -68,7 +79,9 @@ pub fn hints(cx: &Cx<'_>, range: TextRange, settings: HintSettings) -> Vec<Hint>
                     values.of_text(&ExprText::of_text(document, base, node));
                 }
                 NodeKind::Element => {
-                    let texts = node.attrs().filter(|attr| attr.has_dollar() && attr.name() != "params");
+                    let texts = node
+                        .attrs()
+                        .filter(|attr| attr.has_dollar() && attr.name() != "params");
                     for attr in texts.filter(|_| settings.values) {
                         values.of_attribute(&ExprText::of_attr(document, base, attr), node, attr);
                     }
@@ -94,18 +107,29 @@ fn overlaps(range: TextRange, start: u32, length: u32) -> bool {
 /// The macro that each tag of the file calls, by the end of the tag's name.
 fn calls(cx: &Cx<'_>) -> FastMap<u32, DefinitionId> {
     let bases = cx.bases();
-    let calls = cx.expansion.symbols.all_uses().filter(|used| used.kind == UseKind::Call);
+    let calls = cx
+        .expansion
+        .symbols
+        .all_uses()
+        .filter(|used| used.kind == UseKind::Call);
     let end = |place: SourceRange| Some(place.range.end + bases.get(&place.src)?);
-    calls.filter_map(|used| Some((end(used.place)?, used.definition))).collect()
+    calls
+        .filter_map(|used| Some((end(used.place)?, used.definition)))
+        .collect()
 }
 
 fn blocks(cx: &Cx<'_>, base: u32, node: Node<'_>, called: DefinitionId, found: &mut Vec<Hint>) {
     let definitions = cx.expansion.symbols.definitions.iter();
-    let blocks =
-        definitions.filter(|given| given.of == Some(called) && given.kind == SymbolKind::BlockParameter);
+    let blocks = definitions
+        .filter(|given| given.of == Some(called) && given.kind == SymbolKind::BlockParameter);
     for (element, block) in node.child_elements().zip(blocks) {
         let offset = element.range().start + base;
-        found.push(Hint { offset, label: format!("{}:", block.name), kind: HintKind::Block, about: offset });
+        found.push(Hint {
+            offset,
+            label: format!("{}:", block.name),
+            kind: HintKind::Block,
+            about: offset,
+        });
     }
 }
 
@@ -116,11 +140,19 @@ fn end_name(document: &Document, base: u32, node: Node<'_>, most: usize) -> Opti
     if !NAMED.contains(&node.name()) || node.end_tag().is_none() {
         return None;
     }
-    let name = node.attr("name").map(|name| name.raw()).filter(|name| !name.is_empty())?;
+    let name = node
+        .attr("name")
+        .map(|name| name.raw())
+        .filter(|name| !name.is_empty())?;
     let range = node.range().shift(base);
     let line = |offset| document.line_col(offset, Encoding::Utf8).line;
     if line(range.end) - line(range.start) < FAR {
         return None;
     }
-    Some(Hint { offset: range.end, label: cut(name, most), kind: HintKind::End, about: range.start })
+    Some(Hint {
+        offset: range.end,
+        label: cut(name, most),
+        kind: HintKind::End,
+        about: range.start,
+    })
 }

@@ -34,11 +34,22 @@ struct Around {
 
 impl<'a> Values<'a> {
     pub(super) fn new(cx: &'a Cx<'a>, most: usize) -> Self {
-        Self { cx, most, found: Vec::new() }
+        Self {
+            cx,
+            most,
+            found: Vec::new(),
+        }
     }
 
     pub(super) fn of_text(&mut self, text: &ExprText<'_>) {
-        self.collect(text, Around { is_angle: false, passes_on: false }, None);
+        self.collect(
+            text,
+            Around {
+                is_angle: false,
+                passes_on: false,
+            },
+            None,
+        );
     }
 
     pub(super) fn of_attribute(&mut self, text: &ExprText<'_>, node: Node<'_>, attr: Attr<'_>) {
@@ -52,15 +63,27 @@ impl<'a> Values<'a> {
 
     fn collect(&mut self, text: &ExprText<'_>, around: Around, attribute: Option<(u32, &str)>) {
         for token in &text.template.tokens {
-            let Some(arrow) = arrow(text, token) else { continue };
+            let Some(arrow) = arrow(text, token) else {
+                continue;
+            };
             if is_evident(text, token, around) {
                 continue;
             }
             let range = text.range(token.range());
-            let Some(shown) = self.listed(range, around.is_angle) else { continue };
+            let Some(shown) = self.listed(range, around.is_angle) else {
+                continue;
+            };
             let label = format!("{arrow}{shown}");
-            let hint = Hint { offset: range.end, label, kind: HintKind::Value, about: range.start };
-            self.found.push(Found { hint, attribute: attribute.map(|(at, name)| (at, name.to_owned())) });
+            let hint = Hint {
+                offset: range.end,
+                label,
+                kind: HintKind::Value,
+                about: range.start,
+            };
+            self.found.push(Found {
+                hint,
+                attribute: attribute.map(|(at, name)| (at, name.to_owned())),
+            });
         }
     }
 
@@ -76,9 +99,16 @@ impl<'a> Values<'a> {
         if values.iter().all(|value| is_prefix(value)) {
             return None;
         }
-        let count = if values.len() > MOST_VALUES { 2 } else { values.len() };
-        let mut shown: Vec<String> =
-            values.iter().take(count).map(|value| rounded(value, is_angle, self.most)).collect();
+        let count = if values.len() > MOST_VALUES {
+            2
+        } else {
+            values.len()
+        };
+        let mut shown: Vec<String> = values
+            .iter()
+            .take(count)
+            .map(|value| rounded(value, is_angle, self.most))
+            .collect();
         if values.len() > count {
             shown.push("…".to_owned());
         }
@@ -98,7 +128,11 @@ impl<'a> Values<'a> {
                 let line = line_of(first);
                 let col = document.line_text(line).trim_end().len() as u32;
                 let offset = document.offset(LineCol { line, col }, Encoding::Utf8);
-                Some(Hint { offset, label: joined(values), ..first.hint.clone() })
+                Some(Hint {
+                    offset,
+                    label: joined(values),
+                    ..first.hint.clone()
+                })
             }
             [] => None,
         };
@@ -109,7 +143,13 @@ impl<'a> Values<'a> {
 /// `xyz = 0.1 0.3; rpy = 1.571 (90°)`
 fn joined(values: &[Found]) -> String {
     const MOST: usize = 80;
-    let bare = |found: &Found| found.hint.label.trim_start_matches(['=', '→', ' ']).to_owned();
+    let bare = |found: &Found| {
+        found
+            .hint
+            .label
+            .trim_start_matches(['=', '→', ' '])
+            .to_owned()
+    };
     let attributes = values.chunk_by(|a, b| a.attribute == b.attribute);
     let part = |values: &[Found]| {
         let shown: Vec<String> = values.iter().map(bare).collect();
@@ -124,12 +164,19 @@ fn joined(values: &[Found]) -> String {
 /// What stands in front of the value; none for tokens without one, and for expressions without names.
 fn arrow(text: &ExprText<'_>, token: &Token) -> Option<&'static str> {
     match token {
-        Token::Expr { code: Code::Static(_), .. } => {
+        Token::Expr {
+            code: Code::Static(_),
+            ..
+        } => {
             let has_names = parsed(token).is_some_and(|(expr, _)| !expr::names(expr).is_empty());
             has_names.then_some("= ")
         }
         Token::Expr { .. } => Some("= "),
-        Token::Subst { inner, nested: None, .. } => match parse_substitution(inner.slice(&text.text)) {
+        Token::Subst {
+            inner,
+            nested: None,
+            ..
+        } => match parse_substitution(inner.slice(&text.text)) {
             Subst::Arg(_) | Subst::Env(_) | Subst::OptEnv { .. } => Some("→ "),
             Subst::Eval { .. } => Some("= "),
             // packages are links: their paths are long
@@ -142,7 +189,9 @@ fn arrow(text: &ExprText<'_>, token: &Token) -> Option<&'static str> {
 /// Whether a reader knows the value, or sees it passed on as it is.
 fn is_evident(text: &ExprText<'_>, token: &Token, around: Around) -> bool {
     const CONSTANTS: [&str; 6] = ["pi", "math.pi", "-pi", "pi/2", "-pi/2", "tau"];
-    let Token::Expr { inner, .. } = token else { return false };
+    let Token::Expr { inner, .. } = token else {
+        return false;
+    };
     let written = inner.slice(&text.text).replace(' ', "");
     CONSTANTS.contains(&written.as_str()) || around.passes_on && expr::is_identifier(&written)
 }
@@ -150,9 +199,12 @@ fn is_evident(text: &ExprText<'_>, token: &Token, around: Around) -> bool {
 /// Whether a value says something in a few characters.
 fn is_short(value: &Value) -> bool {
     match value {
-        Value::Bool(_) | Value::Int(_) | Value::Big(_) | Value::Float(_) | Value::Str(_) | Value::None => {
-            true
-        }
+        Value::Bool(_)
+        | Value::Int(_)
+        | Value::Big(_)
+        | Value::Float(_)
+        | Value::Str(_)
+        | Value::None => true,
         Value::List(list) => list.len() <= 6,
         Value::Tuple(tuple) => tuple.items().len() <= 6,
         _ => false,
@@ -174,7 +226,11 @@ fn rounded(value: &Value, is_angle: bool, most: usize) -> String {
         },
         _ => return short(value, most),
     };
-    let four = |number: f64| format!("{number:.3e}").parse().map_or(number, |rounded: f64| rounded);
+    let four = |number: f64| {
+        format!("{number:.3e}")
+            .parse()
+            .map_or(number, |rounded: f64| rounded)
+    };
     let shown = short(&Value::Float(four(number)), most);
     if is_angle && number != 0.0 {
         return format!("{shown} ({}°)", four(number.to_degrees()));

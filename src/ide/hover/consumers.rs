@@ -16,27 +16,47 @@ pub(super) fn add(
     offset: u32,
     found: Option<(TextRange, Page)>,
 ) -> Option<(TextRange, Page)> {
-    let wanted: Vec<&Consumer> =
-        world.config.consumers.iter().filter_map(|name| Consumer::named(name)).collect();
+    let wanted: Vec<&Consumer> = world
+        .config
+        .consumers
+        .iter()
+        .filter_map(|name| Consumer::named(name))
+        .collect();
     if wanted.is_empty() {
         return found;
     }
-    let is_found =
-        |met: &Met| wanted.iter().any(|consumer| met.construct.outcome(consumer) > Outcome::Accepts);
+    let is_found = |met: &Met| {
+        wanted
+            .iter()
+            .any(|consumer| met.construct.outcome(consumer) > Outcome::Accepts)
+    };
     let file = cx.file();
     let mut here: Vec<(Met, TextRange)> = Vec::new();
-    for met in constructs(cx.expansion, cx.robot, world).into_iter().filter(is_found) {
-        let Some(place) = cx.expansion.place(met.origin).filter(|place| Some(place.file) == file) else {
+    for met in constructs(cx.expansion, cx.robot, world)
+        .into_iter()
+        .filter(is_found)
+    {
+        let Some(place) = cx
+            .expansion
+            .place(met.origin)
+            .filter(|place| Some(place.file) == file)
+        else {
             continue;
         };
-        let is_new = here.iter().all(|(known, _)| known.construct.name != met.construct.name);
+        let is_new = here
+            .iter()
+            .all(|(known, _)| known.construct.name != met.construct.name);
         if is_new && place.range.start <= offset && offset <= place.range.end {
             here.push((met, place.range));
         }
     }
-    let Some((_, range)) = here.first() else { return found };
+    let Some((_, range)) = here.first() else {
+        return found;
+    };
     let (range, mut page) = found.unwrap_or((*range, Page::default()));
-    here.iter().take(MOST).for_each(|(met, _)| page.add(table(met)));
+    here.iter()
+        .take(MOST)
+        .for_each(|(met, _)| page.add(table(met)));
     Some((range, page))
 }
 
@@ -52,5 +72,9 @@ fn table(met: &Met) -> String {
         ("accepted", Outcome::Accepts),
     ];
     let rows: Vec<String> = rows.into_iter().filter_map(row).collect();
-    format!("| {} | by |\n|---|---|\n{}", met.construct.title, rows.join("\n"))
+    format!(
+        "| {} | by |\n|---|---|\n{}",
+        met.construct.title,
+        rows.join("\n")
+    )
 }

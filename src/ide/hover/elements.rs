@@ -24,10 +24,26 @@ const NOTES: &[(&str, &str, &str)] = &[
         "axis",
         "a unit vector in the joint frame, `1 0 0` by default; ignored for fixed and floating joints",
     ),
-    ("joint", "origin", "from the frame of the parent link to the frame of the joint; identity by default"),
-    ("inertial", "origin", "from the frame of the link to the frame of the inertia; identity by default"),
-    ("visual", "origin", "from the frame of the link to that of the geometry; identity by default"),
-    ("inertial", "inertia", "about the center of mass, in the axes of the inertial frame"),
+    (
+        "joint",
+        "origin",
+        "from the frame of the parent link to the frame of the joint; identity by default",
+    ),
+    (
+        "inertial",
+        "origin",
+        "from the frame of the link to the frame of the inertia; identity by default",
+    ),
+    (
+        "visual",
+        "origin",
+        "from the frame of the link to that of the geometry; identity by default",
+    ),
+    (
+        "inertial",
+        "inertia",
+        "about the center of mass, in the axes of the inertial frame",
+    ),
     ("geometry", "box", "centered at the origin"),
     ("geometry", "cylinder", "centered at the origin, along z"),
     (
@@ -35,20 +51,42 @@ const NOTES: &[(&str, &str, &str)] = &[
         "capsule",
         "centered at the origin, along z; `length` is the length of the cylinder between the half spheres",
     ),
-    ("joint", "limit", "required for revolute and prismatic joints"),
+    (
+        "joint",
+        "limit",
+        "required for revolute and prismatic joints",
+    ),
 ];
 
 /// The tags of xacro.
 const TAGS: &[(&str, &str)] = &[
-    ("arg", "A substitution argument, passed as `name:=value` and read as `$(arg name)`"),
-    ("attribute", "Adds an attribute with a computed name to the parent element"),
+    (
+        "arg",
+        "A substitution argument, passed as `name:=value` and read as `$(arg name)`",
+    ),
+    (
+        "attribute",
+        "Adds an attribute with a computed name to the parent element",
+    ),
     ("call", "Calls a macro with a computed name"),
     ("element", "Creates an element with a computed name"),
     ("if", "Keeps its content if `value` is true"),
-    ("include", "Includes another file; `ns` puts its names in a namespace"),
-    ("insert_block", "Inserts a block: an element passed by the call, or the content of a property"),
-    ("macro", "Defines a macro that is called as `<xacro:NAME …/>`"),
-    ("property", "Defines a property: a named value or block of XML"),
+    (
+        "include",
+        "Includes another file; `ns` puts its names in a namespace",
+    ),
+    (
+        "insert_block",
+        "Inserts a block: an element passed by the call, or the content of a property",
+    ),
+    (
+        "macro",
+        "Defines a macro that is called as `<xacro:NAME …/>`",
+    ),
+    (
+        "property",
+        "Defines a property: a named value or block of XML",
+    ),
     ("unless", "Keeps its content if `value` is false"),
 ];
 
@@ -70,23 +108,43 @@ fn element(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<Page> {
     }
     let specs = schema::element_below(root(cx), node);
     let first = *specs.first()?;
-    let mut page = Page::titled(format!("**{}** – {}", code(&format!("<{}>", first.name)), first.docs));
+    let mut page = Page::titled(format!(
+        "**{}** – {}",
+        code(&format!("<{}>", first.name)),
+        first.docs
+    ));
     for spec in specs.iter().skip(1) {
         page.add(format!("in {}: {}", parents(spec), spec.docs));
     }
-    let note = NOTES.iter().find(|(parent, name, _)| *name == first.name && first.parents.contains(parent));
-    page.add(note.map(|(_, _, words)| (*words).to_owned()).unwrap_or_default());
+    let note = NOTES
+        .iter()
+        .find(|(parent, name, _)| *name == first.name && first.parents.contains(parent));
+    page.add(
+        note.map(|(_, _, words)| (*words).to_owned())
+            .unwrap_or_default(),
+    );
     if !first.parents.is_empty() {
         page.add(format!("allowed in {}", parents(first)));
     }
     page.list(
-        first.attributes.iter().map(|attribute| format!("{} – {}", code(attribute.name), facts(attribute))),
+        first
+            .attributes
+            .iter()
+            .map(|attribute| format!("{} – {}", code(attribute.name), facts(attribute))),
     );
     if !first.required.is_empty() {
-        let names: Vec<String> = first.required.iter().map(|name| code(&format!("<{name}>"))).collect();
+        let names: Vec<String> = first
+            .required
+            .iter()
+            .map(|name| code(&format!("<{name}>")))
+            .collect();
         page.add(format!("must contain {}", names.join(" and ")));
     }
-    let page_of = if first.key.starts_with("srdf") { SEMANTIC.to_owned() } else { link(first) };
+    let page_of = if first.key.starts_with("srdf") {
+        SEMANTIC.to_owned()
+    } else {
+        link(first)
+    };
     page.add(format!("[specification]({page_of})"));
     Some(page)
 }
@@ -95,7 +153,12 @@ fn parents(spec: &ElementSpec) -> String {
     let names: Vec<String> = spec
         .parents
         .iter()
-        .map(|parent| code(&format!("<{}>", parent.rsplit('/').next().unwrap_or(parent))))
+        .map(|parent| {
+            code(&format!(
+                "<{}>",
+                parent.rsplit('/').next().unwrap_or(parent)
+            ))
+        })
         .collect();
     names.join(", ")
 }
@@ -104,9 +167,18 @@ fn link(spec: &ElementSpec) -> String {
     const PAGES: &[&str] = &["robot", "link", "joint", "transmission", "gazebo", "sensor"];
     let page = |name: &str| PAGES.iter().find(|page| **page == name).copied();
     let in_link = ["inertial", "visual", "collision", "geometry"];
-    let parent = spec.parents.first().map(|parent| if in_link.contains(parent) { "link" } else { parent });
+    let parent = spec.parents.first().map(|parent| {
+        if in_link.contains(parent) {
+            "link"
+        } else {
+            parent
+        }
+    });
     let page = page(spec.name).or_else(|| parent.and_then(page));
-    page.map_or_else(|| SPECIFICATION.to_owned(), |page| format!("{SPECIFICATION}/{page}"))
+    page.map_or_else(
+        || SPECIFICATION.to_owned(),
+        |page| format!("{SPECIFICATION}/{page}"),
+    )
 }
 
 /// The root element of the kind of file.
@@ -119,7 +191,9 @@ fn root(cx: &Cx<'_>) -> &'static ElementSpec {
 
 fn attribute(cx: &Cx<'_>, node: Node<'_>, attr: Attr<'_>) -> Option<Page> {
     let specs = schema::element_below(root(cx), node);
-    let spec = specs.into_iter().find_map(|spec| spec.attribute(attr.name()))?;
+    let spec = specs
+        .into_iter()
+        .find_map(|spec| spec.attribute(attr.name()))?;
     let mut page = Page::titled(format!("**{}** – {}", code(spec.name), spec.docs));
     page.add(facts(spec));
     if spec.name == "rpy" {
@@ -138,19 +212,32 @@ fn facts(spec: &AttributeSpec) -> String {
         AttributeKind::Group => "the name of a planning group".to_owned(),
         AttributeKind::Number => "a number".to_owned(),
         AttributeKind::Vector(count) => format!("{count} numbers"),
-        AttributeKind::Choice(words) => words.iter().map(|word| code(word)).collect::<Vec<_>>().join(", "),
+        AttributeKind::Choice(words) => words
+            .iter()
+            .map(|word| code(word))
+            .collect::<Vec<_>>()
+            .join(", "),
         AttributeKind::Uri => "a path or URI".to_owned(),
         AttributeKind::Text => "text".to_owned(),
     };
-    let unit = spec.unit.map(|unit| format!(" in {unit}")).unwrap_or_default();
-    let default = spec.default.map(|default| format!(", default {}", code(default))).unwrap_or_default();
+    let unit = spec
+        .unit
+        .map(|unit| format!(" in {unit}"))
+        .unwrap_or_default();
+    let default = spec
+        .default
+        .map(|default| format!(", default {}", code(default)))
+        .unwrap_or_default();
     let required = if spec.required { ", required" } else { "" };
     format!("{kind}{unit}{default}{required}")
 }
 
 fn xacro_tag(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>, tag: &str) -> Option<Page> {
     let (_, docs) = TAGS.iter().find(|(name, _)| *name == tag)?;
-    let mut page = Page::titled(format!("**{}** – {docs}", code(&format!("<{}>", node.name()))));
+    let mut page = Page::titled(format!(
+        "**{}** – {docs}",
+        code(&format!("<{}>", node.name()))
+    ));
     if matches!(tag, "if" | "unless") {
         page.add(condition_line(cx, at, node).unwrap_or_default());
     }
@@ -162,7 +249,11 @@ fn condition_line(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<String> {
     let truths = condition(cx, at.base, node)?;
     let wanted = node.name() == "xacro:if";
     let words = |truth: bool| {
-        let kept = if truth == wanted { "the content is included" } else { "the content is excluded" };
+        let kept = if truth == wanted {
+            "the content is included"
+        } else {
+            "the content is excluded"
+        };
         format!("now {}: {kept}", if truth { "true" } else { "false" })
     };
     match truths.as_slice() {
@@ -174,12 +265,19 @@ fn condition_line(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<String> {
 }
 
 /// The different truths of a condition over all ways that lead there; none for one that is not known.
-pub(in super::super) fn condition(cx: &Cx<'_>, base: u32, node: Node<'_>) -> Option<Vec<Option<bool>>> {
+pub(in super::super) fn condition(
+    cx: &Cx<'_>,
+    base: u32,
+    node: Node<'_>,
+) -> Option<Vec<Option<bool>>> {
     let text = ExprText::of_attr(&cx.source.document, base, node.attr("value")?);
     if text.template.is_verbatim() {
-        return Some(vec![literal::boolean(&Value::Str(text.text.as_ref().into()))]);
+        return Some(vec![literal::boolean(&Value::Str(
+            text.text.as_ref().into(),
+        ))]);
     }
-    let [token @ (Token::Expr { .. } | Token::Subst { .. })] = text.template.tokens.as_slice() else {
+    let [token @ (Token::Expr { .. } | Token::Subst { .. })] = text.template.tokens.as_slice()
+    else {
         return None;
     };
     if cx.expansion.evaluations.is_full() {

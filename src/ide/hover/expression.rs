@@ -16,7 +16,11 @@ use rules::Surroundings;
 const MOST_VALUE: usize = 200;
 
 /// The expression or a part of it at a place.
-pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    at: &At<'_>,
+) -> Option<(TextRange, Page)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let whole = text.range(token.range());
@@ -33,12 +37,20 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
     let inside = text.offset(at.offset).saturating_sub(start);
     let mut path = path_to(expr, inside);
     // a literal is no news: what it stands in is
-    while path.len() > 1 && path.last().is_some_and(|part| matches!(part.kind, ExprKind::Const(_))) {
+    while path.len() > 1
+        && path
+            .last()
+            .is_some_and(|part| matches!(part.kind, ExprKind::Const(_)))
+    {
         path.pop();
     }
     let part = path.last().copied().unwrap_or(expr);
     let is_whole = std::ptr::eq(part, expr);
-    let range = if is_whole { whole } else { text.range(part.range.shift(start)) };
+    let range = if is_whole {
+        whole
+    } else {
+        text.range(part.range.shift(start))
+    };
     if let Some(page) = function(&path) {
         return Some((range, page));
     }
@@ -78,7 +90,9 @@ pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange,
         let range = TextRange::new(begin, begin + name.len() as u32);
         let around = TextRange::new(start as u32, (range.end + 1).min(text.text.len() as u32));
         let shown = if range.touches(inside) { range } else { around };
-        around.touches(inside).then(|| (text.range(shown), name.trim()))
+        around
+            .touches(inside)
+            .then(|| (text.range(shown), name.trim()))
     })
 }
 
@@ -87,7 +101,9 @@ fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
         [value] => Page::titled(format!("{} = {}", code(source), shown(value))),
         _ => Page::titled(code(source)),
     };
-    value_lines(cx, values).into_iter().for_each(|line| page.add(line));
+    value_lines(cx, values)
+        .into_iter()
+        .for_each(|line| page.add(line));
     if let [value] = distinct(values.iter().map(|instance| &instance.value)).as_slice()
         && let Value::Float(number) = value
     {
@@ -99,12 +115,16 @@ fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
 /// Why no value is known: which names it needs have none.
 fn reason(cx: &Cx<'_>, range: TextRange, values: &[Instance]) -> String {
     const MOST: usize = 4;
-    let Some(place) = cx.source_range(range).filter(|_| values.iter().all(|known| known.value.is_unknown()))
+    let Some(place) = cx
+        .source_range(range)
+        .filter(|_| values.iter().all(|known| known.value.is_unknown()))
     else {
         return String::new();
     };
     let evaluations = &cx.expansion.evaluations;
-    let reads = evaluations.at(place).flat_map(|evaluation| cx.expansion.read_in(evaluation.reads));
+    let reads = evaluations
+        .at(place)
+        .flat_map(|evaluation| cx.expansion.read_in(evaluation.reads));
     let bindings = reads.filter_map(|&read| cx.expansion.bindings.get(read as usize));
     let unknown = bindings.filter(|info| info.value.as_ref().is_some_and(Value::is_unknown));
     let mut names: Vec<String> = unknown.map(|info| code(&info.name)).collect();
@@ -135,19 +155,33 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
     const MOST: usize = 3;
     let different = distinct(values.iter().map(|instance| &instance.value));
     match different.as_slice() {
-        [] => return vec![format!("{UNKNOWN} – {} does not use this code", root_name(cx))],
+        [] => {
+            return vec![format!(
+                "{UNKNOWN} – {} does not use this code",
+                root_name(cx)
+            )];
+        }
         [Value::Unknown] => return vec!["the value is unknown".to_owned()],
         [_] if cx.pinned.is_some() => {
-            let label = values.first().and_then(|instance| call_label(cx, instance.frame));
-            return label.map(|label| format!("in {label}")).into_iter().collect();
+            let label = values
+                .first()
+                .and_then(|instance| call_label(cx, instance.frame));
+            return label
+                .map(|label| format!("in {label}"))
+                .into_iter()
+                .collect();
         }
-        [_] if values.len() > 1 => return vec![format!("the same in all {}", count(values.len(), "call"))],
+        [_] if values.len() > 1 => {
+            return vec![format!("the same in all {}", count(values.len(), "call"))];
+        }
         [_] => return Vec::new(),
         _ => {}
     }
     let mut lines = Vec::new();
     for value in different.iter().take(MOST) {
-        let given = values.iter().find(|instance| std::ptr::eq(&raw const instance.value, *value));
+        let given = values
+            .iter()
+            .find(|instance| std::ptr::eq(&raw const instance.value, *value));
         let label = given.and_then(|instance| call_label(cx, instance.frame));
         lines.push(format!(
             "- {}{}",
@@ -163,28 +197,55 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
 
 /// The macro call that a frame belongs to: its macro, file and line.
 pub fn call_label(cx: &Cx<'_>, frame: FrameId) -> Option<String> {
-    let at = Origin { frame, ..Origin::NOWHERE };
-    let call = cx.expansion.frames_of(at).find(|frame| frame.kind == FrameKind::Macro)?;
-    Some(format!("{} at {}", code(&call.name), place_name(cx, call.call)?))
+    let at = Origin {
+        frame,
+        ..Origin::NOWHERE
+    };
+    let call = cx
+        .expansion
+        .frames_of(at)
+        .find(|frame| frame.kind == FrameKind::Macro)?;
+    Some(format!(
+        "{} at {}",
+        code(&call.name),
+        place_name(cx, call.call)?
+    ))
 }
 
 /// `file.xacro:12`
 pub(super) fn place_name(cx: &Cx<'_>, origin: Origin) -> Option<String> {
     let place = cx.expansion.place(origin)?;
     let source = &cx.expansion.files.get(place.file.0 as usize)?.source;
-    let line = source.document.line_col(place.range.start, base::Encoding::Utf8).line + 1;
-    Some(format!("{}:{line}", source.path.file_name()?.to_string_lossy()))
+    let line = source
+        .document
+        .line_col(place.range.start, base::Encoding::Utf8)
+        .line
+        + 1;
+    Some(format!(
+        "{}:{line}",
+        source.path.file_name()?.to_string_lossy()
+    ))
 }
 
 /// The name of the root file.
 pub(super) fn root_name(cx: &Cx<'_>) -> String {
-    let path = cx.expansion.files.first().and_then(|file| file.source.path.file_name());
-    path.map_or_else(|| "the robot".to_owned(), |name| code(&name.to_string_lossy()))
+    let path = cx
+        .expansion
+        .files
+        .first()
+        .and_then(|file| file.source.path.file_name());
+    path.map_or_else(
+        || "the robot".to_owned(),
+        |name| code(&name.to_string_lossy()),
+    )
 }
 
 /// A name that every expression knows.
 pub(super) fn function(path: &[&Expr]) -> Option<Page> {
-    let (part, around) = (path.last()?, path.len().checked_sub(2).and_then(|i| path.get(i)));
+    let (part, around) = (
+        path.last()?,
+        path.len().checked_sub(2).and_then(|i| path.get(i)),
+    );
     let (namespace, name) = match (&part.kind, around.map(|around| &around.kind)) {
         (ExprKind::Attribute { value, name, .. }, _) => match &value.kind {
             ExprKind::Name(module) => (Some(module.as_str()), name),
@@ -193,16 +254,25 @@ pub(super) fn function(path: &[&Expr]) -> Option<Page> {
         (ExprKind::Name(name), _) => (None, name),
         _ => return None,
     };
-    let symbol = global_symbols()
-        .find(|symbol| symbol.name == name && symbol.namespace.map(|module| module.name()) == namespace)?;
-    if symbol.params.is_empty() && symbol.namespace.is_none() && symbol.kind == expr::SymbolKind::Constant {
+    let symbol = global_symbols().find(|symbol| {
+        symbol.name == name && symbol.namespace.map(|module| module.name()) == namespace
+    })?;
+    if symbol.params.is_empty()
+        && symbol.namespace.is_none()
+        && symbol.kind == expr::SymbolKind::Constant
+    {
         return None;
     }
-    let lead = namespace.map(|module| format!("{module}.")).unwrap_or_default();
+    let lead = namespace
+        .map(|module| format!("{module}."))
+        .unwrap_or_default();
     let mut page = Page::titled(code(&format!("{lead}{name}({})", symbol.params)));
     page.add(symbol.doc);
     if let Some(better) = symbol.deprecated.filter(|_| namespace.is_none()) {
-        page.add(format!("deprecated: use {}", code(&format!("{better}.{name}"))));
+        page.add(format!(
+            "deprecated: use {}",
+            code(&format!("{better}.{name}"))
+        ));
     }
     Some(page)
 }

@@ -14,7 +14,11 @@ use rules::Surroundings;
 const MOST_PLACES: usize = 8;
 
 /// The name of a file at a place.
-pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    at: &At<'_>,
+) -> Option<(TextRange, Page)> {
     let name = file_name_at(cx, world, at)?;
     Some((name.range, page(cx, world, at, &name)))
 }
@@ -28,7 +32,9 @@ pub(super) fn loaded(
 ) -> Option<(TextRange, Page)> {
     let at = super::super::locate::locate(&cx.source.document, offset);
     let name = file_name_at(cx, world, &at).filter(|name| name.kind == FileKind::Yaml)?;
-    text.whole().contains_range(name.range).then(|| (name.range, page(cx, world, &at, &name)))
+    text.whole()
+        .contains_range(name.range)
+        .then(|| (name.range, page(cx, world, &at, &name)))
 }
 
 fn page(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>, name: &FileName) -> Page {
@@ -36,14 +42,21 @@ fn page(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>, name: &FileName) -> P
         FileTarget::Found(path) => path,
         FileTarget::Missing(places) => {
             let mut page = Page::titled("not found; searched");
-            page.list(places.iter().take(MOST_PLACES).map(|place| code(&vfs::slashed(place))));
+            page.list(
+                places
+                    .iter()
+                    .take(MOST_PLACES)
+                    .map(|place| code(&vfs::slashed(place))),
+            );
             return page;
         }
     };
     let mut page = Page::titled(code(&vfs::slashed(path)));
     if name.kind == FileKind::Mesh && world.vfs.is_file(path) {
         let mesh = world.meshes.get(world.vfs, path);
-        mesh_lines(&mesh, factors(cx, at)).into_iter().for_each(|line| page.add(line));
+        mesh_lines(&mesh, factors(cx, at))
+            .into_iter()
+            .for_each(|line| page.add(line));
     } else if let Some(bytes) = world.vfs.size(path) {
         page.add(size(bytes));
     }
@@ -52,14 +65,17 @@ fn page(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>, name: &FileName) -> P
 
 /// The scale of a mesh, when it is known.
 fn factors(cx: &Cx<'_>, at: &At<'_>) -> Option<[f64; 3]> {
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
+    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+        return None;
+    };
     if node.attr("scale").is_none() {
         return Some([1.0; 3]);
     }
     let place = cx.source_range(attr.value_range().shift(at.base))?;
     let tree = &cx.expansion.tree;
     let is_named = |id: &expand::XId| {
-        tree.attr(*id, "filename").is_some_and(|file| expand::SourceRange::from(file.origin) == place)
+        tree.attr(*id, "filename")
+            .is_some_and(|file| expand::SourceRange::from(file.origin) == place)
     };
     let mesh = tree.below(expand::XId::DOCUMENT).find(is_named)?;
     Text::attr(tree, mesh, "scale")?.numbers()
@@ -68,7 +84,11 @@ fn factors(cx: &Cx<'_>, at: &At<'_>) -> Option<[f64; 3]> {
 fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some(surface) = &mesh.surface {
-        lines.push(format!("{:?}, {}", mesh.format, count(surface.triangles, "triangle")));
+        lines.push(format!(
+            "{:?}, {}",
+            mesh.format,
+            count(surface.triangles, "triangle")
+        ));
         match factors {
             Some(factors) => {
                 let bounds = surface.bounds.scaled(factors);
@@ -83,7 +103,11 @@ fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {
             None => lines.push(format!("{} before scaling", lengths(surface.bounds.size()))),
         }
     }
-    lines.extend(mesh.defect.as_ref().map(|defect| format!("**{}**", defect.message)));
+    lines.extend(
+        mesh.defect
+            .as_ref()
+            .map(|defect| format!("**{}**", defect.message)),
+    );
     lines
 }
 

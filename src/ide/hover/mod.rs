@@ -57,5 +57,8 @@ pub fn hover(
         .or_else(|| numbers::about(cx, &at))
         .or_else(|| elements::about(cx, &at));
     let found = consumers::add(cx, world, offset, found);
-    found.map(|(range, page)| Hover { markdown: page.finish(), range })
+    found.map(|(range, page)| Hover {
+        markdown: page.finish(),
+        range,
+    })
 }

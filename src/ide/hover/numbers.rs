@@ -11,7 +11,9 @@ use xml::Node;
 
 /// The number at a place.
 pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
-    let Part::AttrValue(attr) = at.part else { return None };
+    let Part::AttrValue(attr) = at.part else {
+        return None;
+    };
     if attr.name() == "rgba" {
         return Some((at.shift(attr.value_range()), color(attr.raw())?));
     }
@@ -31,7 +33,9 @@ pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)
 
 /// `1.57 rad (89.95°)`, where the attribute at a place holds angles.
 pub(super) fn in_degrees(at: &At<'_>, number: f64) -> Option<String> {
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return None };
+    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+        return None;
+    };
     let unit = schema::attribute(node, attr.name())?.unit?;
     let angle = match unit {
         "rad" => "rad",
@@ -45,8 +49,11 @@ pub(super) fn in_degrees(at: &At<'_>, number: f64) -> Option<String> {
 
 /// Whether the joint around an element is known to turn.
 fn turns(node: Node<'_>) -> bool {
-    let joint = std::iter::successors(Some(node), |node| node.parent()).find(|node| node.name() == "joint");
-    let kind = joint.and_then(|joint| joint.attr("type")).map(|kind| kind.raw());
+    let joint =
+        std::iter::successors(Some(node), |node| node.parent()).find(|node| node.name() == "joint");
+    let kind = joint
+        .and_then(|joint| joint.attr("type"))
+        .map(|kind| kind.raw());
     matches!(kind, Some("revolute" | "continuous"))
 }
 
@@ -65,10 +72,11 @@ pub(super) fn rounded(number: f64, parts: f64) -> String {
 /// A color.
 fn color(raw: &str) -> Option<Page> {
     let parts: Option<Vec<f64>> = raw.split_ascii_whitespace().map(decimal).collect();
-    let parts =
-        parts.filter(|parts| parts.len() == 4 && parts.iter().all(|part| (0.0..=1.0).contains(part)))?;
+    let parts = parts
+        .filter(|parts| parts.len() == 4 && parts.iter().all(|part| (0.0..=1.0).contains(part)))?;
     let byte = |part: &f64| (part * 255.0).round() as u8;
-    let [red, green, blue, alpha] = <[u8; 4]>::try_from(parts.iter().map(byte).collect::<Vec<_>>()).ok()?;
+    let [red, green, blue, alpha] =
+        <[u8; 4]>::try_from(parts.iter().map(byte).collect::<Vec<_>>()).ok()?;
     let image = format!(
         "<svg xmlns='http://www.w3.org/2000/svg' width='48' height='16'><rect width='48' height='16' \
          fill='rgb({red},{green},{blue})' fill-opacity='{:.3}'/></svg>",
@@ -87,8 +95,9 @@ fn color(raw: &str) -> Option<Page> {
             other => other.to_string(),
         })
         .collect();
-    let mut page =
-        Page::titled(format!("![color](data:image/svg+xml,{encoded}) `#{red:02x}{green:02x}{blue:02x}`"));
+    let mut page = Page::titled(format!(
+        "![color](data:image/svg+xml,{encoded}) `#{red:02x}{green:02x}{blue:02x}`"
+    ));
     page.add("red, green, blue and opacity, each from 0 to 1");
     Some(page)
 }

@@ -11,7 +11,9 @@ pub(super) struct Page {
 
 impl Page {
     pub fn titled(title: impl Into<String>) -> Self {
-        Self { paragraphs: vec![title.into()] }
+        Self {
+            paragraphs: vec![title.into()],
+        }
     }
 
     /// Add a paragraph, unless it is empty.
@@ -44,7 +46,11 @@ pub(super) fn code(text: &str) -> String {
     let text = text.replace(['\n', '\r'], " ");
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
     let fence = "`".repeat(longest + 1);
-    let pad = if text.starts_with('`') || text.ends_with('`') || text.is_empty() { " " } else { "" };
+    let pad = if text.starts_with('`') || text.ends_with('`') || text.is_empty() {
+        " "
+    } else {
+        ""
+    };
     format!("{fence}{pad}{text}{pad}{fence}")
 }
 
@@ -52,7 +58,10 @@ pub(super) fn code(text: &str) -> String {
 pub(super) fn plain(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
-        if matches!(c, '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '#' | '|' | '!' | '&') {
+        if matches!(
+            c,
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '#' | '|' | '!' | '&'
+        ) {
             out.push('\\');
         }
         out.push(c);

@@ -18,9 +18,15 @@ use rules::{Surroundings, link_bounds};
 const MOST: usize = 3;
 
 /// The links and joints that a text names.
-pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
-    if let Some(group) =
-        cx.beside.iter().find(|name| name.kind == NameKind::Group && name.is_at(cx, at.offset))
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: Surroundings<'_>,
+    at: &At<'_>,
+) -> Option<(TextRange, Page)> {
+    if let Some(group) = cx
+        .beside
+        .iter()
+        .find(|name| name.kind == NameKind::Group && name.is_at(cx, at.offset))
     {
         return Some((group.place.range, group_page(cx, group)));
     }
@@ -36,14 +42,24 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
         _ => return None,
     };
     let mut shown = FastSet::default();
-    let names: Vec<&str> = names.iter().filter_map(|text| text.name()).map(|name| name.as_str()).collect();
-    let names: Vec<&str> = names.into_iter().filter(|name| shown.insert(*name)).collect();
+    let names: Vec<&str> = names
+        .iter()
+        .filter_map(|text| text.name())
+        .map(|name| name.as_str())
+        .collect();
+    let names: Vec<&str> = names
+        .into_iter()
+        .filter(|name| shown.insert(*name))
+        .collect();
     let mut page = Page::default();
     let mut known = 0;
     for name in names.iter().take(MOST) {
         if let Some(joint) = robot.joint(name).filter(|_| is_joint_name(cx, at)) {
             joint_page(cx, joint, &mut page);
-        } else if let Some(link) = kinematics.link(name).and_then(|index| robot.links.get(index)) {
+        } else if let Some(link) = kinematics
+            .link(name)
+            .and_then(|index| robot.links.get(index))
+        {
             link_page(cx, world, (robot, kinematics), link, &mut page);
         } else if let Some(joint) = robot.joint(name) {
             joint_page(cx, joint, &mut page);
@@ -61,8 +77,9 @@ pub(super) fn about(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option
 /// A planning group: what the SRDF says it holds.
 fn group_page(cx: &Cx<'_>, group: &BesideName) -> Page {
     let mut page = Page::titled(format!("**group** {}", code(&group.value)));
-    let is_it =
-        |name: &&BesideName| name.kind == NameKind::Group && name.is_definition && name.value == group.value;
+    let is_it = |name: &&BesideName| {
+        name.kind == NameKind::Group && name.is_definition && name.value == group.value
+    };
     match cx.beside.iter().find(is_it) {
         Some(given) => page.add(given.content.clone()),
         None => page.add("not defined in an SRDF of the robot"),
@@ -75,8 +92,13 @@ fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
     if let Some(name) = cx.beside.iter().find(|name| name.is_at(cx, at.offset)) {
         return name.kind == NameKind::Joint;
     }
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else { return false };
-    matches!((node.name(), attr.name()), ("joint", "name") | ("mimic", "joint"))
+    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+        return false;
+    };
+    matches!(
+        (node.name(), attr.name()),
+        ("joint", "name") | ("mimic", "joint")
+    )
 }
 
 /// The names that an argument of a call becomes as it is, when its text stands at `range`.
@@ -86,11 +108,17 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     let mut values: Vec<&str> = Vec::new();
     // a binding is made after those that it reads
     for (index, info) in (0..).zip(&cx.expansion.bindings) {
-        let is_here = info.kind == BindingKind::Parameter && info.origin.is_some_and(|at| place == at.into());
+        let is_here =
+            info.kind == BindingKind::Parameter && info.origin.is_some_and(|at| place == at.into());
         if let (true, Some(Value::Str(value))) = (is_here, &info.value) {
             values.push(value);
             given.insert(index);
-        } else if cx.expansion.read_in(info.reads).iter().any(|read| given.contains(read)) {
+        } else if cx
+            .expansion
+            .read_in(info.reads)
+            .iter()
+            .any(|read| given.contains(read))
+        {
             given.insert(index);
         }
     }
@@ -99,9 +127,17 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     }
     let of_it = |text: &Text| {
         values.contains(&text.value.as_str())
-            && text.reads(cx.expansion, 0..text.value.len()).any(|read| given.contains(&read))
+            && text
+                .reads(cx.expansion, 0..text.value.len())
+                .any(|read| given.contains(&read))
     };
-    Some(robot_names(cx).into_iter().map(|(text, _)| text).filter(|text| of_it(text)).collect())
+    Some(
+        robot_names(cx)
+            .into_iter()
+            .map(|(text, _)| text)
+            .filter(|text| of_it(text))
+            .collect(),
+    )
 }
 
 fn link_page(
@@ -112,22 +148,33 @@ fn link_page(
     page: &mut Page,
 ) {
     page.add(format!("**link** {}", code(link.shown())));
-    let Some(index) = kinematics.link(link.shown()) else { return };
+    let Some(index) = kinematics.link(link.shown()) else {
+        return;
+    };
     page.add(code(&chain(robot, kinematics, index)));
-    let mass = match (&link.inertial, link.inertial.as_ref().and_then(|inertial| inertial.mass())) {
+    let mass = match (
+        &link.inertial,
+        link.inertial.as_ref().and_then(|inertial| inertial.mass()),
+    ) {
         (_, Some(mass)) => format!("mass {} kg", super::super::values::number_text(mass)),
         (Some(_), None) => "mass ? kg".to_owned(),
         (None, None) => "no inertia".to_owned(),
     };
     let space = link_bounds(cx.expansion, robot, world, link);
-    let space = space.map(|bounds| format!(", {} m", lengths(bounds.size()))).unwrap_or_default();
+    let space = space
+        .map(|bounds| format!(", {} m", lengths(bounds.size())))
+        .unwrap_or_default();
     page.add(format!("{mass}{space}"));
     let children: Vec<String> = kinematics
         .down(index)
         .iter()
         .filter_map(|&joint| {
             let child = robot.links.get(kinematics.ends(joint)?.1)?;
-            Some(format!("{} by {}", code(child.shown()), code(robot.joints.get(joint)?.shown())))
+            Some(format!(
+                "{} by {}",
+                code(child.shown()),
+                code(robot.joints.get(joint)?.shown())
+            ))
         })
         .collect();
     match children.as_slice() {
@@ -142,7 +189,11 @@ fn link_page(
 }
 
 fn made_by(cx: &Cx<'_>, frame: expand::FrameId, page: &mut Page) {
-    page.add(call_label(cx, frame).map(|label| format!("from {label}")).unwrap_or_default());
+    page.add(
+        call_label(cx, frame)
+            .map(|label| format!("from {label}"))
+            .unwrap_or_default(),
+    );
 }
 
 /// `desk → pan → pan_body`
@@ -153,7 +204,11 @@ fn chain(robot: &Robot, kinematics: &Kinematics, link: usize) -> String {
     let joints: Vec<usize> = kinematics.above(link).collect();
     for joint in joints.iter().take(MOST_STEPS) {
         parts.push(robot.joints.get(*joint).map_or("?", |joint| joint.shown()));
-        parts.push(kinematics.ends(*joint).map_or("?", |(parent, _)| name(parent)));
+        parts.push(
+            kinematics
+                .ends(*joint)
+                .map_or("?", |(parent, _)| name(parent)),
+        );
     }
     if joints.len() > MOST_STEPS {
         parts.push("…");
@@ -166,9 +221,15 @@ fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
     let kind = joint.kind.as_ref().map_or("?", |kind| kind.value.as_str());
     page.add(format!("**joint** {} ({kind})", code(joint.shown())));
     let end = |text: &Option<Text>| {
-        text.as_ref().and_then(|text| text.name()).map_or("?".to_owned(), ToString::to_string)
+        text.as_ref()
+            .and_then(|text| text.name())
+            .map_or("?".to_owned(), ToString::to_string)
     };
-    page.add(code(&format!("{} → {}", end(&joint.parent), end(&joint.child))));
+    page.add(code(&format!(
+        "{} → {}",
+        end(&joint.parent),
+        end(&joint.child)
+    )));
     let known = JointType::of(kind);
     if known.is_some_and(JointType::has_axis) {
         page.add(axis(joint).map_or("axis ?".to_owned(), |axis| {
@@ -186,15 +247,23 @@ fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
 fn axis(joint: &Joint) -> Option<String> {
     let written = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
     let [x, y, z] = written.map_or(Some([1.0, 0.0, 0.0]), Text::numbers)?;
-    let turn = joint.origin.as_ref().map_or(Some(nalgebra::Isometry3::identity()), Pose::transform)?;
+    let turn = joint
+        .origin
+        .as_ref()
+        .map_or(Some(nalgebra::Isometry3::identity()), Pose::transform)?;
     let axis = turn.rotation * nalgebra::Vector3::new(x, y, z).try_normalize(1e-9)?;
     let names = ["X", "Y", "Z"];
-    let along = axis.iter().zip(names).find(|(part, _)| part.abs() > 0.99999);
+    let along = axis
+        .iter()
+        .zip(names)
+        .find(|(part, _)| part.abs() > 0.99999);
     Some(match along {
         Some((part, name)) => format!("{}{name}", if *part > 0.0 { '+' } else { '-' }),
         None => format!(
             "({})",
-            [axis.x, axis.y, axis.z].map(|part| three_digits((part * 1e6).round() / 1e6)).join(", ")
+            [axis.x, axis.y, axis.z]
+                .map(|part| three_digits((part * 1e6).round() / 1e6))
+                .join(", ")
         ),
     })
 }
@@ -204,7 +273,9 @@ pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option
     let limit = joint.limit.as_ref()?;
     let number = |text: &Option<Text>, unit: &str| {
         let text = text.as_ref()?;
-        let number = text.number().map_or("?".to_owned(), super::super::values::number_text);
+        let number = text
+            .number()
+            .map_or("?".to_owned(), super::super::values::number_text);
         Some(format!("{number} {unit}"))
     };
     let turns = !matches!(kind, Some(JointType::Prismatic));
@@ -212,11 +283,17 @@ pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option
         (Some(JointType::Continuous), _) => Some("unlimited".to_owned()),
         (Some(JointType::Revolute), Some((lower, upper))) => {
             let (from, to) = (rounded(lower, 1e4), rounded(upper, 1e4));
-            Some(format!("{from} … {to} rad ({}° … {}°)", degrees(lower), degrees(upper)))
+            Some(format!(
+                "{from} … {to} rad ({}° … {}°)",
+                degrees(lower),
+                degrees(upper)
+            ))
         }
-        (Some(JointType::Prismatic), Some((lower, upper))) => {
-            Some(format!("{} … {} m", rounded(lower, 1e6), rounded(upper, 1e6)))
-        }
+        (Some(JointType::Prismatic), Some((lower, upper))) => Some(format!(
+            "{} … {} m",
+            rounded(lower, 1e6),
+            rounded(upper, 1e6)
+        )),
         _ => None,
     };
     let effort = number(&limit.effort, if turns { "N·m" } else { "N" });

@@ -35,7 +35,9 @@ pub fn hover_while_typing(
     let (expr, start) = parsed(token)?;
     let path = path_to(expr, text.offset(offset).saturating_sub(start));
     let part = path.last()?;
-    let ExprKind::Name(name) = &part.kind else { return None };
+    let ExprKind::Name(name) = &part.kind else {
+        return None;
+    };
     let is_free = names(expr).iter().any(|free| free.range == part.range);
     if !is_free || function(&path).is_some() || !is_of_the_file(cx, &at, name) {
         return None;
@@ -48,10 +50,20 @@ pub fn hover_while_typing(
             let mut page = Page::titled(format!("{} = {}", code(name), shown(&Value::Unknown)));
             page.add("the value is unknown");
             let is_whole = std::ptr::eq(*part, expr);
-            (page, if is_whole { text.range(token.range()) } else { named })
+            (
+                page,
+                if is_whole {
+                    text.range(token.range())
+                } else {
+                    named
+                },
+            )
         }
     };
-    Some(Hover { markdown: page.finish(), range })
+    Some(Hover {
+        markdown: page.finish(),
+        range,
+    })
 }
 
 /// Whether a name at a place means the same as anywhere in the file, and the place is come by: not under a condition,
@@ -62,10 +74,15 @@ fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
         let is_settled = match node.name() {
             "xacro:if" | "xacro:unless" | "xacro:property" | "xacro:include" => false,
             "xacro:macro" => {
-                let params =
-                    node.attr("params").map_or(Some(Vec::new()), |params| parse_params(params.raw()));
-                let own = |params: Vec<expand::Param>| params.iter().all(|param| param.name != name);
-                params.is_some_and(own) && node.attr("name").is_some_and(|name| is_called(cx, name.raw()))
+                let params = node
+                    .attr("params")
+                    .map_or(Some(Vec::new()), |params| parse_params(params.raw()));
+                let own =
+                    |params: Vec<expand::Param>| params.iter().all(|param| param.name != name);
+                params.is_some_and(own)
+                    && node
+                        .attr("name")
+                        .is_some_and(|name| is_called(cx, name.raw()))
             }
             _ => true,
         };
@@ -79,7 +96,9 @@ fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
 
 fn is_called(cx: &Cx<'_>, name: &str) -> bool {
     let symbols = &cx.expansion.symbols;
-    let mut named = symbols.iter().filter(|(_, known)| known.kind == SymbolKind::Macro && known.name == name);
+    let mut named = symbols
+        .iter()
+        .filter(|(_, known)| known.kind == SymbolKind::Macro && known.name == name);
     let only = named.next().filter(|_| named.next().is_none());
     only.is_some_and(|(id, _)| symbols.uses_of(id).any(|used| used.kind == UseKind::Call))
 }
@@ -96,8 +115,12 @@ struct Changes<'a, 'c> {
 
 impl<'a, 'c> Changes<'a, 'c> {
     fn of(cx: &'c Cx<'a>, current: impl Fn(&Path) -> Option<Arc<SourceFile>>) -> Self {
-        let known: FastSet<*const Item> =
-            cx.expansion.sources.iter().map(|source| Arc::as_ptr(&source.item)).collect();
+        let known: FastSet<*const Item> = cx
+            .expansion
+            .sources
+            .iter()
+            .map(|source| Arc::as_ptr(&source.item))
+            .collect();
         let (mut files, mut kept, mut new) = (Vec::new(), FastSet::default(), Vec::new());
         for file in &cx.expansion.files {
             let now = current(&file.source.path);
@@ -111,7 +134,12 @@ impl<'a, 'c> Changes<'a, 'c> {
             }
             files.push(now);
         }
-        Self { cx, files, kept, new }
+        Self {
+            cx,
+            files,
+            kept,
+            new,
+        }
     }
 
     /// The only property of a name; or that nothing has that name. None when that is not certain.
@@ -121,10 +149,17 @@ impl<'a, 'c> Changes<'a, 'c> {
         }
         let symbols = &self.cx.expansion.symbols;
         let is_rival = |kind: SymbolKind| {
-            matches!(kind, SymbolKind::Property | SymbolKind::BlockProperty | SymbolKind::Namespace)
+            matches!(
+                kind,
+                SymbolKind::Property | SymbolKind::BlockProperty | SymbolKind::Namespace
+            )
         };
-        let mut given = symbols.iter().filter(|(_, known)| known.name == name && is_rival(known.kind));
-        let Some((id, known)) = given.next() else { return Some(None) };
+        let mut given = symbols
+            .iter()
+            .filter(|(_, known)| known.name == name && is_rival(known.kind));
+        let Some((id, known)) = given.next() else {
+            return Some(None);
+        };
         let is_plain = known.kind == SymbolKind::Property && !known.conditional && !known.in_macro;
         (is_plain && given.next().is_none()).then_some(Some(id))
     }
@@ -138,9 +173,16 @@ impl<'a, 'c> Changes<'a, 'c> {
         let mut page = Page::titled(format!("**property** {} = {}", code(name), shown(value)));
         let source = expansion.sources.get(known.place.src.0 as usize)?;
         let file = self.files.get(source.file.0 as usize)?.as_ref()?;
-        let line = file.document.line_col(base + known.place.range.start, Encoding::Utf8).line + 1;
+        let line = file
+            .document
+            .line_col(base + known.place.range.start, Encoding::Utf8)
+            .line
+            + 1;
         let place = format!("{}:{line}", file.path.file_name()?.to_string_lossy());
-        page.add(format!("defined in {place}, used {}", count(self.uses(id, name), "time")));
+        page.add(format!(
+            "defined in {place}, used {}",
+            count(self.uses(id, name), "time")
+        ));
         page.add(comment_above(self.cx, id).unwrap_or_default());
         Some(page)
     }
@@ -148,11 +190,15 @@ impl<'a, 'c> Changes<'a, 'c> {
     /// The value of a property that was given once.
     fn value(&self, id: DefinitionId) -> Option<&'a Value> {
         let bindings = &self.cx.expansion.bindings;
-        let mut given = (0..).zip(bindings).filter(|(_, info)| info.definition == Some(id));
+        let mut given = (0..)
+            .zip(bindings)
+            .filter(|(_, info)| info.definition == Some(id));
         let (index, info) = given.next().filter(|_| given.next().is_none())?;
         let (mut open, mut seen) = (vec![index], FastSet::default());
         while let Some(index) = open.pop() {
-            let info = bindings.get(index as usize).filter(|_| seen.len() < MOST_BINDINGS)?;
+            let info = bindings
+                .get(index as usize)
+                .filter(|_| seen.len() < MOST_BINDINGS)?;
             if seen.insert(index) {
                 if info.origin.is_some_and(|origin| !self.is_kept(origin.src)) {
                     return None;
@@ -165,11 +211,19 @@ impl<'a, 'c> Changes<'a, 'c> {
 
     /// How often a property is used.
     fn uses(&self, id: DefinitionId, name: &str) -> usize {
-        let before = self.cx.expansion.symbols.all_uses().filter(|used| used.definition == id);
+        let before = self
+            .cx
+            .expansion
+            .symbols
+            .all_uses()
+            .filter(|used| used.definition == id);
         let kept = before.filter(|used| self.is_kept(used.place.src)).count();
         let facts = self.new.iter().map(facts_of);
         let named = |facts: FactsOf<'_>| {
-            facts.mentions().filter(|found| found.kind == MentionKind::Name && found.name == name).count()
+            facts
+                .mentions()
+                .filter(|found| found.kind == MentionKind::Name && found.name == name)
+                .count()
         };
         kept + facts.map(named).sum::<usize>()
     }
@@ -194,7 +248,9 @@ impl<'a, 'c> Changes<'a, 'c> {
             return Some(source.base);
         }
         let mut parts = now.document.parts();
-        parts.find(|(_, item)| Arc::ptr_eq(item, &source.item)).map(|(base, _)| base)
+        parts
+            .find(|(_, item)| Arc::ptr_eq(item, &source.item))
+            .map(|(base, _)| base)
     }
 }
 
@@ -202,5 +258,7 @@ impl<'a, 'c> Changes<'a, 'c> {
 fn gives(item: &Arc<Item>, name: &str) -> bool {
     let facts = facts_of(item);
     facts.of(FactKind::Include).next().is_some()
-        || facts.of(FactKind::Property).any(|fact| fact.name == name || fact.name.contains('$'))
+        || facts
+            .of(FactKind::Property)
+            .any(|fact| fact.name == name || fact.name.contains('$'))
 }

@@ -18,10 +18,18 @@ use xml::{Node, NodeKind};
 pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let (id, range) = cx.symbol_at(at.offset)?;
     let definition = cx.expansion.symbols.get(id)?;
-    Some((range, definition_page(cx, id, definition, values_here(cx, at))))
+    Some((
+        range,
+        definition_page(cx, id, definition, values_here(cx, at)),
+    ))
 }
 
-fn definition_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<Instance>) -> Page {
+fn definition_page(
+    cx: &Cx<'_>,
+    id: DefinitionId,
+    definition: &Definition,
+    here: Vec<Instance>,
+) -> Page {
     match definition.kind {
         SymbolKind::Macro => macro_page(cx, id, definition),
         SymbolKind::Parameter | SymbolKind::Argument | SymbolKind::Property => {
@@ -45,7 +53,8 @@ pub(super) fn by_text(
         [given] => match evaluated(cx, given) {
             Some(page) => page,
             None => {
-                let mut page = Page::titled(format!("**{}** {}", noun(given.kind), code(&given.name)));
+                let mut page =
+                    Page::titled(format!("**{}** {}", noun(given.kind), code(&given.name)));
                 page.add("not evaluated with these arguments");
                 page.add(format!("defined in {}", place_of(world, given)));
                 page
@@ -76,8 +85,17 @@ fn evaluated(cx: &Cx<'_>, given: &Given) -> Option<Page> {
 fn place_of(world: Surroundings<'_>, given: &Given) -> String {
     let path = world.vfs.path(given.span.file);
     let document = world.vfs.document(&path).ok();
-    let line = document.map(|file| file.document.line_col(given.span.range.start, Encoding::Utf8).line + 1);
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let line = document.map(|file| {
+        file.document
+            .line_col(given.span.range.start, Encoding::Utf8)
+            .line
+            + 1
+    });
+    let name = path
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
     code(&format!("{name}:{}", line.unwrap_or(1)))
 }
 
@@ -95,7 +113,11 @@ fn noun(kind: SymbolKind) -> &'static str {
 /// Something of a name that no evaluation came by.
 pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
     let valued = |kind| matches!(kind, SymbolKind::Property | SymbolKind::Parameter);
-    let mut named = cx.expansion.symbols.iter().filter(|(_, given)| given.name == name && valued(given.kind));
+    let mut named = cx
+        .expansion
+        .symbols
+        .iter()
+        .filter(|(_, given)| given.name == name && valued(given.kind));
     let (id, definition) = named.next()?;
     if named.next().is_some() {
         return None;
@@ -142,18 +164,26 @@ fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<
     } else if is_idle(cx, definition, &different) {
         page.add("the macro is never called, so it has no value");
     } else if !is_constant {
-        value_lines(cx, values).into_iter().for_each(|line| page.add(line));
+        value_lines(cx, values)
+            .into_iter()
+            .for_each(|line| page.add(line));
     }
     if let Some(default) = default_of(cx, id, definition) {
         page.add(format!("default {}", code(&default)));
     }
     if definition.kind == SymbolKind::Parameter {
-        let all: Vec<String> =
-            distinct(given.iter().map(|instance| &instance.value)).into_iter().take(4).map(shown).collect();
+        let all: Vec<String> = distinct(given.iter().map(|instance| &instance.value))
+            .into_iter()
+            .take(4)
+            .map(shown)
+            .collect();
         if all.len() > 1 && !here.is_empty() {
             let more = if all.len() > 3 { ", …" } else { "" };
             let listed = all.iter().take(3).cloned().collect::<Vec<_>>().join(", ");
-            page.add(format!("over {}: {listed}{more}", count(given.len(), "call")));
+            page.add(format!(
+                "over {}: {listed}{more}",
+                count(given.len(), "call")
+            ));
         }
     }
     page.add(origin_line(cx, id, definition));
@@ -171,16 +201,29 @@ fn is_idle(cx: &Cx<'_>, definition: &Definition, values: &[&Value]) -> bool {
 
 /// The values that a definition was given, with the calls that gave them.
 fn bound(cx: &Cx<'_>, id: DefinitionId) -> Vec<Instance> {
-    let bindings = cx.expansion.bindings.iter().filter(|info| info.definition == Some(id));
+    let bindings = cx
+        .expansion
+        .bindings
+        .iter()
+        .filter(|info| info.definition == Some(id));
     let values = bindings.filter_map(|info| {
-        let frame = info.origin.map_or(expand::FrameId::ROOT, |origin| origin.frame);
-        Some(Instance { frame, value: info.value.clone()? })
+        let frame = info
+            .origin
+            .map_or(expand::FrameId::ROOT, |origin| origin.frame);
+        Some(Instance {
+            frame,
+            value: info.value.clone()?,
+        })
     });
     values.collect()
 }
 
 fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String {
-    let uses = cx.expansion.symbols.all_uses().filter(|used| used.definition == id);
+    let uses = cx
+        .expansion
+        .symbols
+        .all_uses()
+        .filter(|used| used.definition == id);
     let uses = uses.filter(|used| used.kind != UseKind::Given).count();
     let at = expand::Origin {
         src: definition.place.src,
@@ -189,7 +232,9 @@ fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String
     };
     let place = place_name(cx, at).unwrap_or_default();
     let of = definition.of.and_then(|of| cx.expansion.symbols.get(of));
-    let of = of.map(|of| format!("of macro {}, ", code(&of.name))).unwrap_or_default();
+    let of = of
+        .map(|of| format!("of macro {}, ", code(&of.name)))
+        .unwrap_or_default();
     format!("{of}defined in {place}, used {}", count(uses, "time"))
 }
 
@@ -199,18 +244,28 @@ fn default_of(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<
         SymbolKind::Argument => Some(element(cx.expansion, id)?.attr("default")?.raw().to_owned()),
         SymbolKind::Parameter => {
             let spec = parameter_spec(cx, id, definition)?;
-            Some(spec.split_once(":=").or_else(|| spec.split_once('='))?.1.to_owned())
+            Some(
+                spec.split_once(":=")
+                    .or_else(|| spec.split_once('='))?
+                    .1
+                    .to_owned(),
+            )
         }
         _ => None,
     }
 }
 
 /// The default of an argument, and the comment above its declaration, where it is declared.
-pub fn declared_argument(expansion: &Expansion, name: &str) -> Option<(Option<String>, Option<String>)> {
+pub fn declared_argument(
+    expansion: &Expansion,
+    name: &str,
+) -> Option<(Option<String>, Option<String>)> {
     let own = |given: &Definition| given.kind == SymbolKind::Argument && given.name == name;
     let (id, _) = expansion.symbols.iter().find(|(_, given)| own(given))?;
     let element = element(expansion, id)?;
-    let default = element.attr("default").map(|default| default.raw().to_owned());
+    let default = element
+        .attr("default")
+        .map(|default| default.raw().to_owned());
     let comment = crate::completion::comment_above(element);
     Some((default, Some(comment).filter(|comment| !comment.is_empty())))
 }
@@ -219,7 +274,11 @@ pub fn declared_argument(expansion: &Expansion, name: &str) -> Option<(Option<St
 fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<String> {
     let element = element(cx.expansion, id)?;
     let attr = element.attr("params")?;
-    let start = definition.place.range.start.checked_sub(attr.value_range().start)?;
+    let start = definition
+        .place
+        .range
+        .start
+        .checked_sub(attr.value_range().start)?;
     let text = attr.raw();
     // up to the parameter behind it
     let next = cx.expansion.symbols.definitions.iter().filter(|other| {
@@ -227,9 +286,14 @@ fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Opt
             && other.place.src == definition.place.src
             && other.place.range.start > definition.place.range.start
     });
-    let end = next.map(|other| other.place.range.start - attr.value_range().start).min();
+    let end = next
+        .map(|other| other.place.range.start - attr.value_range().start)
+        .min();
     let spec = text.get(start as usize..end.unwrap_or(text.len() as u32) as usize)?;
-    Some(spec.trim_end_matches(|c: char| c.is_whitespace() || c == '*').to_owned())
+    Some(
+        spec.trim_end_matches(|c: char| c.is_whitespace() || c == '*')
+            .to_owned(),
+    )
 }
 
 /// The element that gives a definition.
@@ -256,22 +320,38 @@ pub fn comment_above(cx: &Cx<'_>, id: DefinitionId) -> Option<String> {
         match node.kind() {
             NodeKind::Comment => comments.push(*node),
             // an empty line, or something on the line of the comment, parts it from what follows
-            NodeKind::Text if node.raw().matches('\n').count() < 2 && node.raw().trim().is_empty() => {}
+            NodeKind::Text
+                if node.raw().matches('\n').count() < 2 && node.raw().trim().is_empty() => {}
             _ => comments.clear(),
         }
     }
-    let text: Vec<&str> = comments.iter().map(|comment| comment.raw().trim()).collect();
+    let text: Vec<&str> = comments
+        .iter()
+        .map(|comment| comment.raw().trim())
+        .collect();
     let text = text.join("\n");
-    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty()).take(MOST_LINES);
+    let lines = text
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty())
+        .take(MOST_LINES);
     let lines: Vec<String> = lines.map(plain).collect();
     (!lines.is_empty()).then(|| lines.join("  \n"))
 }
 
 fn macro_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
-    let parameters = cx.expansion.symbols.iter().filter(|(_, given)| given.of == Some(id));
+    let parameters = cx
+        .expansion
+        .symbols
+        .iter()
+        .filter(|(_, given)| given.of == Some(id));
     let mut signature = Vec::new();
     for (parameter, given) in parameters {
-        let star = if given.kind == SymbolKind::BlockParameter { "*" } else { "" };
+        let star = if given.kind == SymbolKind::BlockParameter {
+            "*"
+        } else {
+            ""
+        };
         let spec = parameter_spec(cx, parameter, given).unwrap_or_else(|| given.name.to_string());
         signature.push(format!("{star}{spec}"));
     }
@@ -287,19 +367,30 @@ fn macro_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
 
 /// What one call of a macro makes: `1 link, 1 joint`.
 fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
-    let Some(robot) = cx.robot else { return String::new() };
+    let Some(robot) = cx.robot else {
+        return String::new();
+    };
     let of_macro = |frame: &expand::Frame| {
         frame.kind == FrameKind::Macro
-            && frame.definition.is_some_and(|at| expand::SourceRange::from(at) == definition.place)
+            && frame
+                .definition
+                .is_some_and(|at| expand::SourceRange::from(at) == definition.place)
     };
-    let calls: FastSet<u32> =
-        (0..).zip(&cx.expansion.frames).filter(|(_, f)| of_macro(f)).map(|(i, _)| i).collect();
+    let calls: FastSet<u32> = (0..)
+        .zip(&cx.expansion.frames)
+        .filter(|(_, f)| of_macro(f))
+        .map(|(i, _)| i)
+        .collect();
     if calls.is_empty() {
         return "never called".to_owned();
     }
     let tree = &cx.expansion.tree;
     let made = |element: expand::XId| {
-        cx.expansion.frames_of(tree.get(element).origin).filter(|frame| of_macro(frame)).count().min(1)
+        cx.expansion
+            .frames_of(tree.get(element).origin)
+            .filter(|frame| of_macro(frame))
+            .count()
+            .min(1)
     };
     let links: usize = robot.links.iter().map(|link| made(link.element)).sum();
     let joints: usize = robot.joints.iter().map(|joint| made(joint.element)).sum();

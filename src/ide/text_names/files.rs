@@ -25,7 +25,11 @@ impl<'a> Files<'a> {
                 known.push(file);
             }
         }
-        Self { world, expansion, taken }
+        Self {
+            world,
+            expansion,
+            taken,
+        }
     }
 
     /// The file that the expansion begins with.
@@ -36,16 +40,30 @@ impl<'a> Files<'a> {
     /// The files that an include with a computed name may bring in with other arguments.
     pub fn alternatives(&self, from: &SourceFile, filename: &str) -> Vec<Arc<SourceFile>> {
         let paths = admitted_files(filename, &from.path, self.world.packages, self.world.vfs);
-        paths.iter().filter_map(|path| self.world.vfs.document(path).ok()).collect()
+        paths
+            .iter()
+            .filter_map(|path| self.world.vfs.document(path).ok())
+            .collect()
     }
 
     /// What the include whose tag stands at `tag` of a file brings in.
     pub fn of(&self, from: &SourceFile, tag: Span, filename: &str) -> Vec<Arc<SourceFile>> {
         if let Some(known) = self.taken.get(&(tag.file, tag.range.start)) {
-            let source = |id: &FileId| self.expansion.files.iter().find(|file| file.source.id == *id);
-            return known.iter().filter_map(source).map(|file| file.source.clone()).collect();
+            let source = |id: &FileId| {
+                self.expansion
+                    .files
+                    .iter()
+                    .find(|file| file.source.id == *id)
+            };
+            return known
+                .iter()
+                .filter_map(source)
+                .map(|file| file.source.clone())
+                .collect();
         }
         let path = named_file(filename, &from.path, self.world.packages, self.world.vfs);
-        path.and_then(|path| self.world.vfs.document(&path).ok()).into_iter().collect()
+        path.and_then(|path| self.world.vfs.document(&path).ok())
+            .into_iter()
+            .collect()
     }
 }

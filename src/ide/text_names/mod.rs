@@ -94,7 +94,11 @@ struct Used {
 impl Used {
     /// Where and when it is evaluated, as far as its text says.
     fn seen(&self) -> Seen {
-        Seen { file: self.span.file, guard: self.guard, order: self.order }
+        Seen {
+            file: self.span.file,
+            guard: self.guard,
+            order: self.order,
+        }
     }
 
     /// Of a call: the name of the macro with its namespaces.
@@ -209,17 +213,28 @@ impl TextNames {
         if let Some(given) = self.given.iter().find(|given| here(given.span)) {
             return Some((given.span, Meaning::One(given)));
         }
-        let used =
-            self.used.iter().filter(|used| here(used.span)).min_by_key(|used| used.span.range.len())?;
+        let used = self
+            .used
+            .iter()
+            .filter(|used| here(used.span))
+            .min_by_key(|used| used.span.range.len())?;
         Some((used.span, self.meaning(used)))
     }
 
     /// The texts that use one of these definitions, or may do so.
     pub fn uses_of(&self, definitions: &[Span]) -> Vec<Span> {
-        let names: Vec<_> = self.given.iter().filter(|given| definitions.contains(&given.span)).collect();
+        let names: Vec<_> = self
+            .given
+            .iter()
+            .filter(|given| definitions.contains(&given.span))
+            .collect();
         let named = |used: &&Used| names.iter().any(|given| given.name == used.name);
-        let is_it =
-            |used: &&Used| self.meaning(used).all().iter().any(|given| definitions.contains(&given.span));
+        let is_it = |used: &&Used| {
+            self.meaning(used)
+                .all()
+                .iter()
+                .any(|given| definitions.contains(&given.span))
+        };
         self.used
             .iter()
             .filter(|used| !used.is_end)

@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use ecow::EcoString;
 
-use super::{Class, Given, Guard, Meaning, NameText, Reading, Scope, ScopeId, Seen, TextNames, Used};
+use super::{
+    Class, Given, Guard, Meaning, NameText, Reading, Scope, ScopeId, Seen, TextNames, Used,
+};
 use base::{FastMap, FastSet, Span};
 use expand::{SymbolKind, UseKind};
 
@@ -13,7 +15,10 @@ impl TextNames {
     pub(super) fn meaning(&self, used: &Used) -> Meaning<'_> {
         let mut found = self.candidates(used, Some(used.order));
         found = self.latest(used, found);
-        let mut given: Vec<&Given> = found.iter().filter_map(|&id| self.given.get(id as usize)).collect();
+        let mut given: Vec<&Given> = found
+            .iter()
+            .filter_map(|&id| self.given.get(id as usize))
+            .collect();
         match (given.len(), given.pop()) {
             (1, Some(one)) => Meaning::One(one),
             (_, Some(last)) => Meaning::OneOf(given.into_iter().chain([last]).collect()),
@@ -31,18 +36,27 @@ impl TextNames {
     fn among(&self, named: &[u32], used: &Used, order: Option<u32>) -> BTreeSet<u32> {
         let given = |id: &u32| self.given.get(*id as usize);
         if used.kind == UseKind::Given {
-            let mut macros: BTreeSet<u32> = self.macros(&used.of, &used.scopes).into_iter().collect();
+            let mut macros: BTreeSet<u32> =
+                self.macros(&used.of, &used.scopes).into_iter().collect();
             if order.is_some() {
                 macros = self.at_that_time(used, macros);
             }
             let is_it = |given: &Given| {
-                given.kind == SymbolKind::Parameter && given.of.is_some_and(|of| macros.contains(&of))
+                given.kind == SymbolKind::Parameter
+                    && given.of.is_some_and(|of| macros.contains(&of))
             };
-            return named.iter().copied().filter(|id| given(id).is_some_and(is_it)).collect();
+            return named
+                .iter()
+                .copied()
+                .filter(|id| given(id).is_some_and(is_it))
+                .collect();
         }
         match used.class {
             Class::Argument => named.iter().copied().collect(),
-            Class::Macro => self.called(named, &used.of, &used.scopes).into_iter().collect(),
+            Class::Macro => self
+                .called(named, &used.of, &used.scopes)
+                .into_iter()
+                .collect(),
             _ if !used.of.is_empty() => self.members(named, used).into_iter().collect(),
             _ => {
                 let (mut seen, mut found) = (FastSet::default(), BTreeSet::new());
@@ -56,7 +70,9 @@ impl TextNames {
     }
 
     fn named(&self, class: Class, name: &EcoString) -> &[u32] {
-        self.by_name.get(&(class, name.clone())).map_or(&[], Vec::as_slice)
+        self.by_name
+            .get(&(class, name.clone()))
+            .map_or(&[], Vec::as_slice)
     }
 
     /// The ones of these definitions that can be seen from a scope.
@@ -73,12 +89,17 @@ impl TextNames {
         }
         let mut is_hidden = false;
         for &id in named {
-            let Some(given) = self.given.get(id as usize).filter(|given| self.reaches(given, scope)) else {
+            let Some(given) = self
+                .given
+                .get(id as usize)
+                .filter(|given| self.reaches(given, scope))
+            else {
                 continue;
             };
             found.insert(id);
-            is_hidden |=
-                self.is_sure(given, at) && !given.handed_out && order.is_none_or(|order| given.order < order);
+            is_hidden |= self.is_sure(given, at)
+                && !given.handed_out
+                && order.is_none_or(|order| given.order < order);
         }
         if !is_hidden {
             let outer = self.around(scope).into_iter();
@@ -91,7 +112,10 @@ impl TextNames {
         if !given.handed_out {
             return given.scopes.contains(&scope);
         }
-        given.scopes.iter().any(|&own| self.around(own).contains(&scope))
+        given
+            .scopes
+            .iter()
+            .any(|&own| self.around(own).contains(&scope))
     }
 
     /// The scopes that a scope sees.
@@ -101,7 +125,11 @@ impl TextNames {
             Some(Scope::Body(of) | Scope::Callers(of)) => match self.entered_from.get(&scope) {
                 Some(from) => from.clone(),
                 // nobody comes by: where it is defined
-                None => self.given.get(*of as usize).map(|given| given.scopes.clone()).unwrap_or_default(),
+                None => self
+                    .given
+                    .get(*of as usize)
+                    .map(|given| given.scopes.clone())
+                    .unwrap_or_default(),
             },
             Some(Scope::Top) | None => Vec::new(),
         }
@@ -114,7 +142,10 @@ impl TextNames {
         let is_sure = |id: &u32| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
         if used.class == Class::Argument {
             // the first one counts; macros are called later
-            let outside = found.iter().copied().find(|id| given(id).is_some_and(|given| !given.is_in_body));
+            let outside = found
+                .iter()
+                .copied()
+                .find(|id| given(id).is_some_and(|given| !given.is_in_body));
             return match outside.filter(is_sure) {
                 Some(first) => BTreeSet::from([first]),
                 None => found,
@@ -123,23 +154,31 @@ impl TextNames {
         if used.class == Class::Macro {
             return self.at_that_time(used, found);
         }
-        let own =
-            |given: &Given| !given.handed_out && given.scopes == used.scopes && given.order < used.order;
+        let own = |given: &Given| {
+            !given.handed_out && given.scopes == used.scopes && given.order < used.order
+        };
         let is_own = |id: &u32| given(id).is_some_and(own);
         if used.is_lazy || !found.iter().any(is_own) {
             return found;
         }
         let before: BTreeSet<u32> = found.iter().copied().filter(is_own).collect();
         let sure = before.iter().filter(|id| is_sure(id));
-        let last = sure.max_by_key(|id| given(id).map(|given| given.order)).copied();
-        let since = last.and_then(|id| given(&id)).map_or(0, |given| given.order);
-        let later =
-            |id: &u32| given(id).is_some_and(|given| given.order >= since && given.order < used.order);
+        let last = sure
+            .max_by_key(|id| given(id).map(|given| given.order))
+            .copied();
+        let since = last
+            .and_then(|id| given(&id))
+            .map_or(0, |given| given.order);
+        let later = |id: &u32| {
+            given(id).is_some_and(|given| given.order >= since && given.order < used.order)
+        };
         match last {
             Some(_) => found.into_iter().filter(later).filter(is_own).collect(),
             None => found
                 .into_iter()
-                .filter(|id| given(id).is_none_or(|given| given.scopes != used.scopes) || is_own(id))
+                .filter(|id| {
+                    given(id).is_none_or(|given| given.scopes != used.scopes) || is_own(id)
+                })
                 .collect(),
         }
     }
@@ -152,7 +191,11 @@ impl TextNames {
         let own = given.span.file;
         let Some(readings) = self.readings.get(&own) else {
             // of a file that is read at several places, no condition around those is sure
-            let guard = if self.readings.contains_key(&at.file) { Guard::default() } else { at.guard };
+            let guard = if self.readings.contains_key(&at.file) {
+                Guard::default()
+            } else {
+                at.guard
+            };
             return self.is_within(guard, given.guard);
         };
         if at.file == own {
@@ -164,7 +207,8 @@ impl TextNames {
         };
         let is_outside = given.guard == first.guard;
         let one_scope = readings.iter().all(|reading| reading.scope == first.scope);
-        let is_read = |reading: &Reading| reading.order < at.order && self.is_within(at.guard, reading.guard);
+        let is_read =
+            |reading: &Reading| reading.order < at.order && self.is_within(at.guard, reading.guard);
         is_outside && one_scope && readings.iter().any(is_read)
     }
 
@@ -188,27 +232,44 @@ impl TextNames {
 
     /// The ones of some macros that a call in these scopes reaches, with `path` in front of their name.
     fn called(&self, named: &[u32], path: &str, scopes: &[ScopeId]) -> Vec<u32> {
-        let wanted: Vec<EcoString> =
-            scopes.iter().map(|&scope| joined(&self.namespace(scope), path)).collect();
+        let wanted: Vec<EcoString> = scopes
+            .iter()
+            .map(|&scope| joined(&self.namespace(scope), path))
+            .collect();
         let is_it = |id: &&u32| {
             let given = self.given.get(**id as usize);
-            given.is_some_and(|given| given.scopes.iter().any(|&own| wanted.contains(&self.namespace(own))))
+            given.is_some_and(|given| {
+                given
+                    .scopes
+                    .iter()
+                    .any(|&own| wanted.contains(&self.namespace(own)))
+            })
         };
         let found: Vec<u32> = named.iter().filter(is_it).copied().collect();
         // a body may be called from a namespace that its text knows nothing of
-        if found.is_empty() && path.is_empty() { named.to_vec() } else { found }
+        if found.is_empty() && path.is_empty() {
+            named.to_vec()
+        } else {
+            found
+        }
     }
 
     /// The ones of some definitions that `ns.name` means: those of the include into `ns`.
     fn members(&self, named: &[u32], used: &Used) -> Vec<u32> {
-        let inner = used.scopes.iter().map(|&scope| joined(&self.namespace(scope), &used.of));
+        let inner = used
+            .scopes
+            .iter()
+            .map(|&scope| joined(&self.namespace(scope), &used.of));
         let paths: Vec<EcoString> = inner.chain([used.of.clone()]).collect();
         let in_it = |scope: &ScopeId| {
             let scope = self.scopes.get(scope.0 as usize);
             matches!(scope, Some(Scope::Namespace(path, _)) if paths.contains(path))
         };
-        let is_it =
-            |id: &&u32| self.given.get(**id as usize).is_some_and(|given| given.scopes.iter().any(in_it));
+        let is_it = |id: &&u32| {
+            self.given
+                .get(**id as usize)
+                .is_some_and(|given| given.scopes.iter().any(in_it))
+        };
         named.iter().filter(is_it).copied().collect()
     }
 
@@ -219,7 +280,10 @@ impl TextNames {
             match scope.and_then(|scope| self.scopes.get(scope.0 as usize)) {
                 Some(Scope::Namespace(path, _)) => return path.clone(),
                 Some(Scope::Body(of) | Scope::Callers(of)) => {
-                    scope = self.given.get(*of as usize).and_then(|given| given.scopes.first().copied());
+                    scope = self
+                        .given
+                        .get(*of as usize)
+                        .and_then(|given| given.scopes.first().copied());
                 }
                 Some(Scope::Top) | None => break,
             }
@@ -242,17 +306,36 @@ impl TextNames {
                 groups.join(used.span, id);
             }
         }
-        let wanted: FastSet<u32> = places.iter().filter_map(|place| groups.of_place(*place)).collect();
-        let is_in = |span: Span| groups.of_place(span).is_some_and(|group| wanted.contains(&group));
+        let wanted: FastSet<u32> = places
+            .iter()
+            .filter_map(|place| groups.of_place(*place))
+            .collect();
+        let is_in = |span: Span| {
+            groups
+                .of_place(span)
+                .is_some_and(|group| wanted.contains(&group))
+        };
         let mut found = Vec::new();
-        for given in self.given.iter().filter(|given| names.contains(&given.name)) {
+        for given in self
+            .given
+            .iter()
+            .filter(|given| names.contains(&given.name))
+        {
             if is_in(given.span) {
-                found.push(NameText { span: given.span, is_definition: true, is_end: false });
+                found.push(NameText {
+                    span: given.span,
+                    is_definition: true,
+                    is_end: false,
+                });
             }
         }
         for used in self.used.iter().filter(|used| names.contains(&used.name)) {
             if is_in(used.span) && !found.iter().any(|known| known.span == used.span) {
-                found.push(NameText { span: used.span, is_definition: false, is_end: used.is_end });
+                found.push(NameText {
+                    span: used.span,
+                    is_definition: false,
+                    is_end: used.is_end,
+                });
             }
         }
         found
@@ -262,8 +345,11 @@ impl TextNames {
     pub fn clash(&self, places: &[Span], new: &str) -> Option<Span> {
         let new: EcoString = new.into();
         let is_own = |span: &Span| places.contains(span);
-        let group: Vec<u32> =
-            (0..).zip(&self.given).filter(|(_, given)| is_own(&given.span)).map(|(id, _)| id).collect();
+        let group: Vec<u32> = (0..)
+            .zip(&self.given)
+            .filter(|(_, given)| is_own(&given.span))
+            .map(|(id, _)| id)
+            .collect();
         let class = Class::of(self.given.get(*group.first()? as usize)?.kind);
         let others = self.named(class, &new);
         let both: Vec<u32> = group.iter().chain(others).copied().collect();
@@ -280,9 +366,16 @@ impl TextNames {
     }
 
     fn names_at(&self, places: &[Span]) -> FastSet<EcoString> {
-        let given =
-            self.given.iter().filter(|given| places.contains(&given.span)).map(|given| given.name.clone());
-        let used = self.used.iter().filter(|used| places.contains(&used.span)).map(|used| used.name.clone());
+        let given = self
+            .given
+            .iter()
+            .filter(|given| places.contains(&given.span))
+            .map(|given| given.name.clone());
+        let used = self
+            .used
+            .iter()
+            .filter(|used| places.contains(&used.span))
+            .map(|used| used.name.clone());
         given.chain(used).collect()
     }
 }

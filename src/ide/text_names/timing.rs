@@ -30,10 +30,18 @@ impl TextNames {
         let (first, last) = self.time(used.order, &used.scopes);
         let before = |id: &u32, time: u32| given(id).is_some_and(|given| given.order < time);
         let sure = found.iter().filter(|id| before(id, first));
-        let at = Seen { order: first, ..used.seen() };
+        let at = Seen {
+            order: first,
+            ..used.seen()
+        };
         let sure = sure.filter(|id| given(id).is_some_and(|given| self.is_sure(given, at)));
-        let Some(since) = sure.filter_map(|id| Some(given(id)?.order)).max() else { return found };
-        found.into_iter().filter(|id| before(id, last) && !before(id, since)).collect()
+        let Some(since) = sure.filter_map(|id| Some(given(id)?.order)).max() else {
+            return found;
+        };
+        found
+            .into_iter()
+            .filter(|id| before(id, last) && !before(id, since))
+            .collect()
     }
 
     /// Of macros with one name, those that the body around a use, or the bodies that call it, define in front of it: from the last one
@@ -46,24 +54,34 @@ impl TextNames {
         left: &mut u32,
     ) -> Option<BTreeSet<u32>> {
         let given = |id: &u32| self.given.get(*id as usize);
-        let is_own =
-            |given: &Given| given.is_in_body && given.scopes == used.scopes && given.order < used.order;
+        let is_own = |given: &Given| {
+            given.is_in_body && given.scopes == used.scopes && given.order < used.order
+        };
         let own = found.iter().filter_map(given).filter(|given| is_own(given));
-        let since = own.filter(|given| self.is_sure(given, used.seen())).map(|given| given.order).max();
+        let since = own
+            .filter(|given| self.is_sure(given, used.seen()))
+            .map(|given| given.order)
+            .max();
         let mut counting = match since {
             Some(_) => BTreeSet::new(),
             None => self.defined_by_callers(used, found, left)?,
         };
         let since = since.unwrap_or(0);
         let is_called = |scope: &ScopeId| {
-            self.macro_of(*scope)
-                .is_some_and(|of| self.is_called_between((since, used), of, &mut FastSet::default()))
+            self.macro_of(*scope).is_some_and(|of| {
+                self.is_called_between((since, used), of, &mut FastSet::default())
+            })
         };
         let counts = |given: &Given| match is_own(given) {
             true => given.order >= since,
             false => given.scopes.iter().any(is_called),
         };
-        counting.extend(found.iter().copied().filter(|id| given(id).is_some_and(counts)));
+        counting.extend(
+            found
+                .iter()
+                .copied()
+                .filter(|id| given(id).is_some_and(counts)),
+        );
         Some(counting)
     }
 
@@ -73,8 +91,12 @@ impl TextNames {
         if !seen.insert(of) {
             return false;
         }
-        let mut calls =
-            self.calls_of.get(&of).into_iter().flatten().filter_map(|&id| self.used.get(id as usize));
+        let mut calls = self
+            .calls_of
+            .get(&of)
+            .into_iter()
+            .flatten()
+            .filter_map(|&id| self.used.get(id as usize));
         calls.any(|call| {
             let is_there = call.scopes == used.scopes && (since..used.order).contains(&call.order);
             let mut around = call.scopes.iter().filter_map(|&scope| self.macro_of(scope));
@@ -121,7 +143,11 @@ impl TextNames {
             let time = of.map_or(Some((order, order)), |of| self.called_at.get(of).copied());
             found = wider(found, time.unwrap_or(NEVER));
         }
-        if found == NEVER { (order, u32::MAX) } else { found }
+        if found == NEVER {
+            (order, u32::MAX)
+        } else {
+            found
+        }
     }
 
     /// Work out when macros are called, of which the calls are known.
@@ -131,8 +157,12 @@ impl TextNames {
         for _ in 0..MOST_CALLS {
             let mut found: FastMap<u32, (u32, u32)> = FastMap::default();
             for of in &macros {
-                let own =
-                    self.calls_of.get(of).into_iter().flatten().filter_map(|id| self.used.get(*id as usize));
+                let own = self
+                    .calls_of
+                    .get(of)
+                    .into_iter()
+                    .flatten()
+                    .filter_map(|id| self.used.get(*id as usize));
                 let times = own.map(|used| self.time(used.order, &used.scopes));
                 found.insert(*of, times.fold(NEVER, wider));
             }

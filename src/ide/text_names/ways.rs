@@ -26,7 +26,10 @@ impl TextNames {
             }
             let document = documents(at.file)?;
             let around = conditions(&document.document, at.range).into_iter();
-            found.extend(around.map(|range| Span { file: at.file, range }));
+            found.extend(around.map(|range| Span {
+                file: at.file,
+                range,
+            }));
             match self.macro_around(at) {
                 Some((id, whole)) => at = self.call_of(documents, id, whole)?,
                 None if at.file == root => {
@@ -43,22 +46,33 @@ impl TextNames {
     /// The innermost macro that a text stands in, with its element.
     fn macro_around(&self, at: Span) -> Option<(u32, Span)> {
         let holds = |whole: Span| {
-            whole.file == at.file && whole.range.start < at.range.start && at.range.end <= whole.range.end
+            whole.file == at.file
+                && whole.range.start < at.range.start
+                && at.range.end <= whole.range.end
         };
-        let macros = (0..).zip(&self.given).filter(|(_, given)| given.kind == SymbolKind::Macro);
-        let around = macros.filter(|(_, given)| holds(given.whole)).map(|(id, given)| (id, given.whole));
+        let macros = (0..)
+            .zip(&self.given)
+            .filter(|(_, given)| given.kind == SymbolKind::Macro);
+        let around = macros
+            .filter(|(_, given)| holds(given.whole))
+            .map(|(id, given)| (id, given.whole));
         around.min_by_key(|(_, whole)| whole.range.len())
     }
 
     /// The call of a macro that the fewest conditions stand around.
     fn call_of(&self, documents: Documents<'_>, of: u32, whole: Span) -> Option<Span> {
         let name = &self.given.get(of as usize)?.name;
-        let is_outside = |span: Span| span.file != whole.file || !whole.range.contains_range(span.range);
-        let calls = self.used.iter().filter(|used| used.class == Class::Macro && !used.is_end);
+        let is_outside =
+            |span: Span| span.file != whole.file || !whole.range.contains_range(span.range);
+        let calls = self
+            .used
+            .iter()
+            .filter(|used| used.class == Class::Macro && !used.is_end);
         let calls = calls.filter(|used| used.name == *name && is_outside(used.span));
         let calls = calls.filter(|used| self.macros(&used.called(), &used.scopes).contains(&of));
-        let around =
-            |span: Span| documents(span.file).map_or(0, |file| conditions(&file.document, span.range).len());
+        let around = |span: Span| {
+            documents(span.file).map_or(0, |file| conditions(&file.document, span.range).len())
+        };
         calls.map(|used| used.span).min_by_key(|span| around(*span))
     }
 }
@@ -73,26 +87,45 @@ fn conditions(document: &Document, range: TextRange) -> Vec<TextRange> {
     let around = place.item.all_nodes().filter(holds);
     let around = around.filter(|node| matches!(node.name(), "xacro:if" | "xacro:unless"));
     // what decides a condition is evaluated whether it is taken or not
-    let around = around.filter(|node| !node.start_tag_range().shift(place.start).contains_range(range));
+    let around = around.filter(|node| {
+        !node
+            .start_tag_range()
+            .shift(place.start)
+            .contains_range(range)
+    });
     around.map(|node| node.range().shift(place.start)).collect()
 }
 
 /// Values of attributes that hold a text and stand elsewhere than at the known places.
-pub fn further_places(names: &TextNames, documents: Documents<'_>, text: &str, known: &[Span]) -> Vec<Span> {
+pub fn further_places(
+    names: &TextNames,
+    documents: Documents<'_>,
+    text: &str,
+    known: &[Span],
+) -> Vec<Span> {
     let mut files: Vec<FileId> = names.files.iter().copied().collect();
     files.sort_unstable();
     let mut found = Vec::new();
     for file in files {
-        let Some(source) = documents(file) else { continue };
+        let Some(source) = documents(file) else {
+            continue;
+        };
         for (base, item) in source.document.parts() {
             if !item.text().contains(text) {
                 continue;
             }
-            let attrs =
-                item.all_nodes().flat_map(|node| node.attrs()).filter(|attr| attr.raw().contains(text));
-            let spans = attrs.map(|attr| Span { file, range: attr.value_range().shift(base) });
+            let attrs = item
+                .all_nodes()
+                .flat_map(|node| node.attrs())
+                .filter(|attr| attr.raw().contains(text));
+            let spans = attrs.map(|attr| Span {
+                file,
+                range: attr.value_range().shift(base),
+            });
             let is_known = |span: &Span| {
-                known.iter().any(|known| known.file == file && span.range.contains_range(known.range))
+                known
+                    .iter()
+                    .any(|known| known.file == file && span.range.contains_range(known.range))
             };
             found.extend(spans.filter(|span| !is_known(span)));
         }

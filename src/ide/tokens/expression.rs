@@ -39,14 +39,22 @@ impl Collector<'_> {
                     let nested = match code {
                         Code::Dynamic(nested) => {
                             self.tokens_of(site, nested);
-                            nested.tokens.iter().filter(|token| !matches!(token, Token::Text(_))).collect()
+                            nested
+                                .tokens
+                                .iter()
+                                .filter(|token| !matches!(token, Token::Text(_)))
+                                .collect()
                         }
                         Code::Static(_) => Vec::new(),
                     };
                     let holes: Vec<TextRange> = nested.into_iter().map(Token::range).collect();
                     self.words(site, *inner, &holes, false);
                 }
-                Token::Subst { range, inner, nested } => {
+                Token::Subst {
+                    range,
+                    inner,
+                    nested,
+                } => {
                     self.brackets(site, *range, *inner);
                     match nested {
                         Some(nested) => self.tokens_of(site, nested),
@@ -54,7 +62,10 @@ impl Collector<'_> {
                     }
                 }
                 // half-typed: what stands behind `${` is an expression all the same
-                Token::Invalid { range, unclosed: Some("${") } => {
+                Token::Invalid {
+                    range,
+                    unclosed: Some("${"),
+                } => {
                     self.words(site, TextRange::new(range.start + 2, range.end), &[], false);
                 }
                 _ => {}
@@ -63,14 +74,20 @@ impl Collector<'_> {
     }
 
     fn brackets(&mut self, site: &Site<'_, '_>, range: TextRange, inner: TextRange) {
-        for bracket in [TextRange::new(range.start, inner.start), TextRange::new(inner.end, range.end)] {
+        for bracket in [
+            TextRange::new(range.start, inner.start),
+            TextRange::new(inner.end, range.end),
+        ] {
             self.add(site.text.range(bracket), TokenKind::Operator, PLAIN);
         }
     }
 
     fn substitution(&mut self, site: &Site<'_, '_>, inner: TextRange) {
         let source = inner.slice(&site.text.text);
-        let command = source.split(' ').find(|word| !word.is_empty()).unwrap_or("");
+        let command = source
+            .split(' ')
+            .find(|word| !word.is_empty())
+            .unwrap_or("");
         let start = inner.start + source.find(command).unwrap_or(0) as u32;
         let range = TextRange::new(start, start + command.len() as u32);
         self.add(site.text.range(range), TokenKind::Keyword, PLAIN);
@@ -105,7 +122,9 @@ impl Collector<'_> {
                     }
                 }
                 WordKind::Name => self.names.named(text(i), site.text.range(place), site.node),
-                WordKind::String if before(1) == "[" && text(i + 1) == "]" && is_operand(before(2)) => {
+                WordKind::String
+                    if before(1) == "[" && text(i + 1) == "]" && is_operand(before(2)) =>
+                {
                     (TokenKind::Property, PLAIN)
                 }
                 WordKind::String => (TokenKind::String, PLAIN),
@@ -129,7 +148,10 @@ fn is_operand(word: &str) -> bool {
 fn without(range: TextRange, holes: &[TextRange]) -> Vec<TextRange> {
     let mut parts = Vec::new();
     let mut start = range.start;
-    for hole in holes.iter().filter(|hole| hole.start < range.end && range.start < hole.end) {
+    for hole in holes
+        .iter()
+        .filter(|hole| hole.start < range.end && range.start < hole.end)
+    {
         parts.push(TextRange::new(start, hole.start.max(start)));
         start = hole.end.min(range.end);
     }

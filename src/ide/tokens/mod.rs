@@ -67,7 +67,11 @@ pub struct Token {
 
 /// The pieces of a file in order; none overlaps another. A piece may stretch over several lines.
 pub fn tokens(cx: &Cx<'_>) -> Vec<Token> {
-    let mut out = Collector { cx, names: Names::of(cx), found: Vec::new() };
+    let mut out = Collector {
+        cx,
+        names: Names::of(cx),
+        found: Vec::new(),
+    };
     for (base, item) in cx.source.document.parts() {
         let mut dead_end = 0;
         for node in item.all_nodes() {
@@ -108,7 +112,11 @@ struct Collector<'a> {
 
 impl Collector<'_> {
     fn add(&mut self, range: TextRange, kind: TokenKind, modifiers: Modifiers) {
-        self.found.push(Token { range, kind, modifiers });
+        self.found.push(Token {
+            range,
+            kind,
+            modifiers,
+        });
     }
 
     /// The content of a condition that is known to leave it out, whatever way leads there.

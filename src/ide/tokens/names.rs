@@ -26,29 +26,46 @@ impl Names {
                 known.insert(place.range.shift(*base), kind);
             }
         };
-        symbols.definitions.iter().for_each(|given| note(given.place, given.kind));
+        symbols
+            .definitions
+            .iter()
+            .for_each(|given| note(given.place, given.kind));
         for used in symbols.all_uses() {
             if let Some(given) = symbols.get(used.definition) {
                 note(used.place, given.kind);
             }
         }
-        let properties = symbols.definitions.iter().filter(|given| given.kind == SymbolKind::Property);
+        let properties = symbols
+            .definitions
+            .iter()
+            .filter(|given| given.kind == SymbolKind::Property);
         let properties = properties.map(|given| given.name.to_string()).collect();
-        Self { known, globals: globals(), properties }
+        Self {
+            known,
+            globals: globals(),
+            properties,
+        }
     }
 
     /// What the name at a place is.
     pub fn at(&self, range: TextRange) -> Option<TokenKind> {
         self.known.get(&range).map(|kind| match kind {
             SymbolKind::Property | SymbolKind::BlockProperty => TokenKind::Variable,
-            SymbolKind::Parameter | SymbolKind::BlockParameter | SymbolKind::Argument => TokenKind::Parameter,
+            SymbolKind::Parameter | SymbolKind::BlockParameter | SymbolKind::Argument => {
+                TokenKind::Parameter
+            }
             SymbolKind::Macro => TokenKind::Macro,
             SymbolKind::Namespace => TokenKind::Namespace,
         })
     }
 
     /// What a name in an expression of `node` is.
-    pub fn named(&self, name: &str, range: TextRange, node: Option<Node<'_>>) -> (TokenKind, Modifiers) {
+    pub fn named(
+        &self,
+        name: &str,
+        range: TextRange,
+        node: Option<Node<'_>>,
+    ) -> (TokenKind, Modifiers) {
         if let Some(kind) = self.at(range) {
             return (kind, Modifiers::default());
         }
@@ -58,7 +75,10 @@ impl Names {
         if self.properties.contains(name) {
             return (TokenKind::Variable, Modifiers::default());
         }
-        self.globals.get(name).copied().unwrap_or((TokenKind::Variable, Modifiers::default()))
+        self.globals
+            .get(name)
+            .copied()
+            .unwrap_or((TokenKind::Variable, Modifiers::default()))
     }
 
     /// What `module.name` is.
@@ -73,7 +93,9 @@ impl Names {
 /// Whether a macro around an element has a parameter of this name.
 fn is_parameter(node: Node<'_>, name: &str) -> bool {
     let around = std::iter::successors(Some(node), |node| node.parent());
-    let lists = around.filter(|node| node.name() == "xacro:macro").filter_map(|node| node.attr("params"));
+    let lists = around
+        .filter(|node| node.name() == "xacro:macro")
+        .filter_map(|node| node.attr("params"));
     lists.into_iter().any(|params| {
         let words = params.raw().split_whitespace();
         words
@@ -93,8 +115,15 @@ fn kind(kind: GlobalKind) -> TokenKind {
 fn globals() -> FastMap<&'static str, (TokenKind, Modifiers)> {
     let mut found = FastMap::default();
     for symbol in global_symbols().filter(|symbol| symbol.namespace.is_none()) {
-        let old = if symbol.deprecated.is_some() { Modifiers::DEPRECATED } else { Modifiers::default() };
-        found.insert(symbol.name, (kind(symbol.kind), Modifiers::DEFAULT_LIBRARY.and(old)));
+        let old = if symbol.deprecated.is_some() {
+            Modifiers::DEPRECATED
+        } else {
+            Modifiers::default()
+        };
+        found.insert(
+            symbol.name,
+            (kind(symbol.kind), Modifiers::DEFAULT_LIBRARY.and(old)),
+        );
     }
     found
 }

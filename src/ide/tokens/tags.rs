@@ -15,15 +15,24 @@ impl Collector<'_> {
         let called = node.name().strip_prefix("xacro:");
         let is_call = called.is_some_and(|called| !is_keyword(called));
         if let Some(called) = called {
-            for name in [Some(node.name_range()), node.end_name_range()].into_iter().flatten() {
+            for name in [Some(node.name_range()), node.end_name_range()]
+                .into_iter()
+                .flatten()
+            {
                 let (start, kind) = match is_call {
-                    true => (name.end.saturating_sub(called.len() as u32).max(name.start), TokenKind::Macro),
+                    true => (
+                        name.end.saturating_sub(called.len() as u32).max(name.start),
+                        TokenKind::Macro,
+                    ),
                     false => (name.start, TokenKind::Keyword),
                 };
                 self.add(TextRange::new(start, name.end).shift(base), kind, PLAIN);
             }
         }
-        for attr in node.attrs().filter(|attr| !attr.name().starts_with("xmlns")) {
+        for attr in node
+            .attrs()
+            .filter(|attr| !attr.name().starts_with("xmlns"))
+        {
             if is_call {
                 self.add(attr.name_range().shift(base), TokenKind::Parameter, PLAIN);
             }
@@ -34,7 +43,11 @@ impl Collector<'_> {
     /// The expressions in character data.
     pub fn text(&mut self, base: u32, node: Node<'_>) {
         let document = &self.cx.source.document;
-        self.template(&ExprText::of_text(document, base, node), node.parent(), None);
+        self.template(
+            &ExprText::of_text(document, base, node),
+            node.parent(),
+            None,
+        );
     }
 
     fn attribute(&mut self, base: u32, node: Node<'_>, attr: Attr<'_>) {
@@ -64,12 +77,23 @@ impl Collector<'_> {
     /// What the value of an attribute names.
     fn value_kind(&self, node: Node<'_>, attr: Attr<'_>) -> Option<(TokenKind, Modifiers)> {
         let parent = || node.parent().map_or("", Node::name);
-        let is_joint = || self.cx.robot.is_some_and(|robot| robot.joint(attr.raw()).is_some());
+        let is_joint = || {
+            self.cx
+                .robot
+                .is_some_and(|robot| robot.joint(attr.raw()).is_some())
+        };
         Some(match (node.name(), attr.name()) {
             ("xacro:macro", "name") => (TokenKind::Macro, GIVEN),
             ("xacro:property", "name") => {
                 let literal = node.attr("value").is_some_and(|value| !value.has_dollar());
-                (TokenKind::Variable, if literal { GIVEN.and(Modifiers::READONLY) } else { GIVEN })
+                (
+                    TokenKind::Variable,
+                    if literal {
+                        GIVEN.and(Modifiers::READONLY)
+                    } else {
+                        GIVEN
+                    },
+                )
             }
             ("xacro:arg", "name") => (TokenKind::Parameter, GIVEN),
             ("xacro:include", "ns") => (TokenKind::Namespace, GIVEN),
@@ -84,7 +108,9 @@ impl Collector<'_> {
             ("joint", "name") => (TokenKind::Event, GIVEN),
             ("mimic", "joint") => (TokenKind::Event, PLAIN),
             ("joint", "type") => (TokenKind::EnumMember, PLAIN),
-            ("material", "name") if node.child_elements().next().is_some() => (TokenKind::EnumMember, GIVEN),
+            ("material", "name") if node.child_elements().next().is_some() => {
+                (TokenKind::EnumMember, GIVEN)
+            }
             ("material", "name") => (TokenKind::EnumMember, PLAIN),
             _ => return None,
         })
@@ -97,7 +123,9 @@ impl Collector<'_> {
         let mut rest = raw;
         loop {
             rest = rest.trim_start();
-            let name = rest.find(|c: char| c.is_whitespace() || c == ':' || c == '=').unwrap_or(rest.len());
+            let name = rest
+                .find(|c: char| c.is_whitespace() || c == ':' || c == '=')
+                .unwrap_or(rest.len());
             if name == 0 {
                 break;
             }

@@ -14,14 +14,18 @@ fn main() -> ExitCode {
         eprintln!("usage: load FILE [NAME:=VALUE ...]");
         return ExitCode::from(2);
     };
-    let given =
-        arguments.filter_map(|text| Some(text.split_once(":=")?).map(|(a, b)| (a.to_owned(), b.to_owned())));
-    let options = given.fold(Options::new(), |options, (name, value)| options.arg(name, value));
+    let given = arguments
+        .filter_map(|text| Some(text.split_once(":=")?).map(|(a, b)| (a.to_owned(), b.to_owned())));
+    let options = given.fold(Options::new(), |options, (name, value)| {
+        options.arg(name, value)
+    });
     let loaded = expand(&file, &options);
     for problem in loaded.problems() {
         eprintln!("{problem}");
     }
-    let Some(text) = loaded.text() else { return ExitCode::FAILURE };
+    let Some(text) = loaded.text() else {
+        return ExitCode::FAILURE;
+    };
     let robot = match urdf_rs::read_from_string(text) {
         Ok(robot) => robot,
         Err(error) => {
@@ -29,8 +33,18 @@ fn main() -> ExitCode {
             return ExitCode::FAILURE;
         }
     };
-    println!("{}: {} links, {} joints", robot.name, robot.links.len(), robot.joints.len());
-    for geometry in robot.links.iter().flat_map(|link| &link.visual).map(|visual| &visual.geometry) {
+    println!(
+        "{}: {} links, {} joints",
+        robot.name,
+        robot.links.len(),
+        robot.joints.len()
+    );
+    for geometry in robot
+        .links
+        .iter()
+        .flat_map(|link| &link.visual)
+        .map(|visual| &visual.geometry)
+    {
         if let Geometry::Mesh { filename, .. } = geometry {
             match loaded.resolve(filename) {
                 Some(path) => println!("{filename}: {}", path.display()),

@@ -16,16 +16,25 @@ impl Bounds {
     pub fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Option<Self> {
         let mut points = points.into_iter();
         let first = points.next()?;
-        let mut bounds = Self { min: first, max: first };
+        let mut bounds = Self {
+            min: first,
+            max: first,
+        };
         for point in points {
-            bounds = bounds.with(Self { min: point, max: point });
+            bounds = bounds.with(Self {
+                min: point,
+                max: point,
+            });
         }
         Some(bounds)
     }
 
     /// The box of full lengths `size` around the origin.
     pub fn centered(size: [f64; 3]) -> Self {
-        Self { min: size.map(|length| -length.abs() / 2.0), max: size.map(|length| length.abs() / 2.0) }
+        Self {
+            min: size.map(|length| -length.abs() / 2.0),
+            max: size.map(|length| length.abs() / 2.0),
+        }
     }
 
     /// The box around both.
@@ -35,14 +44,20 @@ impl Bounds {
             let ([ax, ay, az], [bx, by, bz]) = (a, b);
             [choose(ax, bx), choose(ay, by), choose(az, bz)]
         };
-        Self { min: pick(self.min, other.min, f64::min), max: pick(self.max, other.max, f64::max) }
+        Self {
+            min: pick(self.min, other.min, f64::min),
+            max: pick(self.max, other.max, f64::max),
+        }
     }
 
     /// The box made larger along each axis; a negative factor mirrors it.
     #[must_use]
     pub fn scaled(self, [x, y, z]: [f64; 3]) -> Self {
         let by = |[px, py, pz]: [f64; 3]| [px * x, py * y, pz * z];
-        let corner = |point| Self { min: point, max: point };
+        let corner = |point| Self {
+            min: point,
+            max: point,
+        };
         corner(by(self.min)).with(corner(by(self.max)))
     }
 
@@ -50,8 +65,16 @@ impl Bounds {
     #[must_use]
     pub fn moved(self, by: &Isometry3<f64>) -> Self {
         let ([x, y, z], [u, v, w]) = (self.min, self.max);
-        let corners =
-            [[x, y, z], [u, y, z], [x, v, z], [u, v, z], [x, y, w], [u, y, w], [x, v, w], [u, v, w]];
+        let corners = [
+            [x, y, z],
+            [u, y, z],
+            [x, v, z],
+            [u, v, z],
+            [x, y, w],
+            [u, y, w],
+            [x, v, w],
+            [u, v, w],
+        ];
         let moved = corners.map(|corner| (by * Point3::from(corner)).coords.into());
         Self::around(moved).unwrap_or(self)
     }
@@ -82,6 +105,8 @@ impl Bounds {
     /// How far a point is outside along the axis where it is farthest; negative inside.
     pub fn outside(self, point: [f64; 3]) -> f64 {
         let sides = self.min.iter().zip(&self.max).zip(point);
-        sides.map(|((min, max), at)| (min - at).max(at - max)).fold(f64::NEG_INFINITY, f64::max)
+        sides
+            .map(|((min, max), at)| (min - at).max(at - max))
+            .fold(f64::NEG_INFINITY, f64::max)
     }
 }

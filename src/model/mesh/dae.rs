@@ -19,7 +19,9 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
         Ok(document) => document_of(&document, draft),
         Err(defect) if defect.kind == DefectKind::Corrupt => {
             let escaped = with_escaped_attributes(text);
-            let Ok(document) = parse(&escaped) else { return Err(defect) };
+            let Ok(document) = parse(&escaped) else {
+                return Err(defect);
+            };
             draft.defect = Some(Defect::unescaped(defect.message));
             document_of(&document, draft)
         }
@@ -28,7 +30,10 @@ pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
 }
 
 fn parse(text: &str) -> Result<Document<'_>, Defect> {
-    let options = ParsingOptions { nodes_limit: MESH_NODES, ..ParsingOptions::default() };
+    let options = ParsingOptions {
+        nodes_limit: MESH_NODES,
+        ..ParsingOptions::default()
+    };
     Document::parse_with_options(text, options).map_err(|error| match error {
         roxmltree::Error::DtdDetected => Defect::unread("it has a DOCTYPE"),
         roxmltree::Error::NodesLimitReached => {
@@ -81,7 +86,10 @@ fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect>
         if let Some(id) = node.attribute("id") {
             // exporters give a material the id of a geometry: what instances lead to is known by its kind
             scene.ids.entry(id).or_insert(node);
-            scene.by_kind.entry((node.tag_name().name(), id)).or_insert(node);
+            scene
+                .by_kind
+                .entry((node.tag_name().name(), id))
+                .or_insert(node);
         }
     }
     scene.read(root)
@@ -91,9 +99,13 @@ fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect>
 fn header(root: Node<'_, '_>, draft: &mut Draft) {
     if let Some(asset) = child(root, "asset") {
         let unit = child(asset, "unit").and_then(|unit| unit.attribute("meter"));
-        draft.unit =
-            unit.and_then(|text| text.trim().parse().ok()).filter(|&unit| unit > 0.0 && f64::is_finite(unit));
-        draft.up_axis = match child(asset, "up_axis").and_then(|axis| axis.text()).map(str::trim) {
+        draft.unit = unit
+            .and_then(|text| text.trim().parse().ok())
+            .filter(|&unit| unit > 0.0 && f64::is_finite(unit));
+        draft.up_axis = match child(asset, "up_axis")
+            .and_then(|axis| axis.text())
+            .map(str::trim)
+        {
             Some("X_UP") => Some(UpAxis::X),
             Some("Y_UP") => Some(UpAxis::Y),
             Some("Z_UP") => Some(UpAxis::Z),
@@ -103,7 +115,11 @@ fn header(root: Node<'_, '_>, draft: &mut Draft) {
     let images = children(root, "library_images").flat_map(|library| children(library, "image"));
     for source in images.filter_map(|image| child(image, "init_from")) {
         // version 1.5 has one more element inside
-        let name = child(source, "ref").unwrap_or(source).text().unwrap_or_default().trim();
+        let name = child(source, "ref")
+            .unwrap_or(source)
+            .text()
+            .unwrap_or_default()
+            .trim();
         if !name.starts_with("data:") {
             draft.needs(Dependency::file(name));
         }
@@ -127,9 +143,11 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
         let instance = child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"));
         let Some(scene) = instance.and_then(|instance| self.target(instance)) else {
             // without a scene, there is what is in the library
-            let geometries =
-                children(root, "library_geometries").flat_map(|library| children(library, "geometry"));
-            return geometries.into_iter().try_for_each(|geometry| self.place(geometry, &start, None));
+            let geometries = children(root, "library_geometries")
+                .flat_map(|library| children(library, "geometry"));
+            return geometries
+                .into_iter()
+                .try_for_each(|geometry| self.place(geometry, &start, None));
         };
         let mut open = vec![(scene, start)];
         let mut visits = 0;
@@ -151,11 +169,14 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
                             .try_for_each(|geometry| self.place(geometry, &here, Some(part)))?;
                     }
                     "instance_controller" => {
-                        let skin = self.target(part).and_then(|controller| child(controller, "skin"));
-                        let geometry =
-                            skin.and_then(|skin| self.ids.get(fragment(skin.attribute("source")?)?));
+                        let skin = self
+                            .target(part)
+                            .and_then(|controller| child(controller, "skin"));
+                        let geometry = skin
+                            .and_then(|skin| self.ids.get(fragment(skin.attribute("source")?)?));
                         let mut geometry = geometry.copied().into_iter();
-                        geometry.try_for_each(|geometry| self.place(geometry, &here, Some(part)))?;
+                        geometry
+                            .try_for_each(|geometry| self.place(geometry, &here, Some(part)))?;
                     }
                     _ => {}
                 }
@@ -167,8 +188,15 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
     /// What the `url` of an instance means; none when it is in another file.
     fn target(&self, instance: Node<'a, 'input>) -> Option<Node<'a, 'input>> {
         let id = fragment(instance.attribute("url")?)?;
-        let kind = instance.tag_name().name().strip_prefix("instance_").unwrap_or_default();
-        self.by_kind.get(&(kind, id)).or_else(|| self.ids.get(id)).copied()
+        let kind = instance
+            .tag_name()
+            .name()
+            .strip_prefix("instance_")
+            .unwrap_or_default();
+        self.by_kind
+            .get(&(kind, id))
+            .or_else(|| self.ids.get(id))
+            .copied()
     }
 
     /// Take the triangles of a geometry, placed by an instance that says which materials it has.
@@ -180,16 +208,25 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
     ) -> Result<(), Defect> {
         let id = geometry.attribute("id").unwrap_or_default();
         if !self.made.contains_key(id) || id.is_empty() {
-            self.made.insert(id, triangles(geometry, &self.ids, &mut self.arrays)?);
+            self.made
+                .insert(id, triangles(geometry, &self.ids, &mut self.arrays)?);
         }
         let placed = Placed::new(*at);
-        let Some(Surfaced { triangles, materials }) = self.made.get(id) else { return Ok(()) };
+        let Some(Surfaced {
+            triangles,
+            materials,
+        }) = self.made.get(id)
+        else {
+            return Ok(());
+        };
         let mut materials = materials.iter().peekable();
         for (number, corners) in triangles.iter().enumerate() {
             if self.draft.tinted
                 && let Some((_, symbol)) = materials.next_if(|(start, _)| *start == number)
             {
-                self.draft.soup.tint(symbol.and_then(|symbol| color(symbol, instance, &self.ids)));
+                self.draft
+                    .soup
+                    .tint(symbol.and_then(|symbol| color(symbol, instance, &self.ids)));
             }
             self.draft.soup.push(placed.triangle(*corners))?;
         }
@@ -203,18 +240,25 @@ fn color<'a, 'input>(
     instance: Option<Node<'a, 'input>>,
     ids: &FastMap<&'a str, Node<'a, 'input>>,
 ) -> Option<[f64; 4]> {
-    let common = instance.and_then(|instance| child(child(instance, "bind_material")?, "technique_common"));
+    let common =
+        instance.and_then(|instance| child(child(instance, "bind_material")?, "technique_common"));
     let bound = common.and_then(|common| {
         let mut bound = children(common, "instance_material").take(MOST_BOUND);
         let bound = bound.find(|bound| bound.attribute("symbol") == Some(symbol))?;
         fragment(bound.attribute("target")?)
     });
     let material = *ids.get(bound.unwrap_or(symbol))?;
-    let effect = *ids.get(fragment(child(material, "instance_effect")?.attribute("url")?)?)?;
+    let effect = *ids.get(fragment(
+        child(material, "instance_effect")?.attribute("url")?,
+    )?)?;
     let technique = child(child(effect, "profile_COMMON")?, "technique")?;
-    let shader = ["phong", "lambert", "blinn"].iter().find_map(|name| child(technique, name))?;
+    let shader = ["phong", "lambert", "blinn"]
+        .iter()
+        .find_map(|name| child(technique, name))?;
     let color: Vec<f64> = numbers(child(child(shader, "diffuse")?, "color")?).ok()?;
-    let [r, g, b, ..] = *color.as_slice() else { return None };
+    let [r, g, b, ..] = *color.as_slice() else {
+        return None;
+    };
     Some([r, g, b, 1.0])
 }
 
@@ -232,11 +276,16 @@ fn transform(node: Node<'_, '_>) -> Result<Matrix4<f64>, Defect> {
             ("translate", &[x, y, z]) => Translation3::new(x, y, z).to_homogeneous(),
             ("scale", &[x, y, z]) => Matrix4::new_nonuniform_scaling(&Vector3::new(x, y, z)),
             ("rotate", &[x, y, z, degrees]) => match Unit::try_new(Vector3::new(x, y, z), 1e-12) {
-                Some(axis) => Rotation3::from_axis_angle(&axis, degrees.to_radians()).to_homogeneous(),
+                Some(axis) => {
+                    Rotation3::from_axis_angle(&axis, degrees.to_radians()).to_homogeneous()
+                }
                 None => Matrix4::identity(),
             },
             (_, values) => {
-                return Err(Defect::corrupt(format!("`{name}` with {} numbers", values.len())));
+                return Err(Defect::corrupt(format!(
+                    "`{name}` with {} numbers",
+                    values.len()
+                )));
             }
         };
     }
@@ -250,7 +299,8 @@ pub(super) fn fragment(url: &str) -> Option<&str> {
 
 /// The first child element of a name, in whatever namespace.
 pub(super) fn child<'a, 'input>(node: Node<'a, 'input>, name: &str) -> Option<Node<'a, 'input>> {
-    node.children().find(|child| child.is_element() && child.tag_name().name() == name)
+    node.children()
+        .find(|child| child.is_element() && child.tag_name().name() == name)
 }
 
 /// The child elements of a name.
@@ -258,5 +308,6 @@ pub(super) fn children<'a, 'input>(
     node: Node<'a, 'input>,
     name: &'static str,
 ) -> impl Iterator<Item = Node<'a, 'input>> + use<'a, 'input> {
-    node.children().filter(move |child| child.is_element() && child.tag_name().name() == name)
+    node.children()
+        .filter(move |child| child.is_element() && child.tag_name().name() == name)
 }

@@ -22,7 +22,10 @@ pub(super) struct Surfaced<M> {
 
 impl<M> Surfaced<M> {
     pub(super) fn new() -> Self {
-        Self { triangles: Vec::new(), materials: Vec::new() }
+        Self {
+            triangles: Vec::new(),
+            materials: Vec::new(),
+        }
     }
 
     /// What came since there were `start` triangles has this material.
@@ -43,16 +46,23 @@ pub(super) fn triangles<'a, 'input>(
     arrays: &mut Arrays,
 ) -> Result<Surfaced<Option<&'a str>>, Defect> {
     let mut found = Surfaced::new();
-    let Some(mesh) = child(geometry, "mesh") else { return Ok(found) };
+    let Some(mesh) = child(geometry, "mesh") else {
+        return Ok(found);
+    };
     for part in mesh.children().filter(Node::is_element) {
         let name = part.tag_name().name();
-        if !matches!(name, "triangles" | "polylist" | "polygons" | "trifans" | "tristrips") {
+        if !matches!(
+            name,
+            "triangles" | "polylist" | "polygons" | "trifans" | "tristrips"
+        ) {
             continue;
         }
-        let Some((vertices, layout)) = layout(part) else { continue };
+        let Some((vertices, layout)) = layout(part) else {
+            continue;
+        };
         let vertices = named(mesh, ids, vertices);
-        let vertices =
-            vertices.ok_or_else(|| Defect::corrupt(format!("`{name}` refers to missing vertices")))?;
+        let vertices = vertices
+            .ok_or_else(|| Defect::corrupt(format!("`{name}` refers to missing vertices")))?;
         let points = points(mesh, vertices, ids, arrays)?;
         let start = found.triangles.len();
         primitive(part, &layout, &points, &mut found.triangles)?;
@@ -72,11 +82,21 @@ struct Layout {
 /// The id of the vertices and the layout of a primitive.
 fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, Layout)> {
     let offset = |input: Node<'_, '_>| -> usize {
-        input.attribute("offset").and_then(|text| text.trim().parse().ok()).unwrap_or(0)
+        input
+            .attribute("offset")
+            .and_then(|text| text.trim().parse().ok())
+            .unwrap_or(0)
     };
-    let vertex = children(part, "input").find(|input| input.attribute("semantic") == Some("VERTEX"))?;
+    let vertex =
+        children(part, "input").find(|input| input.attribute("semantic") == Some("VERTEX"))?;
     let stride = children(part, "input").map(offset).max()?.checked_add(1)?;
-    Some((fragment(vertex.attribute("source")?)?, Layout { stride, offset: offset(vertex) }))
+    Some((
+        fragment(vertex.attribute("source")?)?,
+        Layout {
+            stride,
+            offset: offset(vertex),
+        },
+    ))
 }
 
 /// What an id means in a mesh: its own part of that name, else that of the file. Some programs write the same ids into
@@ -86,7 +106,9 @@ fn named<'a, 'input>(
     ids: &FastMap<&'a str, Node<'a, 'input>>,
     id: &str,
 ) -> Option<Node<'a, 'input>> {
-    let own = mesh.children().find(|part| part.attribute("id") == Some(id));
+    let own = mesh
+        .children()
+        .find(|part| part.attribute("id") == Some(id));
     own.or_else(|| ids.get(id).copied())
 }
 
@@ -98,7 +120,8 @@ fn points<'a, 'input>(
     arrays: &mut Arrays,
 ) -> Result<Rc<[Point]>, Defect> {
     let missing = || Defect::corrupt("its vertices have no positions");
-    let position = children(vertices, "input").find(|input| input.attribute("semantic") == Some("POSITION"));
+    let position =
+        children(vertices, "input").find(|input| input.attribute("semantic") == Some("POSITION"));
     let source = position.and_then(|input| named(mesh, ids, fragment(input.attribute("source")?)?));
     let source = source.ok_or_else(missing)?;
     let array = child(source, "float_array").ok_or_else(missing)?;
@@ -109,8 +132,10 @@ fn points<'a, 'input>(
         return Ok(known.clone());
     }
     let values: Vec<f64> = numbers(array)?;
-    let points: Rc<[Point]> =
-        values.chunks(stride).filter_map(|chunk| chunk.first_chunk::<3>().copied()).collect();
+    let points: Rc<[Point]> = values
+        .chunks(stride)
+        .filter_map(|chunk| chunk.first_chunk::<3>().copied())
+        .collect();
     arrays.insert((array.id(), stride), points.clone());
     Ok(points)
 }
@@ -118,10 +143,14 @@ fn points<'a, 'input>(
 /// The numbers in the text of an element.
 pub(super) fn numbers<T: FromStr>(element: Node<'_, '_>) -> Result<Vec<T>, Defect> {
     let text = element.text().unwrap_or_default();
-    let parsed = text.split_ascii_whitespace().zip(1_usize..).map(|(word, number)| {
-        let name = element.tag_name().name();
-        word.parse().map_err(|_| Defect::corrupt(format!("value {number} of `{name}` is not a number")))
-    });
+    let parsed = text
+        .split_ascii_whitespace()
+        .zip(1_usize..)
+        .map(|(word, number)| {
+            let name = element.tag_name().name();
+            word.parse()
+                .map_err(|_| Defect::corrupt(format!("value {number} of `{name}` is not a number")))
+        });
     parsed.collect()
 }
 
@@ -133,14 +162,27 @@ fn primitive(
 ) -> Result<(), Defect> {
     let corners = |list: Node<'_, '_>| -> Result<Vec<Point>, Defect> {
         let indices: Vec<i64> = numbers(list)?;
-        let vertices = indices.chunks_exact(layout.stride).filter_map(|chunk| chunk.get(layout.offset));
-        let point = |index: &i64| usize::try_from(*index).ok().and_then(|index| points.get(index)).copied();
-        let missing = |index| {
-            Defect::corrupt(format!("vertex index {index} is out of range ({} vertices)", points.len()))
+        let vertices = indices
+            .chunks_exact(layout.stride)
+            .filter_map(|chunk| chunk.get(layout.offset));
+        let point = |index: &i64| {
+            usize::try_from(*index)
+                .ok()
+                .and_then(|index| points.get(index))
+                .copied()
         };
-        vertices.map(|index| point(index).ok_or_else(|| missing(*index))).collect()
+        let missing = |index| {
+            Defect::corrupt(format!(
+                "vertex index {index} is out of range ({} vertices)",
+                points.len()
+            ))
+        };
+        vertices
+            .map(|index| point(index).ok_or_else(|| missing(*index)))
+            .collect()
     };
-    let lists = children(part, "p").chain(children(part, "ph").filter_map(|holes| child(holes, "p")));
+    let lists =
+        children(part, "p").chain(children(part, "ph").filter_map(|holes| child(holes, "p")));
     match part.tag_name().name() {
         "triangles" => {
             for list in lists {
@@ -148,12 +190,17 @@ fn primitive(
             }
         }
         "polylist" => {
-            let counts: Vec<usize> = child(part, "vcount").map(numbers).transpose()?.unwrap_or_default();
+            let counts: Vec<usize> = child(part, "vcount")
+                .map(numbers)
+                .transpose()?
+                .unwrap_or_default();
             let all = lists.map(corners).next().transpose()?.unwrap_or_default();
             let mut rest = all.as_slice();
             for count in counts {
                 let Some((polygon, behind)) = rest.split_at_checked(count) else {
-                    return Err(Defect::corrupt("its `vcount` needs more indices than there are"));
+                    return Err(Defect::corrupt(
+                        "its `vcount` needs more indices than there are",
+                    ));
                 };
                 fan(polygon, found);
                 rest = behind;
@@ -176,7 +223,11 @@ fn primitive(
 /// A polygon, or a fan, as triangles around its first corner.
 pub(super) fn fan(corners: &[Point], found: &mut Triangles) {
     if let Some((first, rest)) = corners.split_first() {
-        found.extend(rest.iter().zip(rest.iter().skip(1)).map(|(b, c)| [*first, *b, *c]));
+        found.extend(
+            rest.iter()
+                .zip(rest.iter().skip(1))
+                .map(|(b, c)| [*first, *b, *c]),
+        );
     }
 }
 

@@ -28,22 +28,37 @@ pub enum DefectKind {
 
 impl Defect {
     pub(super) fn corrupt(message: impl Into<String>) -> Self {
-        Self { kind: DefectKind::Corrupt, message: message.into() }
+        Self {
+            kind: DefectKind::Corrupt,
+            message: message.into(),
+        }
     }
 
     pub(super) fn untidy(message: impl Into<String>) -> Self {
-        Self { kind: DefectKind::Untidy, message: message.into() }
+        Self {
+            kind: DefectKind::Untidy,
+            message: message.into(),
+        }
     }
 
     pub(super) fn unescaped(message: impl Into<String>) -> Self {
-        Self { kind: DefectKind::Unescaped, message: message.into() }
+        Self {
+            kind: DefectKind::Unescaped,
+            message: message.into(),
+        }
     }
 
     pub(super) fn too_large(message: impl Into<String>) -> Self {
-        Self { kind: DefectKind::TooLarge, message: message.into() }
+        Self {
+            kind: DefectKind::TooLarge,
+            message: message.into(),
+        }
     }
 
     pub(super) fn unread(message: impl Into<String>) -> Self {
-        Self { kind: DefectKind::Unread, message: message.into() }
+        Self {
+            kind: DefectKind::Unread,
+            message: message.into(),
+        }
     }
 }

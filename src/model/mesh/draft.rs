@@ -45,7 +45,10 @@ pub struct Dependency {
 impl Dependency {
     /// A texture or a buffer.
     pub(super) fn file(name: impl Into<String>) -> Self {
-        Self { name: name.into(), is_material_library: false }
+        Self {
+            name: name.into(),
+            is_material_library: false,
+        }
     }
 }
 
@@ -67,7 +70,15 @@ pub(super) struct Draft {
 impl Draft {
     pub(super) fn new(format: MeshFormat) -> Self {
         let (soup, dependencies) = (Soup::default(), Vec::new());
-        Self { format, soup, unit: None, up_axis: None, dependencies, defect: None, tinted: false }
+        Self {
+            format,
+            soup,
+            unit: None,
+            up_axis: None,
+            dependencies,
+            defect: None,
+            tinted: false,
+        }
     }
 
     /// Note a file that is needed, once.

@@ -17,34 +17,67 @@ pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// Read a glTF file.
 pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
-    let (json, binary) = if bytes.starts_with(b"glTF") { chunks(bytes)? } else { (bytes, None) };
+    let (json, binary) = if bytes.starts_with(b"glTF") {
+        chunks(bytes)?
+    } else {
+        (bytes, None)
+    };
     let gltf: Gltf = serde_json::from_slice(json).map_err(|error| not_gltf(&error))?;
     draft.up_axis = Some(UpAxis::Y);
     draft.unit = Some(1.0);
-    for uri in gltf.images.iter().chain(&gltf.buffers).filter_map(|part| part.uri.as_deref()) {
+    for uri in gltf
+        .images
+        .iter()
+        .chain(&gltf.buffers)
+        .filter_map(|part| part.uri.as_deref())
+    {
         if !uri.starts_with("data:") {
             draft.needs(Dependency::file(uri));
         }
     }
-    if let Some(extension) = gltf.extensions_required.iter().find_map(|name| changes_geometry(name)) {
-        return Err(Defect::unread(format!("it requires the extension `{extension}`")));
+    if let Some(extension) = gltf
+        .extensions_required
+        .iter()
+        .find_map(|name| changes_geometry(name))
+    {
+        return Err(Defect::unread(format!(
+            "it requires the extension `{extension}`"
+        )));
     }
     let mut buffers = Vec::new();
     for (index, buffer) in gltf.buffers.iter().enumerate() {
         buffers.push(buffer_bytes(buffer, binary.filter(|_| index == 0), beside)?);
     }
-    scene(&gltf, &Data { gltf: &gltf, buffers: &buffers, budget: Cell::new(MESH_ELEMENTS) }, draft)
+    scene(
+        &gltf,
+        &Data {
+            gltf: &gltf,
+            buffers: &buffers,
+            budget: Cell::new(MESH_ELEMENTS),
+        },
+        draft,
+    )
 }
 
 /// What is wrong with the JSON, without its text: the file may be a link to one that is nobody else's business.
 fn not_gltf(error: &serde_json::Error) -> Defect {
-    let what = if error.is_data() { "its JSON is not glTF" } else { "it is not valid JSON" };
-    Defect::corrupt(format!("{what} (line {}, column {})", error.line(), error.column()))
+    let what = if error.is_data() {
+        "its JSON is not glTF"
+    } else {
+        "it is not valid JSON"
+    };
+    Defect::corrupt(format!(
+        "{what} (line {}, column {})",
+        error.line(),
+        error.column()
+    ))
 }
 
 /// The feature of an extension with which what is read here would not be the geometry.
 fn changes_geometry(extension: &str) -> Option<&'static str> {
-    ["draco", "meshopt", "quantization", "gpu_instancing"].into_iter().find(|word| extension.contains(word))
+    ["draco", "meshopt", "quantization", "gpu_instancing"]
+        .into_iter()
+        .find(|word| extension.contains(word))
 }
 
 /// JSON and binary part of a GLB file.
@@ -57,13 +90,18 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
     let length = number(8).ok_or_else(cut)?;
     if length > bytes.len() {
         let size = bytes.len();
-        return Err(Defect::corrupt(format!("it should have {length} bytes but has {size}")));
+        return Err(Defect::corrupt(format!(
+            "it should have {length} bytes but has {size}"
+        )));
     }
     let (mut json, mut binary, mut at) = (None, None, 12);
     while at < length {
         let size = number(at).ok_or_else(cut)?;
         let kind = bytes.get(at + 4..at + 8).ok_or_else(cut)?;
-        let content = bytes.get(at + 8..).and_then(|rest| rest.get(..size)).ok_or_else(cut)?;
+        let content = bytes
+            .get(at + 8..)
+            .and_then(|rest| rest.get(..size))
+            .ok_or_else(cut)?;
         match kind {
             b"JSON" if json.is_none() => json = Some(content),
             b"BIN\0" if binary.is_none() => binary = Some(content),
@@ -71,7 +109,10 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
         }
         at += 8 + size;
     }
-    Ok((json.ok_or_else(|| Defect::corrupt("it has no JSON"))?, binary))
+    Ok((
+        json.ok_or_else(|| Defect::corrupt("it has no JSON"))?,
+        binary,
+    ))
 }
 
 /// The bytes of a buffer; none when its file is missing, which is a dependency of its own.
@@ -81,16 +122,19 @@ fn buffer_bytes(
     beside: Beside<'_>,
 ) -> Result<Option<Vec<u8>>, Defect> {
     let Some(uri) = buffer.uri.as_deref() else {
-        let bytes =
-            binary.ok_or_else(|| Defect::corrupt("a buffer has neither a file nor a binary chunk"))?;
+        let bytes = binary
+            .ok_or_else(|| Defect::corrupt("a buffer has neither a file nor a binary chunk"))?;
         return Ok(Some(bytes.to_vec()));
     };
     match uri.strip_prefix("data:") {
         None => Ok(beside(uri)),
         Some(data) => {
-            let encoded = data.split_once("base64,").map(|(_, encoded)| encoded).unwrap_or_default();
-            let bytes =
-                base64(encoded).ok_or_else(|| Defect::corrupt("the data of a buffer is not base64"))?;
+            let encoded = data
+                .split_once("base64,")
+                .map(|(_, encoded)| encoded)
+                .unwrap_or_default();
+            let bytes = base64(encoded)
+                .ok_or_else(|| Defect::corrupt("the data of a buffer is not base64"))?;
             Ok(Some(bytes))
         }
     }
@@ -103,13 +147,20 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
     let tops = match scene {
         Some(scene) => scene.nodes.clone(),
         None => {
-            let held: FastSet<usize> =
-                gltf.nodes.iter().flat_map(|node| node.children.iter().copied()).collect();
-            (0..gltf.nodes.len()).filter(|node| !held.contains(node)).collect()
+            let held: FastSet<usize> = gltf
+                .nodes
+                .iter()
+                .flat_map(|node| node.children.iter().copied())
+                .collect();
+            (0..gltf.nodes.len())
+                .filter(|node| !held.contains(node))
+                .collect()
         }
     };
-    let mut open: Vec<(usize, Matrix4<f64>)> =
-        tops.into_iter().map(|top| (top, Matrix4::identity())).collect();
+    let mut open: Vec<(usize, Matrix4<f64>)> = tops
+        .into_iter()
+        .map(|top| (top, Matrix4::identity()))
+        .collect();
     let mut visits = 0;
     while let Some((index, around)) = open.pop() {
         let missing = || Defect::corrupt(format!("it refers to missing node {index}"));
@@ -130,7 +181,9 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
                 if draft.tinted
                     && let Some((_, material)) = materials.next_if(|(start, _)| *start == number)
                 {
-                    draft.soup.tint(material.and_then(|material| color(gltf, material)));
+                    draft
+                        .soup
+                        .tint(material.and_then(|material| color(gltf, material)));
                 }
                 draft.soup.push(placed.triangle(corners))?;
             }
@@ -142,10 +195,17 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
 /// The color of a material; glTF says how much light there is, URDF what a screen is told.
 fn color(gltf: &Gltf, material: usize) -> Option<[f64; 4]> {
     let material = gltf.materials.get(material)?;
-    let [r, g, b, a] = material.pbr_metallic_roughness.base_color_factor.unwrap_or([1.0; 4]);
+    let [r, g, b, a] = material
+        .pbr_metallic_roughness
+        .base_color_factor
+        .unwrap_or([1.0; 4]);
     let [r, g, b] = [r, g, b].map(|light| {
         let light = light.clamp(0.0, 1.0);
-        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055 }
+        if light <= 0.003_130_8 {
+            light * 12.92
+        } else {
+            1.055 * libm::pow(light, 1.0 / 2.4) - 0.055
+        }
     });
     Some([r, g, b, a])
 }

@@ -30,7 +30,9 @@ pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Surfaced<Option<
         let corners = corners(data, primitive)?;
         let start = found.triangles.len();
         match primitive.mode.unwrap_or(4) {
-            4 => found.triangles.extend_from_slice(corners.as_chunks::<3>().0),
+            4 => found
+                .triangles
+                .extend_from_slice(corners.as_chunks::<3>().0),
             5 => strip(&corners, &mut found.triangles),
             6 => fan(&corners, &mut found.triangles),
             _ => {}
@@ -42,13 +44,19 @@ pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Surfaced<Option<
 
 /// The corners of a primitive in the order of its indices.
 fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect> {
-    let Some(position) = primitive.attributes.position else { return Ok(Vec::new()) };
+    let Some(position) = primitive.attributes.position else {
+        return Ok(Vec::new());
+    };
     let accessor = accessor(data, position)?;
     if (accessor.component_type, accessor.kind.as_str()) != (FLOAT, "VEC3") {
-        return Err(Defect::unread("its positions are not stored as three floats"));
+        return Err(Defect::unread(
+            "its positions are not stored as three floats",
+        ));
     }
     let points: Vec<Point> = elements(data, accessor, 12)?.map(point).collect();
-    let Some(indices) = primitive.indices else { return Ok(points) };
+    let Some(indices) = primitive.indices else {
+        return Ok(points);
+    };
     let accessor = self::accessor(data, indices)?;
     let size = match accessor.component_type {
         BYTE => 1,
@@ -56,15 +64,29 @@ fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect>
         INT => 4,
         kind => return Err(Defect::corrupt(format!("its indices have the type {kind}"))),
     };
-    let indices = elements(data, accessor, size)?
-        .map(|bytes| bytes.iter().rev().fold(0usize, |number, &byte| number << 8 | usize::from(byte)));
-    let missing =
-        |index| Defect::corrupt(format!("vertex index {index} is out of range ({} vertices)", points.len()));
-    indices.map(|index| points.get(index).copied().ok_or_else(|| missing(index))).collect()
+    let indices = elements(data, accessor, size)?.map(|bytes| {
+        bytes
+            .iter()
+            .rev()
+            .fold(0usize, |number, &byte| number << 8 | usize::from(byte))
+    });
+    let missing = |index| {
+        Defect::corrupt(format!(
+            "vertex index {index} is out of range ({} vertices)",
+            points.len()
+        ))
+    };
+    indices
+        .map(|index| points.get(index).copied().ok_or_else(|| missing(index)))
+        .collect()
 }
 
 fn point(bytes: &[u8]) -> Point {
-    let mut numbers = bytes.as_chunks::<4>().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
+    let mut numbers = bytes
+        .as_chunks::<4>()
+        .0
+        .iter()
+        .map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
     std::array::from_fn(|_| numbers.next().unwrap_or(f64::NAN))
 }
 
@@ -79,23 +101,42 @@ fn elements<'a>(
     accessor: &Accessor,
     size: usize,
 ) -> Result<impl Iterator<Item = &'a [u8]>, Defect> {
-    let view = accessor.buffer_view.ok_or_else(|| Defect::unread("it stores positions as differences"))?;
+    let view = accessor
+        .buffer_view
+        .ok_or_else(|| Defect::unread("it stores positions as differences"))?;
     let missing = || Defect::corrupt("it refers to a missing part of a buffer");
     let view = data.gltf.buffer_views.get(view).ok_or_else(missing)?;
     let buffer = data.buffers.get(view.buffer).ok_or_else(missing)?;
-    let buffer = buffer.as_deref().ok_or_else(|| Defect::unread("the file of its buffer is missing"))?;
-    let part =
-        buffer.get(view.byte_offset..).and_then(|rest| rest.get(..view.byte_length)).ok_or_else(missing)?;
+    let buffer = buffer
+        .as_deref()
+        .ok_or_else(|| Defect::unread("the file of its buffer is missing"))?;
+    let part = buffer
+        .get(view.byte_offset..)
+        .and_then(|rest| rest.get(..view.byte_length))
+        .ok_or_else(missing)?;
     let part = part.get(accessor.byte_offset..).ok_or_else(missing)?;
-    let stride = view.byte_stride.filter(|&stride| stride >= size).unwrap_or(size);
+    let stride = view
+        .byte_stride
+        .filter(|&stride| stride >= size)
+        .unwrap_or(size);
     // of the last element, what follows it up to the stride may be missing
-    let fitting = if part.len() < size { 0 } else { (part.len() - size) / stride + 1 };
+    let fitting = if part.len() < size {
+        0
+    } else {
+        (part.len() - size) / stride + 1
+    };
     if accessor.count > fitting {
         let count = accessor.count;
-        return Err(Defect::corrupt(format!("it has {count} elements where only {fitting} fit")));
+        return Err(Defect::corrupt(format!(
+            "it has {count} elements where only {fitting} fit"
+        )));
     }
     let left = data.budget.get().checked_sub(accessor.count);
-    data.budget
-        .set(left.ok_or_else(|| Defect::too_large(format!("it reads more than {MESH_ELEMENTS} elements")))?);
-    Ok(part.chunks(stride).take(accessor.count).filter_map(move |chunk| chunk.get(..size)))
+    data.budget.set(left.ok_or_else(|| {
+        Defect::too_large(format!("it reads more than {MESH_ELEMENTS} elements"))
+    })?);
+    Ok(part
+        .chunks(stride)
+        .take(accessor.count)
+        .filter_map(move |chunk| chunk.get(..size)))
 }

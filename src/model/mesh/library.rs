@@ -35,7 +35,10 @@ pub struct Missing {
 impl Meshes {
     /// Remember that a description names a file, whether it is there or not.
     pub fn note(&self, path: &Path) {
-        let mut paths = self.looked_for.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut paths = self
+            .looked_for
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         if !paths.contains(path) {
             paths.insert(path.to_owned());
         }
@@ -43,17 +46,30 @@ impl Meshes {
 
     /// The files that descriptions named so far.
     pub fn looked_for(&self) -> BTreeSet<PathBuf> {
-        self.looked_for.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
+        self.looked_for
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .iter()
+            .cloned()
+            .collect()
     }
 
     /// The mesh in a file.
     pub fn get(&self, vfs: &Vfs, path: &Path) -> Arc<Mesh> {
-        let make = |bytes: Vec<u8>| Mesh::read(&ending(path), &bytes, &|name| beside(vfs, path, name));
+        let make =
+            |bytes: Vec<u8>| Mesh::read(&ending(path), &bytes, &|name| beside(vfs, path, name));
         let read = vfs.derive(&self.meshes, path, MESH_BYTES, make);
         read.unwrap_or_else(|error| {
             let (format, dependencies) = (MeshFormat::Other, Vec::new());
             let defect = Some(unreadable(&error));
-            Arc::new(Mesh { format, surface: None, defect, unit: None, up_axis: None, dependencies })
+            Arc::new(Mesh {
+                format,
+                surface: None,
+                defect,
+                unit: None,
+                up_axis: None,
+                dependencies,
+            })
         })
     }
 
@@ -62,7 +78,9 @@ impl Meshes {
     /// # Errors
     /// What is wrong with the file, when it has no triangles that can be drawn.
     pub fn triangles(vfs: &Vfs, path: &Path) -> Result<Triangles, Defect> {
-        let bytes = vfs.bytes(path, MESH_BYTES).map_err(|error| unreadable(&error))?;
+        let bytes = vfs
+            .bytes(path, MESH_BYTES)
+            .map_err(|error| unreadable(&error))?;
         Triangles::read(&ending(path), &bytes, &|name| beside(vfs, path, name))
     }
 
@@ -79,7 +97,11 @@ impl Meshes {
         if mesh.dependencies.is_empty() || !belongs(path) {
             return missing;
         }
-        for Dependency { name, is_material_library } in &mesh.dependencies {
+        for Dependency {
+            name,
+            is_material_library,
+        } in &mesh.dependencies
+        {
             // several libraries may be named in one line; a name may have blanks
             let words = name.split_whitespace().collect::<Vec<_>>();
             let is_list = *is_material_library
@@ -102,13 +124,23 @@ impl Meshes {
     /// its material libraries.
     pub fn files(&self, vfs: &Vfs, path: &Path, mesh: &Mesh) -> Vec<(String, PathBuf)> {
         let there = |from: &Path, name: &str| {
-            let found = candidates(from, name).into_iter().find(|path| vfs.is_file(path));
+            let found = candidates(from, name)
+                .into_iter()
+                .find(|path| vfs.is_file(path));
             found.map(|path| (name.to_owned(), path))
         };
         let mut files = Vec::new();
-        for Dependency { name, is_material_library } in &mesh.dependencies {
+        for Dependency {
+            name,
+            is_material_library,
+        } in &mesh.dependencies
+        {
             let whole = there(path, name);
-            let words = || name.split_whitespace().filter_map(|word| there(path, word)).collect();
+            let words = || {
+                name.split_whitespace()
+                    .filter_map(|word| there(path, word))
+                    .collect()
+            };
             let found = match whole {
                 None if *is_material_library => words(),
                 found => found.into_iter().collect::<Vec<_>>(),
@@ -116,7 +148,11 @@ impl Meshes {
             for (_, library) in found.iter().filter(|_| *is_material_library) {
                 let make = |bytes: Vec<u8>| obj::textures(&bytes);
                 let read = vfs.derive(&self.textures, library, MATERIAL_BYTES, make);
-                files.extend(read.unwrap_or_default().iter().filter_map(|name| there(library, name)));
+                files.extend(
+                    read.unwrap_or_default()
+                        .iter()
+                        .filter_map(|name| there(library, name)),
+                );
             }
             files.extend(found);
         }
@@ -125,9 +161,14 @@ impl Meshes {
 
     fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
         let make = |bytes: Vec<u8>| obj::textures(&bytes);
-        let textures = vfs.derive(&self.textures, library, MATERIAL_BYTES, make).unwrap_or_default();
-        let gone = textures.iter().filter(|texture| find(vfs, library, texture).is_none());
-        gone.map(|texture| Missing::new(texture, Some(name))).collect()
+        let textures = vfs
+            .derive(&self.textures, library, MATERIAL_BYTES, make)
+            .unwrap_or_default();
+        let gone = textures
+            .iter()
+            .filter(|texture| find(vfs, library, texture).is_none());
+        gone.map(|texture| Missing::new(texture, Some(name)))
+            .collect()
     }
 }
 
@@ -138,18 +179,27 @@ impl Missing {
             .split_once(':')
             .is_some_and(|(drive, rest)| drive.len() == 1 && rest.starts_with(['/', '\\']));
         let is_windows_path = drive || name.starts_with("\\\\");
-        Self { name: name.to_owned(), is_windows_path, named_in: named_in.map(str::to_owned) }
+        Self {
+            name: name.to_owned(),
+            is_windows_path,
+            named_in: named_in.map(str::to_owned),
+        }
     }
 }
 
 /// The ending of a file in small letters.
 fn ending(path: &Path) -> String {
-    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
+    path.extension()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .to_lowercase()
 }
 
 /// The bytes of a file that the mesh at `path` names; none when it is not there.
 fn beside(vfs: &Vfs, path: &Path, name: &str) -> Option<Vec<u8>> {
-    let path = candidates(path, name).into_iter().find(|path| vfs.is_file(path))?;
+    let path = candidates(path, name)
+        .into_iter()
+        .find(|path| vfs.is_file(path))?;
     vfs.bytes(&path, MESH_BYTES).ok()
 }
 
@@ -167,19 +217,31 @@ fn unreadable(error: &LoadError) -> Defect {
 
 /// The file that `name` means in the file at `path`; names on other machines or in packages count as found.
 fn find(vfs: &Vfs, path: &Path, name: &str) -> Option<PathBuf> {
-    let elsewhere = ["http:", "https:", "package:", "model:"].iter().any(|scheme| name.starts_with(scheme));
+    let elsewhere = ["http:", "https:", "package:", "model:"]
+        .iter()
+        .any(|scheme| name.starts_with(scheme));
     if elsewhere {
         return Some(PathBuf::from(name));
     }
-    candidates(path, name).into_iter().find(|path| vfs.is_file(path))
+    candidates(path, name)
+        .into_iter()
+        .find(|path| vfs.is_file(path))
 }
 
 /// The places where a file named in another one may be.
 fn candidates(path: &Path, name: &str) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let of_uri = name.strip_prefix("file:").and_then(|rest| HERE.of_file_uri(rest));
-    let plain = of_uri.as_deref().or_else(|| name.strip_prefix("file://")).unwrap_or(name);
+    let of_uri = name
+        .strip_prefix("file:")
+        .and_then(|rest| HERE.of_file_uri(rest));
+    let plain = of_uri
+        .as_deref()
+        .or_else(|| name.strip_prefix("file://"))
+        .unwrap_or(name);
     let mut spellings = vec![plain.to_owned(), plain.replace('\\', "/")];
     spellings.extend(percent_decoded(plain));
-    spellings.into_iter().map(|spelling| folder.join(spelling)).collect()
+    spellings
+        .into_iter()
+        .map(|spelling| folder.join(spelling))
+        .collect()
 }

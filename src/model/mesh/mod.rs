@@ -73,19 +73,42 @@ impl Mesh {
     }
 
     fn of(draft: Draft, read: Result<(), Defect>) -> Self {
-        let Draft { format, soup, unit, up_axis, dependencies, defect, .. } = draft;
-        let surface = read.as_ref().ok().and_then(|()| Surface::of(&soup.complete()));
+        let Draft {
+            format,
+            soup,
+            unit,
+            up_axis,
+            dependencies,
+            defect,
+            ..
+        } = draft;
+        let surface = read
+            .as_ref()
+            .ok()
+            .and_then(|()| Surface::of(&soup.complete()));
         let defect = match read {
             Err(defect) => Some(defect),
             Ok(()) if surface.is_none() => Some(Defect::corrupt("it has no triangles")),
             Ok(()) => defect,
         };
-        Self { format, surface, defect, unit, up_axis, dependencies }
+        Self {
+            format,
+            surface,
+            defect,
+            unit,
+            up_axis,
+            dependencies,
+        }
     }
 }
 
 /// What the reader of a format finds; colors only when they are wanted.
-fn draft(ending: &str, bytes: &[u8], beside: Beside<'_>, tinted: bool) -> (Draft, Result<(), Defect>) {
+fn draft(
+    ending: &str,
+    bytes: &[u8],
+    beside: Beside<'_>,
+    tinted: bool,
+) -> (Draft, Result<(), Defect>) {
     let format = match ending {
         "stl" => MeshFormat::StlBinary { solid: false },
         "obj" => MeshFormat::Obj,
@@ -93,7 +116,10 @@ fn draft(ending: &str, bytes: &[u8], beside: Beside<'_>, tinted: bool) -> (Draft
         "gltf" | "glb" => MeshFormat::Gltf,
         _ => MeshFormat::Other,
     };
-    let mut draft = Draft { tinted, ..Draft::new(format) };
+    let mut draft = Draft {
+        tinted,
+        ..Draft::new(format)
+    };
     let read = match format {
         _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),
         MeshFormat::StlAscii | MeshFormat::StlBinary { .. } => stl::read(bytes, &mut draft),
@@ -112,11 +138,17 @@ impl Surface {
         // measured from a corner of the box, numbers stay small
         let [x, y, z] = bounds.min;
         let volume = soup.triangles.iter().map(|&triangle| {
-            let [a, b, c] =
-                soup.corners(triangle).map(|[px, py, pz]| nalgebra::Vector3::new(px - x, py - y, pz - z));
+            let [a, b, c] = soup
+                .corners(triangle)
+                .map(|[px, py, pz]| nalgebra::Vector3::new(px - x, py - y, pz - z));
             a.dot(&b.cross(&c)) / 6.0
         });
-        Some(Self { triangles: soup.triangles.len(), bounds, edges, volume: volume.sum() })
+        Some(Self {
+            triangles: soup.triangles.len(),
+            bounds,
+            edges,
+            volume: volume.sum(),
+        })
     }
 }
 
@@ -126,5 +158,8 @@ fn is_lfs_pointer(bytes: &[u8]) -> bool {
 
 fn lfs_pointer() -> Defect {
     let message = "it is a Git LFS pointer, not the mesh".to_owned();
-    Defect { kind: DefectKind::LfsPointer, message }
+    Defect {
+        kind: DefectKind::LfsPointer,
+        message,
+    }
 }

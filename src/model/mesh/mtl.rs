@@ -36,7 +36,9 @@ impl Colors {
         let mut name = None;
         for (_, line) in logical_lines(text) {
             let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((&line, ""));
-            let mut numbers = rest.split_ascii_whitespace().filter_map(|number| number.parse::<f64>().ok());
+            let mut numbers = rest
+                .split_ascii_whitespace()
+                .filter_map(|number| number.parse::<f64>().ok());
             if word == "newmtl" {
                 name = Some(rest.trim().to_owned());
                 continue;
@@ -44,11 +46,17 @@ impl Colors {
             let Some(name) = &name else { continue };
             match (word, numbers.next(), numbers.next(), numbers.next()) {
                 ("Kd", Some(r), Some(g), Some(b)) => {
-                    let known = self.colors.entry(name.clone()).or_insert([0.0, 0.0, 0.0, 1.0]);
+                    let known = self
+                        .colors
+                        .entry(name.clone())
+                        .or_insert([0.0, 0.0, 0.0, 1.0]);
                     *known = [r, g, b, known[3]];
                 }
                 ("d", Some(opacity), ..) => {
-                    let [.., known] = self.colors.entry(name.clone()).or_insert([0.72, 0.74, 0.78, 1.0]);
+                    let [.., known] = self
+                        .colors
+                        .entry(name.clone())
+                        .or_insert([0.72, 0.74, 0.78, 1.0]);
                     *known = opacity;
                 }
                 _ => {}

@@ -18,8 +18,9 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((&line, ""));
         match word {
             "v" => {
-                let point = point(rest)
-                    .ok_or_else(|| Defect::corrupt(format!("line {number}: `v` needs three numbers")))?;
+                let point = point(rest).ok_or_else(|| {
+                    Defect::corrupt(format!("line {number}: `v` needs three numbers"))
+                })?;
                 points.push(point);
             }
             "f" => face(rest, &points, draft).map_err(|defect| Defect {
@@ -31,7 +32,10 @@ pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Resul
                 if draft.tinted {
                     colors.read(&name, beside);
                 }
-                draft.needs(Dependency { name, is_material_library: true });
+                draft.needs(Dependency {
+                    name,
+                    is_material_library: true,
+                });
             }
             "usemtl" if draft.tinted => draft.soup.tint(colors.of(rest)),
             _ => {}
@@ -47,11 +51,15 @@ pub(super) fn textures(bytes: &[u8]) -> Vec<String> {
     for (_, line) in logical_lines(&text) {
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((&line, ""));
         let word = word.to_ascii_lowercase();
-        let names_file =
-            word.starts_with("map_") || matches!(word.as_str(), "bump" | "disp" | "decal" | "refl" | "norm");
+        let names_file = word.starts_with("map_")
+            || matches!(word.as_str(), "bump" | "disp" | "decal" | "refl" | "norm");
         // options come before the name; a name without options may have blanks
         let rest = rest.trim();
-        let name = if rest.starts_with('-') { rest.rsplit(char::is_whitespace).next() } else { Some(rest) };
+        let name = if rest.starts_with('-') {
+            rest.rsplit(char::is_whitespace).next()
+        } else {
+            Some(rest)
+        };
         let name = name.unwrap_or_default().trim_matches('"').to_owned();
         let room = names.len() < MESH_FILES;
         if names_file && room && !name.is_empty() && !names.contains(&name) {
@@ -87,8 +95,11 @@ fn point(text: &str) -> Option<Point> {
 /// Take a polygon as a fan of triangles. One of one or two corners, which some exporters write, is a point or an edge: readers
 /// draw nothing there.
 fn face(text: &str, points: &[Point], draft: &mut Draft) -> Result<(), Defect> {
-    let mut corners = text.split_ascii_whitespace().map(|word| corner(word, points));
-    let (Some(first), Some(second), Some(third)) = (corners.next(), corners.next(), corners.next()) else {
+    let mut corners = text
+        .split_ascii_whitespace()
+        .map(|word| corner(word, points));
+    let (Some(first), Some(second), Some(third)) = (corners.next(), corners.next(), corners.next())
+    else {
         return Ok(());
     };
     let (first, mut before) = (first?, second?);
@@ -106,9 +117,16 @@ fn corner(word: &str, points: &[Point]) -> Result<Point, Defect> {
     let number: Option<i64> = index.parse().ok();
     let place = number.and_then(|number| match number {
         1.. => usize::try_from(number - 1).ok(),
-        _ => points.len().checked_sub(usize::try_from(number.unsigned_abs()).ok()?),
+        _ => points
+            .len()
+            .checked_sub(usize::try_from(number.unsigned_abs()).ok()?),
     });
     let found = place.and_then(|place| points.get(place));
-    let message = || format!("vertex index `{index:.20}` is out of range ({} vertices so far)", points.len());
+    let message = || {
+        format!(
+            "vertex index `{index:.20}` is out of range ({} vertices so far)",
+            points.len()
+        )
+    };
     found.copied().ok_or_else(|| Defect::corrupt(message()))
 }

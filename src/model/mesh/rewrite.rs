@@ -7,8 +7,13 @@ const TRIANGLE: usize = 50;
 
 /// The file as binary STL whose header does not begin with `solid`; none when it is that already, or no sound STL.
 pub fn plain_stl(bytes: &[u8]) -> Option<Vec<u8>> {
-    let solid = bytes.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
-    let count = bytes.get(HEADER..HEADER + 4).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
+    let solid = bytes
+        .get(..5)
+        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let count = bytes
+        .get(HEADER..HEADER + 4)
+        .and_then(|count| count.try_into().ok())
+        .map(u32::from_le_bytes);
     let fits = count.is_some_and(|count| HEADER + 4 + count as usize * TRIANGLE == bytes.len());
     match (fits, solid) {
         (true, true) => Some([b"stl  ".as_slice(), bytes.get(5..)?].concat()),
@@ -28,10 +33,21 @@ fn binary(text: &[u8]) -> Option<Vec<u8>> {
         let words = line.split_ascii_whitespace();
         let numbers = |skip: usize| {
             let mut rest = words.clone().skip(skip);
-            let mut next = || rest.next()?.parse::<f32>().ok().filter(|number| number.is_finite());
+            let mut next = || {
+                rest.next()?
+                    .parse::<f32>()
+                    .ok()
+                    .filter(|number| number.is_finite())
+            };
             Some([next()?, next()?, next()?])
         };
-        match words.clone().next().unwrap_or("").to_ascii_lowercase().as_str() {
+        match words
+            .clone()
+            .next()
+            .unwrap_or("")
+            .to_ascii_lowercase()
+            .as_str()
+        {
             // a normal that was not computed counts as none
             "facet" => normal = numbers(2).unwrap_or([0.0; 3]),
             "vertex" => corners.push(numbers(1)?),
@@ -76,12 +92,20 @@ mod tests {
         let mut binary = plain_stl(TEXT.as_bytes()).unwrap();
         binary.splice(..5, *b"solid");
         let patched = plain_stl(&binary).unwrap();
-        assert_eq!((&patched[..5], &patched[5..]), (b"stl  ".as_slice(), &binary[5..]));
+        assert_eq!(
+            (&patched[..5], &patched[5..]),
+            (b"stl  ".as_slice(), &binary[5..])
+        );
     }
 
     #[test]
     fn what_is_no_sound_stl_stays() {
-        for text in ["", "solid", "solid a\nfacet normal 0 0 1\nvertex 1 2\nendfacet\n", "other"] {
+        for text in [
+            "",
+            "solid",
+            "solid a\nfacet normal 0 0 1\nvertex 1 2\nendfacet\n",
+            "other",
+        ] {
             assert_eq!(plain_stl(text.as_bytes()), None, "{text}");
         }
     }

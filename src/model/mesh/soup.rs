@@ -27,10 +27,14 @@ impl Soup {
     pub(super) fn push(&mut self, corners: [Point; 3]) -> Result<(), Defect> {
         if corners.iter().flatten().any(|number| !number.is_finite()) {
             let number = self.triangles.len() + 1;
-            return Err(Defect::corrupt(format!("a vertex of triangle {number} is not finite")));
+            return Err(Defect::corrupt(format!(
+                "a vertex of triangle {number} is not finite"
+            )));
         }
         if self.triangles.len() >= MESH_TRIANGLES {
-            return Err(Defect::too_large(format!("it has more than {MESH_TRIANGLES} triangles")));
+            return Err(Defect::too_large(format!(
+                "it has more than {MESH_TRIANGLES} triangles"
+            )));
         }
         let triangle = corners.map(|corner| self.point(corner));
         self.triangles.push(triangle);

@@ -17,7 +17,8 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
     let count = count(bytes);
     let solid = starts_with_solid(bytes);
     let fits = count.is_some_and(|count| size_for(count) == bytes.len() as u64);
-    let has_facets = || memchr::memmem::find(bytes, b"facet").is_some() || has_word(bytes, b"facet");
+    let has_facets =
+        || memchr::memmem::find(bytes, b"facet").is_some() || has_word(bytes, b"facet");
     if !fits && solid && (has_facets() || has_word(bytes, b"endsolid")) {
         draft.format = MeshFormat::StlAscii;
         return text(bytes, draft);
@@ -25,7 +26,9 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
     draft.format = MeshFormat::StlBinary { solid };
     let Some(count) = count else {
         let size = bytes.len();
-        return Err(Defect::corrupt(format!("it is too short for an STL file ({size} bytes)")));
+        return Err(Defect::corrupt(format!(
+            "it is too short for an STL file ({size} bytes)"
+        )));
     };
     binary(bytes, count, draft)
 }
@@ -42,29 +45,41 @@ fn size_for(count: u32) -> u64 {
 
 fn starts_with_solid(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
-    text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+    text.get(..5)
+        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
 /// Whether a short file has a word in any case.
 fn has_word(bytes: &[u8], word: &[u8]) -> bool {
     let head = bytes.get(..bytes.len().min(4096)).unwrap_or_default();
-    head.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word))
+    head.windows(word.len())
+        .any(|window| window.eq_ignore_ascii_case(word))
 }
 
 fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
     let (expected, size) = (size_for(count), bytes.len() as u64);
     if size < expected {
-        let message = format!("it should have {expected} bytes for {count} triangles but has {size}");
+        let message =
+            format!("it should have {expected} bytes for {count} triangles but has {size}");
         return Err(Defect::corrupt(message));
     }
     if count > 0 && size > expected {
-        let message = format!("it has {} extra bytes after its {count} triangles", size - expected);
+        let message = format!(
+            "it has {} extra bytes after its {count} triangles",
+            size - expected
+        );
         draft.defect = Some(Defect::untidy(message));
     }
-    let triangles = bytes.get(HEADER + 4..).unwrap_or_default().chunks_exact(TRIANGLE);
+    let triangles = bytes
+        .get(HEADER + 4..)
+        .unwrap_or_default()
+        .chunks_exact(TRIANGLE);
     for triangle in triangles.take(count as usize) {
-        let mut numbers =
-            triangle.as_chunks::<4>().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
+        let mut numbers = triangle
+            .as_chunks::<4>()
+            .0
+            .iter()
+            .map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
         let mut point = || -> Point { std::array::from_fn(|_| numbers.next().unwrap_or(f64::NAN)) };
         point();
         draft.soup.push([point(), point(), point()])?;
@@ -75,7 +90,9 @@ fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
 fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
     let mut corners: Vec<Point> = Vec::new();
     for (number, line) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
-        let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+        let mut words = line
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty());
         while let Some(word) = words.next() {
             let is = |name: &str| word.eq_ignore_ascii_case(name.as_bytes());
             if is("solid") || is("endsolid") {
@@ -85,19 +102,27 @@ fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
                 let mut coordinate = || std::str::from_utf8(words.next()?).ok()?.parse().ok();
                 let point = (coordinate(), coordinate(), coordinate());
                 let (Some(x), Some(y), Some(z)) = point else {
-                    return Err(Defect::corrupt(format!("line {number}: `vertex` needs three numbers")));
+                    return Err(Defect::corrupt(format!(
+                        "line {number}: `vertex` needs three numbers"
+                    )));
                 };
                 corners.push([x, y, z]);
             }
             if is("endloop") {
                 let Ok(triangle) = <[Point; 3]>::try_from(corners.as_slice()) else {
                     let count = corners.len();
-                    return Err(Defect::corrupt(format!("line {number}: a facet has {count} vertices")));
+                    return Err(Defect::corrupt(format!(
+                        "line {number}: a facet has {count} vertices"
+                    )));
                 };
                 draft.soup.push(triangle)?;
                 corners.clear();
             }
         }
     }
-    if corners.is_empty() { Ok(()) } else { Err(Defect::corrupt("it ends in the middle of a facet")) }
+    if corners.is_empty() {
+        Ok(())
+    } else {
+        Err(Defect::corrupt("it ends in the middle of a facet"))
+    }
 }

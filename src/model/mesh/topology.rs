@@ -28,16 +28,21 @@ impl Edges {
         let welded = weld(&soup.points, bounds);
         let mut ways: Vec<(u32, u32, bool)> = Vec::with_capacity(soup.triangles.len() * 3);
         for triangle in &soup.triangles {
-            let [a, b, c] = triangle.map(|index| welded.get(index as usize).copied().unwrap_or(index));
+            let [a, b, c] =
+                triangle.map(|index| welded.get(index as usize).copied().unwrap_or(index));
             // what has no area has no sides
             if a != b && b != c && a != c {
                 ways.extend(
-                    [(a, b), (b, c), (c, a)].map(|(from, to)| (from.min(to), from.max(to), from < to)),
+                    [(a, b), (b, c), (c, a)]
+                        .map(|(from, to)| (from.min(to), from.max(to), from < to)),
                 );
             }
         }
         ways.sort_unstable();
-        let mut edges = Self { closed: !ways.is_empty(), ..Self::default() };
+        let mut edges = Self {
+            closed: !ways.is_empty(),
+            ..Self::default()
+        };
         for uses in ways.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             let forward = uses.iter().filter(|(_, _, forward)| *forward).count();
             let backward = uses.len() - forward;
@@ -62,10 +67,13 @@ fn weld(points: &[Point], bounds: Bounds) -> Vec<u32> {
     for (index, point) in (0u32..).zip(points) {
         let (home, sides) = place(*point, bounds.min, cell);
         let found = cells(home, sides).find_map(|cell| {
-            let chain = std::iter::successors(grid.get(&cell).copied(), |&at| *next.get(at as usize)?);
-            chain
-                .into_iter()
-                .find(|&at| points.get(at as usize).is_some_and(|other| near(*other, *point, distance)))
+            let chain =
+                std::iter::successors(grid.get(&cell).copied(), |&at| *next.get(at as usize)?);
+            chain.into_iter().find(|&at| {
+                points
+                    .get(at as usize)
+                    .is_some_and(|other| near(*other, *point, distance))
+            })
         });
         welded.push(found.unwrap_or(index));
         next.push(None);

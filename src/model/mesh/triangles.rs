@@ -24,6 +24,10 @@ impl Triangles {
         if soup.triangles.is_empty() {
             return Err(Defect::corrupt("it has no triangles"));
         }
-        Ok(Self { points: soup.points, corners: soup.triangles, tints: soup.tints })
+        Ok(Self {
+            points: soup.points,
+            corners: soup.triangles,
+            tints: soup.tints,
+        })
     }
 }

@@ -57,12 +57,16 @@ impl Hub {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
         let port = listener.local_addr()?.port();
         // some systems take `localhost` for the one, some for the other, and some have no ::1 at all
-        let listeners: Vec<TcpListener> =
-            [Some(listener), TcpListener::bind((Ipv6Addr::LOCALHOST, port)).ok()]
-                .into_iter()
-                .flatten()
-                .collect();
-        listeners.iter().try_for_each(|listener| listener.set_nonblocking(true))?;
+        let listeners: Vec<TcpListener> = [
+            Some(listener),
+            TcpListener::bind((Ipv6Addr::LOCALHOST, port)).ok(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        listeners
+            .iter()
+            .try_for_each(|listener| listener.set_nonblocking(true))?;
         let hub = Arc::new(Self {
             token: token()?,
             port,
@@ -82,7 +86,10 @@ impl Hub {
 
     /// The address of the page of a view.
     pub fn url(&self, id: u32) -> String {
-        format!("http://127.0.0.1:{}/#token={}&id={id}", self.port, self.token)
+        format!(
+            "http://127.0.0.1:{}/#token={}&id={id}",
+            self.port, self.token
+        )
     }
 
     pub(super) fn port(&self) -> u16 {
@@ -95,7 +102,9 @@ impl Hub {
 
     /// A view may be looked at.
     pub fn open(&self, id: u32) {
-        self.views().entry(id).or_insert_with(|| watch::Sender::new(ViewState::default()));
+        self.views()
+            .entry(id)
+            .or_insert_with(|| watch::Sender::new(ViewState::default()));
     }
 
     /// A view is no more: its pages are told.
@@ -110,7 +119,9 @@ impl Hub {
 
     /// Whether a page shows a view.
     pub fn is_watched(&self, id: u32) -> bool {
-        self.views().get(&id).is_some_and(|view| view.receiver_count() > 0)
+        self.views()
+            .get(&id)
+            .is_some_and(|view| view.receiver_count() > 0)
     }
 
     /// Tell the pages of a view about its robot.

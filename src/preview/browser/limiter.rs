@@ -24,7 +24,10 @@ pub(super) struct Permit {
 impl ConnectionLimiter {
     /// Room for so many.
     pub fn new(most: usize) -> Arc<Self> {
-        Arc::new(Self { most, inside: Mutex::default() })
+        Arc::new(Self {
+            most,
+            inside: Mutex::default(),
+        })
     }
 
     /// Admit a connection; the oldest has to go when there is no room.
@@ -32,11 +35,16 @@ impl ConnectionLimiter {
         let own = Arc::new(Notify::new());
         let mut inside = self.inside.lock().unwrap_or_else(PoisonError::into_inner);
         while inside.len() >= self.most {
-            let Some(oldest) = inside.pop_front() else { break };
+            let Some(oldest) = inside.pop_front() else {
+                break;
+            };
             oldest.notify_one();
         }
         inside.push_back(own.clone());
-        Permit { limiter: self.clone(), own }
+        Permit {
+            limiter: self.clone(),
+            own,
+        }
     }
 
     #[cfg(test)]
@@ -48,7 +56,11 @@ impl ConnectionLimiter {
 impl Permit {
     /// Make room for good: nobody closes the owner from here on.
     pub fn leave(&self) {
-        let mut inside = self.limiter.inside.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut inside = self
+            .limiter
+            .inside
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         inside.retain(|other| !Arc::ptr_eq(other, &self.own));
     }
 

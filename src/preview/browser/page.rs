@@ -21,7 +21,9 @@ pub(super) async fn page() -> Html<&'static str> {
 /// `/viewer.js`
 pub(super) async fn script() -> Response {
     match viewer::SCRIPT {
-        Some(script) => ([(CONTENT_TYPE, "text/javascript; charset=utf-8")], script).into_response(),
+        Some(script) => {
+            ([(CONTENT_TYPE, "text/javascript; charset=utf-8")], script).into_response()
+        }
         None => axum::http::StatusCode::NOT_FOUND.into_response(),
     }
 }

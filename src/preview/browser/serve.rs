@@ -27,7 +27,9 @@ const ANSWER_TIME: Duration = Duration::from_secs(120);
 
 /// Serve until the process ends.
 pub(super) fn run(hub: &Arc<Hub>, listeners: Vec<TcpListener>) {
-    let Ok(runtime) = Builder::new_current_thread().enable_all().build() else { return };
+    let Ok(runtime) = Builder::new_current_thread().enable_all().build() else {
+        return;
+    };
     let router = routes(hub.clone());
     let accept = |listener| runtime.spawn(accept(hub.clone(), router.clone(), listener));
     let accepted: Vec<_> = listeners.into_iter().map(accept).collect();
@@ -39,7 +41,9 @@ pub(super) fn run(hub: &Arc<Hub>, listeners: Vec<TcpListener>) {
 }
 
 async fn accept(hub: Arc<Hub>, router: Router, listener: TcpListener) {
-    let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
+    let Ok(listener) = tokio::net::TcpListener::from_std(listener) else {
+        return;
+    };
     loop {
         let Ok((stream, peer)) = listener.accept().await else {
             // out of file handles: those there are will be given back soon
@@ -75,7 +79,10 @@ fn routes(hub: Arc<Hub>) -> Router {
         .route("/mesh/{id}", get(mesh))
         .route("/socket", get(socket::open))
         .fallback(|| async { (StatusCode::NOT_FOUND, "page not found") })
-        .layer(axum::middleware::from_fn_with_state(hub.clone(), guard::guard))
+        .layer(axum::middleware::from_fn_with_state(
+            hub.clone(),
+            guard::guard,
+        ))
         .with_state(hub)
 }
 
@@ -86,7 +93,10 @@ async fn mesh(
     Path(id): Path<String>,
     headers: HeaderMap,
 ) -> Response {
-    let given = headers.get("x-xacro-token").and_then(|token| token.to_str().ok()).unwrap_or("");
+    let given = headers
+        .get("x-xacro-token")
+        .and_then(|token| token.to_str().ok())
+        .unwrap_or("");
     if !guard::same(given, hub.token()) {
         return (StatusCode::FORBIDDEN, "the token is missing or wrong").into_response();
     }
@@ -98,9 +108,11 @@ async fn mesh(
     let vfs = hub.vfs.clone();
     match tokio::task::spawn_blocking(move || vfs.bytes(&path, SENT_BYTES)).await {
         Ok(Ok(bytes)) => ([(CONTENT_TYPE, "application/octet-stream")], bytes).into_response(),
-        Ok(Err(error)) => {
-            (StatusCode::NOT_FOUND, format!("it cannot be read: {}", error.reason())).into_response()
-        }
+        Ok(Err(error)) => (
+            StatusCode::NOT_FOUND,
+            format!("it cannot be read: {}", error.reason()),
+        )
+            .into_response(),
         Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
     }
 }

@@ -45,15 +45,26 @@ pub(super) async fn open(
 ) -> Response {
     // a page always says where it comes from; who does not is none of ours
     if !guard::same_origin(&headers) {
-        return (StatusCode::FORBIDDEN, "the Origin header does not match this server").into_response();
+        return (
+            StatusCode::FORBIDDEN,
+            "the Origin header does not match this server",
+        )
+            .into_response();
     }
-    let upgrade = upgrade.max_message_size(SOCKET_MESSAGE).max_frame_size(SOCKET_MESSAGE);
+    let upgrade = upgrade
+        .max_message_size(SOCKET_MESSAGE)
+        .max_frame_size(SOCKET_MESSAGE);
     upgrade.on_upgrade(move |socket| talk(socket, hub))
 }
 
 async fn talk(socket: WebSocket, hub: Arc<Hub>) {
-    let Some((mut socket, id, mut updates)) = greet(socket, &hub).await else { return };
-    (hub.receive)(Received { id, message: FromViewer::Ready });
+    let Some((mut socket, id, mut updates)) = greet(socket, &hub).await else {
+        return;
+    };
+    (hub.receive)(Received {
+        id,
+        message: FromViewer::Ready,
+    });
     let page = hub.pages.enter();
     let mut known = ViewState::default();
     // the page does not know yet what there is already
@@ -127,7 +138,11 @@ async fn tell(socket: &mut WebSocket, known: &mut ViewState, now: ViewState) -> 
         (a, b) => a.is_some() != b.is_some(),
     };
     let gone: Option<Arc<str>> = Some(Arc::from(r#"{"type":"closed","side":"compare"}"#));
-    let compare = if now.compare.is_some() { &now.compare } else { &gone };
+    let compare = if now.compare.is_some() {
+        &now.compare
+    } else {
+        &gone
+    };
     let parts = [
         (differs(&known.main, &now.main), &now.main),
         (differs(&known.compare, &now.compare), compare),
@@ -150,6 +165,9 @@ async fn send(socket: &mut WebSocket, message: Message) -> ControlFlow<()> {
 }
 
 async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
-    let frame = CloseFrame { code, reason: Utf8Bytes::from_static(reason) };
+    let frame = CloseFrame {
+        code,
+        reason: Utf8Bytes::from_static(reason),
+    };
     let _ = send(&mut socket, Message::Close(Some(frame))).await;
 }

@@ -26,10 +26,17 @@ fn rig() -> Rig {
     tree.write("secret.txt", "secret");
     let files = Arc::new(Files::default());
     let (say, said) = mpsc::channel();
-    let hub =
-        Hub::start(files.clone(), tree.vfs().clone(), move |received| drop(say.send(received))).unwrap();
+    let hub = Hub::start(files.clone(), tree.vfs().clone(), move |received| {
+        drop(say.send(received))
+    })
+    .unwrap();
     hub.open(1);
-    Rig { hub, tree, files, said }
+    Rig {
+        hub,
+        tree,
+        files,
+        said,
+    }
 }
 
 impl Rig {
@@ -39,7 +46,9 @@ impl Rig {
 
     fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(("127.0.0.1", self.port())).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(20))).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(20)))
+            .unwrap();
         stream
     }
 
@@ -58,7 +67,10 @@ impl Rig {
     /// A GET with the right Host and further lines.
     fn get(&self, path: &str, more: &[&str]) -> String {
         let more: String = more.iter().map(|line| format!("{line}\r\n")).collect();
-        self.send(&format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{more}\r\n", self.port()))
+        self.send(&format!(
+            "GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{more}\r\n",
+            self.port()
+        ))
     }
 
     fn token(&self) -> String {
@@ -68,7 +80,9 @@ impl Rig {
     /// A socket after the handshake, or the answer that refused it.
     fn socket(&self, origin: Option<&str>) -> Result<TcpStream, String> {
         let mut stream = self.connect();
-        let origin = origin.map(|origin| format!("Origin: {origin}\r\n")).unwrap_or_default();
+        let origin = origin
+            .map(|origin| format!("Origin: {origin}\r\n"))
+            .unwrap_or_default();
         let text = format!(
             "GET /socket HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n\
              Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n{origin}\r\n",
@@ -81,16 +95,24 @@ impl Rig {
             head.push(byte[0]);
         }
         let head = String::from_utf8(head).unwrap();
-        if head.starts_with("HTTP/1.1 101") { Ok(stream) } else { Err(head) }
+        if head.starts_with("HTTP/1.1 101") {
+            Ok(stream)
+        } else {
+            Err(head)
+        }
     }
 
     fn own_socket(&self) -> TcpStream {
-        self.socket(Some(&format!("http://127.0.0.1:{}", self.port()))).unwrap()
+        self.socket(Some(&format!("http://127.0.0.1:{}", self.port())))
+            .unwrap()
     }
 
     fn hello(&self, token: &str, id: u32) -> TcpStream {
         let mut stream = self.own_socket();
-        write_text(&mut stream, &format!("{{\"type\":\"hello\",\"token\":\"{token}\",\"id\":{id}}}"));
+        write_text(
+            &mut stream,
+            &format!("{{\"type\":\"hello\",\"token\":\"{token}\",\"id\":{id}}}"),
+        );
         stream
     }
 }
@@ -156,7 +178,11 @@ fn the_page_says_what_it_may_do() {
         assert!(lower.contains(line), "{line} in {page}");
     }
     assert!(!lower.contains("access-control-") && !page.contains(rig.hub.token()));
-    let wanted = if viewer::SCRIPT.is_some() { "/viewer.js" } else { "npm run build" };
+    let wanted = if viewer::SCRIPT.is_some() {
+        "/viewer.js"
+    } else {
+        "npm run build"
+    };
     assert!(page.contains(wanted), "{page}");
 }
 
@@ -164,7 +190,10 @@ fn the_page_says_what_it_may_do() {
 fn other_names_of_this_machine_are_ours() {
     let rig = rig();
     for host in ["localhost", "[::1]"] {
-        let answer = rig.send(&format!("GET / HTTP/1.1\r\nHost: {host}:{}\r\n\r\n", rig.port()));
+        let answer = rig.send(&format!(
+            "GET / HTTP/1.1\r\nHost: {host}:{}\r\n\r\n",
+            rig.port()
+        ));
         assert!(answer.starts_with("HTTP/1.1 200"), "{host}: {answer}");
     }
 }
@@ -208,9 +237,13 @@ fn requests_of_other_pages_get_nothing() {
     let path = format!("/mesh/{id}");
     let foreign = format!("Origin: http://127.0.0.1:{}", rig.port().wrapping_add(1));
     let secure = format!("Origin: https://127.0.0.1:{}", rig.port());
-    for line in
-        ["Origin: https://evil.example", "Origin: null", &foreign, &secure, "Sec-Fetch-Site: cross-site"]
-    {
+    for line in [
+        "Origin: https://evil.example",
+        "Origin: null",
+        &foreign,
+        &secure,
+        "Sec-Fetch-Site: cross-site",
+    ] {
         let answer = rig.get(&path, &[&rig.token(), line]);
         assert!(answer.starts_with("HTTP/1.1 403"), "{line}: {answer}");
     }
@@ -224,10 +257,16 @@ fn requests_of_other_pages_get_nothing() {
 fn only_get_is_answered() {
     let rig = rig();
     for method in ["POST", "PUT", "DELETE", "OPTIONS", "HEAD", "PATCH", "TRACE"] {
-        let text = format!("{method} / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n", rig.port());
+        let text = format!(
+            "{method} / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n",
+            rig.port()
+        );
         let answer = rig.send(&text);
         assert!(answer.starts_with("HTTP/1.1 405"), "{method}: {answer}");
-        assert!(!answer.to_lowercase().contains("access-control-"), "{answer}");
+        assert!(
+            !answer.to_lowercase().contains("access-control-"),
+            "{answer}"
+        );
     }
 }
 
@@ -237,7 +276,10 @@ fn files_need_the_token_and_an_id_of_a_model() {
     let id = rig.files.id(&rig.tree.path("mesh.stl"), 1);
     let path = format!("/mesh/{id}");
     let good = rig.get(&path, &[&rig.token()]);
-    assert!(good.starts_with("HTTP/1.1 200") && good.ends_with("endsolid x\n"), "{good}");
+    assert!(
+        good.starts_with("HTTP/1.1 200") && good.ends_with("endsolid x\n"),
+        "{good}"
+    );
     let token = rig.hub.token().to_owned();
     let short = format!("X-Xacro-Token: {}", &token[1..]);
     let wrong = format!("X-Xacro-Token: {}", "0".repeat(32));
@@ -260,19 +302,33 @@ fn files_need_the_token_and_an_id_of_a_model() {
         "/secret.txt",
     ] {
         let answer = rig.get(path, &[&rig.token()]);
-        assert!(answer.starts_with("HTTP/1.1 4") && !answer.ends_with("secret"), "{path}: {answer}");
+        assert!(
+            answer.starts_with("HTTP/1.1 4") && !answer.ends_with("secret"),
+            "{path}: {answer}"
+        );
     }
     rig.files.keep(&base::FastSet::default());
-    assert!(rig.get(&path, &[&rig.token()]).starts_with("HTTP/1.1 404"), "no model names it any more");
+    assert!(
+        rig.get(&path, &[&rig.token()]).starts_with("HTTP/1.1 404"),
+        "no model names it any more"
+    );
 }
 
 #[test]
 fn what_is_too_large_is_refused() {
     let rig = rig();
     let long = rig.get(&format!("/{}", "a".repeat(1 << 20)), &[]);
-    assert!(long.is_empty() || long.starts_with("HTTP/1.1 4"), "{}", long.len());
+    assert!(
+        long.is_empty() || long.starts_with("HTTP/1.1 4"),
+        "{}",
+        long.len()
+    );
     let head = rig.get("/", &[&format!("X-Long: {}", "a".repeat(1 << 20))]);
-    assert!(head.is_empty() || head.starts_with("HTTP/1.1 4"), "{}", head.len());
+    assert!(
+        head.is_empty() || head.starts_with("HTTP/1.1 4"),
+        "{}",
+        head.len()
+    );
     let body = rig.get("/", &["Content-Length: 1000000000"]);
     assert!(body.starts_with("HTTP/1.1 413"), "{body}");
     let chunked = rig.get("/", &["Transfer-Encoding: chunked"]);
@@ -293,7 +349,10 @@ fn a_socket_has_to_name_the_token_first() {
     let mut other = rig.own_socket();
     write_text(&mut other, "{\"type\":\"ready\"}");
     assert_eq!(close_code(&mut other), Some(4001));
-    assert!(rig.said.try_recv().is_err(), "nobody without the token was listened to");
+    assert!(
+        rig.said.try_recv().is_err(),
+        "nobody without the token was listened to"
+    );
 }
 
 #[test]
@@ -301,14 +360,27 @@ fn a_page_is_told_and_listened_to() {
     let rig = rig();
     let mut socket = rig.hello(rig.hub.token(), 1);
     let ready = rig.said.recv_timeout(Duration::from_secs(20)).unwrap();
-    assert!(matches!(ready, Received { id: 1, message: FromViewer::Ready }));
-    rig.hub.select(&Selection { id: 1, links: vec!["arm".to_owned()], ..Selection::default() });
+    assert!(matches!(
+        ready,
+        Received {
+            id: 1,
+            message: FromViewer::Ready
+        }
+    ));
+    rig.hub.select(&Selection {
+        id: 1,
+        links: vec!["arm".to_owned()],
+        ..Selection::default()
+    });
     let text = loop {
         if let (1, content) = read_frame(&mut socket).unwrap() {
             break String::from_utf8(content).unwrap();
         }
     };
-    assert_eq!(text, r#"{"type":"select","id":1,"links":["arm"],"joints":[]}"#);
+    assert_eq!(
+        text,
+        r#"{"type":"select","id":1,"links":["arm"],"joints":[]}"#
+    );
     write_text(&mut socket, "nonsense");
     write_text(&mut socket, "{\"type\":\"select\",\"link\":\"arm\"}");
     let said = rig.said.recv_timeout(Duration::from_secs(20)).unwrap();
@@ -323,7 +395,9 @@ fn a_thousand_idle_connections_keep_nobody_out() {
     let mut idle = Vec::new();
     while idle.len() < 1000 {
         // a system may allow fewer files than that
-        let Ok(stream) = TcpStream::connect(("127.0.0.1", rig.port())) else { break };
+        let Ok(stream) = TcpStream::connect(("127.0.0.1", rig.port())) else {
+            break;
+        };
         idle.push(stream);
     }
     // room for our own
@@ -333,7 +407,11 @@ fn a_thousand_idle_connections_keep_nobody_out() {
     assert!(rig.get("/", &[]).starts_with("HTTP/1.1 200"));
     let mut socket = rig.hello(rig.hub.token(), 1);
     assert!(rig.said.recv_timeout(Duration::from_secs(20)).is_ok());
-    assert!(begin.elapsed() < Duration::from_secs(10), "{:?}", begin.elapsed());
+    assert!(
+        begin.elapsed() < Duration::from_secs(10),
+        "{:?}",
+        begin.elapsed()
+    );
     assert!(rig.hub.connections.len() <= 128);
     rig.hub.close(1);
     assert_eq!(close_code(&mut socket), Some(4004));
@@ -354,11 +432,21 @@ fn connections_that_say_nothing_end_no_download() {
     const SIZE: u64 = 50_000_000;
     let rig = rig();
     let mesh = rig.tree.path("mesh.stl");
-    std::fs::File::options().write(true).open(&mesh).unwrap().set_len(SIZE).unwrap();
+    std::fs::File::options()
+        .write(true)
+        .open(&mesh)
+        .unwrap()
+        .set_len(SIZE)
+        .unwrap();
     let id = rig.files.id(&mesh, 1);
     let mut download = rig.connect();
     let host = format!("Host: 127.0.0.1:{}", rig.port());
-    write!(download, "GET /mesh/{id} HTTP/1.1\r\n{host}\r\n{}\r\n\r\n", rig.token()).unwrap();
+    write!(
+        download,
+        "GET /mesh/{id} HTTP/1.1\r\n{host}\r\n{}\r\n\r\n",
+        rig.token()
+    )
+    .unwrap();
     let mut first = [0; 4096];
     download.read_exact(&mut first).unwrap();
     // a thousand of them; the server has let go of those that are dropped here
@@ -372,7 +460,11 @@ fn connections_that_say_nothing_end_no_download() {
     assert!(rig.get("/", &[]).starts_with("HTTP/1.1 200"));
     let mut rest = Vec::new();
     download.read_to_end(&mut rest).unwrap();
-    let head = first.windows(4).position(|bytes| bytes == b"\r\n\r\n").unwrap() + 4;
+    let head = first
+        .windows(4)
+        .position(|bytes| bytes == b"\r\n\r\n")
+        .unwrap()
+        + 4;
     assert_eq!((first.len() - head + rest.len()) as u64, SIZE);
 }
 
@@ -382,7 +474,11 @@ async fn who_waits_longest_makes_room() {
     let (first, second) = (limiter.enter(), limiter.enter());
     let _third = limiter.enter();
     first.lost().await;
-    assert!(tokio::time::timeout(Duration::from_millis(20), second.lost()).await.is_err());
+    assert!(
+        tokio::time::timeout(Duration::from_millis(20), second.lost())
+            .await
+            .is_err()
+    );
     drop(first);
     assert_eq!(limiter.len(), 2);
 }
@@ -392,6 +488,13 @@ fn tokens_differ_and_have_128_bits() {
     let (a, b) = (rig(), rig());
     assert_ne!(a.hub.token(), b.hub.token());
     assert_eq!(a.hub.token().len(), 32);
-    assert!(a.hub.url(3).ends_with(&format!("/#token={}&id=3", a.hub.token())));
-    assert_eq!(a.tree.path("x").parent().map(PathBuf::from), Some(a.tree.root().to_path_buf()));
+    assert!(
+        a.hub
+            .url(3)
+            .ends_with(&format!("/#token={}&id=3", a.hub.token()))
+    );
+    assert_eq!(
+        a.tree.path("x").parent().map(PathBuf::from),
+        Some(a.tree.root().to_path_buf())
+    );
 }

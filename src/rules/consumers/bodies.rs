@@ -19,11 +19,18 @@ pub(super) struct RigidBody {
 
 /// The bodies of a robot.
 pub(super) fn bodies(robot: &Robot, kinematics: &Kinematics) -> Vec<RigidBody> {
-    let moves = |link: usize| match kinematics.up(link).first().and_then(|&joint| robot.joints.get(joint)) {
+    let moves = |link: usize| match kinematics
+        .up(link)
+        .first()
+        .and_then(|&joint| robot.joints.get(joint))
+    {
         Some(joint) => !joint.is(&[JointType::Fixed]),
         None => true,
     };
-    (0..robot.links.len()).filter(|&link| moves(link)).map(|top| body(robot, kinematics, top)).collect()
+    (0..robot.links.len())
+        .filter(|&link| moves(link))
+        .map(|top| body(robot, kinematics, top))
+        .collect()
 }
 
 fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
@@ -32,7 +39,11 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
     while let Some(&(link, place)) = placed.get(next).filter(|_| next < robot.links.len()) {
         next += 1;
         for &index in kinematics.down(link) {
-            let Some(joint) = robot.joints.get(index).filter(|joint| joint.is(&[JointType::Fixed])) else {
+            let Some(joint) = robot
+                .joints
+                .get(index)
+                .filter(|joint| joint.is(&[JointType::Fixed]))
+            else {
                 continue;
             };
             let below = kinematics.ends(index).map(|(_, child)| child);
@@ -47,7 +58,11 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
     }
     placed.truncate(robot.links.len());
     let links: Vec<usize> = placed.iter().map(|&(link, _)| link).collect();
-    let parts = || placed.iter().filter_map(|&(link, place)| Some((robot.links.get(link)?, place)));
+    let parts = || {
+        placed
+            .iter()
+            .filter_map(|&(link, place)| Some((robot.links.get(link)?, place)))
+    };
     RigidBody {
         is_root: kinematics.up(top).is_empty(),
         has_mass: parts().any(|(link, _)| has_mass(link)),
@@ -56,10 +71,14 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
     }
 }
 
-fn sum<'a>(parts: impl Iterator<Item = (&'a Link, Option<Isometry3<f64>>)>) -> Option<(f64, [f64; 6])> {
+fn sum<'a>(
+    parts: impl Iterator<Item = (&'a Link, Option<Isometry3<f64>>)>,
+) -> Option<(f64, [f64; 6])> {
     let (mut mass, mut moment, mut inertia) = (0.0, Vector3::zeros(), Matrix3::zeros());
     for (link, place) in parts {
-        let Some(inertial) = &link.inertial else { continue };
+        let Some(inertial) = &link.inertial else {
+            continue;
+        };
         let (own_mass, center, own) = at(inertial, &place?)?;
         mass += own_mass;
         moment += center * own_mass;
@@ -69,7 +88,17 @@ fn sum<'a>(parts: impl Iterator<Item = (&'a Link, Option<Isometry3<f64>>)>) -> O
         inertia -= shift(moment / mass) * mass;
     }
     let entry = |row: usize, column: usize| inertia.get((row, column)).copied().unwrap_or_default();
-    Some((mass, [entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)]))
+    Some((
+        mass,
+        [
+            entry(0, 0),
+            entry(0, 1),
+            entry(0, 2),
+            entry(1, 1),
+            entry(1, 2),
+            entry(2, 2),
+        ],
+    ))
 }
 
 /// Mass, center of mass and inertia about it, in the axes of the body.

@@ -6,7 +6,16 @@ use model::{Text, decimal};
 use xml::NodeKind;
 
 /// Elements of `<gazebo>` that hold a number.
-const NUMBERS: [&str; 8] = ["mu1", "mu2", "kp", "kd", "maxVel", "max_vel", "minDepth", "min_depth"];
+const NUMBERS: [&str; 8] = [
+    "mu1",
+    "mu2",
+    "kp",
+    "kd",
+    "maxVel",
+    "max_vel",
+    "minDepth",
+    "min_depth",
+];
 /// The types of sensors of SDFormat.
 const SENSORS: [&str; 35] = [
     "air_pressure",
@@ -58,7 +67,11 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
     let drake = tree.below(facts.robot.element).find(|&id| {
         tree.get(id).text.starts_with("drake:")
-            || tree.get(id).attrs.iter().any(|attr| attr.name.starts_with("drake:"))
+            || tree
+                .get(id)
+                .attrs
+                .iter()
+                .any(|attr| attr.name.starts_with("drake:"))
     });
     if let Some(drake) = drake {
         out.add("drake-element", facts.at(drake), "the robot");
@@ -67,7 +80,9 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 
 /// What the root file says above its elements. What xacro reads is written again for consumers.
 fn document(facts: &Facts<'_, '_>, out: &mut Found) {
-    let Some(file) = facts.cx.expansion.files.first() else { return };
+    let Some(file) = facts.cx.expansion.files.first() else {
+        return;
+    };
     let at = facts.at(facts.robot.element);
     let document = &file.source.document;
     let root = document.root();
@@ -85,17 +100,20 @@ fn document(facts: &Facts<'_, '_>, out: &mut Found) {
     // what is no entity has a row of its own
     let is_sound = document.errors().is_empty();
     if is_sound
-        && document
-            .parts()
-            .any(|(_, item)| item.all_nodes().any(|node| node.attrs().any(|attr| is_entity(attr.raw()))))
+        && document.parts().any(|(_, item)| {
+            item.all_nodes()
+                .any(|node| node.attrs().any(|attr| is_entity(attr.raw())))
+        })
     {
         out.add("entity", at, "the robot");
     }
     let declaration = nodes().find(|node| node.kind() == NodeKind::Declaration);
-    let declaration =
-        declaration.map(|node| document.slice(node.range()).to_ascii_lowercase()).unwrap_or_default();
-    let encoding =
-        declaration.split_once("encoding=").map_or("", |(_, rest)| rest.trim_start_matches(['"', '\'']));
+    let declaration = declaration
+        .map(|node| document.slice(node.range()).to_ascii_lowercase())
+        .unwrap_or_default();
+    let encoding = declaration
+        .split_once("encoding=")
+        .map_or("", |(_, rest)| rest.trim_start_matches(['"', '\'']));
     if !encoding.is_empty() && !encoding.starts_with("utf-8") && !encoding.starts_with("us-ascii") {
         out.add("encoding-latin-1", at, "the robot");
     }
@@ -117,7 +135,9 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
         let owner = transmission
             .name
             .as_ref()
-            .map_or("a transmission".to_owned(), |name| format!("transmission `{}`", name.value));
+            .map_or("a transmission".to_owned(), |name| {
+                format!("transmission `{}`", name.value)
+            });
         let mut add = |row: &str| out.add(row, facts.at(element), owner.as_str());
         let has = |name: &'static str| facts.children(element, name).next().is_some();
         add("transmission");
@@ -135,8 +155,16 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
         if !has("joint") {
             add("transmission-without-joint");
         }
-        let unknown = |name: &Text| name.name().is_some_and(|name| facts.robot.joint(name).is_none());
-        if transmission.joints.iter().filter_map(|(_, name)| name.as_ref()).any(unknown) {
+        let unknown = |name: &Text| {
+            name.name()
+                .is_some_and(|name| facts.robot.joint(name).is_none())
+        };
+        if transmission
+            .joints
+            .iter()
+            .filter_map(|(_, name)| name.as_ref())
+            .any(unknown)
+        {
             add("transmission-joint-unknown");
         }
     }

@@ -41,7 +41,11 @@ impl Found {
     pub(super) fn add(&mut self, name: &str, origin: Origin, owner: impl Into<String>) {
         let construct = construct(name);
         debug_assert!(construct.is_some(), "no row {name}");
-        self.met.extend(construct.map(|construct| Met { construct, origin, owner: owner.into() }));
+        self.met.extend(construct.map(|construct| Met {
+            construct,
+            origin,
+            owner: owner.into(),
+        }));
     }
 }
 
@@ -56,7 +60,14 @@ impl<'a, 'e> Facts<'a, 'e> {
                     && root.is_some_and(|root| root.attr("xmlns:xacro").is_none())
             });
         let kinematics = Kinematics::of(robot);
-        Self { cx, robot, bodies: bodies(robot, &kinematics), kinematics, is_plain, version }
+        Self {
+            cx,
+            robot,
+            bodies: bodies(robot, &kinematics),
+            kinematics,
+            is_plain,
+            version,
+        }
     }
 
     /// The text of a value as consumers see it.
@@ -67,7 +78,9 @@ impl<'a, 'e> Facts<'a, 'e> {
         }
         let source = source_text(self.cx.expansion, text.origin);
         // what has references is long to read, and seldom
-        let source = source.map(|(_, _, source)| source).filter(|source| !source.contains('&'));
+        let source = source
+            .map(|(_, _, source)| source)
+            .filter(|source| !source.contains('&'));
         source.unwrap_or_else(|| text.value.to_string())
     }
 
@@ -78,19 +91,28 @@ impl<'a, 'e> Facts<'a, 'e> {
 
     /// Where a thing is named, or where it begins.
     pub(super) fn at_name(&self, name: Option<&Text>, element: XId) -> Origin {
-        name.filter(|name| !name.value.is_empty()).map_or_else(|| self.at(element), |name| name.origin)
+        name.filter(|name| !name.value.is_empty())
+            .map_or_else(|| self.at(element), |name| name.origin)
     }
 
     /// The child elements of a name.
-    pub(super) fn children(&self, element: XId, name: &'static str) -> impl Iterator<Item = XId> + '_ {
+    pub(super) fn children(
+        &self,
+        element: XId,
+        name: &'static str,
+    ) -> impl Iterator<Item = XId> + '_ {
         let tree = &self.cx.expansion.tree;
-        tree.elements(element).filter(move |&id| tree.get(id).text == name)
+        tree.elements(element)
+            .filter(move |&id| tree.get(id).text == name)
     }
 }
 
 /// Whether a link has a mass, or one that is not known.
 pub(super) fn has_mass(link: &Link) -> bool {
-    let mass = link.inertial.as_ref().and_then(|inertial| inertial.mass.as_ref());
+    let mass = link
+        .inertial
+        .as_ref()
+        .and_then(|inertial| inertial.mass.as_ref());
     mass.is_some_and(|mass| !mass.is_known() || mass.number().is_none_or(|mass| mass != 0.0))
 }
 
@@ -105,5 +127,9 @@ pub(super) fn joint_owner(joint: &Joint) -> String {
 }
 
 fn named(kind: &str, name: &str) -> String {
-    if name.is_empty() { format!("a {kind}") } else { format!("{kind} `{name}`") }
+    if name.is_empty() {
+        format!("a {kind}")
+    } else {
+        format!("{kind} `{name}`")
+    }
 }

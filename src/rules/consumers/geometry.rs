@@ -9,7 +9,11 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         for (bodies, prefix) in [(&link.visuals, ""), (&link.collisions, "collision-")] {
             for body in bodies {
                 let mut at = |row: &str, element: XId| {
-                    out.add(&format!("{prefix}{row}"), facts.at(element), link_owner(link));
+                    out.add(
+                        &format!("{prefix}{row}"),
+                        facts.at(element),
+                        link_owner(link),
+                    );
                 };
                 geometry(facts, body, &mut at);
                 twice(facts, (link, body), out);
@@ -19,22 +23,41 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 fn geometry(facts: &Facts<'_, '_>, body: &Body, at: &mut impl FnMut(&str, XId)) {
-    let Some(geometry) = &body.geometry else { return at("geometry-missing", body.element) };
-    let Some(shape) = geometry.shapes.first() else { return at("geometry-empty", geometry.element) };
-    let numbers = sizes(shape);
-    let is_flat =
-        |text: &Text| text.words().any(|range| text.value.get(range).and_then(model::decimal) == Some(0.0));
-    let is_below = |text: &Text| {
-        text.words()
-            .any(|range| text.value.get(range).and_then(model::decimal).is_some_and(|size| size < 0.0))
+    let Some(geometry) = &body.geometry else {
+        return at("geometry-missing", body.element);
     };
-    let has =
-        |test: &dyn Fn(&Text) -> bool| numbers.iter().flatten().any(|text| text.is_known() && test(text));
+    let Some(shape) = geometry.shapes.first() else {
+        return at("geometry-empty", geometry.element);
+    };
+    let numbers = sizes(shape);
+    let is_flat = |text: &Text| {
+        text.words()
+            .any(|range| text.value.get(range).and_then(model::decimal) == Some(0.0))
+    };
+    let is_below = |text: &Text| {
+        text.words().any(|range| {
+            text.value
+                .get(range)
+                .and_then(model::decimal)
+                .is_some_and(|size| size < 0.0)
+        })
+    };
+    let has = |test: &dyn Fn(&Text) -> bool| {
+        numbers
+            .iter()
+            .flatten()
+            .any(|text| text.is_known() && test(text))
+    };
     match &shape.kind {
         ShapeKind::Other => at("shape-unknown", shape.element),
         ShapeKind::Capsule { .. } => {
-            let is_read = facts.version.is_some_and(|version| version >= Version::V1_1);
-            at(if is_read { "capsule" } else { "capsule-1.0" }, shape.element);
+            let is_read = facts
+                .version
+                .is_some_and(|version| version >= Version::V1_1);
+            at(
+                if is_read { "capsule" } else { "capsule-1.0" },
+                shape.element,
+            );
         }
         ShapeKind::Mesh { .. } => {}
         _ if has(&is_below) => at("size-negative", shape.element),
@@ -57,14 +80,20 @@ fn sizes(shape: &Shape) -> [Option<&Text>; 2] {
 
 /// What is there twice, of which consumers read one.
 fn twice(facts: &Facts<'_, '_>, (link, body): (&Link, &Body), out: &mut Found) {
-    let rows =
-        [("geometry", "two-geometries"), ("origin", "two-visual-origins"), ("material", "two-materials")];
+    let rows = [
+        ("geometry", "two-geometries"),
+        ("origin", "two-visual-origins"),
+        ("material", "two-materials"),
+    ];
     for (name, row) in rows {
         if let Some(second) = facts.children(body.element, name).nth(1) {
             out.add(row, facts.at(second), link_owner(link));
         }
     }
-    let second = body.geometry.as_ref().and_then(|geometry| geometry.shapes.get(1));
+    let second = body
+        .geometry
+        .as_ref()
+        .and_then(|geometry| geometry.shapes.get(1));
     if let Some(second) = second {
         out.add("two-shapes", facts.at(second.element), link_owner(link));
     }

@@ -17,7 +17,9 @@ const ROUNDING: f64 = 1e-12;
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     for body in &facts.bodies {
         for &index in &body.links {
-            let Some(link) = facts.robot.links.get(index) else { continue };
+            let Some(link) = facts.robot.links.get(index) else {
+                continue;
+            };
             let is_top = body.links.first() == Some(&index);
             match &link.inertial {
                 Some(inertial) => {
@@ -32,17 +34,32 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn missing(facts: &Facts<'_, '_>, link: &Link, (body, is_top): (&RigidBody, bool), out: &mut Found) {
-    let links = || body.links.iter().filter_map(|&index| facts.robot.links.get(index));
+fn missing(
+    facts: &Facts<'_, '_>,
+    link: &Link,
+    (body, is_top): (&RigidBody, bool),
+    out: &mut Found,
+) {
+    let links = || {
+        body.links
+            .iter()
+            .filter_map(|&index| facts.robot.links.get(index))
+    };
     let name = match (is_top, body.is_root) {
         (true, true) if facts.robot.joints.is_empty() || body.has_mass => return,
         (true, true) => "massless-root",
         (true, false) if links().any(|link| link.inertial.is_some()) => return,
-        (true, false) if links().any(|link| !link.collisions.is_empty()) => "no-inertial-with-collision",
+        (true, false) if links().any(|link| !link.collisions.is_empty()) => {
+            "no-inertial-with-collision"
+        }
         (true, false) => "no-inertial",
         (false, _) => "no-inertial-fixed",
     };
-    out.add(name, facts.at_name(link.name.as_ref(), link.element), link_owner(link));
+    out.add(
+        name,
+        facts.at_name(link.name.as_ref(), link.element),
+        link_owner(link),
+    );
 }
 
 fn written(
@@ -66,7 +83,9 @@ fn written(
         (Some(_), None) => return add("no-inertia", inertial.element),
         (Some(_), Some(_)) => {}
     }
-    let (Some(mass), Some(entries)) = (inertial.mass(), inertial.entries()) else { return };
+    let (Some(mass), Some(entries)) = (inertial.mass(), inertial.entries()) else {
+        return;
+    };
     if let Some(name) = mass_row(mass, entries == [0.0; 6], body, is_top) {
         add(name, inertial.element);
     }

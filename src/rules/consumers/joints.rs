@@ -10,7 +10,12 @@ const TINY_AXIS: f64 = 1e-6;
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     debug_assert_eq!(facts.cx.kind, RootKind::Robot);
     let fixed = |joint: &Joint| joint.is(&[JointType::Fixed]);
-    let last = facts.robot.joints.iter().rposition(|joint| !fixed(joint)).unwrap_or_default();
+    let last = facts
+        .robot
+        .joints
+        .iter()
+        .rposition(|joint| !fixed(joint))
+        .unwrap_or_default();
     for (number, joint) in facts.robot.joints.iter().enumerate() {
         kind(facts, joint, number < last, out);
         limits(facts, joint, out);
@@ -21,14 +26,21 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 
 fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) {
     let Some(text) = &joint.kind else {
-        return out.add("joint-without-type", facts.at(joint.element), joint_owner(joint));
+        return out.add(
+            "joint-without-type",
+            facts.at(joint.element),
+            joint_owner(joint),
+        );
     };
     if !text.is_known() {
         return;
     }
     let name = text.value.as_str();
     let is_root = || {
-        let parent = joint.parent.as_ref().and_then(|parent| facts.kinematics.link(parent.value.as_str()));
+        let parent = joint
+            .parent
+            .as_ref()
+            .and_then(|parent| facts.kinematics.link(parent.value.as_str()));
         parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
     };
     let row = match JointType::of(name) {
@@ -46,13 +58,22 @@ fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) 
 }
 
 fn limits(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
-    let Some(kind) = joint.joint_type() else { return };
+    let Some(kind) = joint.joint_type() else {
+        return;
+    };
     let is_bounded = matches!(kind, JointType::Revolute | JointType::Prismatic);
     let Some(limit) = &joint.limit else {
-        let row =
-            if kind == JointType::Revolute { "revolute-without-limit" } else { "prismatic-without-limit" };
+        let row = if kind == JointType::Revolute {
+            "revolute-without-limit"
+        } else {
+            "prismatic-without-limit"
+        };
         if is_bounded {
-            out.add(row, facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+            out.add(
+                row,
+                facts.at_name(joint.name.as_ref(), joint.element),
+                joint_owner(joint),
+            );
         }
         return;
     };
@@ -66,7 +87,9 @@ fn limits(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
     if limit.dynamic.iter().any(Option::is_some) {
         add("limit-1.2");
     }
-    let is_1_2 = facts.version.is_some_and(|version| version >= Version::V1_2);
+    let is_1_2 = facts
+        .version
+        .is_some_and(|version| version >= Version::V1_2);
     let bare = limit.effort.is_none() && limit.velocity.is_none();
     if bare && limit.lower.is_none() && limit.upper.is_none() {
         return add("limit-empty");
@@ -88,7 +111,11 @@ fn limits(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
 fn signs(limit: &Limit, add: &mut impl FnMut(&str)) {
     let rows = [
         (&limit.effort, "limit-effort-zero", "limit-effort-negative"),
-        (&limit.velocity, "limit-velocity-zero", "limit-velocity-negative"),
+        (
+            &limit.velocity,
+            "limit-velocity-zero",
+            "limit-velocity-negative",
+        ),
     ];
     for (text, zero, negative) in rows {
         match text.as_ref().and_then(Text::number) {
@@ -115,10 +142,16 @@ fn bounds(limit: &Limit, add: &mut impl FnMut(&str)) {
 }
 
 fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
-    let Some(kind) = joint.joint_type() else { return };
+    let Some(kind) = joint.joint_type() else {
+        return;
+    };
     let Some(axis) = &joint.axis else {
         if kind.has_axis() {
-            out.add("axis-missing", facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+            out.add(
+                "axis-missing",
+                facts.at_name(joint.name.as_ref(), joint.element),
+                joint_owner(joint),
+            );
         }
         return;
     };
@@ -126,8 +159,12 @@ fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
     if facts.children(joint.element, "axis").nth(1).is_some() {
         add("two-axes");
     }
-    let Some(xyz) = &axis.xyz else { return add("axis-empty") };
-    let Some(length) = xyz.numbers::<3>().map(|[x, y, z]| x.hypot(y).hypot(z)) else { return };
+    let Some(xyz) = &axis.xyz else {
+        return add("axis-empty");
+    };
+    let Some(length) = xyz.numbers::<3>().map(|[x, y, z]| x.hypot(y).hypot(z)) else {
+        return;
+    };
     match length {
         0.0 if kind.has_axis() => add("axis-zero"),
         0.0 => add("axis-zero-fixed"),
@@ -139,12 +176,15 @@ fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
 fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
     let mut add = |row: &str, element| out.add(row, facts.at(element), joint_owner(joint));
     if let Some(dynamics) = &joint.dynamics {
-        let numbers =
-            [&dynamics.damping, &dynamics.friction].map(|text| text.as_ref().and_then(Text::number));
+        let numbers = [&dynamics.damping, &dynamics.friction]
+            .map(|text| text.as_ref().and_then(Text::number));
         if dynamics.damping.is_none() && dynamics.friction.is_none() {
             add("dynamics-empty", dynamics.element);
         }
-        for (number, row) in numbers.into_iter().zip(["damping-negative", "friction-negative"]) {
+        for (number, row) in numbers
+            .into_iter()
+            .zip(["damping-negative", "friction-negative"])
+        {
             if number.is_some_and(|number| number < 0.0) {
                 add(row, dynamics.element);
             }
@@ -153,12 +193,17 @@ fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
             add("two-dynamics", dynamics.element);
         }
     }
-    if let Some(safety) = joint.safety.as_ref().filter(|safety| safety.k_velocity.is_none()) {
+    if let Some(safety) = joint
+        .safety
+        .as_ref()
+        .filter(|safety| safety.k_velocity.is_none())
+    {
         add("safety-without-velocity", safety.element);
     }
     let tree = &facts.cx.expansion.tree;
     for calibration in facts.children(joint.element, "calibration") {
-        if tree.attr(calibration, "rising").is_none() && tree.attr(calibration, "falling").is_none() {
+        if tree.attr(calibration, "rising").is_none() && tree.attr(calibration, "falling").is_none()
+        {
             add("calibration-empty", calibration);
         }
     }
@@ -172,7 +217,9 @@ fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
     }
     for origin in facts.children(joint.element, "origin") {
         let has = |name: &str| tree.attr(origin, name).is_some();
-        let is_read = facts.version.is_some_and(|version| version >= Version::V1_1);
+        let is_read = facts
+            .version
+            .is_some_and(|version| version >= Version::V1_1);
         match (has("quat_xyzw"), has("rpy")) {
             (true, true) if is_read => add("origin-with-both-rotations", origin),
             (true, _) if is_read => add("quaternion", origin),

@@ -28,10 +28,17 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         look(facts, material, &owner, out);
     }
     let defined = |material: &&Material| material.color.is_some() || material.texture.is_some();
-    let bodies =
-        || facts.robot.links.iter().flat_map(|link| link.visuals.iter().map(move |body| (link, body)));
+    let bodies = || {
+        facts
+            .robot
+            .links
+            .iter()
+            .flat_map(|link| link.visuals.iter().map(move |body| (link, body)))
+    };
     for (link, body) in bodies() {
-        let Some(material) = body.material.as_deref() else { continue };
+        let Some(material) = body.material.as_deref() else {
+            continue;
+        };
         let owner = link_owner(link);
         let mut add = |row: &str| out.add(row, facts.at(material.element), owner.as_str());
         let Some(name) = &material.name else {
@@ -45,11 +52,15 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         }
         match (colors.get(name.value.as_str()), defined(&material)) {
             (None, false) if name.is_known() => {
-                let elsewhere = bodies().filter_map(|(_, body)| body.material.as_deref()).filter(defined);
-                if !elsewhere
-                    .into_iter()
-                    .any(|other| other.name.as_ref().is_some_and(|own| own.value == name.value))
-                {
+                let elsewhere = bodies()
+                    .filter_map(|(_, body)| body.material.as_deref())
+                    .filter(defined);
+                if !elsewhere.into_iter().any(|other| {
+                    other
+                        .name
+                        .as_ref()
+                        .is_some_and(|own| own.value == name.value)
+                }) {
                     add("material-undefined");
                 }
             }
@@ -71,20 +82,29 @@ fn color(material: &Material) -> Option<Color> {
 }
 
 fn owner(material: &Material) -> String {
-    material
-        .name
-        .as_ref()
-        .map_or_else(|| "a material".to_owned(), |name| format!("material `{}`", name.value))
+    material.name.as_ref().map_or_else(
+        || "a material".to_owned(),
+        |name| format!("material `{}`", name.value),
+    )
 }
 
 /// What a material says of its color and texture.
 fn look(facts: &Facts<'_, '_>, material: &Material, owner: &str, out: &mut Found) {
     let tree = &facts.cx.expansion.tree;
-    if let Some(color) = material.color.filter(|&color| tree.attr(color, "rgba").is_none()) {
-        let row = if tree.attr(color, "rgb").is_some() { "color-with-rgb" } else { "color-without-rgba" };
+    if let Some(color) = material
+        .color
+        .filter(|&color| tree.attr(color, "rgba").is_none())
+    {
+        let row = if tree.attr(color, "rgb").is_some() {
+            "color-with-rgb"
+        } else {
+            "color-without-rgba"
+        };
         out.add(row, facts.at(color), owner);
     }
-    let Some(texture) = material.texture else { return };
+    let Some(texture) = material.texture else {
+        return;
+    };
     match &material.texture_file {
         None => out.add("texture-without-filename", facts.at(texture), owner),
         Some(file) => {

@@ -12,10 +12,15 @@ const HUGE: usize = 200_000;
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     without_name(facts, out);
-    for mesh in facts.cx.meshes().filter(|mesh| mesh.file.is_known() && !mesh.file.value.is_empty()) {
+    for mesh in facts
+        .cx
+        .meshes()
+        .filter(|mesh| mesh.file.is_known() && !mesh.file.value.is_empty())
+    {
         let prefix = if mesh.is_collision { "collision-" } else { "" };
         let owner = link_owner(mesh.link);
-        let mut add = |row: &str| out.add(&format!("{prefix}{row}"), mesh.file.origin, owner.as_str());
+        let mut add =
+            |row: &str| out.add(&format!("{prefix}{row}"), mesh.file.origin, owner.as_str());
         let uri = facts.seen(mesh.file);
         let uri = uri.as_str();
         add(scheme(uri));
@@ -37,30 +42,40 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 fn without_name(facts: &Facts<'_, '_>, out: &mut Found) {
     for link in &facts.robot.links {
         let visuals = link.visuals.iter().map(|body| (body, ""));
-        for (body, prefix) in visuals.chain(link.collisions.iter().map(|body| (body, "collision-"))) {
+        for (body, prefix) in visuals.chain(link.collisions.iter().map(|body| (body, "collision-")))
+        {
             let Some(shape) = body.shape() else { continue };
             let row = match &shape.kind {
                 ShapeKind::Mesh { filename: None, .. } => "mesh-without-filename",
-                ShapeKind::Mesh { filename: Some(name), .. } if name.value.is_empty() => {
-                    "mesh-filename-empty"
-                }
+                ShapeKind::Mesh {
+                    filename: Some(name),
+                    ..
+                } if name.value.is_empty() => "mesh-filename-empty",
                 _ => continue,
             };
-            out.add(&format!("{prefix}{row}"), facts.at(shape.element), link_owner(link));
+            out.add(
+                &format!("{prefix}{row}"),
+                facts.at(shape.element),
+                link_owner(link),
+            );
         }
     }
 }
 
 /// The rows of a mesh file under a name, beside those that say where it is missing.
 pub(super) fn rows(uri: &str, mesh: &Mesh) -> Vec<&'static str> {
-    [scheme(uri)].into_iter().chain(file(uri, Some(mesh))).collect()
+    [scheme(uri)]
+        .into_iter()
+        .chain(file(uri, Some(mesh)))
+        .collect()
 }
 
 /// The rows of a file and what is in it.
 fn file(uri: &str, mesh: Option<&Mesh>) -> Vec<&'static str> {
     let content: Vec<&str> = mesh.into_iter().flat_map(content).collect();
     // the name alone does not tell text from bytes
-    let format = format(uri).filter(|row| *row != "mesh-stl" || !content.contains(&"mesh-stl-ascii"));
+    let format =
+        format(uri).filter(|row| *row != "mesh-stl" || !content.contains(&"mesh-stl-ascii"));
     format.into_iter().chain(content).collect()
 }
 
@@ -83,15 +98,26 @@ fn scheme(uri: &str) -> &'static str {
 fn missing(facts: &Facts<'_, '_>, mesh: &MeshUse<'_>) -> Option<&'static str> {
     let uri = mesh.file.value.as_str();
     let world = facts.cx.world;
-    let from =
-        facts.cx.expansion.files.first().map(|file| file.source.path.as_ref()).unwrap_or(Path::new(""));
-    let package = uri.strip_prefix("package://").and_then(|rest| rest.split('/').next());
+    let from = facts
+        .cx
+        .expansion
+        .files
+        .first()
+        .map(|file| file.source.path.as_ref())
+        .unwrap_or(Path::new(""));
+    let package = uri
+        .strip_prefix("package://")
+        .and_then(|rest| rest.split('/').next());
     match mesh.target {
-        FileTarget::Unknown if package.is_some_and(|name| world.packages.find(name, from).is_err()) => {
+        FileTarget::Unknown
+            if package.is_some_and(|name| world.packages.find(name, from).is_err()) =>
+        {
             Some("mesh-package-unknown")
         }
         FileTarget::OtherCase(_) => Some("mesh-case"),
-        FileTarget::Missing(..) | FileTarget::NoFile(_) | FileTarget::Malformed => Some("mesh-missing"),
+        FileTarget::Missing(..) | FileTarget::NoFile(_) | FileTarget::Malformed => {
+            Some("mesh-missing")
+        }
         FileTarget::Unknown | FileTarget::File(_) => None,
     }
 }
@@ -157,11 +183,20 @@ fn scale(factors: [f64; 3]) -> Option<&'static str> {
 fn same_stem(facts: &Facts<'_, '_>, out: &mut Found) {
     let mut first: FastMap<String, &Path> = FastMap::default();
     for mesh in facts.cx.meshes().filter(|mesh| mesh.is_collision) {
-        let Some(path) = mesh.target.file() else { continue };
-        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let Some(path) = mesh.target.file() else {
+            continue;
+        };
+        let stem = path
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned())
+            .unwrap_or_default();
         let known = *first.entry(stem).or_insert(path);
         if known != path {
-            out.add("meshes-of-one-stem", mesh.file.origin, link_owner(mesh.link));
+            out.add(
+                "meshes-of-one-stem",
+                mesh.file.origin,
+                link_owner(mesh.link),
+            );
         }
     }
 }

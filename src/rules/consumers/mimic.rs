@@ -29,7 +29,11 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 fn position(facts: &Facts<'_, '_>, name: &str) -> Option<usize> {
-    facts.robot.joints.iter().position(|joint| joint.name.as_ref().is_some_and(|own| own.value == name))
+    facts
+        .robot
+        .joints
+        .iter()
+        .position(|joint| joint.name.as_ref().is_some_and(|own| own.value == name))
 }
 
 fn row(facts: &Facts<'_, '_>, joint: usize, other: usize) -> &'static str {
@@ -37,7 +41,11 @@ fn row(facts: &Facts<'_, '_>, joint: usize, other: usize) -> &'static str {
         let joint: &Joint = facts.robot.joints.get(joint)?;
         position(facts, joint.mimic.as_ref()?.joint.as_ref()?.name()?)
     };
-    let is_fixed = facts.robot.joints.get(other).is_some_and(|joint| joint.is(&[JointType::Fixed]));
+    let is_fixed = facts
+        .robot
+        .joints
+        .get(other)
+        .is_some_and(|joint| joint.is(&[JointType::Fixed]));
     let kind = |joint: usize| facts.robot.joints.get(joint).and_then(Joint::joint_type);
     match mimicked(other) {
         Some(back) if back == joint => "mimic-cycle",

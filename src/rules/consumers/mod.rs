@@ -38,12 +38,22 @@ pub(super) static RULES: &[&Rule] = &[&verdict::REJECTS, &verdict::CHANGES];
 
 /// The rule that says that a program rejects or changes something.
 pub fn rule_of(outcome: Outcome) -> &'static Rule {
-    if outcome == Outcome::Rejects { &verdict::REJECTS } else { &verdict::CHANGES }
+    if outcome == Outcome::Rejects {
+        &verdict::REJECTS
+    } else {
+        &verdict::CHANGES
+    }
 }
 
 /// The constructs of a robot that the table knows, by detector and in document order.
-pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: Surroundings<'_>) -> Vec<Met> {
-    let Some(root) = expansion.tree.root() else { return Vec::new() };
+pub fn constructs(
+    expansion: &Expansion,
+    robot: Option<&Robot>,
+    world: Surroundings<'_>,
+) -> Vec<Met> {
+    let Some(root) = expansion.tree.root() else {
+        return Vec::new();
+    };
     let mut found = Found::default();
     if robot.is_none() {
         found.add("root-element", tag_start(expansion, root), "the file");
@@ -66,8 +76,12 @@ pub(super) fn tally(cx: &DocumentCx<'_>) -> Tally {
     if !is_readable(cx.expansion) {
         return Tally::new();
     }
-    let outcomes = met(cx).iter().map(|met| (met.construct.name.as_str(), met.construct.worst()));
-    outcomes.filter(|(_, worst)| *worst > Outcome::Accepts).collect()
+    let outcomes = met(cx)
+        .iter()
+        .map(|met| (met.construct.name.as_str(), met.construct.worst()));
+    outcomes
+        .filter(|(_, worst)| *worst > Outcome::Accepts)
+        .collect()
 }
 
 /// Whether an expansion gives a document that consumers can be given. Many read plain URDF with prefixes that are not
@@ -78,7 +92,9 @@ pub fn is_readable(expansion: &Expansion) -> bool {
 
 /// The rows of what is wrong with a file of plain URDF, when many consumers read it in spite of that.
 fn tolerated(expansion: &Expansion) -> Option<Vec<&'static str>> {
-    let [file] = expansion.files.as_slice() else { return None };
+    let [file] = expansion.files.as_slice() else {
+        return None;
+    };
     let document = &file.source.document;
     let is_first = document.text().starts_with("<?xml");
     let row = |error: &SyntaxError| match error.kind {
@@ -103,7 +119,10 @@ fn met<'c>(cx: &'c DocumentCx<'_>) -> &'c [Met] {
 }
 
 fn find(cx: &DocumentCx<'_>) -> Vec<Met> {
-    let Some(robot) = cx.robot.filter(|_| cx.kind == RootKind::Robot && cx.whole()) else {
+    let Some(robot) = cx
+        .robot
+        .filter(|_| cx.kind == RootKind::Robot && cx.whole())
+    else {
         return Vec::new();
     };
     let facts = Facts::of(cx, robot);

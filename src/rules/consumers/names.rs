@@ -6,12 +6,21 @@ use expand::{Origin, XId};
 use model::{JointType, Text};
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
-    let tops: FastSet<usize> = facts.bodies.iter().filter_map(|body| body.links.first().copied()).collect();
+    let tops: FastSet<usize> = facts
+        .bodies
+        .iter()
+        .filter_map(|body| body.links.first().copied())
+        .collect();
     for (index, link) in facts.robot.links.iter().enumerate() {
         let owner = link_owner(link);
-        let Some(name) =
-            one(facts, &link.name, link.element, &owner, ["link-without-name", "link-name-empty"], out)
-        else {
+        let Some(name) = one(
+            facts,
+            &link.name,
+            link.element,
+            &owner,
+            ["link-without-name", "link-name-empty"],
+            out,
+        ) else {
             continue;
         };
         let is_top = tops.contains(&index);
@@ -21,7 +30,9 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             "universe" => add("link-universe"),
             "world" if !is_root && is_top => add("link-world"),
             "world" if !is_root => add("link-world-fixed"),
-            "world" if link.inertial.is_some() || link.has_geometry() => add("root-world-with-body"),
+            "world" if link.inertial.is_some() || link.has_geometry() => {
+                add("root-world-with-body")
+            }
             "world" => add("world-above"),
             _ if is_root
                 && link.inertial.is_none()
@@ -49,9 +60,15 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     for joint in &facts.robot.joints {
         let owner = joint_owner(joint);
         let is_fixed = joint.is(&[JointType::Fixed]);
-        let empty = if is_fixed { "fixed-joint-name-empty" } else { "joint-name-empty" };
+        let empty = if is_fixed {
+            "fixed-joint-name-empty"
+        } else {
+            "joint-name-empty"
+        };
         let rows = ["joint-without-name", empty];
-        let Some(name) = one(facts, &joint.name, joint.element, &owner, rows, out) else { continue };
+        let Some(name) = one(facts, &joint.name, joint.element, &owner, rows, out) else {
+            continue;
+        };
         let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
         match name.value.as_str() {
             "universe" => add("joint-universe"),

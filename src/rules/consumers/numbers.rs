@@ -13,7 +13,9 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     let tree = &facts.cx.expansion.tree;
     for (id, spec) in known(facts.cx) {
         for attribute in spec.attributes {
-            let Some(count) = attribute.numbers() else { continue };
+            let Some(count) = attribute.numbers() else {
+                continue;
+            };
             if facts.cx.is_older_than(attribute.since) {
                 continue;
             }
@@ -24,10 +26,16 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
                 _ => None,
             };
             let Some(found) = found else { continue };
-            let construct = keys(facts, id, attribute.name).into_iter().find_map(|key| fault(found, &key));
+            let construct = keys(facts, id, attribute.name)
+                .into_iter()
+                .find_map(|key| fault(found, &key));
             let origin = text.map_or_else(|| facts.at(id), |text| text.origin);
             let owner = || described(facts.cx, id);
-            out.met.extend(construct.map(|construct| Met { construct, origin, owner: owner() }));
+            out.met.extend(construct.map(|construct| Met {
+                construct,
+                origin,
+                owner: owner(),
+            }));
         }
     }
 }
@@ -37,9 +45,14 @@ fn keys(facts: &Facts<'_, '_>, element: XId, attribute: &str) -> Vec<String> {
     let tree = &facts.cx.expansion.tree;
     let name = tree.get(element).text.as_str();
     let around = std::iter::successors(tree.parent(element), |&id| tree.parent(id));
-    let around =
-        around.map(|id| tree.get(id).text.as_str()).find(|name| *name != "geometry").unwrap_or_default();
-    vec![format!("{around}/{name}/{attribute}"), format!("{name}/{attribute}")]
+    let around = around
+        .map(|id| tree.get(id).text.as_str())
+        .find(|name| *name != "geometry")
+        .unwrap_or_default();
+    vec![
+        format!("{around}/{name}/{attribute}"),
+        format!("{name}/{attribute}"),
+    ]
 }
 
 /// What is wrong with a value that should hold `count` numbers.
@@ -78,7 +91,8 @@ fn of_word(word: &str) -> Option<&'static str> {
             (number != 0.0 && number.abs() < f64::MIN_POSITIVE).then_some("subnormal")
         };
     }
-    let begins = |text: &str| text.starts_with(|c: char| c.is_ascii_digit()) || text.starts_with('.');
+    let begins =
+        |text: &str| text.starts_with(|c: char| c.is_ascii_digit()) || text.starts_with('.');
     Some(match bare.as_str() {
         "nan" => "nan",
         "inf" | "infinity" => "inf",

@@ -27,25 +27,44 @@ struct Rows<'w> {
 }
 
 /// The same mesh by another name, or a file of another format beside it.
-pub(super) fn other_mesh(cx: &DocumentCx<'_>, met: &Met, wanted: &[&'static Consumer]) -> Option<Remedy> {
+pub(super) fn other_mesh(
+    cx: &DocumentCx<'_>,
+    met: &Met,
+    wanted: &[&'static Consumer],
+) -> Option<Remedy> {
     let row = met.construct.name.as_str();
-    let (prefix, row) = row.strip_prefix("collision-").map_or(("", row), |row| ("collision-", row));
+    let (prefix, row) = row
+        .strip_prefix("collision-")
+        .map_or(("", row), |row| ("collision-", row));
     let row = row.strip_prefix("mesh-")?;
-    let is_it = |mesh: &MeshUse<'_>| mesh.file.origin == met.origin && mesh.is_collision != prefix.is_empty();
+    let is_it = |mesh: &MeshUse<'_>| {
+        mesh.file.origin == met.origin && mesh.is_collision != prefix.is_empty()
+    };
     let mesh = cx.meshes().find(is_it)?;
     let rows = Rows { prefix, wanted };
     let (safety, uri) = match row {
-        "package" | "file" => {
-            (Safety::Unsafe, relative_name(cx, &mesh).filter(|uri| rows.admit_name(&mesh, uri))?)
-        }
-        "relative" => (Safety::Unsafe, name_in_package(cx, &mesh).filter(|uri| rows.admit_name(&mesh, uri))?),
+        "package" | "file" => (
+            Safety::Unsafe,
+            relative_name(cx, &mesh).filter(|uri| rows.admit_name(&mesh, uri))?,
+        ),
+        "relative" => (
+            Safety::Unsafe,
+            name_in_package(cx, &mesh).filter(|uri| rows.admit_name(&mesh, uri))?,
+        ),
         "stl" | "stl-upper-case" | "stl-ascii" | "obj" | "dae" | "gltf" | "glb" | "ply"
         | "format-unknown" => file_beside(cx, &mesh, &rows)?,
         _ => return None,
     };
-    let edit = Edit { span: span_of(cx.expansion, mesh.file.origin)?, content: uri.clone() };
+    let edit = Edit {
+        span: span_of(cx.expansion, mesh.file.origin)?,
+        content: uri.clone(),
+    };
     let message = format!("replace with `{uri}`");
-    is_replaceable(mesh.file, &uri).then(|| Remedy { safety, message, edits: vec![edit] })
+    is_replaceable(mesh.file, &uri).then(|| Remedy {
+        safety,
+        message,
+        edits: vec![edit],
+    })
 }
 
 impl Rows<'_> {
@@ -65,7 +84,11 @@ impl Rows<'_> {
     fn refused(&self, uri: &str, mesh: &Mesh) -> Vec<&'static str> {
         let is_refused = |row: &&str| {
             let row = construct(&format!("{}{row}", self.prefix));
-            row.is_some_and(|row| self.wanted.iter().any(|consumer| row.outcome(consumer) > Outcome::Accepts))
+            row.is_some_and(|row| {
+                self.wanted
+                    .iter()
+                    .any(|consumer| row.outcome(consumer) > Outcome::Accepts)
+            })
         };
         rows(uri, mesh).into_iter().filter(is_refused).collect()
     }
@@ -73,8 +96,14 @@ impl Rows<'_> {
 
 /// The path from the file to the mesh, when consumers read the file itself.
 fn relative_name(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<String> {
-    let [file] = cx.expansion.files.as_slice() else { return None };
-    let folder = file.source.path.parent().filter(|_| is_plain_urdf(&file.source.path))?;
+    let [file] = cx.expansion.files.as_slice() else {
+        return None;
+    };
+    let folder = file
+        .source
+        .path
+        .parent()
+        .filter(|_| is_plain_urdf(&file.source.path))?;
     Some(slashed(&relative(folder, mesh.target.file()?)))
 }
 
@@ -83,24 +112,33 @@ fn name_in_package(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<String> {
     let place = cx.expansion.place(mesh.file.origin)?;
     let file = cx.expansion.files.get(place.file.0 as usize)?;
     let package = cx.world.packages.containing(&file.source.path)?;
-    package.uri(mesh.target.file()?).filter(|uri| !uri.contains(".."))
+    package
+        .uri(mesh.target.file()?)
+        .filter(|uri| !uri.contains(".."))
 }
 
 /// A file of the same name with another ending that all consumers read, and whether it can take the place of the mesh.
-fn file_beside(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, rows: &Rows<'_>) -> Option<(Safety, String)> {
+fn file_beside(
+    cx: &DocumentCx<'_>,
+    mesh: &MeshUse<'_>,
+    rows: &Rows<'_>,
+) -> Option<(Safety, String)> {
     let (path, uri) = (mesh.target.file()?, mesh.file.value.as_str());
     let ending = Path::new(uri).extension()?.to_str()?;
     let stem = uri.strip_suffix(ending)?;
-    FORMATS.iter().filter(|format| **format != ending).find_map(|format| {
-        let (path, uri) = (path.with_extension(format), format!("{stem}{format}"));
-        cx.world.meshes.note(&path);
-        if !cx.world.vfs.is_file(&path) {
-            return None;
-        }
-        let other = cx.world.meshes.get(cx.world.vfs, &path);
-        let safety = exchange(mesh, &other).filter(|_| rows.admit(&uri, &other))?;
-        Some((safety, uri))
-    })
+    FORMATS
+        .iter()
+        .filter(|format| **format != ending)
+        .find_map(|format| {
+            let (path, uri) = (path.with_extension(format), format!("{stem}{format}"));
+            cx.world.meshes.note(&path);
+            if !cx.world.vfs.is_file(&path) {
+                return None;
+            }
+            let other = cx.world.meshes.get(cx.world.vfs, &path);
+            let safety = exchange(mesh, &other).filter(|_| rows.admit(&uri, &other))?;
+            Some((safety, uri))
+        })
 }
 
 /// Whether a mesh can be exchanged for another one: not for another shape. Visuals may lose their colors.
@@ -117,5 +155,9 @@ fn exchange(mesh: &MeshUse<'_>, other: &Mesh) -> Option<Safety> {
     let is_same = pairs.all(|(a, b)| (a - b).abs() <= ROUNDING * size)
         && (known.volume - surface.volume).abs() <= 0.01 * known.volume.abs();
     let is_safe = mesh.is_collision && !turned(own) && !turned(other);
-    is_same.then_some(if is_safe { Safety::Safe } else { Safety::Unsafe })
+    is_same.then_some(if is_safe {
+        Safety::Safe
+    } else {
+        Safety::Unsafe
+    })
 }

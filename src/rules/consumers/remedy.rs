@@ -47,20 +47,39 @@ fn plain_spaces(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
     let words: Vec<&str> = text.split_ascii_whitespace().collect();
     let content = words.join(" ");
     let is_other = content != text && !text.contains(['&', '$']);
-    let edit = Edit { span: span(cx.expansion, Place { file, range })?, content };
+    let edit = Edit {
+        span: span(cx.expansion, Place { file, range })?,
+        content,
+    };
     let message = "replace whitespace with single spaces".to_owned();
-    is_other.then(|| Remedy { safety: Safety::Safe, message, edits: vec![edit] })
+    is_other.then(|| Remedy {
+        safety: Safety::Safe,
+        message,
+        edits: vec![edit],
+    })
 }
 
 /// Without the element that begins where the construct is.
 fn remove(cx: &DocumentCx<'_>, met: &Met, (name, safety): (&str, Safety)) -> Option<Remedy> {
     let tree = &cx.expansion.tree;
-    let joints = cx.joints().iter().flat_map(|joint| tree.elements(joint.element));
+    let joints = cx
+        .joints()
+        .iter()
+        .flat_map(|joint| tree.elements(joint.element));
     let is_it = |&id: &XId| tree.get(id).text == name && tag_start(cx.expansion, id) == met.origin;
-    let element = joints.filter(|_| !is_called(cx.expansion, met.origin)).find(is_it)?;
+    let element = joints
+        .filter(|_| !is_called(cx.expansion, met.origin))
+        .find(is_it)?;
     let (file, range) = removal(cx.expansion, element_range(cx.expansion, element))?;
-    let edit = Edit { span: span(cx.expansion, Place { file, range })?, content: String::new() };
-    Some(Remedy { safety, message: format!("remove `{name}`"), edits: vec![edit] })
+    let edit = Edit {
+        span: span(cx.expansion, Place { file, range })?,
+        content: String::new(),
+    };
+    Some(Remedy {
+        safety,
+        message: format!("remove `{name}`"),
+        edits: vec![edit],
+    })
 }
 
 /// Without the version, where nothing of it is used.
@@ -73,10 +92,19 @@ fn without_version(cx: &DocumentCx<'_>, all: &[Met]) -> Option<Remedy> {
             || name == "limit-1.2"
     };
     let root = cx.robot.filter(|_| !all.iter().any(needs))?;
-    let place = cx.expansion.place(attr_range(cx.expansion, root.element, "version")?)?;
+    let place = cx
+        .expansion
+        .place(attr_range(cx.expansion, root.element, "version")?)?;
     let range = with_blanks(cx.expansion, place.file, place.range);
-    let edit = Edit { span: span(cx.expansion, Place { range, ..place })?, content: String::new() };
-    Some(Remedy { safety: Safety::Unsafe, message: "remove `version`".to_owned(), edits: vec![edit] })
+    let edit = Edit {
+        span: span(cx.expansion, Place { range, ..place })?,
+        content: String::new(),
+    };
+    Some(Remedy {
+        safety: Safety::Unsafe,
+        message: "remove `version`".to_owned(),
+        edits: vec![edit],
+    })
 }
 
 /// Another name for a link or joint, wherever the description has it. Other files may name it: that is never safe.
@@ -91,18 +119,31 @@ fn other_name(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
         | "link-world"
         | "link-world-fixed"
         | "root-world-with-body" => format!("{old}_{}", named.word()),
-        "link-name-reserved-in-sdf" | "joint-name-reserved-in-sdf" => old.trim_matches('_').to_owned(),
+        "link-name-reserved-in-sdf" | "joint-name-reserved-in-sdf" => {
+            old.trim_matches('_').to_owned()
+        }
         "name-with-quote" => old.replace('"', "_"),
         // extensions for Gazebo may mean the one or the other
-        "link-and-joint-of-one-name" if !is_referred_to(cx, old) => format!("{old}_{}", Named::Joint.word()),
+        "link-and-joint-of-one-name" if !is_referred_to(cx, old) => {
+            format!("{old}_{}", Named::Joint.word())
+        }
         _ => return None,
     };
     let edits = rename(cx, named, old, &new).filter(|_| !new.is_empty())?;
-    Some(Remedy { safety: Safety::Unsafe, message: format!("rename to `{new}` everywhere"), edits })
+    Some(Remedy {
+        safety: Safety::Unsafe,
+        message: format!("rename to `{new}` everywhere"),
+        edits,
+    })
 }
 
 /// Whether a `<gazebo>` is about a name.
 fn is_referred_to(cx: &DocumentCx<'_>, name: &str) -> bool {
     let mut blocks = cx.robot.into_iter().flat_map(|robot| &robot.gazebo);
-    blocks.any(|block| block.reference.as_ref().is_some_and(|reference| reference.value == name))
+    blocks.any(|block| {
+        block
+            .reference
+            .as_ref()
+            .is_some_and(|reference| reference.value == name)
+    })
 }

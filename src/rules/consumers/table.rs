@@ -81,7 +81,9 @@ impl Construct {
 
     /// The titles of the consumers that do this with it.
     pub fn who(&self, outcome: Outcome) -> Vec<&'static str> {
-        let who = CONSUMERS.iter().filter(|consumer| self.outcome(consumer) == outcome);
+        let who = CONSUMERS
+            .iter()
+            .filter(|consumer| self.outcome(consumer) == outcome);
         who.map(|consumer| consumer.title).collect()
     }
 }
@@ -112,18 +114,27 @@ pub static CONSTRUCTS: LazyLock<Vec<Construct>> = LazyLock::new(|| {
 
 /// A construct by its name.
 pub(super) fn construct(name: &str) -> Option<&'static Construct> {
-    static BY_NAME: LazyLock<FastMap<&str, &Construct>> =
-        LazyLock::new(|| CONSTRUCTS.iter().map(|construct| (construct.name.as_str(), construct)).collect());
+    static BY_NAME: LazyLock<FastMap<&str, &Construct>> = LazyLock::new(|| {
+        CONSTRUCTS
+            .iter()
+            .map(|construct| (construct.name.as_str(), construct))
+            .collect()
+    });
     BY_NAME.get(name).copied()
 }
 
 /// The construct of numbers with a fault in an attribute.
 pub(super) fn fault(fault: &str, attribute: &str) -> Option<&'static Construct> {
     static BY_ATTRIBUTE: LazyLock<FastMap<(&str, &str), &Construct>> = LazyLock::new(|| {
-        let pairs = CONSTRUCTS.iter().filter_map(|construct| Some((construct.fault.as_deref()?, construct)));
+        let pairs = CONSTRUCTS
+            .iter()
+            .filter_map(|construct| Some((construct.fault.as_deref()?, construct)));
         pairs
             .flat_map(|(fault, construct)| {
-                construct.attributes.iter().map(move |attribute| ((fault, attribute.as_str()), construct))
+                construct
+                    .attributes
+                    .iter()
+                    .map(move |attribute| ((fault, attribute.as_str()), construct))
             })
             .collect()
     });
@@ -146,7 +157,11 @@ mod tests {
             let lists = [&construct.rejects, &construct.changes];
             let named = lists.iter().flat_map(|list| list.split_whitespace());
             for name in named {
-                assert!(CONSUMERS.iter().any(|consumer| consumer.name == name), "{}: {name}", construct.name);
+                assert!(
+                    CONSUMERS.iter().any(|consumer| consumer.name == name),
+                    "{}: {name}",
+                    construct.name
+                );
             }
         }
         assert!(names.len() > 200, "{} rows", names.len());
@@ -155,11 +170,21 @@ mod tests {
     #[test]
     fn consumers_have_names_of_their_own() {
         for consumer in CONSUMERS {
-            assert!(std::ptr::eq(Consumer::named(consumer.name).unwrap(), consumer));
+            assert!(std::ptr::eq(
+                Consumer::named(consumer.name).unwrap(),
+                consumer
+            ));
             for alias in consumer.aliases {
-                assert!(std::ptr::eq(Consumer::named(alias).unwrap(), consumer), "{alias}");
+                assert!(
+                    std::ptr::eq(Consumer::named(alias).unwrap(), consumer),
+                    "{alias}"
+                );
             }
-            assert!(CONSUMERS.iter().any(|other| other.name == consumer.row_name()));
+            assert!(
+                CONSUMERS
+                    .iter()
+                    .any(|other| other.name == consumer.row_name())
+            );
         }
     }
 }

@@ -43,7 +43,9 @@ fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
 
 fn version(facts: &Facts<'_, '_>, out: &mut Found) {
     let text = Text::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
-    let Some(text) = text.filter(Text::is_known) else { return };
+    let Some(text) = text.filter(Text::is_known) else {
+        return;
+    };
     let row = match Version::parse(&text.value) {
         Some(Version::V1_0) => return,
         Some(Version::V1_1) => "version-1.1",
@@ -58,20 +60,44 @@ fn version(facts: &Facts<'_, '_>, out: &mut Found) {
 fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
     let roots = facts.kinematics.roots(facts.robot);
     for cycle in facts.kinematics.cycles() {
-        let joint = cycle.first().and_then(|&joint| facts.robot.joints.get(joint));
+        let joint = cycle
+            .first()
+            .and_then(|&joint| facts.robot.joints.get(joint));
         if let Some(joint) = joint {
-            let row = if roots.is_empty() { "link-cycle" } else { "link-cycle-beside-root" };
-            out.add(row, facts.at_name(joint.name.as_ref(), joint.element), joint_owner(joint));
+            let row = if roots.is_empty() {
+                "link-cycle"
+            } else {
+                "link-cycle-beside-root"
+            };
+            out.add(
+                row,
+                facts.at_name(joint.name.as_ref(), joint.element),
+                joint_owner(joint),
+            );
         }
     }
     for &root in roots.iter().skip(1) {
-        let Some(link) = facts.robot.links.get(root) else { continue };
-        let row = if facts.kinematics.down(root).is_empty() { "two-roots" } else { "second-tree" };
-        out.add(row, facts.at_name(link.name.as_ref(), link.element), link_owner(link));
+        let Some(link) = facts.robot.links.get(root) else {
+            continue;
+        };
+        let row = if facts.kinematics.down(root).is_empty() {
+            "two-roots"
+        } else {
+            "second-tree"
+        };
+        out.add(
+            row,
+            facts.at_name(link.name.as_ref(), link.element),
+            link_owner(link),
+        );
     }
     for (index, link) in facts.robot.links.iter().enumerate() {
         if facts.kinematics.up(index).len() > 1 && !roots.is_empty() {
-            out.add("two-parents", facts.at_name(link.name.as_ref(), link.element), link_owner(link));
+            out.add(
+                "two-parents",
+                facts.at_name(link.name.as_ref(), link.element),
+                link_owner(link),
+            );
         }
     }
 }
@@ -81,7 +107,10 @@ fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
     let has_empty = facts.robot.links.iter().any(is_empty);
     for joint in &facts.robot.joints {
         let at = facts.at_name(joint.name.as_ref(), joint.element);
-        let unknown = |text: &Text| text.name().is_some_and(|name| facts.kinematics.link(name).is_none());
+        let unknown = |text: &Text| {
+            text.name()
+                .is_some_and(|name| facts.kinematics.link(name).is_none())
+        };
         // Drake knows this link without being told
         let row = |text: &Text, world, other| if text.value == "world" { world } else { other };
         let has = |name| facts.children(joint.element, name).next().is_some();
@@ -107,7 +136,11 @@ fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
             }
             None => out.add("joint-without-child", at, joint_owner(joint)),
             Some(child) if unknown(child) => {
-                out.add(row(child, "child-world-unknown", "child-unknown"), child.origin, joint_owner(joint));
+                out.add(
+                    row(child, "child-world-unknown", "child-unknown"),
+                    child.origin,
+                    joint_owner(joint),
+                );
             }
             Some(_) => {}
         }
@@ -121,7 +154,9 @@ fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
     let mut links: FastMap<&str, ()> = FastMap::default();
     let mut by_case: FastMap<String, &str> = FastMap::default();
     for link in &facts.robot.links {
-        let Some(name) = link.name.as_ref().filter(|name| name.name().is_some()) else { continue };
+        let Some(name) = link.name.as_ref().filter(|name| name.name().is_some()) else {
+            continue;
+        };
         let other = by_case.insert(name.value.to_lowercase().into(), name.value.as_str());
         if links.insert(name.value.as_str(), ()).is_some() {
             out.add("duplicate-link", name.origin, link_owner(link));
@@ -131,14 +166,19 @@ fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
     }
     let mut joints: FastMap<&str, ()> = FastMap::default();
     for joint in &facts.robot.joints {
-        let Some(name) = joint.name.as_ref().filter(|name| name.name().is_some()) else { continue };
+        let Some(name) = joint.name.as_ref().filter(|name| name.name().is_some()) else {
+            continue;
+        };
         if joints.insert(name.value.as_str(), ()).is_some() {
             out.add("duplicate-joint", name.origin, joint_owner(joint));
         }
         if links.contains_key(name.value.as_str()) {
             let is_fixed = joint.is(&[JointType::Fixed]);
-            let row =
-                if is_fixed { "link-and-fixed-joint-of-one-name" } else { "link-and-joint-of-one-name" };
+            let row = if is_fixed {
+                "link-and-fixed-joint-of-one-name"
+            } else {
+                "link-and-joint-of-one-name"
+            };
             out.add(row, name.origin, joint_owner(joint));
         }
     }

@@ -49,32 +49,52 @@ fn report(cx: &DocumentCx<'_>, outcome: Outcome, out: &mut Sink<'_>) {
     if config.consumers.is_empty() && config.oldest_reader.is_none() {
         return;
     }
-    let wanted: Vec<&'static Consumer> =
-        config.consumers.iter().filter_map(|name| Consumer::named(name)).collect();
+    let wanted: Vec<&'static Consumer> = config
+        .consumers
+        .iter()
+        .filter_map(|name| Consumer::named(name))
+        .collect();
     let all = super::met(cx);
     let mut places: FastMap<Origin, usize> = FastMap::default();
     let mut found: Vec<Vec<Verdict<'_>>> = Vec::new();
     for met in all {
-        let worst = wanted.iter().map(|consumer| met.construct.outcome(consumer)).max();
+        let worst = wanted
+            .iter()
+            .map(|consumer| met.construct.outcome(consumer))
+            .max();
         let mut who: Vec<String> = wanted
             .iter()
             .filter(|consumer| met.construct.outcome(consumer) == outcome)
             .map(|consumer| consumer.title.to_owned())
             .collect();
-        let old = config.oldest_reader.as_ref().filter(|oldest| is_newer(met, oldest));
-        who.extend(old.filter(|_| outcome == Outcome::Rejects).map(|oldest| format!("urdfdom {oldest}")));
+        let old = config
+            .oldest_reader
+            .as_ref()
+            .filter(|oldest| is_newer(met, oldest));
+        who.extend(
+            old.filter(|_| outcome == Outcome::Rejects)
+                .map(|oldest| format!("urdfdom {oldest}")),
+        );
         // what is rejected by one is said once, with those that change it
-        let is_said = outcome == Outcome::Changes && (worst == Some(Outcome::Rejects) || old.is_some());
+        let is_said =
+            outcome == Outcome::Changes && (worst == Some(Outcome::Rejects) || old.is_some());
         if who.is_empty() || is_said {
             continue;
         }
         // a place has one finding of a rule: several constructs there share it
         let place = *places.entry(met.origin).or_insert(found.len());
         found.resize_with(found.len().max(place + 1), Vec::new);
-        found.get_mut(place).into_iter().for_each(|here| here.push(Verdict { met, who: who.clone() }));
+        found.get_mut(place).into_iter().for_each(|here| {
+            here.push(Verdict {
+                met,
+                who: who.clone(),
+            })
+        });
     }
     for here in &found {
-        let remedy = here.iter().find_map(|verdict| remedy(cx, all, verdict.met, &wanted));
+        let remedy = here
+            .iter()
+            .find_map(|verdict| remedy(cx, all, verdict.met, &wanted));
         say(here, outcome, remedy, out);
     }
 }
@@ -87,13 +107,24 @@ struct Verdict<'a> {
 
 /// Whether a construct needs a newer urdfdom than the oldest one that has to load the robot.
 fn is_newer(met: &Met, oldest: &str) -> bool {
-    met.construct.oldest.as_ref().is_some_and(|needed| version(needed) > version(oldest))
+    met.construct
+        .oldest
+        .as_ref()
+        .is_some_and(|needed| version(needed) > version(oldest))
 }
 
 /// The numbers of a version; `6` is `6.0`.
 fn version(text: &str) -> Vec<u32> {
-    let mut parts: Vec<u32> = text.split('.').map(|part| part.parse().unwrap_or(0)).collect();
-    parts.truncate(parts.iter().rposition(|&part| part > 0).map_or(0, |last| last + 1));
+    let mut parts: Vec<u32> = text
+        .split('.')
+        .map(|part| part.parse().unwrap_or(0))
+        .collect();
+    parts.truncate(
+        parts
+            .iter()
+            .rposition(|&part| part > 0)
+            .map_or(0, |last| last + 1),
+    );
     parts
 }
 
@@ -106,7 +137,11 @@ fn say(here: &[Verdict<'_>], outcome: Outcome, remedy: Option<Remedy>, out: &mut
         (_, 1) => "changes or ignores",
         (_, _) => "change or ignore",
     };
-    let Met { construct, owner, origin } = first.met;
+    let Met {
+        construct,
+        owner,
+        origin,
+    } = first.met;
     let mut message = format!("{} {verb} {owner}: {}", listed(&first.who), construct.title);
     let mut names = vec![construct.name.as_str()];
     let mut helps = vec![help(construct)];
@@ -120,15 +155,25 @@ fn say(here: &[Verdict<'_>], outcome: Outcome, remedy: Option<Remedy>, out: &mut
         helps.extend(also(first));
     }
     let group = Group::Name(names.join(" ").into());
-    let report = out.report(*origin, message).group(group).help(helps.join("; "));
+    let report = out
+        .report(*origin, message)
+        .group(group)
+        .help(helps.join("; "));
     match remedy {
-        Some(Remedy { safety, message, edits }) => report.edits(safety, message, edits).done(),
+        Some(Remedy {
+            safety,
+            message,
+            edits,
+        }) => report.edits(safety, message, edits).done(),
         None => report.done(),
     }
 }
 
 fn help(construct: &Construct) -> String {
-    construct.help.clone().unwrap_or_else(|| "check what the consumer makes of it".to_owned())
+    construct
+        .help
+        .clone()
+        .unwrap_or_else(|| "check what the consumer makes of it".to_owned())
 }
 
 /// What the other consumers do with a construct.

@@ -17,8 +17,13 @@ pub(super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(hardware) = Hardware::of(cx) else { return };
-    let controllers = cx.settings().into_iter().flat_map(|settings| &settings.controllers);
+    let Some(hardware) = Hardware::of(cx) else {
+        return;
+    };
+    let controllers = cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.controllers);
     for controller in controllers.filter(|controller| controller.is_ros2) {
         for (key, joint) in &controller.joints {
             // the joints that the broadcaster publishes need no hardware
@@ -33,7 +38,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "joint `{}` of controller `{}` is not in `<ros2_control>`",
                 joint.name, controller.name.name
             );
-            let help = format!("add <joint name=\"{}\"> with its interfaces to `<ros2_control>`", joint.name);
+            let help = format!(
+                "add <joint name=\"{}\"> with its interfaces to `<ros2_control>`",
+                joint.name
+            );
             cx.report(out, joint, message).help(help).done();
         }
     }

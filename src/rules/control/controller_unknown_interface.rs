@@ -18,40 +18,109 @@ pub(in super::super) static RULE: Rule = Rule::beside(
 /// The interface that a controller commands at the joints of a parameter, whatever its other parameters say.
 /// Source: `command_interface_configuration` of ros2_controllers.
 const COMMANDED: [(&str, &str, &str); 13] = [
-    ("ackermann_steering_controller/AckermannSteeringController", "steering_joints_names", "position"),
-    ("ackermann_steering_controller/AckermannSteeringController", "traction_joints_names", "velocity"),
-    ("bicycle_steering_controller/BicycleSteeringController", "steering_joints_names", "position"),
-    ("bicycle_steering_controller/BicycleSteeringController", "traction_joints_names", "velocity"),
-    ("diff_drive_controller/DiffDriveController", "left_wheel_names", "velocity"),
-    ("diff_drive_controller/DiffDriveController", "right_wheel_names", "velocity"),
-    ("effort_controllers/GripperActionController", "joint", "effort"),
-    ("effort_controllers/JointGroupEffortController", "joints", "effort"),
-    ("position_controllers/GripperActionController", "joint", "position"),
-    ("position_controllers/JointGroupPositionController", "joints", "position"),
-    ("tricycle_controller/TricycleController", "steering_joint_name", "position"),
-    ("tricycle_controller/TricycleController", "traction_joint_name", "velocity"),
-    ("velocity_controllers/JointGroupVelocityController", "joints", "velocity"),
+    (
+        "ackermann_steering_controller/AckermannSteeringController",
+        "steering_joints_names",
+        "position",
+    ),
+    (
+        "ackermann_steering_controller/AckermannSteeringController",
+        "traction_joints_names",
+        "velocity",
+    ),
+    (
+        "bicycle_steering_controller/BicycleSteeringController",
+        "steering_joints_names",
+        "position",
+    ),
+    (
+        "bicycle_steering_controller/BicycleSteeringController",
+        "traction_joints_names",
+        "velocity",
+    ),
+    (
+        "diff_drive_controller/DiffDriveController",
+        "left_wheel_names",
+        "velocity",
+    ),
+    (
+        "diff_drive_controller/DiffDriveController",
+        "right_wheel_names",
+        "velocity",
+    ),
+    (
+        "effort_controllers/GripperActionController",
+        "joint",
+        "effort",
+    ),
+    (
+        "effort_controllers/JointGroupEffortController",
+        "joints",
+        "effort",
+    ),
+    (
+        "position_controllers/GripperActionController",
+        "joint",
+        "position",
+    ),
+    (
+        "position_controllers/JointGroupPositionController",
+        "joints",
+        "position",
+    ),
+    (
+        "tricycle_controller/TricycleController",
+        "steering_joint_name",
+        "position",
+    ),
+    (
+        "tricycle_controller/TricycleController",
+        "traction_joint_name",
+        "velocity",
+    ),
+    (
+        "velocity_controllers/JointGroupVelocityController",
+        "joints",
+        "velocity",
+    ),
 ];
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(hardware) = Hardware::of(cx) else { return };
-    let controllers = cx.settings().into_iter().flat_map(|settings| &settings.controllers);
+    let Some(hardware) = Hardware::of(cx) else {
+        return;
+    };
+    let controllers = cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.controllers);
     for controller in controllers.filter(|controller| controller.is_ros2) {
         for (interface, is_command) in interfaces(controller) {
             let of = |key: &str| controller.joints.iter().any(|(own, _)| own == key);
             // with joints of their own, commands are not for `joints`
-            let key = if is_command && of("command_joints") { "command_joints" } else { "joints" };
+            let key = if is_command && of("command_joints") {
+                "command_joints"
+            } else {
+                "joints"
+            };
             let lacking = joints(controller, key)
                 .find(|joint| hardware.lacks(&joint.name, &interface.name, is_command));
             if let Some(joint) = lacking {
-                report(cx, out, &hardware, interface, (&joint.name, &interface.name, is_command));
+                report(
+                    cx,
+                    out,
+                    &hardware,
+                    interface,
+                    (&joint.name, &interface.name, is_command),
+                );
             }
         }
         let class = class_of(cx, controller);
         for (_, key, interface) in COMMANDED.iter().filter(|(of, ..)| Some(*of) == class) {
-            let lacking =
-                joints(controller, key).filter(|joint| hardware.lacks(&joint.name, interface, true));
-            lacking.for_each(|joint| report(cx, out, &hardware, joint, (&joint.name, interface, true)));
+            let lacking = joints(controller, key)
+                .filter(|joint| hardware.lacks(&joint.name, interface, true));
+            lacking.for_each(|joint| {
+                report(cx, out, &hardware, joint, (&joint.name, interface, true))
+            });
         }
     }
 }
@@ -59,20 +128,34 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 /// Whether a controller commands the joints of its parameter `joints`.
 pub(super) fn is_commanding(cx: &BesideCx<'_>, controller: &Controller) -> bool {
     let class = class_of(cx, controller);
-    let is_by_class = || COMMANDED.iter().any(|(of, key, _)| Some(*of) == class && *key == "joints");
+    let is_by_class = || {
+        COMMANDED
+            .iter()
+            .any(|(of, key, _)| Some(*of) == class && *key == "joints")
+    };
     !controller.commands.is_empty() || controller.interface.is_some() || is_by_class()
 }
 
 /// The joints of a parameter.
 fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a Named> {
-    controller.joints.iter().filter(move |(own, _)| own == key).map(|(_, joint)| joint)
+    controller
+        .joints
+        .iter()
+        .filter(move |(own, _)| own == key)
+        .map(|(_, joint)| joint)
 }
 
 /// The class of a controller: its own parameter, or what a controller manager says.
 fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Option<&'a str> {
     let mut listed = cx.all_settings().flat_map(|settings| &settings.listed);
     let own = controller.class.as_ref();
-    let class = own.or_else(|| Some(&listed.find(|one| one.name.name == controller.name.name)?.class));
+    let class = own.or_else(|| {
+        Some(
+            &listed
+                .find(|one| one.name.name == controller.name.name)?
+                .class,
+        )
+    });
     class.map(|class| class.name.as_str())
 }
 
@@ -91,18 +174,30 @@ fn report(
     let message = format!("joint `{joint}` has no {kind} interface `{interface}`");
     let offered = hardware.offered(joint, is_command);
     let help = match offered.is_empty() {
-        true => format!("add <{kind}_interface name=\"{interface}\"/> to the joint in `<ros2_control>`"),
-        false if place.name == joint => {
-            format!("the controller commands it; the joint offers `{}`", offered.join("`, `"))
+        true => {
+            format!("add <{kind}_interface name=\"{interface}\"/> to the joint in `<ros2_control>`")
         }
-        false => format!("use an interface that the joint offers: `{}`", offered.join("`, `")),
+        false if place.name == joint => {
+            format!(
+                "the controller commands it; the joint offers `{}`",
+                offered.join("`, `")
+            )
+        }
+        false => format!(
+            "use an interface that the joint offers: `{}`",
+            offered.join("`, `")
+        ),
     };
     cx.report(out, place, message).help(help).done();
 }
 
 /// The interfaces that a controller names, with whether each is for commands.
 fn interfaces(controller: &Controller) -> impl Iterator<Item = (&Named, bool)> {
-    let commands = controller.commands.iter().chain(&controller.interface).map(|name| (name, true));
+    let commands = controller
+        .commands
+        .iter()
+        .chain(&controller.interface)
+        .map(|name| (name, true));
     let all = commands.chain(controller.states.iter().map(|name| (name, false)));
     all.filter(|(name, _)| !is_computed(&name.name) && !name.name.contains('/'))
 }

@@ -15,15 +15,32 @@ pub(in super::super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    for controller in cx.settings().into_iter().flat_map(|settings| &settings.controllers) {
+    for controller in cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.controllers)
+    {
         // `pid/joint_1` is an interface of another controller
-        let joints = controller.joints.iter().filter(|(_, joint)| !joint.name.contains('/'));
+        let joints = controller
+            .joints
+            .iter()
+            .filter(|(_, joint)| !joint.name.contains('/'));
         // and `twist.linear.x` is one of no joint
-        let joints = joints.filter(|_| !controller.commands.iter().any(|name| name.name.contains('.')));
+        let joints = joints.filter(|_| {
+            !controller
+                .commands
+                .iter()
+                .any(|name| name.name.contains('.'))
+        });
         // of a joint that the hardware has as well, that place is reported
         let joints = joints.filter(|(_, joint)| !is_computed(&joint.name));
-        let joints: Vec<_> = joints.filter(|(_, joint)| !is_in_hardware(cx, &joint.name)).collect();
-        let unknown: Vec<_> = joints.iter().filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name)).collect();
+        let joints: Vec<_> = joints
+            .filter(|(_, joint)| !is_in_hardware(cx, &joint.name))
+            .collect();
+        let unknown: Vec<_> = joints
+            .iter()
+            .filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name))
+            .collect();
         let is_for_another = unknown.len() == joints.len() && joints.len() > MOST_RENAMED;
         if unknown.is_empty() || is_for_another || has_variant(cx, controller) {
             continue;
@@ -33,9 +50,16 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "`{key}` of controller `{}` has unknown joint `{}`",
                 controller.name.name, joint.name
             );
-            let severity = if registers_joints(cx) { Severity::Info } else { RULE.severity };
+            let severity = if registers_joints(cx) {
+                Severity::Info
+            } else {
+                RULE.severity
+            };
             let advice = cx.advice(Kind::Joint, &joint.name);
-            cx.report(out, joint, message).severity(severity).help(advice).done();
+            cx.report(out, joint, message)
+                .severity(severity)
+                .help(advice)
+                .done();
         }
     }
 }
@@ -46,8 +70,14 @@ const MOST_RENAMED: usize = 2;
 /// Whether another file has the same controller with joints that the robot has: this one is for another robot.
 fn has_variant(cx: &BesideCx<'_>, controller: &Controller) -> bool {
     let all = cx.all_settings().flat_map(|settings| &settings.controllers);
-    let mut same = all.filter(|other| other.name.name == controller.name.name && !other.joints.is_empty());
-    same.any(|other| other.joints.iter().all(|(_, joint)| !cx.lacks(Kind::Joint, &joint.name)))
+    let mut same =
+        all.filter(|other| other.name.name == controller.name.name && !other.joints.is_empty());
+    same.any(|other| {
+        other
+            .joints
+            .iter()
+            .all(|(_, joint)| !cx.lacks(Kind::Joint, &joint.name))
+    })
 }
 
 /// Whether a `<ros2_control>` has a joint of that name.
@@ -60,7 +90,8 @@ fn is_in_hardware(cx: &BesideCx<'_>, name: &str) -> bool {
 /// Whether hardware of ROS 1 that is written in the workspace registers joints by itself, and the description says nothing
 /// of them: neither transmissions nor hardware.
 fn registers_joints(cx: &BesideCx<'_>) -> bool {
-    let says_none =
-        |paired: &PairedRobot<'_>| paired.robot.transmissions.is_empty() && paired.robot.controls.is_empty();
+    let says_none = |paired: &PairedRobot<'_>| {
+        paired.robot.transmissions.is_empty() && paired.robot.controls.is_empty()
+    };
     cx.registers_joints && cx.robots.iter().all(says_none)
 }

@@ -32,12 +32,19 @@ const NEED_JOINTS: [&str; 9] = [
 ];
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(own) = cx.settings().filter(|settings| !settings.listed.is_empty()) else { return };
+    let Some(own) = cx.settings().filter(|settings| !settings.listed.is_empty()) else {
+        return;
+    };
     let given: FastSet<&str> = names(cx.all_settings());
-    let listed: FastSet<&str> =
-        cx.all_settings().flat_map(|settings| &settings.listed).map(|one| one.name.name.as_str()).collect();
-    let needing =
-        own.listed.iter().filter(|one| !one.has_file && NEED_JOINTS.contains(&one.class.name.as_str()));
+    let listed: FastSet<&str> = cx
+        .all_settings()
+        .flat_map(|settings| &settings.listed)
+        .map(|one| one.name.name.as_str())
+        .collect();
+    let needing = own
+        .listed
+        .iter()
+        .filter(|one| !one.has_file && NEED_JOINTS.contains(&one.class.name.as_str()));
     for one in needing {
         if given.contains(one.name.name.as_str()) {
             continue;
@@ -45,13 +52,20 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let message = format!("controller `{}` has no parameters", one.name.name);
         let free = given.iter().copied().filter(|name| !listed.contains(name));
         let help = match nearest(&one.name.name, free) {
-            Some(near) => format!("the parameters of `{near}` belong to no controller; is it the same?"),
-            None => format!("add `{}` with `ros__parameters` and its joints", one.name.name),
+            Some(near) => {
+                format!("the parameters of `{near}` belong to no controller; is it the same?")
+            }
+            None => format!(
+                "add `{}` with `ros__parameters` and its joints",
+                one.name.name
+            ),
         };
         cx.report(out, &one.name, message).help(help).done();
     }
-    for controller in
-        own.controllers.iter().filter(|one| one.is_ros2 && one.class.is_none() && !one.joints.is_empty())
+    for controller in own
+        .controllers
+        .iter()
+        .filter(|one| one.is_ros2 && one.class.is_none() && !one.joints.is_empty())
     {
         let name = controller.name.name.as_str();
         // other nodes have parameters too: only what looks like a listed controller is meant for one
@@ -59,12 +73,16 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let near = nearest(name, lacking).filter(|_| !listed.contains(name));
         if let Some(near) = near {
             let message = format!("parameters of `{name}`, which no controller manager lists");
-            cx.report(out, &controller.name, message).help(Help::did_you_mean(near)).done();
+            cx.report(out, &controller.name, message)
+                .help(Help::did_you_mean(near))
+                .done();
         }
     }
 }
 
 /// The controllers that have parameters.
 fn names<'a>(all: impl Iterator<Item = &'a Settings>) -> FastSet<&'a str> {
-    all.flat_map(|settings| &settings.controllers).map(|controller| controller.name.name.as_str()).collect()
+    all.flat_map(|settings| &settings.controllers)
+        .map(|controller| controller.name.name.as_str())
+        .collect()
 }

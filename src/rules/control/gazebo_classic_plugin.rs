@@ -24,7 +24,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let tree = &cx.expansion.tree;
-    for file in plugins(cx).into_iter().filter_map(|plugin| Text::attr(tree, plugin, "filename")) {
+    for file in plugins(cx)
+        .into_iter()
+        .filter_map(|plugin| Text::attr(tree, plugin, "filename"))
+    {
         if file.is_known() && file.value.starts_with("libgazebo_ros") {
             out.report(file.origin, format!("plugin `{}` works only in Gazebo Classic", file.value))
                 .help("use a system of the new Gazebo or gz_ros2_control; ROS 2 Jazzy and later do not support Gazebo Classic")

@@ -22,18 +22,34 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
-    for block in cx.robot.gazebo.iter().filter(|block| has_content(tree, block.element)) {
-        let Some((text, name)) = block.reference.as_ref().and_then(|text| Some((text, text.name()?))) else {
+    for block in cx
+        .robot
+        .gazebo
+        .iter()
+        .filter(|block| has_content(tree, block.element))
+    {
+        let Some((text, name)) = block
+            .reference
+            .as_ref()
+            .and_then(|text| Some((text, text.name()?)))
+        else {
             continue;
         };
-        let up = cx.kinematics.link(name).and_then(|link| cx.kinematics.up(link).first().copied());
-        let Some(joint) = up.and_then(|joint| cx.robot.joints.get(joint)) else { continue };
+        let up = cx
+            .kinematics
+            .link(name)
+            .and_then(|link| cx.kinematics.up(link).first().copied());
+        let Some(joint) = up.and_then(|joint| cx.robot.joints.get(joint)) else {
+            continue;
+        };
         let held = joint.ends().is_some_and(|(parent, _)| parent != "world");
         if !held || !joint.is(&[JointType::Fixed]) || is_kept(cx, joint) {
             continue;
         }
-        let message =
-            format!("link `{name}` is merged into its parent because joint `{}` is fixed", joint.shown());
+        let message = format!(
+            "link `{name}` is merged into its parent because joint `{}` is fixed",
+            joint.shown()
+        );
         let report = out
             .report(text.origin, message)
             .help("add <preserveFixedJoint>true</preserveFixedJoint>, or refer to the parent link");
@@ -43,7 +59,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a block says more than a few parameters of contact.
 fn has_content(tree: &XTree, block: XId) -> bool {
-    tree.elements(block).any(|id| ["sensor", "plugin", "visual"].contains(&tree.get(id).text.as_str()))
+    tree.elements(block)
+        .any(|id| ["sensor", "plugin", "visual"].contains(&tree.get(id).text.as_str()))
 }
 
 /// Whether a `gazebo` element keeps a joint from being reduced.
@@ -54,8 +71,17 @@ fn is_kept(cx: &RobotCx<'_>, joint: &Joint) -> bool {
         ["preserveFixedJoint", "disableFixedJointLumping"].contains(&name)
             && Text::content(tree, id).is_some_and(|text| text.value == "true" || text.value == "1")
     };
-    let about = |block: &&Gazebo| block.reference.as_ref().is_none_or(|text| text.value == joint.shown());
-    cx.robot.gazebo.iter().filter(about).any(|block| tree.elements(block.element).any(keeps))
+    let about = |block: &&Gazebo| {
+        block
+            .reference
+            .as_ref()
+            .is_none_or(|text| text.value == joint.shown())
+    };
+    cx.robot
+        .gazebo
+        .iter()
+        .filter(about)
+        .any(|block| tree.elements(block.element).any(keeps))
 }
 
 /// With the fix to keep the joint.
@@ -69,7 +95,9 @@ fn kept<'s, 'a>(
     if is_called(cx.expansion, at) {
         return report;
     }
-    let Some((file, range, _)) = source_text(cx.expansion, at) else { return report };
+    let Some((file, range, _)) = source_text(cx.expansion, at) else {
+        return report;
+    };
     let line = indent(cx.expansion, file, range);
     let name = joint.shown();
     let new = format!(

@@ -39,8 +39,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if block.reference.is_some() {
             continue;
         }
-        let mut names = tree.elements(block.element).map(|id| tree.get(id).text.as_str());
-        let Some(name) = names.find(|name| OF_LINKS.contains(name)) else { continue };
+        let mut names = tree
+            .elements(block.element)
+            .map(|id| tree.get(id).text.as_str());
+        let Some(name) = names.find(|name| OF_LINKS.contains(name)) else {
+            continue;
+        };
         let message = format!("`{name}` belongs to a link, but this `gazebo` has no `reference`");
         out.report(tag_start(cx.expansion, block.element), message)
             .help("write <gazebo reference=\"...\"> with the name of the link")

@@ -21,10 +21,17 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for plugin in plugins(cx) {
         if cx.expansion.tree.attr(plugin, "filename").is_none() {
-            let name = cx.expansion.tree.attr(plugin, "name").map_or("", |name| name.value.as_str());
-            out.report(tag_start(cx.expansion, plugin), format!("plugin `{name}` has no `filename`"))
-                .help("add filename=\"...\" with the plugin library")
-                .done();
+            let name = cx
+                .expansion
+                .tree
+                .attr(plugin, "name")
+                .map_or("", |name| name.value.as_str());
+            out.report(
+                tag_start(cx.expansion, plugin),
+                format!("plugin `{name}` has no `filename`"),
+            )
+            .help("add filename=\"...\" with the plugin library")
+            .done();
         }
     }
 }

@@ -26,7 +26,9 @@ pub(in super::super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for block in &cx.robot.gazebo {
-        let Some(text) = &block.reference else { continue };
+        let Some(text) = &block.reference else {
+            continue;
+        };
         let Some(name) = text.name() else { continue };
         if cx.kinematics.link(name).is_some() || joints.contains(name.as_str()) {
             continue;
@@ -35,8 +37,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
         let near = nearest(name, names);
         // what resembles no name is left over from one robot: one finding for a file
-        let group = if near.is_some() { Group::Name(name.clone()) } else { Group::File };
-        let report = out.report(text.origin, format!("unknown link or joint `{name}`")).group(group);
+        let group = if near.is_some() {
+            Group::Name(name.clone())
+        } else {
+            Group::File
+        };
+        let report = out
+            .report(text.origin, format!("unknown link or joint `{name}`"))
+            .group(group);
         match near {
             Some(near) => {
                 let report =
@@ -64,7 +72,8 @@ fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
 /// Whether an element holds a sensor or a plugin.
 fn holds_device(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
     let tree = &cx.expansion.tree;
-    tree.elements(block.element).any(|child| ["sensor", "plugin"].contains(&tree.get(child).text.as_str()))
+    tree.elements(block.element)
+        .any(|child| ["sensor", "plugin"].contains(&tree.get(child).text.as_str()))
 }
 
 /// Whether a link or joint shares a word with a name, one that says which part is meant.
@@ -72,8 +81,12 @@ fn shares_word(cx: &RobotCx<'_>, name: &str) -> bool {
     const OF_ALL: [&str; 4] = ["link", "joint", "frame", "base"];
     const LEAST_LETTERS: usize = 3;
     let words = |name: &str| -> Vec<String> {
-        let words = name.split(|c: char| !c.is_alphabetic()).map(str::to_lowercase);
-        words.filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str())).collect()
+        let words = name
+            .split(|c: char| !c.is_alphabetic())
+            .map(str::to_lowercase);
+        words
+            .filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str()))
+            .collect()
     };
     let own = words(name);
     let links = cx.robot.links.iter().map(|link| link.shown());
@@ -83,7 +96,8 @@ fn shares_word(cx: &RobotCx<'_>, name: &str) -> bool {
 
 /// Whether a text that the robot is made of names a link or joint so, in a branch that is not taken this time.
 fn is_written(cx: &RobotCx<'_>, name: &str) -> bool {
-    let is_it = |fact: &Fact| matches!(fact.kind, FactKind::Link | FactKind::Joint) && fact.name == name;
+    let is_it =
+        |fact: &Fact| matches!(fact.kind, FactKind::Link | FactKind::Joint) && fact.name == name;
     let mut files = cx.expansion.files.iter();
     files.any(|file| facts(&file.source.document).any(|(_, facts)| facts.named.iter().any(is_it)))
 }
@@ -91,12 +105,27 @@ fn is_written(cx: &RobotCx<'_>, name: &str) -> bool {
 /// Whether a comment in these texts holds a link or joint of that name: it was taken out on purpose, and what is left over
 /// does nothing.
 fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
-    let tags =
-        ["<link", "<joint"].map(|tag| [format!("{tag} name=\"{name}\""), format!("{tag} name='{name}'")]);
-    let holds = |comment: &str| tags.iter().flatten().any(|tag| comment.contains(tag.as_str()));
-    let mut texts = cx.expansion.files.iter().map(|file| file.source.document.text());
+    let tags = ["<link", "<joint"].map(|tag| {
+        [
+            format!("{tag} name=\"{name}\""),
+            format!("{tag} name='{name}'"),
+        ]
+    });
+    let holds = |comment: &str| {
+        tags.iter()
+            .flatten()
+            .any(|tag| comment.contains(tag.as_str()))
+    };
+    let mut texts = cx
+        .expansion
+        .files
+        .iter()
+        .map(|file| file.source.document.text());
     texts.any(|text| {
-        let comments = text.split("<!--").skip(1).filter_map(|rest| rest.split("-->").next());
+        let comments = text
+            .split("<!--")
+            .skip(1)
+            .filter_map(|rest| rest.split("-->").next());
         comments.into_iter().any(holds)
     })
 }
@@ -104,5 +133,6 @@ fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
 /// Whether an element gives a color and nothing else: without it, nothing behaves differently.
 fn is_color(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
     let tree = &cx.expansion.tree;
-    tree.elements(block.element).all(|child| tree.get(child).text == "material")
+    tree.elements(block.element)
+        .all(|child| tree.get(child).text == "material")
 }

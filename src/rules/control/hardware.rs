@@ -28,22 +28,33 @@ impl<'a> Hardware<'a> {
                 let is_silent = control.joints.iter().all(|joint| joint.commands.is_empty());
                 if is_silent && !offers_only_declared(paired, control) {
                     undeclared.extend(
-                        control.joints.iter().filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str())),
+                        control
+                            .joints
+                            .iter()
+                            .filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str())),
                     );
                 }
             }
-            let listed: Vec<&ControlJoint> =
-                paired.robot.controls.iter().flat_map(|control| &control.joints).collect();
+            let listed: Vec<&ControlJoint> = paired
+                .robot
+                .controls
+                .iter()
+                .flat_map(|control| &control.joints)
+                .collect();
             if listed.is_empty() || has_mistake(paired) {
                 return None;
             }
             for joint in listed {
-                let named =
-                    |interface: &Interface| interface.name.as_ref().is_some_and(|name| name.is_known());
+                let named = |interface: &Interface| {
+                    interface.name.as_ref().is_some_and(|name| name.is_known())
+                };
                 if !joint.interfaces().all(named) {
                     return None;
                 }
-                joints.entry(joint.name.as_ref()?.name()?.as_str()).or_default().push(joint);
+                joints
+                    .entry(joint.name.as_ref()?.name()?.as_str())
+                    .or_default()
+                    .push(joint);
             }
         }
         Some(Self { joints, undeclared })
@@ -63,10 +74,22 @@ impl<'a> Hardware<'a> {
     /// The interfaces that a joint offers.
     pub fn offered(&self, joint: &str, is_command: bool) -> Vec<&'a str> {
         let listed = self.joints.get(joint).into_iter().flatten();
-        let interfaces = listed.flat_map(|joint| if is_command { &joint.commands } else { &joint.states });
-        let names = interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str()));
+        let interfaces = listed.flat_map(|joint| {
+            if is_command {
+                &joint.commands
+            } else {
+                &joint.states
+            }
+        });
+        let names =
+            interfaces.filter_map(|interface| Some(interface.name.as_ref()?.value.as_str()));
         names
-            .map(|name| WITH_GAINS.iter().find(|(own, _)| *own == name).map_or(name, |(_, as_)| as_))
+            .map(|name| {
+                WITH_GAINS
+                    .iter()
+                    .find(|(own, _)| *own == name)
+                    .map_or(name, |(_, as_)| as_)
+            })
             .collect()
     }
 }
@@ -83,7 +106,10 @@ const ONLY_DECLARED: [&str; 5] = [
 
 fn offers_only_declared(paired: &PairedRobot<'_>, control: &Ros2Control) -> bool {
     let tree = &paired.expansion.tree;
-    let plugins = control.hardware.iter().flat_map(|&hardware| tree.elements(hardware));
+    let plugins = control
+        .hardware
+        .iter()
+        .flat_map(|&hardware| tree.elements(hardware));
     let mut plugins = plugins.filter(|&child| tree.get(child).text == "plugin");
     plugins.any(|plugin| {
         Text::content(tree, plugin).is_some_and(|class| ONLY_DECLARED.contains(&class.value.trim()))
@@ -102,15 +128,25 @@ fn has_mistake(paired: &PairedRobot<'_>) -> bool {
     };
     let tree = &paired.expansion.tree;
     let is_misread = |joint: &&ControlJoint| {
-        let names = joint.interfaces().filter_map(|interface| interface.name.as_ref()?.name());
+        let names = joint
+            .interfaces()
+            .filter_map(|interface| interface.name.as_ref()?.name());
         names.into_iter().any(|name| is_misspelled(name))
-            || tree.elements(joint.element).any(|tag| !is_known_in_joint(&tree.get(tag).text))
+            || tree
+                .elements(joint.element)
+                .any(|tag| !is_known_in_joint(&tree.get(tag).text))
     };
     let is_wrong = |control: &Ros2Control| {
         let mut seen = FastSet::default();
-        let names = control.joints.iter().filter_map(|joint| joint.name.as_ref()?.name());
+        let names = control
+            .joints
+            .iter()
+            .filter_map(|joint| joint.name.as_ref()?.name());
         names.into_iter().any(|name| !seen.insert(name))
-            || control.joints.iter().any(|joint| is_unknown(&joint) || is_misread(&joint))
+            || control
+                .joints
+                .iter()
+                .any(|joint| is_unknown(&joint) || is_misread(&joint))
     };
     paired.robot.controls.iter().any(is_wrong)
 }

@@ -13,13 +13,17 @@ use workspace::nearest;
 
 /// The joints that ros2_control lists, each with that of the robot.
 pub(super) fn controlled<'a>(cx: &DocumentCx<'a>) -> Vec<(&'a ControlJoint, &'a Joint)> {
-    let Some(robot) = cx.robot else { return Vec::new() };
+    let Some(robot) = cx.robot else {
+        return Vec::new();
+    };
     let mut named: FastMap<&str, &Joint> = FastMap::default();
     for joint in &robot.joints {
         named.entry(joint.shown()).or_insert(joint);
     }
     let listed = robot.controls.iter().flat_map(|control| &control.joints);
-    listed.filter_map(|listed| Some((listed, *named.get(listed.name.as_ref()?.name()?.as_str())?))).collect()
+    listed
+        .filter_map(|listed| Some((listed, *named.get(listed.name.as_ref()?.name()?.as_str())?)))
+        .collect()
 }
 
 /// Whether the robot is for distributions whose ros2_control does not compare its joints with those of the robot.
@@ -32,7 +36,11 @@ pub(super) fn is_before_jazzy(cx: &DocumentCx<'_>) -> bool {
 fn has_old_plugin(cx: &DocumentCx<'_>) -> bool {
     const OLD: [&str; 2] = ["gazebo_ros2_control/", "ign_ros2_control/"];
     let tree = &cx.expansion.tree;
-    let plugins = cx.robot.into_iter().flat_map(|robot| &robot.controls).filter_map(|one| one.plugin(tree));
+    let plugins = cx
+        .robot
+        .into_iter()
+        .flat_map(|robot| &robot.controls)
+        .filter_map(|one| one.plugin(tree));
     let mut names = plugins.filter_map(|plugin| Text::content(tree, plugin));
     names.any(|name| OLD.iter().any(|old| name.value.trim().starts_with(old)))
 }
@@ -47,7 +55,9 @@ pub(super) fn unknown_joints<'t>(
 ) {
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for text in texts {
-        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else {
+            continue;
+        };
         let message = format!("{block} refers to unknown joint `{name}`");
         let report = out.report(text.origin, message).severity(severity);
         match nearest(name, cx.robot.joints.iter().map(|joint| joint.shown())) {
@@ -55,7 +65,9 @@ pub(super) fn unknown_joints<'t>(
                 let report = report.help(Help::did_you_mean(near));
                 rename(report, cx.expansion, text, near).done();
             }
-            None => report.help("use the full name of a joint of this robot, including its prefix").done(),
+            None => report
+                .help("use the full name of a joint of this robot, including its prefix")
+                .done(),
         }
     }
 }
@@ -72,8 +84,13 @@ pub(crate) fn range(joint: &Joint) -> Option<(f64, f64)> {
 
 /// Where the text inside of an element stands, without the blanks around it.
 pub(super) fn value_place(expansion: &Expansion, text: &Text) -> Origin {
-    let Some((_, _, source)) = source_text(expansion, text.origin) else { return text.origin };
+    let Some((_, _, source)) = source_text(expansion, text.origin) else {
+        return text.origin;
+    };
     let trimmed = source.trim();
     let start = text.origin.range.start + (source.len() - source.trim_start().len()) as u32;
-    Origin { range: TextRange::new(start, start + trimmed.len() as u32), ..text.origin }
+    Origin {
+        range: TextRange::new(start, start + trimmed.len() as u32),
+        ..text.origin
+    }
 }

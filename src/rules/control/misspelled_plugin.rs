@@ -59,7 +59,10 @@ const LIBRARIES: [&str; 22] = [
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
-    for file in plugins(cx).into_iter().filter_map(|plugin| Text::attr(tree, plugin, "filename")) {
+    for file in plugins(cx)
+        .into_iter()
+        .filter_map(|plugin| Text::attr(tree, plugin, "filename"))
+    {
         report(&file, &LIBRARIES, out);
     }
     let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls);
@@ -72,12 +75,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// A name with one letter too many, too few, other or swapped. What differs in a digit is another version.
 fn report(text: &Text, known: &[&'static str], out: &mut Sink<'_>) {
-    let Some(name) = text.name().filter(|name| !known.contains(&name.as_str())) else { return };
+    let Some(name) = text.name().filter(|name| !known.contains(&name.as_str())) else {
+        return;
+    };
     let letters = |name: &str| -> String { name.chars().filter(|c| !c.is_ascii_digit()).collect() };
-    let Some(near) = misspelled(name, known.iter().copied()).filter(|near| letters(near) != letters(name))
+    let Some(near) =
+        misspelled(name, known.iter().copied()).filter(|near| letters(near) != letters(name))
     else {
         return;
     };
-    let report = out.report(text.origin, format!("unknown plugin `{name}`")).help(Help::did_you_mean(near));
+    let report = out
+        .report(text.origin, format!("unknown plugin `{name}`"))
+        .help(Help::did_you_mean(near));
     rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
 }

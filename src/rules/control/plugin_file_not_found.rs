@@ -27,10 +27,19 @@ const READ: [&str; 4] = [".yaml", ".yml", ".xml", ".srdf"];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for element in parameters(cx) {
-        let Some(text) = Text::content(&cx.expansion.tree, element) else { continue };
-        let Some((package, path)) = missing(cx, &text) else { continue };
-        let message = format!("file `{}` of package `{package}` not found", path.trim_start_matches('/'));
-        out.report(text.origin, message).help("correct the path, or add the file").done();
+        let Some(text) = Text::content(&cx.expansion.tree, element) else {
+            continue;
+        };
+        let Some((package, path)) = missing(cx, &text) else {
+            continue;
+        };
+        let message = format!(
+            "file `{}` of package `{package}` not found",
+            path.trim_start_matches('/')
+        );
+        out.report(text.origin, message)
+            .help("correct the path, or add the file")
+            .done();
     }
 }
 
@@ -38,7 +47,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn parameters(cx: &DocumentCx<'_>) -> Vec<XId> {
     let tree = &cx.expansion.tree;
     let mut open = plugins(cx);
-    open.extend(cx.robot.into_iter().flat_map(|robot| &robot.controls).flat_map(|control| &control.hardware));
+    open.extend(
+        cx.robot
+            .into_iter()
+            .flat_map(|robot| &robot.controls)
+            .flat_map(|control| &control.hardware),
+    );
     let mut found = Vec::new();
     while let Some(element) = open.pop() {
         let before = open.len();
@@ -53,17 +67,26 @@ fn parameters(cx: &DocumentCx<'_>) -> Vec<XId> {
 /// The file that a text with `$(find package)` names, when the package is there and the file is not.
 fn missing(cx: &DocumentCx<'_>, text: &Text) -> Option<(String, String)> {
     let value = text.name()?.as_str();
-    let is_meant = Path::new(value).is_absolute() && READ.iter().any(|ending| value.ends_with(ending));
-    let written = is_meant.then(|| cx.expansion.place(text.origin)).flatten()?;
+    let is_meant =
+        Path::new(value).is_absolute() && READ.iter().any(|ending| value.ends_with(ending));
+    let written = is_meant
+        .then(|| cx.expansion.place(text.origin))
+        .flatten()?;
     let file = cx.expansion.files.get(written.file.0 as usize)?;
     let source = file.source.document.slice(written.range);
     let (_, rest) = source.split_once("$(find ")?;
     let (package, path) = rest.split_once(')')?;
     // what an argument or a property makes of the path may be another one
-    let path = path.split_whitespace().next().filter(|path| path.starts_with('/') && !path.contains('$'))?;
+    let path = path
+        .split_whitespace()
+        .next()
+        .filter(|path| path.starts_with('/') && !path.contains('$'))?;
     let from = cx.expansion.files.first()?.source.path.clone();
     cx.world.packages.find(package.trim(), &from).ok()?;
     let uri = format!("package://{}{path}", package.trim());
-    let is_there = matches!(cx.world.packages.resolve_uri(&uri, &from).outcome, UriOutcome::Found(_));
+    let is_there = matches!(
+        cx.world.packages.resolve_uri(&uri, &from).outcome,
+        UriOutcome::Found(_)
+    );
     (!is_there).then(|| (package.trim().to_owned(), path.to_owned()))
 }

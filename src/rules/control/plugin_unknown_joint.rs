@@ -64,10 +64,17 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     let mut names: Vec<Text> = Vec::new();
     for plugin in plugins_of(tree, cx.robot) {
-        let Some(file) = Text::attr(tree, plugin, "filename") else { continue };
+        let Some(file) = Text::attr(tree, plugin, "filename") else {
+            continue;
+        };
         let known = TAGS.iter().find(|(part, _)| file.value.contains(part));
-        let Some((_, tags)) = known.filter(|_| file.is_known()) else { continue };
-        for parameter in tree.elements(plugin).filter(|&one| tags.contains(&tree.get(one).text.as_str())) {
+        let Some((_, tags)) = known.filter(|_| file.is_known()) else {
+            continue;
+        };
+        for parameter in tree
+            .elements(plugin)
+            .filter(|&one| tags.contains(&tree.get(one).text.as_str()))
+        {
             // lists, and names in other models, are not looked at
             let is_plain = |text: &Text| !text.value.contains([',', ':', '/', ' ']);
             names.extend(Text::content(tree, parameter).filter(is_plain));

@@ -7,7 +7,8 @@ use model::Robot;
 /// The `plugin` elements inside of `gazebo` elements, without those inside of other plugins: what stands there
 /// is the plugin's own business.
 pub(super) fn plugins(cx: &DocumentCx<'_>) -> Vec<XId> {
-    cx.robot.map_or_else(Vec::new, |robot| plugins_of(&cx.expansion.tree, robot))
+    cx.robot
+        .map_or_else(Vec::new, |robot| plugins_of(&cx.expansion.tree, robot))
 }
 
 /// The same of a robot.

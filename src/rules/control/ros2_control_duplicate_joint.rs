@@ -22,10 +22,19 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut seen: FastMap<&str, Vec<(usize, &ControlJoint)>> = FastMap::default();
-    let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls).enumerate();
-    for (block, joint) in controls.flat_map(|(i, control)| control.joints.iter().map(move |joint| (i, joint)))
+    let controls = cx
+        .robot
+        .into_iter()
+        .flat_map(|robot| &robot.controls)
+        .enumerate();
+    for (block, joint) in
+        controls.flat_map(|(i, control)| control.joints.iter().map(move |joint| (i, joint)))
     {
-        let Some((text, name)) = joint.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+        let Some((text, name)) = joint
+            .name
+            .as_ref()
+            .and_then(|text| Some((text, text.name()?)))
+        else {
             continue;
         };
         let earlier = seen.entry(name.as_str()).or_default();
@@ -33,15 +42,23 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             twice_in_block(text, first, out);
             continue;
         }
-        let twice = earlier.iter().filter(|(other, _)| *other != block).find_map(|(first, other)| {
-            let shared =
-                shared(&other.commands, &joint.commands).map(|name| (name, RULE.severity, "command"));
-            let shared = shared.or_else(|| Some((shared_states(other, joint)?, Severity::Warning, "state")));
-            shared.map(|shared| (other.name.as_ref(), *first, shared))
-        });
+        let twice = earlier
+            .iter()
+            .filter(|(other, _)| *other != block)
+            .find_map(|(first, other)| {
+                let shared = shared(&other.commands, &joint.commands)
+                    .map(|name| (name, RULE.severity, "command"));
+                let shared = shared
+                    .or_else(|| Some((shared_states(other, joint)?, Severity::Warning, "state")));
+                shared.map(|shared| (other.name.as_ref(), *first, shared))
+            });
         if let Some((Some(other), first, (interface, severity, kind))) = twice {
             // before Jazzy, the first block that has an interface provides it
-            let severity = if is_before_jazzy(cx) { Severity::Warning } else { severity };
+            let severity = if is_before_jazzy(cx) {
+                Severity::Warning
+            } else {
+                severity
+            };
             out.report(
                 text.origin,
                 format!("{kind} interface `{interface}` of joint `{name}` is in two ros2_control blocks"),
@@ -59,17 +76,28 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// A joint that a block lists twice: most likely one of the names was not changed after copying.
 fn twice_in_block(name: &Text, first: &ControlJoint, out: &mut Sink<'_>) {
     let Some(first) = &first.name else { return };
-    out.report(name.origin, format!("joint `{}` is twice in one ros2_control block", name.value))
-        .severity(Severity::Warning)
-        .also(first.origin, format!("joint `{}` is first here", name.value))
-        .help("rename one to the joint that is meant, or put all interfaces in one `joint` element")
-        .done();
+    out.report(
+        name.origin,
+        format!("joint `{}` is twice in one ros2_control block", name.value),
+    )
+    .severity(Severity::Warning)
+    .also(
+        first.origin,
+        format!("joint `{}` is first here", name.value),
+    )
+    .help("rename one to the joint that is meant, or put all interfaces in one `joint` element")
+    .done();
 }
 
 /// The name of an interface that both have.
 fn shared<'a>(a: &'a [Interface], b: &[Interface]) -> Option<&'a str> {
-    let names = a.iter().filter_map(|interface| interface.name.as_ref()?.name());
-    names.into_iter().find(|name| b.iter().any(|interface| interface.is(name))).map(|name| name.as_str())
+    let names = a
+        .iter()
+        .filter_map(|interface| interface.name.as_ref()?.name());
+    names
+        .into_iter()
+        .find(|name| b.iter().any(|interface| interface.is(name)))
+        .map(|name| name.as_str())
 }
 
 fn shared_states<'a>(a: &'a ControlJoint, b: &ControlJoint) -> Option<&'a str> {

@@ -21,7 +21,9 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut is_old = None;
     for (control, joint) in controlled(cx) {
-        let (Some(text), Some(kind)) = (&control.name, &joint.kind) else { continue };
+        let (Some(text), Some(kind)) = (&control.name, &joint.kind) else {
+            continue;
+        };
         if joint.is(&[JointType::Fixed]) {
             let is_old = *is_old.get_or_insert_with(|| is_before_jazzy(cx));
             out.report(

@@ -23,17 +23,31 @@ const ROUNDING: f64 = 1e-6;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (control, joint) in controlled(cx) {
-        let Some((lower, upper)) = range(joint) else { continue };
-        for interface in control.interfaces().filter(|interface| interface.is("position")) {
-            let Some(text) = interface.param("initial_value") else { continue };
-            if text.number().is_some_and(|value| value < lower - ROUNDING || value > upper + ROUNDING) {
+        let Some((lower, upper)) = range(joint) else {
+            continue;
+        };
+        for interface in control
+            .interfaces()
+            .filter(|interface| interface.is("position"))
+        {
+            let Some(text) = interface.param("initial_value") else {
+                continue;
+            };
+            if text
+                .number()
+                .is_some_and(|value| value < lower - ROUNDING || value > upper + ROUNDING)
+            {
                 let message = format!(
                     "initial value of joint `{}` is {}, outside its limits",
                     joint.shown(),
                     text.value
                 );
                 out.report(value_place(cx.expansion, text), message)
-                    .help(format!("write a value from {} to {}", short(lower), short(upper)))
+                    .help(format!(
+                        "write a value from {} to {}",
+                        short(lower),
+                        short(upper)
+                    ))
                     .done();
             }
         }

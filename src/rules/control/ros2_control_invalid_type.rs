@@ -38,16 +38,20 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if kind.is_known() && !KNOWN.contains(&kind.value.as_str()) {
             let near = nearest(&kind.value, KNOWN).map(Help::did_you_mean);
             let is_known = KNOWN.contains(&kind.value.to_lowercase().as_str());
-            let severity =
-                if is_known && is_simulated(cx, control) { Severity::Warning } else { RULE.severity };
-            out.report(kind.origin, format!("ros2_control `{name}` has unknown type `{}`", kind.value))
-                .severity(severity)
-                .help(
-                    near.unwrap_or_else(|| {
-                        "write type=\"system\", type=\"actuator\" or type=\"sensor\"".into()
-                    }),
-                )
-                .done();
+            let severity = if is_known && is_simulated(cx, control) {
+                Severity::Warning
+            } else {
+                RULE.severity
+            };
+            out.report(
+                kind.origin,
+                format!("ros2_control `{name}` has unknown type `{}`", kind.value),
+            )
+            .severity(severity)
+            .help(near.unwrap_or_else(|| {
+                "write type=\"system\", type=\"actuator\" or type=\"sensor\"".into()
+            }))
+            .done();
         }
     }
 }
@@ -56,6 +60,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Source: `gz_system.cpp` and `gz_ros2_control_plugin.cpp` of gz_ros2_control 1.2.
 fn is_simulated(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     let tree = &cx.expansion.tree;
-    let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+    let plugin = control
+        .plugin(tree)
+        .and_then(|element| Text::content(tree, element));
     plugin.is_some_and(|plugin| is_simulator_plugin(&plugin.value))
 }

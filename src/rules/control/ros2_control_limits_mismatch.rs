@@ -23,22 +23,39 @@ const ROUNDING: f64 = 1e-3;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (control, joint) in controlled(cx) {
-        let Some((lower, upper)) = range(joint) else { continue };
-        for command in control.commands.iter().filter(|command| command.is("position")) {
+        let Some((lower, upper)) = range(joint) else {
+            continue;
+        };
+        for command in control
+            .commands
+            .iter()
+            .filter(|command| command.is("position"))
+        {
             for name in ["min", "max"] {
-                let Some((text, value)) = command.param(name).and_then(|text| Some((text, text.number()?)))
+                let Some((text, value)) = command
+                    .param(name)
+                    .and_then(|text| Some((text, text.number()?)))
                 else {
                     continue;
                 };
-                let beyond = if name == "min" { value < lower - ROUNDING } else { value > upper + ROUNDING };
+                let beyond = if name == "min" {
+                    value < lower - ROUNDING
+                } else {
+                    value > upper + ROUNDING
+                };
                 if beyond && value.abs() < UNLIMITED {
-                    let message =
-                        format!("{name} {} of joint `{}` is outside its limits", text.value, joint.shown());
-                    let report = out.report(value_place(cx.expansion, text), message).help(format!(
-                        "write a value from {} to {}",
-                        short(lower),
-                        short(upper)
-                    ));
+                    let message = format!(
+                        "{name} {} of joint `{}` is outside its limits",
+                        text.value,
+                        joint.shown()
+                    );
+                    let report =
+                        out.report(value_place(cx.expansion, text), message)
+                            .help(format!(
+                                "write a value from {} to {}",
+                                short(lower),
+                                short(upper)
+                            ));
                     let limit = if name == "min" { lower } else { upper };
                     rewrite(report, Safety::Unsafe, text, short(limit)).done();
                 }

@@ -31,7 +31,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let is_old = *is_old.get_or_insert_with(|| is_before_jazzy(cx));
         for command in &control.commands {
-            let message = format!("mimic joint `{}` cannot have a command interface", joint.shown());
+            let message = format!(
+                "mimic joint `{}` cannot have a command interface",
+                joint.shown()
+            );
             let report = out
                 .report(tag_start(cx.expansion, command.element), message)
                 .severity(if is_old { Severity::Info } else { RULE.severity })

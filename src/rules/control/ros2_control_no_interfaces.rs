@@ -19,11 +19,18 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
-    for (control, joint) in
-        robot.controls.iter().flat_map(|control| control.joints.iter().map(move |joint| (control, joint)))
+    let Some(robot) = cx.robot.filter(|_| cx.whole()) else {
+        return;
+    };
+    for (control, joint) in robot
+        .controls
+        .iter()
+        .flat_map(|control| control.joints.iter().map(move |joint| (control, joint)))
     {
-        if joint.interfaces().next().is_none() && !mimics(cx, joint) && !exports_its_own(cx, control) {
+        if joint.interfaces().next().is_none()
+            && !mimics(cx, joint)
+            && !exports_its_own(cx, control)
+        {
             out.report(
                 tag_start(cx.expansion, joint.element),
                 format!("joint `{}` has no interfaces", joint.shown()),
@@ -38,25 +45,36 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether the sources of the plugin are at hand, and it exports interfaces without looking at the description.
 fn exports_its_own(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     let tree = &cx.expansion.tree;
-    let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+    let plugin = control
+        .plugin(tree)
+        .and_then(|element| Text::content(tree, element));
     let from = cx.expansion.files.first().map(|file| &*file.source.path);
-    plugin
-        .zip(from)
-        .is_some_and(|(plugin, from)| cx.world.packages.exports_interfaces(plugin.value.trim(), from))
+    plugin.zip(from).is_some_and(|(plugin, from)| {
+        cx.world
+            .packages
+            .exports_interfaces(plugin.value.trim(), from)
+    })
 }
 
 /// Whether the hardware is none of ROS's own, and no joint of it has interfaces: it seems to know them without being told.
 fn may_know_better(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     let tree = &cx.expansion.tree;
-    let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+    let plugin = control
+        .plugin(tree)
+        .and_then(|element| Text::content(tree, element));
     let is_other = plugin.is_some_and(|plugin| !HARDWARE.contains(&plugin.value.trim()));
-    is_other && control.joints.iter().all(|joint| joint.interfaces().next().is_none())
+    is_other
+        && control
+            .joints
+            .iter()
+            .all(|joint| joint.interfaces().next().is_none())
 }
 
 /// Joints that follow another one need no interface: by attribute, or by a parameter as it used to be written.
 fn mimics(cx: &DocumentCx<'_>, joint: &ControlJoint) -> bool {
     let tree = &cx.expansion.tree;
-    let is_mimic =
-        |id| tree.get(id).text == "param" && tree.attr(id, "name").is_some_and(|a| a.value == "mimic");
+    let is_mimic = |id| {
+        tree.get(id).text == "param" && tree.attr(id, "name").is_some_and(|a| a.value == "mimic")
+    };
     joint.mimic.is_some() || tree.elements(joint.element).any(is_mimic)
 }

@@ -28,11 +28,19 @@ pub(super) fn is_misspelled(name: &str) -> bool {
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let joints = cx.robot.into_iter().flat_map(|robot| &robot.controls).flat_map(|control| &control.joints);
+    let joints = cx
+        .robot
+        .into_iter()
+        .flat_map(|robot| &robot.controls)
+        .flat_map(|control| &control.joints);
     for (joint, interface) in
         joints.flat_map(|joint| joint.interfaces().map(move |interface| (joint, interface)))
     {
-        let Some((text, name)) = interface.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+        let Some((text, name)) = interface
+            .name
+            .as_ref()
+            .and_then(|text| Some((text, text.name()?)))
+        else {
             continue;
         };
         if KNOWN.contains(&name.as_str()) {
@@ -40,8 +48,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         if let Some(near) = nearest(name, KNOWN) {
             let message = format!("joint `{}` has unknown interface `{name}`", joint.shown());
-            let severity = if misspelled(name, KNOWN).is_some() { Severity::Warning } else { RULE.severity };
-            let report = out.report(text.origin, message).severity(severity).help(Help::did_you_mean(near));
+            let severity = if misspelled(name, KNOWN).is_some() {
+                Severity::Warning
+            } else {
+                RULE.severity
+            };
+            let report = out
+                .report(text.origin, message)
+                .severity(severity)
+                .help(Help::did_you_mean(near));
             rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
         }
     }

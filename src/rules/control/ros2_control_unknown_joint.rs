@@ -19,5 +19,11 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let joints = cx.robot.controls.iter().flat_map(|control| &control.joints);
-    unknown_joints(cx, out, joints.filter_map(|joint| joint.name.as_ref()), "ros2_control", RULE.severity);
+    unknown_joints(
+        cx,
+        out,
+        joints.filter_map(|joint| joint.name.as_ref()),
+        "ros2_control",
+        RULE.severity,
+    );
 }

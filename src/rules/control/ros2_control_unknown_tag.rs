@@ -21,7 +21,14 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// The elements that ros2_control reads; `properties` only in its later versions.
-const KNOWN: [&str; 6] = ["hardware", "joint", "sensor", "gpio", "transmission", "properties"];
+const KNOWN: [&str; 6] = [
+    "hardware",
+    "joint",
+    "sensor",
+    "gpio",
+    "transmission",
+    "properties",
+];
 
 /// What may be in them: the name of the element, and those of its children.
 const INSIDE: [(&str, &[&str]); 4] = [
@@ -33,7 +40,9 @@ const INSIDE: [(&str, &[&str]); 4] = [
 
 /// Whether an element may be in a joint.
 pub(super) fn is_known_in_joint(tag: &str) -> bool {
-    INSIDE.iter().any(|(outer, known)| *outer == "joint" && known.contains(&tag))
+    INSIDE
+        .iter()
+        .any(|(outer, known)| *outer == "joint" && known.contains(&tag))
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
@@ -43,11 +52,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let name = tree.get(id).text.as_str();
             // tags of xacro that stayed have their own finding
             if !KNOWN.contains(&name) && !name.contains(':') {
-                out.report(tag_start(cx.expansion, id), format!("unknown element `{name}` in ros2_control"))
-                    .help(outer_help(name))
-                    .done();
+                out.report(
+                    tag_start(cx.expansion, id),
+                    format!("unknown element `{name}` in ros2_control"),
+                )
+                .help(outer_help(name))
+                .done();
             } else if let Some((_, known)) = INSIDE.iter().find(|(outer, _)| *outer == name) {
-                tree.elements(id).for_each(|inner| check_inner(cx, (name, known), inner, out));
+                tree.elements(id)
+                    .for_each(|inner| check_inner(cx, (name, known), inner, out));
             }
         }
     }
@@ -68,8 +81,13 @@ fn outer_help(name: &str) -> Help {
 /// An element inside, which is misspelled; ros2_control passes over what it does not know.
 fn check_inner(cx: &DocumentCx<'_>, (outer, known): (&str, &[&str]), id: XId, out: &mut Sink<'_>) {
     let name = cx.expansion.tree.get(id).text.as_str();
-    let Some(near) = nearest(name, known.iter().copied()).filter(|near| *near != name) else { return };
-    out.report(tag_start(cx.expansion, id), format!("unknown element `{name}` in `{outer}` of ros2_control"))
-        .help(Help::did_you_mean(near))
-        .done();
+    let Some(near) = nearest(name, known.iter().copied()).filter(|near| *near != name) else {
+        return;
+    };
+    out.report(
+        tag_start(cx.expansion, id),
+        format!("unknown element `{name}` in `{outer}` of ros2_control"),
+    )
+    .help(Help::did_you_mean(near))
+    .done();
 }

@@ -21,7 +21,9 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(robot) = cx.robot.filter(|_| cx.whole()) else { return };
+    let Some(robot) = cx.robot.filter(|_| cx.whole()) else {
+        return;
+    };
     let tree = &cx.expansion.tree;
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     // in ROS 2, nothing reads transmissions outside of <ros2_control>
@@ -29,9 +31,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         Some(Target::Ros2) => Severity::Info,
         _ => Severity::Warning,
     };
-    for transmission in robot.transmissions.iter().filter(|transmission| is_simple(tree, transmission)) {
+    for transmission in robot
+        .transmissions
+        .iter()
+        .filter(|transmission| is_simple(tree, transmission))
+    {
         for (joint, name) in &transmission.joints {
-            if !tree.elements(*joint).any(|id| tree.get(id).text == "hardwareInterface") {
+            if !tree
+                .elements(*joint)
+                .any(|id| tree.get(id).text == "hardwareInterface")
+            {
                 let name = name.as_ref().map_or("", |name| name.value.as_str());
                 out.report(tag_start(cx.expansion, *joint), format!("joint `{name}` in a transmission has no hardware interface"))
                     .severity(severity)
@@ -44,6 +53,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a transmission is ROS 1's simple one.
 fn is_simple(tree: &XTree, transmission: &Transmission) -> bool {
-    let mut types = tree.elements(transmission.element).filter(|&id| tree.get(id).text == "type");
-    types.any(|id| Text::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission")))
+    let mut types = tree
+        .elements(transmission.element)
+        .filter(|&id| tree.get(id).text == "type");
+    types.any(|id| {
+        Text::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission"))
+    })
 }

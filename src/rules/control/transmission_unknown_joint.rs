@@ -22,15 +22,22 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let listed = cx.robot.transmissions.iter().flat_map(|transmission| &transmission.joints);
+    let listed = cx
+        .robot
+        .transmissions
+        .iter()
+        .flat_map(|transmission| &transmission.joints);
     let names: Vec<&Text> = listed.filter_map(|(_, name)| name.as_ref()).collect();
     let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
-    let is_meant =
-        |name: &EcoString| joints().any(|joint| joint == name) || misspelled(name, joints()).is_some();
+    let is_meant = |name: &EcoString| {
+        joints().any(|joint| joint == name) || misspelled(name, joints()).is_some()
+    };
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     // nothing in ROS 2 reads these elements: not one that fits is what is left of ROS 1
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
-        Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_meant) => Severity::Warning,
+        Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_meant) => {
+            Severity::Warning
+        }
         Some(Target::Ros2) => Severity::Info,
         _ if is_driven_by_plugin(cx) => Severity::Info,
         _ => RULE.severity,
@@ -41,10 +48,15 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Whether a plugin of Gazebo drives the wheels, and none reads transmissions.
 fn is_driven_by_plugin(cx: &RobotCx<'_>) -> bool {
     let tree = &cx.expansion.tree;
-    let plugins = cx.robot.gazebo.iter().flat_map(|block| tree.elements(block.element));
+    let plugins = cx
+        .robot
+        .gazebo
+        .iter()
+        .flat_map(|block| tree.elements(block.element));
     let names: Vec<&str> = plugins
         .filter(|&plugin| tree.get(plugin).text == "plugin")
         .filter_map(|plugin| Some(tree.attr(plugin, "filename")?.value.as_str()))
         .collect();
-    names.iter().any(|name| name.contains("drive")) && !names.iter().any(|name| name.contains("control"))
+    names.iter().any(|name| name.contains("drive"))
+        && !names.iter().any(|name| name.contains("control"))
 }

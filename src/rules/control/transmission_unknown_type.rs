@@ -29,10 +29,16 @@ const KNOWN: [&str; 3] = [
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for transmission in cx.robot.into_iter().flat_map(|robot| &robot.transmissions) {
-        let Some(text) = type_of(&cx.expansion.tree, transmission.element) else { continue };
-        let Some(kind) = text.name().filter(|kind| !KNOWN.contains(&kind.as_str())) else { continue };
+        let Some(text) = type_of(&cx.expansion.tree, transmission.element) else {
+            continue;
+        };
+        let Some(kind) = text.name().filter(|kind| !KNOWN.contains(&kind.as_str())) else {
+            continue;
+        };
         // types of other packages are as good
-        let Some(near) = nearest(kind, KNOWN) else { continue };
+        let Some(near) = nearest(kind, KNOWN) else {
+            continue;
+        };
         let report = out
             .report(text.origin, format!("unknown transmission type `{kind}`"))
             .severity(severity(cx))

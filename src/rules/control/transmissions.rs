@@ -8,7 +8,9 @@ use workspace::Target;
 
 /// The text of the `type` of a transmission.
 pub(super) fn type_of(tree: &XTree, transmission: XId) -> Option<Text> {
-    let kind = tree.elements(transmission).find(|&id| tree.get(id).text == "type")?;
+    let kind = tree
+        .elements(transmission)
+        .find(|&id| tree.get(id).text == "type")?;
     Text::content(tree, kind)
 }
 

@@ -20,8 +20,11 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let names = cx.robot.into_iter().flat_map(names::names);
     for (named, name) in names.filter(|(_, name)| name.value.is_empty()) {
-        out.report(name.origin, format!("this {} has an empty name", named.word()))
-            .help("write a name: name=\"...\"")
-            .done();
+        out.report(
+            name.origin,
+            format!("this {} has an empty name", named.word()),
+        )
+        .help("write a name: name=\"...\"")
+        .done();
     }
 }

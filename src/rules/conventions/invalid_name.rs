@@ -24,27 +24,54 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     check_ends(cx, out);
     check_robot(cx, out);
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
-        let Some(bad) = name.value.chars().find(|&c| !is_admitted(c)) else { continue };
+        let Some(bad) = name.value.chars().find(|&c| !is_admitted(c)) else {
+            continue;
+        };
         let what = named.word();
-        let shown = if bad.is_whitespace() { "whitespace".to_owned() } else { format!("`{bad}`") };
+        let shown = if bad.is_whitespace() {
+            "whitespace".to_owned()
+        } else {
+            format!("`{bad}`")
+        };
         if let Some(new) = with_dollars(cx, &name.value).filter(|_| name.is_literal()) {
-            out.report(name.origin, format!("name of {what} {}contains {shown}", quoted(name)))
-                .help(format!("write `{new}`: an expression starts with `$`"))
-                .replace_with(Safety::Unsafe, format!("replace with `{new}`"), new)
-                .done();
+            out.report(
+                name.origin,
+                format!("name of {what} {}contains {shown}", quoted(name)),
+            )
+            .help(format!("write `{new}`: an expression starts with `$`"))
+            .replace_with(Safety::Unsafe, format!("replace with `{new}`"), new)
+            .done();
             continue;
         }
         let report = out
-            .report(name.origin, format!("name of {what} {}contains {shown}", quoted(name)))
+            .report(
+                name.origin,
+                format!("name of {what} {}contains {shown}", quoted(name)),
+            )
             // no controller ever names a joint that is fixed
-            .severity(if is_fixed_joint(cx, named, &name.value) { Severity::Info } else { RULE.severity })
+            .severity(if is_fixed_joint(cx, named, &name.value) {
+                Severity::Info
+            } else {
+                RULE.severity
+            })
             // a tool that writes such names writes all of them so
             .group(Group::Name(format!("{shown} in names").into()))
             .help("use only letters, digits, `_`, `-`, `.` and `/`");
-        let new: String = name.value.trim().chars().map(|c| if is_admitted(c) { c } else { '_' }).collect();
+        let new: String = name
+            .value
+            .trim()
+            .chars()
+            .map(|c| if is_admitted(c) { c } else { '_' })
+            .collect();
         match names::rename(cx, named, &name.value, &new).filter(|_| !new.is_empty()) {
             Some(edits) => {
-                report.edits(Safety::Unsafe, format!("rename to `{new}` everywhere"), edits).done();
+                report
+                    .edits(
+                        Safety::Unsafe,
+                        format!("rename to `{new}` everywhere"),
+                        edits,
+                    )
+                    .done();
             }
             None => report.done(),
         }
@@ -53,21 +80,37 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// The name of the robot, which becomes that of a model or a namespace in some programs.
 fn check_robot(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let name = cx.robot.and_then(|robot| robot.name.as_ref()).filter(|name| name.is_known());
-    let Some(name) = name.filter(|name| name.value.trim().contains(char::is_whitespace)) else { return };
-    out.report(name.origin, format!("name of robot {}contains whitespace", quoted(name)))
-        .severity(Severity::Info)
-        .help("write `_` instead of spaces")
-        .done();
+    let name = cx
+        .robot
+        .and_then(|robot| robot.name.as_ref())
+        .filter(|name| name.is_known());
+    let Some(name) = name.filter(|name| name.value.trim().contains(char::is_whitespace)) else {
+        return;
+    };
+    out.report(
+        name.origin,
+        format!("name of robot {}contains whitespace", quoted(name)),
+    )
+    .severity(Severity::Info)
+    .help("write `_` instead of spaces")
+    .done();
 }
 
 /// The links that a joint names without the `$` of an expression.
 fn check_ends(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
-            let Some(text) = text.as_ref().filter(|text| text.is_literal()) else { continue };
-            let Some(new) = with_dollars(cx, &text.value) else { continue };
-            let message = format!("{end} link `{}` of joint `{}` contains `{{`", text.value, joint.shown());
+            let Some(text) = text.as_ref().filter(|text| text.is_literal()) else {
+                continue;
+            };
+            let Some(new) = with_dollars(cx, &text.value) else {
+                continue;
+            };
+            let message = format!(
+                "{end} link `{}` of joint `{}` contains `{{`",
+                text.value,
+                joint.shown()
+            );
             out.report(text.origin, message)
                 .help(format!("write `{new}`: an expression starts with `$`"))
                 .replace_with(Safety::Unsafe, format!("replace with `{new}`"), new)
@@ -78,14 +121,22 @@ fn check_ends(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether the name is that of fixed joints.
 fn is_fixed_joint(cx: &DocumentCx<'_>, named: Named, name: &str) -> bool {
-    let mut own = cx.joints().iter().filter(|joint| joint.shown() == name).peekable();
+    let mut own = cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.shown() == name)
+        .peekable();
     named == Named::Joint && own.peek().is_some() && own.all(|joint| joint.is(&[JointType::Fixed]))
 }
 
 /// The name, unless it is so long that it cannot be meant as one: then it may be the text of some file.
 fn quoted(name: &Text) -> String {
     const MOST: usize = 100;
-    if name.value.len() > MOST { String::new() } else { format!("`{}` ", name.value) }
+    if name.value.len() > MOST {
+        String::new()
+    } else {
+        format!("`{}` ", name.value)
+    }
 }
 
 fn is_admitted(c: char) -> bool {

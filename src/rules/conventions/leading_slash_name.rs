@@ -22,17 +22,32 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
-        let Some(rest) = name.value.strip_prefix('/') else { continue };
+        let Some(rest) = name.value.strip_prefix('/') else {
+            continue;
+        };
         if follows_empty_argument(cx, name) {
             continue;
         }
         let new = rest.trim_start_matches('/');
         let report = out
-            .report(name.origin, format!("name of {} `{}` starts with a slash", named.word(), name.value))
+            .report(
+                name.origin,
+                format!(
+                    "name of {} `{}` starts with a slash",
+                    named.word(),
+                    name.value
+                ),
+            )
             .help("remove the slash; tf2 rejects frame names that start with a slash");
         match names::rename(cx, named, &name.value, new).filter(|_| !new.is_empty()) {
             Some(edits) => {
-                report.edits(Safety::Unsafe, format!("rename to `{new}` everywhere"), edits).done();
+                report
+                    .edits(
+                        Safety::Unsafe,
+                        format!("rename to `{new}` everywhere"),
+                        edits,
+                    )
+                    .done();
             }
             None => report.done(),
         }
@@ -42,12 +57,20 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether the text in front of the slash comes from an argument that is empty here: who runs the file gives it.
 fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
     let expansion = cx.expansion;
-    let first = name.pieces.iter().filter(|piece| piece.out.start == 0 && piece.out.is_empty());
-    let mut reads: Vec<u32> =
-        first.flat_map(|piece| expansion.read_in(piece.reads).iter().copied()).collect();
+    let first = name
+        .pieces
+        .iter()
+        .filter(|piece| piece.out.start == 0 && piece.out.is_empty());
+    let mut reads: Vec<u32> = first
+        .flat_map(|piece| expansion.read_in(piece.reads).iter().copied())
+        .collect();
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
-        let Some(binding) = expansion.bindings.get(read as usize).filter(|_| seen.insert(read)) else {
+        let Some(binding) = expansion
+            .bindings
+            .get(read as usize)
+            .filter(|_| seen.insert(read))
+        else {
             continue;
         };
         if binding.kind == BindingKind::Argument {

@@ -21,17 +21,28 @@ pub(super) static RULE: Rule = Rule {
 const ARM: usize = 4;
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let chain = cx.kinematics.roots(cx.robot).into_iter().map(|root| chain(cx, root)).max_by_key(Vec::len);
-    let chain = chain.filter(|chain| cx.whole && chain.len() >= ARM).unwrap_or_default();
+    let chain = cx
+        .kinematics
+        .roots(cx.robot)
+        .into_iter()
+        .map(|root| chain(cx, root))
+        .max_by_key(Vec::len);
+    let chain = chain
+        .filter(|chain| cx.whole && chain.len() >= ARM)
+        .unwrap_or_default();
     for (number, link) in (1..).zip(chain) {
-        let Some(name) = cx.robot.links.get(link).and_then(|link| link.name.as_ref()) else { continue };
+        let Some(name) = cx.robot.links.get(link).and_then(|link| link.name.as_ref()) else {
+            continue;
+        };
         let expected = format!("link_{number}");
         let behind_prefix = name.value.strip_suffix(&expected);
         if name.is_known()
             && behind_prefix.is_none_or(|prefix| prefix.ends_with(|c: char| c.is_ascii_digit()))
         {
-            let message =
-                format!("link `{}` is link {number} of the arm but is not named `{expected}`", name.value);
+            let message = format!(
+                "link `{}` is link {number} of the arm but is not named `{expected}`",
+                name.value
+            );
             out.report(name.origin, message)
                 .help(format!(
                     "rename it to `{expected}` (after the prefix); ROS-Industrial numbers links from the base"
@@ -51,8 +62,14 @@ fn chain(cx: &RobotCx<'_>, root: usize) -> Vec<usize> {
             continue;
         }
         for &joint in cx.kinematics.down(link) {
-            let Some((_, child)) = cx.kinematics.ends(joint) else { continue };
-            let kind = cx.robot.joints.get(joint).and_then(|joint| joint.joint_type());
+            let Some((_, child)) = cx.kinematics.ends(joint) else {
+                continue;
+            };
+            let kind = cx
+                .robot
+                .joints
+                .get(joint)
+                .and_then(|joint| joint.joint_type());
             let mut moved = moved.clone();
             // what slides is a gripper or a rail
             if matches!(kind, Some(JointType::Revolute | JointType::Continuous)) {

@@ -18,20 +18,36 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    let Some(name) = cx.source.path.file_name().and_then(|name| name.to_str()) else { return };
-    let Some(stem) = name.strip_suffix(".xacro") else { return };
+    let Some(name) = cx.source.path.file_name().and_then(|name| name.to_str()) else {
+        return;
+    };
+    let Some(stem) = name.strip_suffix(".xacro") else {
+        return;
+    };
     let is_macro_file = stem.ends_with("_macro");
-    let beside = cx.source.path.with_file_name(format!("{}_macro.xacro", stem.trim_end_matches(".urdf")));
+    let beside = cx
+        .source
+        .path
+        .with_file_name(format!("{}_macro.xacro", stem.trim_end_matches(".urdf")));
     if !is_macro_file && !cx.world.vfs.is_file(&beside) {
         return;
     }
     for (base, item) in cx.source.document.items() {
-        let Some(element) = item.element() else { continue };
+        let Some(element) = item.element() else {
+            continue;
+        };
         let tag = element.name().strip_prefix("xacro:");
-        let gives = !matches!(tag, Some("macro" | "property" | "arg" | "include" | "if" | "unless"));
+        let gives = !matches!(
+            tag,
+            Some("macro" | "property" | "arg" | "include" | "if" | "unless")
+        );
         let message = match (is_macro_file, tag) {
-            (true, _) if gives => format!("`{}` is in a macro file, outside any macro", element.name()),
-            (false, Some("macro")) => "a macro is defined here instead of in a macro file".to_owned(),
+            (true, _) if gives => {
+                format!("`{}` is in a macro file, outside any macro", element.name())
+            }
+            (false, Some("macro")) => {
+                "a macro is defined here instead of in a macro file".to_owned()
+            }
             _ => continue,
         };
         let name = element.name_range().shift(base);

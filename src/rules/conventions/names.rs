@@ -25,14 +25,25 @@ impl Named {
 
 /// The known names of a robot, or of what a library gives.
 pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
-    let links = robot.links.iter().filter_map(|link| Some((Named::Link, link.name.as_ref()?)));
-    let joints = robot.joints.iter().filter_map(|joint| Some((Named::Joint, joint.name.as_ref()?)));
+    let links = robot
+        .links
+        .iter()
+        .filter_map(|link| Some((Named::Link, link.name.as_ref()?)));
+    let joints = robot
+        .joints
+        .iter()
+        .filter_map(|joint| Some((Named::Joint, joint.name.as_ref()?)));
     links.chain(joints).filter(|(_, name)| name.is_known())
 }
 
 /// The edits that rename a link or joint with all that refers to it; none when some of it is computed, or when
 /// the new name is taken.
-pub(in super::super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new: &str) -> Option<Vec<Edit>> {
+pub(in super::super) fn rename(
+    cx: &DocumentCx<'_>,
+    named: Named,
+    old: &str,
+    new: &str,
+) -> Option<Vec<Edit>> {
     let mut places = FastSet::default();
     let mut edits = Vec::new();
     for (id, attr) in mentions(cx.expansion, cx.element, named) {
@@ -43,11 +54,20 @@ pub(in super::super) fn rename(cx: &DocumentCx<'_>, named: Named, old: &str, new
         if text.value != old {
             continue;
         }
-        let place = cx.expansion.place(text.origin).filter(|_| text.is_literal())?;
+        let place = cx
+            .expansion
+            .place(text.origin)
+            .filter(|_| text.is_literal())?;
         let file = cx.expansion.files.get(place.file.0 as usize)?.source.id;
         if places.insert(place) {
-            let span = base::Span { file, range: place.range };
-            edits.push(Edit { span, content: new.to_owned() });
+            let span = base::Span {
+                file,
+                range: place.range,
+            };
+            edits.push(Edit {
+                span,
+                content: new.to_owned(),
+            });
         }
     }
     (!edits.is_empty()).then_some(edits)
@@ -60,7 +80,9 @@ fn mentions(expansion: &Expansion, root: XId, named: Named) -> Vec<(XId, &'stati
     let mut found = Vec::new();
     while let Some(id) = open.pop() {
         let node = tree.get(id);
-        let around = tree.parent(id).filter(|&id| tree.get(id).kind == XKind::Element);
+        let around = tree
+            .parent(id)
+            .filter(|&id| tree.get(id).kind == XKind::Element);
         let parent = around.map_or("", |id| tree.get(id).text.as_str());
         let attr = match (node.text.as_str(), parent, named) {
             ("link", _, Named::Link) | ("joint", _, Named::Joint) => Some("name"),
@@ -69,7 +91,10 @@ fn mentions(expansion: &Expansion, root: XId, named: Named) -> Vec<(XId, &'stati
             ("gazebo", _, _) => Some("reference"),
             _ => None,
         };
-        found.extend(attr.filter(|attr| tree.attr(id, attr).is_some()).map(|attr| (id, attr)));
+        found.extend(
+            attr.filter(|attr| tree.attr(id, attr).is_some())
+                .map(|attr| (id, attr)),
+        );
         open.extend(tree.elements(id));
     }
     found

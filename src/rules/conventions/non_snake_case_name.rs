@@ -22,7 +22,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let ends = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit();
         let snake = name.value.chars().all(|c| ends(c) || c == '_') && name.value.starts_with(ends);
         if !snake && !name.value.is_empty() {
-            let message = format!("name of {} `{}` is not in snake case", named.word(), name.value);
+            let message = format!(
+                "name of {} `{}` is not in snake case",
+                named.word(),
+                name.value
+            );
             out.report(name.origin, message)
                 .help("use lower case and underscores, for example `upper_arm_link`")
                 .done();

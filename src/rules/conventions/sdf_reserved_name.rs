@@ -19,12 +19,18 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (named, name) in cx.robot.into_iter().flat_map(names::names) {
-        let inner = name.value.strip_prefix("__").and_then(|rest| rest.strip_suffix("__"));
+        let inner = name
+            .value
+            .strip_prefix("__")
+            .and_then(|rest| rest.strip_suffix("__"));
         if inner.is_some() {
             let what = named.word();
-            out.report(name.origin, format!("name of {what} `{}` is reserved by SDFormat", name.value))
-                .help("rename it; Gazebo rejects names that start and end with two underscores")
-                .done();
+            out.report(
+                name.origin,
+                format!("name of {what} `{}` is reserved by SDFormat", name.value),
+            )
+            .help("rename it; Gazebo rejects names that start and end with two underscores")
+            .done();
         }
     }
 }

@@ -23,19 +23,31 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// How xacro writes multiples of a quarter of pi, from 1 on.
-const MULTIPLES: [&str; 8] = ["pi/4", "pi/2", "3*pi/4", "pi", "5*pi/4", "3*pi/2", "7*pi/4", "2*pi"];
+const MULTIPLES: [&str; 8] = [
+    "pi/4", "pi/2", "3*pi/4", "pi", "5*pi/4", "3*pi/2", "7*pi/4", "2*pi",
+];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for placed in poses(cx) {
-        let Some(text) = &placed.pose.rpy else { continue };
-        let Some(angles) = placed.pose.angles() else { continue };
+        let Some(text) = &placed.pose.rpy else {
+            continue;
+        };
+        let Some(angles) = placed.pose.angles() else {
+            continue;
+        };
         for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
             let Some(meant) = meant(angle) else { continue };
             let at = text.part(range.clone());
             let shown = text.value.get(range).unwrap_or_default();
-            let message = format!("{name} {shown} of {} is a rounded value of {}", placed.owner(), meant.0);
-            let help =
-                format!("write the exact expression; the value is off by {:.4} rad", (angle - meant.1).abs());
+            let message = format!(
+                "{name} {shown} of {} is a rounded value of {}",
+                placed.owner(),
+                meant.0
+            );
+            let help = format!(
+                "write the exact expression; the value is off by {:.4} rad",
+                (angle - meant.1).abs()
+            );
             exact(out.report(at, message).help(help), cx, at, meant).done();
         }
     }
@@ -47,7 +59,8 @@ fn meant(angle: f64) -> Option<(String, f64)> {
     let off = (angle.abs() - count * FRAC_PI_4).abs();
     let name = MULTIPLES.get((count as usize).checked_sub(1)?)?;
     let sign = if angle < 0.0 { "-" } else { "" };
-    (off > 1e-5 && off < 2e-3).then(|| (format!("{sign}{name}"), (count * FRAC_PI_4).copysign(angle)))
+    (off > 1e-5 && off < 2e-3)
+        .then(|| (format!("{sign}{name}"), (count * FRAC_PI_4).copysign(angle)))
 }
 
 /// With the fix to write the exact angle, where the source holds the number itself.
@@ -57,8 +70,13 @@ fn exact<'s, 'a>(
     at: Origin,
     meant: (String, f64),
 ) -> Reported<'s, 'a> {
-    let Some((_, _, source)) = source_text(cx.expansion, at) else { return report };
-    let inner = source.strip_prefix("${").and_then(|rest| rest.strip_suffix('}')).unwrap_or(&source);
+    let Some((_, _, source)) = source_text(cx.expansion, at) else {
+        return report;
+    };
+    let inner = source
+        .strip_prefix("${")
+        .and_then(|rest| rest.strip_suffix('}'))
+        .unwrap_or(&source);
     if decimal(inner.trim()).is_none() {
         return report;
     }

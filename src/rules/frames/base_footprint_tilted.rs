@@ -27,41 +27,69 @@ const LEVEL: f64 = 1e-3;
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for link in &cx.robot.links {
-        let Some(name) = link.name.as_ref().and_then(|name| name.name()) else { continue };
-        let Some(prefix) = prefix_of(name, "base_link") else { continue };
+        let Some(name) = link.name.as_ref().and_then(|name| name.name()) else {
+            continue;
+        };
+        let Some(prefix) = prefix_of(name, "base_link") else {
+            continue;
+        };
         let footprint = cx.kinematics.link(&format!("{prefix}base_footprint"));
-        let (Some(footprint), Some(base)) = (footprint, cx.kinematics.link(name)) else { continue };
-        let Some(path) = cx.kinematics.path(footprint, base) else { continue };
-        let joints: Vec<_> = path.iter().filter_map(|&joint| cx.robot.joints.get(joint)).collect();
+        let (Some(footprint), Some(base)) = (footprint, cx.kinematics.link(name)) else {
+            continue;
+        };
+        let Some(path) = cx.kinematics.path(footprint, base) else {
+            continue;
+        };
+        let joints: Vec<_> = path
+            .iter()
+            .filter_map(|&joint| cx.robot.joints.get(joint))
+            .collect();
         let mut rotation = UnitQuaternion::identity();
         for (&i, joint) in path.iter().zip(&joints) {
-            let Some(step) = transform(joint.origin.as_ref()) else { return };
+            let Some(step) = transform(joint.origin.as_ref()) else {
+                return;
+            };
             // a joint that is walked from child to parent turns the other way
             let down = cx.kinematics.above(base).any(|above| above == i);
-            rotation *= if down { step.rotation } else { step.rotation.inverse() };
+            rotation *= if down {
+                step.rotation
+            } else {
+                step.rotation.inverse()
+            };
         }
         let (roll, pitch, _) = rotation.euler_angles();
         if roll.abs() <= LEVEL && pitch.abs() <= LEVEL {
             continue;
         }
-        let mut tilts = joints.iter().filter_map(|joint| joint.origin.as_ref()?.rpy.as_ref());
+        let mut tilts = joints
+            .iter()
+            .filter_map(|joint| joint.origin.as_ref()?.rpy.as_ref());
         let tilted = |text: &&Text| {
-            text.numbers::<3>().is_some_and(|[roll, pitch, _]| roll.abs().max(pitch.abs()) > LEVEL)
+            text.numbers::<3>()
+                .is_some_and(|[roll, pitch, _]| roll.abs().max(pitch.abs()) > LEVEL)
         };
-        let Some(at) = tilts.find(tilted) else { continue };
+        let Some(at) = tilts.find(tilted) else {
+            continue;
+        };
         // a tilt that has a name is meant
         let is_named = at
             .words()
             .zip(at.numbers::<3>().unwrap_or_default())
             .take(2)
-            .any(|(range, angle)| angle.abs() > LEVEL && comes_from_a_name(cx.expansion, at, range));
+            .any(|(range, angle)| {
+                angle.abs() > LEVEL && comes_from_a_name(cx.expansion, at, range)
+            });
         let message = format!(
             "`{name}` is tilted relative to `{prefix}base_footprint` (roll {}, pitch {})",
             short(roll),
             short(pitch)
         );
         out.report(at.origin, message)
-            .severity(if is_named { Severity::Info } else { Severity::Warning })
+            .severity(if is_named {
+                Severity::Info
+            } else {
+                Severity::Warning
+            })
             .help("set roll and pitch to 0; `base_footprint` is the base projected onto the floor")
             .done();
     }

@@ -27,16 +27,30 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if !can_move(cx.robot) {
         return;
     }
-    for joint in cx.robot.joints.iter().filter(|joint| joint.is(&[JointType::Fixed])) {
-        let (Some(parent), Some(child)) = (&joint.parent, &joint.child) else { continue };
-        let is_base = child.name().is_some_and(|name| prefix_of(name, "base_link").is_some());
+    for joint in cx
+        .robot
+        .joints
+        .iter()
+        .filter(|joint| joint.is(&[JointType::Fixed]))
+    {
+        let (Some(parent), Some(child)) = (&joint.parent, &joint.child) else {
+            continue;
+        };
+        let is_base = child
+            .name()
+            .is_some_and(|name| prefix_of(name, "base_link").is_some());
         if !is_base || !parent.name().is_some_and(|name| is_surroundings(name)) {
             continue;
         }
-        let Some(rotation) = tilt(cx, joint) else { continue };
+        let Some(rotation) = tilt(cx, joint) else {
+            continue;
+        };
         out.report(
             rotation.origin,
-            format!("`{}` is tilted by 90 degrees in `{}`", child.value, parent.value),
+            format!(
+                "`{}` is tilted by 90 degrees in `{}`",
+                child.value, parent.value
+            ),
         )
         .help("set roll and pitch to 0; `base_link` has z up unless the robot is mounted on a wall")
         .done();
@@ -48,6 +62,9 @@ fn tilt<'a>(cx: &RobotCx<'_>, joint: &'a Joint) -> Option<&'a Text> {
     let text = joint.origin.as_ref()?.rpy.as_ref()?;
     let [roll, pitch, _] = text.numbers::<3>()?;
     let is_quarter = |angle: f64| (angle.abs() - std::f64::consts::FRAC_PI_2).abs() < NEAR;
-    let is_named = text.words().take(2).any(|word| comes_from_a_name(cx.expansion, text, word));
+    let is_named = text
+        .words()
+        .take(2)
+        .any(|word| comes_from_a_name(cx.expansion, text, word));
     ((is_quarter(roll) || is_quarter(pitch)) && !is_named).then_some(text)
 }

@@ -21,13 +21,26 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
     let tree = &cx.expansion.tree;
-    for block in robot.gazebo.iter().filter(|block| has_imu(tree, block.element)) {
-        let Some(name) = block.reference.as_ref().and_then(|reference| reference.name()) else { continue };
+    for block in robot
+        .gazebo
+        .iter()
+        .filter(|block| has_imu(tree, block.element))
+    {
+        let Some(name) = block
+            .reference
+            .as_ref()
+            .and_then(|reference| reference.name())
+        else {
+            continue;
+        };
         let link = robot.link(name).and_then(|link| link.name.as_ref());
         if let Some(link) = link.filter(|_| prefix_of(name, "imu_link").is_none()) {
-            out.report(link.origin, format!("IMU frame `{name}` is not named `imu_link`"))
-                .help("rename it to `imu_link`, the default frame of IMU drivers")
-                .done();
+            out.report(
+                link.origin,
+                format!("IMU frame `{name}` is not named `imu_link`"),
+            )
+            .help("rename it to `imu_link`, the default frame of IMU drivers")
+            .done();
         }
     }
 }
@@ -35,7 +48,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether a `gazebo` element has a sensor of the type IMU.
 fn has_imu(tree: &XTree, gazebo: XId) -> bool {
     let is_imu = |id: XId| {
-        tree.attr(id, "type").is_some_and(|kind| ["imu", "imu_sensor"].contains(&kind.value.as_str()))
+        tree.attr(id, "type")
+            .is_some_and(|kind| ["imu", "imu_sensor"].contains(&kind.value.as_str()))
     };
-    tree.elements(gazebo).any(|id| tree.get(id).text == "sensor" && is_imu(id))
+    tree.elements(gazebo)
+        .any(|id| tree.get(id).text == "sensor" && is_imu(id))
 }

@@ -19,7 +19,11 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base"));
+    let has_base = cx
+        .robot
+        .links
+        .iter()
+        .any(|link| link.shown().ends_with("base"));
     if !has_base && can_move(cx.robot) {
         out.report(tag_start(cx.expansion, cx.robot.element), "robot has no frame `base`")
             .help("add a link `base` without geometry at the origin of the robot controller, fixed to `base_link`")

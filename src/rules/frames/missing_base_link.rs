@@ -18,14 +18,27 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let has_base = cx.robot.links.iter().any(|link| link.shown().ends_with("base_link"));
+    let has_base = cx
+        .robot
+        .links
+        .iter()
+        .any(|link| link.shown().ends_with("base_link"));
     if has_base || !can_move(cx.robot) {
         return;
     }
-    let root =
-        cx.kinematics.roots(cx.robot).first().and_then(|&root| cx.robot.links.get(root)?.name.as_ref());
+    let root = cx
+        .kinematics
+        .roots(cx.robot)
+        .first()
+        .and_then(|&root| cx.robot.links.get(root)?.name.as_ref());
     let Some(root) = root else { return };
-    out.report(root.origin, format!("robot has no link `base_link`; its root link is `{}`", root.value))
-        .help("rename the root link to `base_link`, or add one; navigation and planning expect it")
-        .done();
+    out.report(
+        root.origin,
+        format!(
+            "robot has no link `base_link`; its root link is `{}`",
+            root.value
+        ),
+    )
+    .help("rename the root link to `base_link`, or add one; navigation and planning expect it")
+    .done();
 }

@@ -19,11 +19,21 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// Words in the names of joints that make no arm.
-const OTHERS: [&str; 8] = ["wheel", "caster", "leg", "hip", "head", "finger", "thumb", "rotor"];
+const OTHERS: [&str; 8] = [
+    "wheel", "caster", "leg", "hip", "head", "finger", "thumb", "rotor",
+];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let has_tool0 = cx.robot.links.iter().any(|link| link.shown().ends_with("tool0"));
-    if !has_tool0 && serial_arms(cx.robot, cx.kinematics).iter().any(|arm| is_arm(cx.robot, arm)) {
+    let has_tool0 = cx
+        .robot
+        .links
+        .iter()
+        .any(|link| link.shown().ends_with("tool0"));
+    if !has_tool0
+        && serial_arms(cx.robot, cx.kinematics)
+            .iter()
+            .any(|arm| is_arm(cx.robot, arm))
+    {
         out.report(tag_start(cx.expansion, cx.robot.element), "arm has no frame `tool0`")
             .help("add a link `tool0` without geometry, fixed to the last link (or to `flange`), with z pointing out of the flange")
             .done();
@@ -32,7 +42,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether joints one behind the other make an arm, by their names.
 fn is_arm(robot: &Robot, joints: &[usize]) -> bool {
-    let names =
-        joints.iter().filter_map(|&joint| robot.joints.get(joint)).map(|joint| joint.shown().to_lowercase());
-    names.into_iter().all(|name| !OTHERS.iter().any(|word| name.contains(word)))
+    let names = joints
+        .iter()
+        .filter_map(|&joint| robot.joints.get(joint))
+        .map(|joint| joint.shown().to_lowercase());
+    names
+        .into_iter()
+        .all(|name| !OTHERS.iter().any(|word| name.contains(word)))
 }

@@ -17,13 +17,22 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.joint_type().is_some_and(|kind| kind.has_axis())) {
-        let Some(text) = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref()) else { continue };
-        let turned =
-            text.numbers::<3>().map_or(0, |angles| angles.iter().filter(|angle| angle.abs() > 1e-6).count());
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.joint_type().is_some_and(|kind| kind.has_axis()))
+    {
+        let Some(text) = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref()) else {
+            continue;
+        };
+        let turned = text.numbers::<3>().map_or(0, |angles| {
+            angles.iter().filter(|angle| angle.abs() > 1e-6).count()
+        });
         if turned > 1 {
-            let message =
-                format!("frame of joint `{}` is rotated about {turned} axes instead of one", joint.shown());
+            let message = format!(
+                "frame of joint `{}` is rotated about {turned} axes instead of one",
+                joint.shown()
+            );
             out.report(text.origin, message)
                 .help("set two of the three angles to 0 and change `axis` instead")
                 .done();

@@ -11,7 +11,10 @@ pub(super) fn prefix_of<'a>(name: &'a str, frame: &str) -> Option<&'a str> {
 
 /// Whether a robot has a joint that moves: objects and sensors follow no conventions about bases.
 pub(super) fn can_move(robot: &Robot) -> bool {
-    robot.joints.iter().any(|joint| joint.joint_type().is_some_and(|kind| kind.has_axis()))
+    robot
+        .joints
+        .iter()
+        .any(|joint| joint.joint_type().is_some_and(|kind| kind.has_axis()))
 }
 
 #[cfg(test)]

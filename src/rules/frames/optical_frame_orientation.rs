@@ -31,7 +31,9 @@ const ASIDE: f64 = 0.1;
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let usual = UnitQuaternion::from_euler_angles(-FRAC_PI_2, 0.0, -FRAC_PI_2);
     for joint in cx.joints() {
-        let Some((parent, child)) = joint.ends() else { continue };
+        let Some((parent, child)) = joint.ends() else {
+            continue;
+        };
         // between two optical frames, there is no turn; a projector has no image
         if !is_optical(child)
             || child.contains("projector")
@@ -54,7 +56,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             && !is_of_ranges(cx, parent, child)
             && turns_above(cx, parent, turned).iter().all(is_off)
         {
-            let severity = if looks_aside(&turned) { Severity::Info } else { Severity::Warning };
+            let severity = if looks_aside(&turned) {
+                Severity::Info
+            } else {
+                Severity::Warning
+            };
             report(cx, out, joint, child, severity);
         }
     }
@@ -66,7 +72,12 @@ fn is_of_ranges(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
     const NAMES: [&str; 4] = ["lidar", "laser", "radar", "sonar"];
     const SENSORS: [&str; 5] = ["ray", "gpu_ray", "lidar", "gpu_lidar", "sonar"];
     let tree = &cx.expansion.tree;
-    let is_named = || child.to_lowercase().split('_').any(|word| NAMES.contains(&word));
+    let is_named = || {
+        child
+            .to_lowercase()
+            .split('_')
+            .any(|word| NAMES.contains(&word))
+    };
     let is_ranging = |id| {
         let kind = || tree.attr(id, "type").map(|kind| kind.value.as_str());
         tree.get(id).text == "sensor" && kind().is_some_and(|kind| SENSORS.contains(&kind))
@@ -75,21 +86,39 @@ fn is_of_ranges(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
         let reference = block.reference.as_ref().and_then(|text| text.name());
         reference.is_some_and(|name| name == child || name == parent)
     };
-    let mut blocks = cx.robot.into_iter().flat_map(|robot| &robot.gazebo).filter(is_there);
+    let mut blocks = cx
+        .robot
+        .into_iter()
+        .flat_map(|robot| &robot.gazebo)
+        .filter(is_there);
     is_named() || blocks.any(|block| tree.elements(block.element).any(is_ranging))
 }
 
 /// How a frame is turned in the links above it that are fixed to it, `turned` in `parent`: a camera may be turned itself,
 /// and its frame not.
-fn turns_above(cx: &DocumentCx<'_>, parent: &str, turned: UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>> {
+fn turns_above(
+    cx: &DocumentCx<'_>,
+    parent: &str,
+    turned: UnitQuaternion<f64>,
+) -> Vec<UnitQuaternion<f64>> {
     /// Links above that are looked at.
     const MOST_LINKS: usize = 10;
     let (mut parent, mut turned, mut found) = (parent, turned, Vec::new());
     while found.len() < MOST_LINKS {
-        let Some(joint) = cx.joints_above(parent).iter().find(|joint| joint.ends().is_some()) else { break };
-        let angles = joint.origin.as_ref().map_or(Some([0.0; 3]), |origin| origin.angles());
+        let Some(joint) = cx
+            .joints_above(parent)
+            .iter()
+            .find(|joint| joint.ends().is_some())
+        else {
+            break;
+        };
+        let angles = joint
+            .origin
+            .as_ref()
+            .map_or(Some([0.0; 3]), |origin| origin.angles());
         let is_fixed = joint.joint_type() == Some(JointType::Fixed);
-        let (Some([roll, pitch, yaw]), Some((above, _)), true) = (angles, joint.ends(), is_fixed) else {
+        let (Some([roll, pitch, yaw]), Some((above, _)), true) = (angles, joint.ends(), is_fixed)
+        else {
             break;
         };
         turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw) * turned;
@@ -109,25 +138,42 @@ fn looks_aside(turned: &UnitQuaternion<f64>) -> bool {
 /// Whether an `insert_block` without its prefix is in a joint: the origin that it would insert is not known.
 fn holds_block(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
     let tree = &cx.expansion.tree;
-    tree.elements(joint.element).any(|child| tree.get(child).text == "insert_block")
+    tree.elements(joint.element)
+        .any(|child| tree.get(child).text == "insert_block")
 }
 
 fn report(cx: &DocumentCx<'_>, out: &mut Sink<'_>, joint: &Joint, child: &str, severity: Severity) {
     let rpy = joint.origin.as_ref().and_then(|origin| origin.rpy.as_ref());
-    let at = rpy.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin);
+    let at = rpy.map_or_else(
+        || tag_start(cx.expansion, joint.element),
+        |text| text.origin,
+    );
     let xacro = speaks_xacro(cx.expansion, at);
-    let new = if xacro { "${-pi/2} 0 ${-pi/2}" } else { "-1.5707963267948966 0 -1.5707963267948966" };
+    let new = if xacro {
+        "${-pi/2} 0 ${-pi/2}"
+    } else {
+        "-1.5707963267948966 0 -1.5707963267948966"
+    };
     let report = out
-        .report(at, format!("optical frame `{child}` is not rotated by -pi/2 0 -pi/2"))
+        .report(
+            at,
+            format!("optical frame `{child}` is not rotated by -pi/2 0 -pi/2"),
+        )
         .severity(severity)
-        .help(format!("write rpy=\"{new}\"; an optical frame has z forward, x right and y down"));
-    let Some(text) = rpy else { return report.done() };
+        .help(format!(
+            "write rpy=\"{new}\"; an optical frame has z forward, x right and y down"
+        ));
+    let Some(text) = rpy else {
+        return report.done();
+    };
     rewrite(report, Safety::Unsafe, text, new.to_owned()).done();
 }
 
 /// What a link is called after.
 fn first_word(name: &str) -> &str {
-    name.split('_').find(|word| !word.is_empty()).unwrap_or_default()
+    name.split('_')
+        .find(|word| !word.is_empty())
+        .unwrap_or_default()
 }
 
 /// Whether a link is an optical frame by its name.

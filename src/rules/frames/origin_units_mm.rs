@@ -27,30 +27,47 @@ const LARGE: f64 = 1.0;
 const MANY: usize = 10;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(robot) = cx.robot.filter(|_| !cx.is_static()) else { return };
+    let Some(robot) = cx.robot.filter(|_| !cx.is_static()) else {
+        return;
+    };
     let most = MAX_JOINT_OFFSET.value(cx.world.config);
-    let mut offsets: Vec<f64> =
-        cx.joints().iter().filter_map(offset).filter(|offset| *offset > 1e-9).collect();
+    let mut offsets: Vec<f64> = cx
+        .joints()
+        .iter()
+        .filter_map(offset)
+        .filter(|offset| *offset > 1e-9)
+        .collect();
     offsets.sort_by(f64::total_cmp);
     let median = offsets.get(offsets.len() / 2).copied().unwrap_or(0.0);
     let large = is_large(cx.joints());
-    let held: FastSet<&str> =
-        cx.joints().iter().filter_map(|joint| Some(joint.child.as_ref()?.value.as_str())).collect();
+    let held: FastSet<&str> = cx
+        .joints()
+        .iter()
+        .filter_map(|joint| Some(joint.child.as_ref()?.value.as_str()))
+        .collect();
     for joint in cx.joints() {
-        let Some(length) = offset(joint) else { continue };
+        let Some(length) = offset(joint) else {
+            continue;
+        };
         let far = length > most || (length > 1000.0 * median && length > 5.0);
         let is_part_of_building = large && joint.is(&[JointType::Fixed]);
         if !far || is_part_of_building || is_placed(robot, joint, &held) {
             continue;
         }
-        let Some(text) = joint.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
+        let Some(text) = joint.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else {
+            continue;
+        };
         let message = format!(
             "joint `{}` is {} m away from its parent link; this looks like millimeters",
             joint.shown(),
             short(length)
         );
-        let report = out.report(text.origin, message).help("write lengths in meters");
-        let meters = text.numbers::<3>().map(|numbers| vector(&numbers.map(|number| number / 1000.0)));
+        let report = out
+            .report(text.origin, message)
+            .help("write lengths in meters");
+        let meters = text
+            .numbers::<3>()
+            .map(|numbers| vector(&numbers.map(|number| number / 1000.0)));
         match meters {
             Some(meters) => rewrite(report, Safety::Unsafe, text, meters).done(),
             None => report.done(),
@@ -67,16 +84,22 @@ fn offset(joint: &Joint) -> Option<f64> {
 /// Whether a document describes a building or a landscape: most of its joints are fixed, and most of these are farther
 /// than [`LARGE`] from their parent.
 fn is_large(joints: &[Joint]) -> bool {
-    let fixed: Vec<f64> =
-        joints.iter().filter(|joint| joint.is(&[JointType::Fixed])).filter_map(offset).collect();
+    let fixed: Vec<f64> = joints
+        .iter()
+        .filter(|joint| joint.is(&[JointType::Fixed]))
+        .filter_map(offset)
+        .collect();
     let far = fixed.iter().filter(|&&offset| offset > LARGE).count();
     fixed.len() >= MANY && 2 * fixed.len() > joints.len() && 2 * far > fixed.len()
 }
 
 /// Whether a joint places the robot in its surroundings: that may be anywhere.
 fn is_placed(robot: &Robot, joint: &Joint, held: &FastSet<&str>) -> bool {
-    let Some(parent) = &joint.parent else { return false };
-    let empty_root =
-        |parent: &str| !held.contains(parent) && robot.link(parent).is_some_and(|link| !link.has_geometry());
+    let Some(parent) = &joint.parent else {
+        return false;
+    };
+    let empty_root = |parent: &str| {
+        !held.contains(parent) && robot.link(parent).is_some_and(|link| !link.has_geometry())
+    };
     is_surroundings(&parent.value) || empty_root(&parent.value)
 }

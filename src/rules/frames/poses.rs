@@ -18,24 +18,45 @@ impl Placed<'_> {
     /// What is placed, for messages.
     pub(super) fn owner(&self) -> String {
         let Self { kind, name, .. } = self;
-        if *kind == "joint" { format!("joint `{name}`") } else { format!("a {kind} of link `{name}`") }
+        if *kind == "joint" {
+            format!("joint `{name}`")
+        } else {
+            format!("a {kind} of link `{name}`")
+        }
     }
 }
 
 /// The origins of joints, visuals, collisions and inertias.
 pub(super) fn poses<'a>(cx: &DocumentCx<'a>) -> Vec<Placed<'a>> {
-    let Some(robot) = cx.robot else { return Vec::new() };
+    let Some(robot) = cx.robot else {
+        return Vec::new();
+    };
     let mut found = Vec::new();
     for joint in &robot.joints {
-        let placed = |pose| Placed { pose, kind: "joint", name: joint.shown() };
+        let placed = |pose| Placed {
+            pose,
+            kind: "joint",
+            name: joint.shown(),
+        };
         found.extend(joint.origin.as_ref().map(placed));
     }
     for link in &robot.links {
-        let inertial = link.inertial.as_ref().and_then(|inertial| inertial.origin.as_ref());
-        found.extend(inertial.map(|pose| Placed { pose, kind: "inertial", name: link.shown() }));
+        let inertial = link
+            .inertial
+            .as_ref()
+            .and_then(|inertial| inertial.origin.as_ref());
+        found.extend(inertial.map(|pose| Placed {
+            pose,
+            kind: "inertial",
+            name: link.shown(),
+        }));
         let mut bodies = |kind, bodies: &'a [Body]| {
             let poses = bodies.iter().filter_map(|body| body.origin.as_ref());
-            found.extend(poses.map(|pose| Placed { pose, kind, name: link.shown() }));
+            found.extend(poses.map(|pose| Placed {
+                pose,
+                kind,
+                name: link.shown(),
+            }));
         };
         bodies("visual", &link.visuals);
         bodies("collision", &link.collisions);

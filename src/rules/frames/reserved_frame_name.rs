@@ -22,7 +22,11 @@ const RESERVED: [&str; 3] = ["map", "odom", "earth"];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for link in cx.links() {
-        let Some((text, name)) = link.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+        let Some((text, name)) = link
+            .name
+            .as_ref()
+            .and_then(|text| Some((text, text.name()?)))
+        else {
             continue;
         };
         if let Some(word) = RESERVED.iter().find(|word| prefix_of(name, word).is_some()) {

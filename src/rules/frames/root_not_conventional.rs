@@ -19,7 +19,9 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for root in cx.kinematics.roots(cx.robot) {
-        let Some(text) = cx.robot.links.get(root).and_then(|link| link.name.as_ref()) else { continue };
+        let Some(text) = cx.robot.links.get(root).and_then(|link| link.name.as_ref()) else {
+            continue;
+        };
         let usual = ["world", "base_footprint", "base_link"].contains(&text.value.as_str());
         if !usual && prefix_of(&text.value, "base_link").is_none() {
             out.report(text.origin, format!("root link `{}` has an unconventional name", text.value))

@@ -22,17 +22,25 @@ pub(super) static RULE: Rule = Rule {
 const MOST: f64 = std::f64::consts::TAU + 0.01;
 
 /// Angles that people write in degrees.
-const ROUND: [f64; 10] = [30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 180.0, 270.0, 360.0];
+const ROUND: [f64; 10] = [
+    30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 180.0, 270.0, 360.0,
+];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for placed in poses(cx) {
-        let Some(text) = &placed.pose.rpy else { continue };
-        let Some(angles) = placed.pose.angles() else { continue };
+        let Some(text) = &placed.pose.rpy else {
+            continue;
+        };
+        let Some(angles) = placed.pose.angles() else {
+            continue;
+        };
         for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
             if angle.abs() > MOST && !is_part_of_pi(angle) || ROUND.contains(&angle.abs()) {
                 let shown = text.value.get(range.clone()).unwrap_or_default();
                 let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
-                let report = out.report(text.part(range.clone()), message).help("write the angle in radians");
+                let report = out
+                    .report(text.part(range.clone()), message)
+                    .help("write the angle in radians");
                 from_degrees(report, cx.expansion, text, range).done();
             }
         }

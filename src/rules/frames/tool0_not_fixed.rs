@@ -19,10 +19,17 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
-        let Some((_, child)) = joint.ends() else { continue };
+        let Some((_, child)) = joint.ends() else {
+            continue;
+        };
         let is_frame = ["tool0", "flange"].contains(&child.as_str());
-        let Some(kind) = joint.kind.as_ref().filter(|_| is_frame) else { continue };
-        if joint.joint_type().is_some_and(|kind| kind != JointType::Fixed) {
+        let Some(kind) = joint.kind.as_ref().filter(|_| is_frame) else {
+            continue;
+        };
+        if joint
+            .joint_type()
+            .is_some_and(|kind| kind != JointType::Fixed)
+        {
             out.report(
                 kind.origin,
                 format!("parent joint `{}` of `{child}` is {} instead of fixed", joint.shown(), kind.value),

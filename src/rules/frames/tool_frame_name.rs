@@ -18,7 +18,11 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for link in cx.links() {
-        let Some((text, name)) = link.name.as_ref().and_then(|text| Some((text, text.name()?))) else {
+        let Some((text, name)) = link
+            .name
+            .as_ref()
+            .and_then(|text| Some((text, text.name()?)))
+        else {
             continue;
         };
         let last = name.rsplit(['_', '/']).next().unwrap_or_default();
@@ -26,9 +30,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .strip_prefix("tool")
             .filter(|digits| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit()));
         if number.is_some_and(|number| !number.trim_start_matches('0').is_empty()) {
-            out.report(text.origin, format!("tool frame `{name}` has a number instead of a name"))
-                .help("name the frame after the tool; only `tool0` has a fixed meaning")
-                .done();
+            out.report(
+                text.origin,
+                format!("tool frame `{name}` has a number instead of a name"),
+            )
+            .help("name the frame after the tool; only `tool0` has a fixed meaning")
+            .done();
         }
     }
 }

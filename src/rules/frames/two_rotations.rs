@@ -19,8 +19,13 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for placed in poses(cx) {
-        let (Some(_), Some(quaternion)) = (&placed.pose.rpy, &placed.pose.quaternion) else { continue };
-        let message = format!("origin of {} has both `rpy` and `quat_xyzw`", placed.owner());
+        let (Some(_), Some(quaternion)) = (&placed.pose.rpy, &placed.pose.quaternion) else {
+            continue;
+        };
+        let message = format!(
+            "origin of {} has both `rpy` and `quat_xyzw`",
+            placed.owner()
+        );
         out.report(quaternion.origin, message)
             .help("remove `rpy` or `quat_xyzw`; urdfdom rejects a joint with both and ignores other elements with both")
             .done();

@@ -20,12 +20,18 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes().filter(is_absolute) {
-        let message = format!("mesh `{}` of link `{}` has an absolute path", mesh.name(), mesh.link.shown());
+        let message = format!(
+            "mesh `{}` of link `{}` has an absolute path",
+            mesh.name(),
+            mesh.link.shown()
+        );
         let report = out
             .report(mesh.file.origin, message)
             .help("write package://PACKAGE/PATH; an absolute path works on this computer only");
         match in_package(cx, &mesh).filter(|uri| is_replaceable(mesh.file, uri)) {
-            Some(uri) => report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri).done(),
+            Some(uri) => report
+                .replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri)
+                .done(),
             None => report.done(),
         }
     }
@@ -40,7 +46,9 @@ pub(super) fn is_absolute(mesh: &MeshUse<'_>) -> bool {
 
 /// Where the first name of the path begins, when it is absolute.
 fn absolute_start(value: &str) -> Option<usize> {
-    let path = ["file://localhost", "file://", "file:"].iter().find_map(|scheme| value.strip_prefix(scheme));
+    let path = ["file://localhost", "file://", "file:"]
+        .iter()
+        .find_map(|scheme| value.strip_prefix(scheme));
     let path = path.unwrap_or(value);
     // `file:///$(find package)` makes four slashes
     let has_drive = path.get(1..3) == Some(":/");

@@ -19,9 +19,15 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
-        if mesh.mesh.is_some_and(|mesh| mesh.format == MeshFormat::StlAscii) {
-            let message =
-                format!("mesh `{}` of link `{}` is an ASCII STL file", mesh.name(), mesh.link.shown());
+        if mesh
+            .mesh
+            .is_some_and(|mesh| mesh.format == MeshFormat::StlAscii)
+        {
+            let message = format!(
+                "mesh `{}` of link `{}` is an ASCII STL file",
+                mesh.name(),
+                mesh.link.shown()
+            );
             out.report(mesh.file.origin, message)
                 .group(mesh.group())
                 .help("export it as binary STL, which every program reads and which is about a fifth of the size")

@@ -19,12 +19,21 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let is_solid =
-        |mesh: &Mesh| mesh.format == MeshFormat::StlBinary { solid: true } && mesh.surface.is_some();
+    let is_solid = |mesh: &Mesh| {
+        mesh.format == MeshFormat::StlBinary { solid: true } && mesh.surface.is_some()
+    };
     for (mesh, others) in each_file(cx, is_solid) {
         let message = format!("header of binary STL `{}` starts with `solid`", mesh.name());
         let help = "write another header; some programs mistake the file for ASCII STL";
-        let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
-        others.iter().fold(report, |report, other| report.also(other.file.origin, "also used here")).done();
+        let report = out
+            .report(mesh.file.origin, message)
+            .group(mesh.group())
+            .help(help);
+        others
+            .iter()
+            .fold(report, |report, other| {
+                report.also(other.file.origin, "also used here")
+            })
+            .done();
     }
 }

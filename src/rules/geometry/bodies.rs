@@ -34,21 +34,38 @@ pub fn link_bounds(
     world: Surroundings<'_>,
     link: &Link,
 ) -> Option<Bounds> {
-    let cx = DocumentCx::new(expansion, robot.element, (RootKind::Robot, false), Some(robot), world, false);
-    let bodies = if link.visuals.is_empty() { &link.collisions } else { &link.visuals };
+    let cx = DocumentCx::new(
+        expansion,
+        robot.element,
+        (RootKind::Robot, false),
+        Some(robot),
+        world,
+        false,
+    );
+    let bodies = if link.visuals.is_empty() {
+        &link.collisions
+    } else {
+        &link.visuals
+    };
     extent_of(&cx, bodies).bounds()
 }
 
 /// The box of the collisions of a link, or of its visuals when it has no collision.
 pub fn extent(cx: &DocumentCx<'_>, link: &Link) -> Extent {
-    if link.collisions.is_empty() { extent_of(cx, &link.visuals) } else { extent_of(cx, &link.collisions) }
+    if link.collisions.is_empty() {
+        extent_of(cx, &link.visuals)
+    } else {
+        extent_of(cx, &link.collisions)
+    }
 }
 
 /// The box around bodies.
 pub fn extent_of(cx: &DocumentCx<'_>, bodies: &[Body]) -> Extent {
     let mut extent = Extent::Nothing;
     for body in bodies {
-        let Some(bounds) = bounds(cx, body) else { return Extent::Unknown };
+        let Some(bounds) = bounds(cx, body) else {
+            return Extent::Unknown;
+        };
         extent = Extent::Known(extent.bounds().map_or(bounds, |others| others.with(bounds)));
     }
     extent
@@ -73,7 +90,9 @@ fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
             Bounds::centered([width, width, number(length)? + width])
         }
         ShapeKind::Sphere { radius } => Bounds::centered([number(radius)? * 2.0; 3]),
-        ShapeKind::Mesh { scale, .. } => mesh_bounds(cx.mesh(shape)?)?.scaled(factors(scale.as_ref())?),
+        ShapeKind::Mesh { scale, .. } => {
+            mesh_bounds(cx.mesh(shape)?)?.scaled(factors(scale.as_ref())?)
+        }
         ShapeKind::Other => return None,
     })
 }
@@ -82,7 +101,8 @@ fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
 /// box holds both.
 fn mesh_bounds(mesh: &Mesh) -> Option<Bounds> {
     let bounds = mesh.surface?.bounds;
-    let turn = |turned: fn([f64; 3]) -> [f64; 3]| Bounds::around([turned(bounds.min), turned(bounds.max)]);
+    let turn =
+        |turned: fn([f64; 3]) -> [f64; 3]| Bounds::around([turned(bounds.min), turned(bounds.max)]);
     let turned = match mesh.up_axis {
         Some(UpAxis::Y) => turn(|[x, y, z]| [x, -z, y]),
         Some(UpAxis::X) => turn(|[x, y, z]| [-y, x, z]),
@@ -94,9 +114,15 @@ fn mesh_bounds(mesh: &Mesh) -> Option<Bounds> {
 /// The volume of the collisions of a link, or of its visuals when it has no collision, in cubic meters; none
 /// when one of them is not known or encloses none.
 pub fn volume(cx: &DocumentCx<'_>, link: &Link) -> Option<f64> {
-    let bodies = if link.collisions.is_empty() { &link.visuals } else { &link.collisions };
+    let bodies = if link.collisions.is_empty() {
+        &link.visuals
+    } else {
+        &link.collisions
+    };
     let volumes = bodies.iter().map(|body| shape_volume(cx, body.shape()?));
-    volumes.sum::<Option<f64>>().filter(|volume| volume.is_finite())
+    volumes
+        .sum::<Option<f64>>()
+        .filter(|volume| volume.is_finite())
 }
 
 fn shape_volume(cx: &DocumentCx<'_>, shape: &Shape) -> Option<f64> {
@@ -111,7 +137,10 @@ fn shape_volume(cx: &DocumentCx<'_>, shape: &Shape) -> Option<f64> {
         }
         ShapeKind::Sphere { radius } => 4.0 / 3.0 * PI * number(radius)?.powi(3),
         ShapeKind::Mesh { scale, .. } => {
-            let surface = cx.mesh(shape)?.surface.filter(|surface| surface.edges.closed)?;
+            let surface = cx
+                .mesh(shape)?
+                .surface
+                .filter(|surface| surface.edges.closed)?;
             let factors = factors(scale.as_ref())?;
             (surface.volume * factors.into_iter().product::<f64>()).abs()
         }

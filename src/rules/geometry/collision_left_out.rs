@@ -22,27 +22,62 @@ const LEAST: usize = 3;
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let is_seen = |link: &&Link| !link.visuals.is_empty() && link.inertial.is_some();
-    let bodies = cx.robot.links.iter().enumerate().filter(|(_, link)| is_seen(link));
-    let (with, without): (Vec<_>, Vec<_>) = bodies.partition(|(_, link)| !link.collisions.is_empty());
-    let [(index, link)] = without.as_slice() else { return };
-    let Some(name) = link.name.as_ref().filter(|_| with.len() >= LEAST && is_between(cx, *index)) else {
+    let bodies = cx
+        .robot
+        .links
+        .iter()
+        .enumerate()
+        .filter(|(_, link)| is_seen(link));
+    let (with, without): (Vec<_>, Vec<_>) =
+        bodies.partition(|(_, link)| !link.collisions.is_empty());
+    let [(index, link)] = without.as_slice() else {
         return;
     };
-    out.report(name.origin, format!("link `{}` has no collision, unlike all others", link.shown()))
-        .help("add a <collision>; planners and simulators ignore a link without one")
-        .done();
+    let Some(name) = link
+        .name
+        .as_ref()
+        .filter(|_| with.len() >= LEAST && is_between(cx, *index))
+    else {
+        return;
+    };
+    out.report(
+        name.origin,
+        format!(
+            "link `{}` has no collision, unlike all others",
+            link.shown()
+        ),
+    )
+    .help("add a <collision>; planners and simulators ignore a link without one")
+    .done();
 }
 
 /// Whether a link moves, and moves others.
 fn is_between(cx: &RobotCx<'_>, index: usize) -> bool {
     let moves = |joint: usize| {
-        let kind = cx.robot.joints.get(joint).and_then(|joint| joint.joint_type());
+        let kind = cx
+            .robot
+            .joints
+            .get(joint)
+            .and_then(|joint| joint.joint_type());
         kind.is_some_and(|kind| kind != JointType::Fixed)
     };
-    let name = cx.robot.links.get(index).map(Link::shown).unwrap_or_default();
+    let name = cx
+        .robot
+        .links
+        .get(index)
+        .map(Link::shown)
+        .unwrap_or_default();
     let below = (0..cx.robot.joints.len()).filter(|&joint| {
-        let parent = cx.robot.joints.get(joint).and_then(|joint| joint.parent.as_ref());
+        let parent = cx
+            .robot
+            .joints
+            .get(joint)
+            .and_then(|joint| joint.parent.as_ref());
         parent.is_some_and(|parent| parent.value == name)
     });
-    cx.kinematics.up(index).first().is_some_and(|&joint| moves(joint)) && below.into_iter().any(moves)
+    cx.kinematics
+        .up(index)
+        .first()
+        .is_some_and(|&joint| moves(joint))
+        && below.into_iter().any(moves)
 }

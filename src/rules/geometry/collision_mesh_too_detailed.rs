@@ -19,14 +19,21 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes().filter(|mesh| mesh.is_collision) {
-        let Some(surface) = mesh.mesh.and_then(|mesh| mesh.surface) else { continue };
+        let Some(surface) = mesh.mesh.and_then(|mesh| mesh.surface) else {
+            continue;
+        };
         if is_too_detailed(cx, surface.triangles) {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), surface.triangles);
-            let message =
-                format!("collision mesh `{name}` of link `{link}` is too detailed: {count} triangles");
+            let message = format!(
+                "collision mesh `{name}` of link `{link}` is too detailed: {count} triangles"
+            );
             let many = surface.triangles as f64 > WARN_COLLISION_TRIANGLES.value(cx.world.config);
             out.report(mesh.file.origin, message)
-                .severity(if many { Severity::Warning } else { Severity::Info })
+                .severity(if many {
+                    Severity::Warning
+                } else {
+                    Severity::Info
+                })
                 .group(mesh.folder_group())
                 .help("use the convex hull, or a few boxes and cylinders")
                 .done();

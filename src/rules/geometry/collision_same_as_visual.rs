@@ -24,7 +24,9 @@ const FEW: usize = 1000;
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let meshes: Vec<_> = cx.meshes().collect();
     for collision in meshes.iter().filter(|mesh| mesh.is_collision) {
-        let Some(surface) = collision.mesh.and_then(|mesh| mesh.surface) else { continue };
+        let Some(surface) = collision.mesh.and_then(|mesh| mesh.surface) else {
+            continue;
+        };
         if surface.triangles <= FEW || is_too_detailed(cx, surface.triangles) {
             continue;
         }
@@ -35,8 +37,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         if let Some(visual) = meshes.iter().find(is_same) {
             let (name, link, count) = (collision.name(), collision.link.shown(), surface.triangles);
-            let message =
-                format!("link `{link}` uses its visual mesh `{name}` ({count} triangles) for collision");
+            let message = format!(
+                "link `{link}` uses its visual mesh `{name}` ({count} triangles) for collision"
+            );
             out.report(collision.file.origin, message)
                 .group(collision.group())
                 .also(visual.file.origin, "visual")

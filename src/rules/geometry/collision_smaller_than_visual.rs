@@ -23,9 +23,12 @@ const TOLERANCE: f64 = 0.01;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for link in cx.robot.into_iter().flat_map(|robot| &robot.links) {
-        let (visual, collision) =
-            (extent_of(cx, &link.visuals).bounds(), extent_of(cx, &link.collisions).bounds());
-        let (Some(visual), Some(collision), Some(first)) = (visual, collision, link.collisions.first())
+        let (visual, collision) = (
+            extent_of(cx, &link.visuals).bounds(),
+            extent_of(cx, &link.collisions).bounds(),
+        );
+        let (Some(visual), Some(collision), Some(first)) =
+            (visual, collision, link.collisions.first())
         else {
             continue;
         };

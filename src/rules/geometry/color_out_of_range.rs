@@ -23,11 +23,16 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for material in materials(cx) {
         let Some(text) = &material.rgba else { continue };
-        let Some(numbers) = text.numbers::<4>() else { continue };
+        let Some(numbers) = text.numbers::<4>() else {
+            continue;
+        };
         if numbers.iter().all(|number| (0.0..=1.0).contains(number)) {
             continue;
         }
-        let name = material.name.as_ref().map_or("", |name| name.value.as_str());
+        let name = material
+            .name
+            .as_ref()
+            .map_or("", |name| name.value.as_str());
         let message = format!("color of material `{name}` is outside the range 0 to 1");
         let report = out
             .report(text.origin, message)
@@ -35,9 +40,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .group(Group::Value(EcoString::new()))
             .help("write red, green, blue and alpha from 0 to 1");
         match from_bytes(numbers).filter(|_| text.is_literal()) {
-            Some(content) => {
-                report.replace_with(Safety::Unsafe, "divide color values by 255", content).done()
-            }
+            Some(content) => report
+                .replace_with(Safety::Unsafe, "divide color values by 255", content)
+                .done(),
             None => report.done(),
         }
     }

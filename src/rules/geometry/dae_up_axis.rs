@@ -19,14 +19,29 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let is_turned =
-        |mesh: &Mesh| mesh.format == MeshFormat::Dae && matches!(mesh.up_axis, Some(UpAxis::X | UpAxis::Y));
+    let is_turned = |mesh: &Mesh| {
+        mesh.format == MeshFormat::Dae && matches!(mesh.up_axis, Some(UpAxis::X | UpAxis::Y))
+    };
     for (mesh, others) in each_file(cx, is_turned) {
-        let axis =
-            if mesh.mesh.is_some_and(|mesh| mesh.up_axis == Some(UpAxis::X)) { "X_UP" } else { "Y_UP" };
+        let axis = if mesh
+            .mesh
+            .is_some_and(|mesh| mesh.up_axis == Some(UpAxis::X))
+        {
+            "X_UP"
+        } else {
+            "Y_UP"
+        };
         let message = format!("up axis of `{}` is `{axis}` instead of `Z_UP`", mesh.name());
         let help = "export it with Z_UP; not all programs apply the up axis";
-        let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
-        others.iter().fold(report, |report, other| report.also(other.file.origin, "also used here")).done();
+        let report = out
+            .report(mesh.file.origin, message)
+            .group(mesh.group())
+            .help(help);
+        others
+            .iter()
+            .fold(report, |report, other| {
+                report.also(other.file.origin, "also used here")
+            })
+            .done();
     }
 }

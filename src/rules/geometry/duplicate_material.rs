@@ -20,8 +20,11 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut first: FastMap<&str, &Text> = FastMap::default();
-    for name in
-        cx.robot.into_iter().flat_map(|robot| &robot.materials).filter_map(|material| material.name.as_ref())
+    for name in cx
+        .robot
+        .into_iter()
+        .flat_map(|robot| &robot.materials)
+        .filter_map(|material| material.name.as_ref())
     {
         let Some(value) = name.name() else { continue };
         match first.get(value.as_str()) {

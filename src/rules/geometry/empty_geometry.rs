@@ -20,17 +20,26 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, body, _) in bodies(cx) {
-        let Some(geometry) = body.geometry.as_ref().filter(|geometry| geometry.shapes.is_empty()) else {
+        let Some(geometry) = body
+            .geometry
+            .as_ref()
+            .filter(|geometry| geometry.shapes.is_empty())
+        else {
             continue;
         };
         // what xacro tags inside would have given may be lost
-        let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
+        let certain =
+            cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, geometry.element) {
             let message = format!("`geometry` of link `{}` is empty", link.shown());
             let origin = tag_start(cx.expansion, geometry.element);
             let is_meant = is_taken_out(&cx.expansion.tree, body.element, geometry.element);
             out.report(origin, message)
-                .severity(if is_meant { Severity::Info } else { RULE.severity })
+                .severity(if is_meant {
+                    Severity::Info
+                } else {
+                    RULE.severity
+                })
                 .help("add a <box>, <cylinder>, <sphere> or <mesh>")
                 .done();
         }

@@ -47,29 +47,54 @@ enum Readers {
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for name in resource_names(cx).into_iter().filter(|name| name.is_known()) {
+    for name in resource_names(cx)
+        .into_iter()
+        .filter(|name| name.is_known())
+    {
         if let Some(meant) = without_find(cx, name) {
-            out.report(name.origin, "`package://` and `$(find ...)` exclude each other")
-                .help(format!("write {meant}"))
-                .replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant)
-                .done();
+            out.report(
+                name.origin,
+                "`package://` and `$(find ...)` exclude each other",
+            )
+            .help(format!("write {meant}"))
+            .replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant)
+            .done();
             continue;
         }
-        let Some(UriDefect { message, readers, meant }) = defect(&name.value) else { continue };
+        let Some(UriDefect {
+            message,
+            readers,
+            meant,
+        }) = defect(&name.value)
+        else {
+            continue;
+        };
         let help = match readers {
-            Readers::OldCurl => "rename the file or folder; RViz in ROS 2 Humble and later cannot load it",
+            Readers::OldCurl => {
+                "rename the file or folder; RViz in ROS 2 Humble and later cannot load it"
+            }
             Readers::Gazebo => "write `%20` for each space; RViz cannot load it",
             _ => "write package://PACKAGE/PATH, with slashes and without spaces",
         };
         let report = out
-            .report(name.origin, format!("`{}`: {message}", shortened(&name.value)))
-            .severity(if is_beside(cx, name) { Severity::Info } else { severity(cx, readers) })
-            .group(Group::Name(format!("{message} {}", beginning(&name.value)).into()))
+            .report(
+                name.origin,
+                format!("`{}`: {message}", shortened(&name.value)),
+            )
+            .severity(if is_beside(cx, name) {
+                Severity::Info
+            } else {
+                severity(cx, readers)
+            })
+            .group(Group::Name(
+                format!("{message} {}", beginning(&name.value)).into(),
+            ))
             .help(help);
-        match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant)) {
-            Some(meant) => {
-                report.replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant).done()
-            }
+        match meant.filter(|meant| is_replaceable(name, meant) && leads_to_package(cx, name, meant))
+        {
+            Some(meant) => report
+                .replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant)
+                .done(),
             None => report.done(),
         }
     }
@@ -79,7 +104,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn without_find(cx: &DocumentCx<'_>, name: &Text) -> Option<String> {
     let (_, _, source) = source_text(cx.expansion, name.origin).filter(|_| !name.is_literal())?;
     let (package, path) = source.strip_prefix("package://$(find ")?.split_once(')')?;
-    path.starts_with('/').then(|| format!("package://{}{path}", package.trim()))
+    path.starts_with('/')
+        .then(|| format!("package://{}{path}", package.trim()))
 }
 
 fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
@@ -103,8 +129,13 @@ fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
 /// that are given the folder, and Bullet, find it.
 fn is_beside(cx: &DocumentCx<'_>, name: &Text) -> bool {
     let file = cx.expansion.files.first().map(|file| &*file.source.path);
-    let path = name.value.strip_prefix("package:///").filter(|path| !path.is_empty());
-    let (Some(file), Some(path)) = (file, path) else { return false };
+    let path = name
+        .value
+        .strip_prefix("package:///")
+        .filter(|path| !path.is_empty());
+    let (Some(file), Some(path)) = (file, path) else {
+        return false;
+    };
     let beside = file.with_file_name("").join(path);
     cx.world.packages.containing(file).is_none() && cx.world.vfs.is_file(&beside)
 }
@@ -115,25 +146,44 @@ fn beginning(uri: &str) -> String {
     if uri.starts_with("package:///") {
         return String::new();
     }
-    let names: Vec<&str> = uri.split(['/', '\\']).filter(|name| !name.is_empty()).take(2).collect();
+    let names: Vec<&str> = uri
+        .split(['/', '\\'])
+        .filter(|name| !name.is_empty())
+        .take(2)
+        .collect();
     names.join("/")
 }
 
 /// Whether the first name is a package that is known; with a slash too many, it may be a folder of one.
 fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
-    let package = meant.strip_prefix("package://").and_then(|rest| rest.split('/').next());
+    let package = meant
+        .strip_prefix("package://")
+        .and_then(|rest| rest.split('/').next());
     let certain = !name.value.starts_with("package:///");
     let place = cx.expansion.place(name.origin);
     let source = place.and_then(|place| cx.expansion.files.get(place.file.0 as usize));
-    let known =
-        |package| source.is_some_and(|file| cx.world.packages.find(package, &file.source.path).is_ok());
+    let known = |package| {
+        source.is_some_and(|file| cx.world.packages.find(package, &file.source.path).is_ok())
+    };
     certain || package.is_some_and(known)
 }
 
 /// What is wrong with a URI or path.
 pub(super) fn defect(value: &str) -> Option<UriDefect> {
-    let found = |message, meant| Some(UriDefect { message, readers: Readers::None, meant });
-    let spaces = |readers| Some(UriDefect { message: "URI contains spaces", readers, meant: None });
+    let found = |message, meant| {
+        Some(UriDefect {
+            message,
+            readers: Readers::None,
+            meant,
+        })
+    };
+    let spaces = |readers| {
+        Some(UriDefect {
+            message: "URI contains spaces",
+            readers,
+            meant: None,
+        })
+    };
     let slashed = value.replace('\\', "/");
     if let Some(rest) = slashed.strip_prefix("package:") {
         let path = rest.trim_start_matches('/');
@@ -148,10 +198,15 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
             _ => None,
         };
     }
-    let file = slashed.strip_prefix("file:").map(|rest| rest.strip_prefix("//").unwrap_or(rest));
+    let file = slashed
+        .strip_prefix("file:")
+        .map(|rest| rest.strip_prefix("//").unwrap_or(rest));
     match value {
         _ if file.is_some_and(|path| !path.starts_with('/') && !path.starts_with("localhost/")) => {
-            found("`file:` must be followed by `///` and an absolute path", None)
+            found(
+                "`file:` must be followed by `///` and an absolute path",
+                None,
+            )
         }
         _ if slashed != value => {
             let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
@@ -177,14 +232,20 @@ fn has_space(value: &str) -> bool {
 }
 
 fn shortened(value: &str) -> String {
-    let plain: Vec<char> = value.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let plain: Vec<char> = value
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
     let left_out = plain.len().saturating_sub(MOST_SHOWN);
     if left_out == 0 {
         return plain.into_iter().collect();
     }
     // the end names the file
     let (head, tail) = plain.split_at(MOST_SHOWN / 2);
-    head.iter().chain(&['.', '.', '.']).chain(tail.iter().skip(left_out)).collect()
+    head.iter()
+        .chain(&['.', '.', '.'])
+        .chain(tail.iter().skip(left_out))
+        .collect()
 }
 
 #[cfg(test)]
@@ -239,7 +300,9 @@ mod tests {
     fn a_long_name_is_shown_with_its_end() {
         let name = format!("package://arm/{}/base .stl", "m".repeat(200));
         let shown = super::shortened(&name);
-        assert!(shown.starts_with("package://arm/") && shown.ends_with("base .stl") && shown.len() < 90);
+        assert!(
+            shown.starts_with("package://arm/") && shown.ends_with("base .stl") && shown.len() < 90
+        );
         assert_eq!(super::shortened("a\tb.stl"), "a b.stl");
     }
 }

@@ -22,7 +22,11 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
     let mut first: FastMap<&str, &Material> = FastMap::default();
-    for material in robot.materials.iter().filter(|material| is_defined(material)) {
+    for material in robot
+        .materials
+        .iter()
+        .filter(|material| is_defined(material))
+    {
         if let Some(name) = material.name.as_ref().and_then(|name| name.name()) {
             first.entry(name).or_insert(material);
         }
@@ -34,7 +38,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(earlier_name) = earlier.name.as_ref().filter(|_| differ(earlier, material)) else {
             continue;
         };
-        let message = format!("link `{}` redefines material `{name}` with another color", link.shown());
+        let message = format!(
+            "link `{}` redefines material `{name}` with another color",
+            link.shown()
+        );
         out.report(text.origin, message)
             .also(earlier_name.origin, "this color is used everywhere")
             .help("use another material name for the other color")
@@ -45,7 +52,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether two materials are known to look different.
 fn differ(a: &Material, b: &Material) -> bool {
     let colors = |material: &Material| material.rgba.as_ref().and_then(|rgba| rgba.numbers::<4>());
-    let texture = |material: &Material| material.texture_file.as_ref().and_then(|file| file.name().cloned());
+    let texture = |material: &Material| {
+        material
+            .texture_file
+            .as_ref()
+            .and_then(|file| file.name().cloned())
+    };
     let different = |x: Option<bool>| x.unwrap_or(false);
     different(colors(a).zip(colors(b)).map(|(a, b)| a != b))
         || different(texture(a).zip(texture(b)).map(|(a, b)| a != b))

@@ -19,16 +19,23 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for material in
-        cx.robot.into_iter().flat_map(|robot| &robot.materials).filter(|material| !is_defined(material))
+    for material in cx
+        .robot
+        .into_iter()
+        .flat_map(|robot| &robot.materials)
+        .filter(|material| !is_defined(material))
     {
         if is_of_gazebo(cx, material) {
             continue;
         }
         // what xacro tags inside would have given may be lost
-        let certain = cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
+        let certain =
+            cx.kind == RootKind::Robot && cx.expansion.whole && cx.expansion.problems.is_empty();
         if certain || !source_has_elements(cx.expansion, material.element) {
-            let name = material.name.as_ref().map_or("", |name| name.value.as_str());
+            let name = material
+                .name
+                .as_ref()
+                .map_or("", |name| name.value.as_str());
             let message = format!("material `{name}` has neither color nor texture");
             let origin = tag_start(cx.expansion, material.element);
             out.report(origin, message)
@@ -41,5 +48,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether a macro that nothing calls gives the color of a `gazebo` element: without a name, and with the color as text.
 fn is_of_gazebo(cx: &DocumentCx<'_>, material: &Material) -> bool {
     let is_root = cx.expansion.tree.root() == Some(cx.element);
-    !is_root && material.name.is_none() && Text::content(&cx.expansion.tree, material.element).is_some()
+    !is_root
+        && material.name.is_none()
+        && Text::content(&cx.expansion.tree, material.element).is_some()
 }

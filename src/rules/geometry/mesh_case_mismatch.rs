@@ -21,7 +21,9 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
-        let Target::OtherCase(found) = mesh.target else { continue };
+        let Target::OtherCase(found) = mesh.target else {
+            continue;
+        };
         let message = format!(
             "mesh `{}` of link `{}` differs in case from the file on disk",
             mesh.name(),
@@ -30,13 +32,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let written = mesh.file.value.as_str();
         let is = shown(cx, mesh.file, found);
         let help = format!("write `{is}`; Linux file systems are case-sensitive");
-        let report = out.report(mesh.file.origin, message).group(mesh.group()).help(help);
+        let report = out
+            .report(mesh.file.origin, message)
+            .group(mesh.group())
+            .help(help);
         // the path ends as the file does, but for case
         let tail = tail_of(written, &vfs::slashed(found));
         match tail.filter(|tail| is_replaceable(mesh.file, tail)) {
-            Some(spelled) => {
-                report.replace_with(Safety::Unsafe, format!("replace with `{spelled}`"), spelled).done()
-            }
+            Some(spelled) => report
+                .replace_with(Safety::Unsafe, format!("replace with `{spelled}`"), spelled)
+                .done(),
             None => report.done(),
         }
     }
@@ -45,8 +50,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// `written` with its end in the letters of `found`: as much of it as is equal but for case.
 fn tail_of(written: &str, found: &str) -> Option<String> {
     let same = |(a, b): &(char, char)| a.to_lowercase().eq(b.to_lowercase());
-    let pairs: Vec<(char, char)> = written.chars().rev().zip(found.chars().rev()).take_while(same).collect();
+    let pairs: Vec<(char, char)> = written
+        .chars()
+        .rev()
+        .zip(found.chars().rev())
+        .take_while(same)
+        .collect();
     let kept = written.chars().count().checked_sub(pairs.len())?;
-    let spelled: String = written.chars().take(kept).chain(pairs.iter().rev().map(|(_, b)| *b)).collect();
+    let spelled: String = written
+        .chars()
+        .take(kept)
+        .chain(pairs.iter().rev().map(|(_, b)| *b))
+        .collect();
     (spelled != written).then_some(spelled)
 }

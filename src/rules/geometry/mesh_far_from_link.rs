@@ -31,13 +31,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     for mesh in cx.meshes().filter(|mesh| !is_suspicious(cx, mesh)) {
-        let Some(bounds) = placed(cx, &mesh) else { continue };
+        let Some(bounds) = placed(cx, &mesh) else {
+            continue;
+        };
         let distance = distance(cx, mesh.link, bounds);
         if distance < FAR || distance < SIZES * bounds.diagonal() || is_among_others(cx, &mesh) {
             continue;
         }
-        let message =
-            format!("mesh `{}` is {} away from link `{}`", mesh.name(), meters(distance), mesh.link.shown());
+        let message = format!(
+            "mesh `{}` is {} away from link `{}`",
+            mesh.name(),
+            meters(distance),
+            mesh.link.shown()
+        );
         out.report(mesh.file.origin, message)
             .group(mesh.group())
             .help("export the mesh in the frame of its link, or correct the `origin`; meshes of an assembly have one frame for all parts")
@@ -48,15 +54,30 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// The box of a mesh in the frame of its link.
 fn placed(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<Bounds> {
     let mut bodies = mesh.link.visuals.iter().chain(&mesh.link.collisions);
-    bounds(cx, bodies.find(|body| body.shape().is_some_and(|shape| shape.element == mesh.element))?)
+    bounds(
+        cx,
+        bodies.find(|body| {
+            body.shape()
+                .is_some_and(|shape| shape.element == mesh.element)
+        })?,
+    )
 }
 
 /// Whether other shapes of the same use are where the link is: the far ones are parts of a large body.
 fn is_among_others(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
-    let is_of_mesh = |body: &Body| body.shape().is_some_and(|shape| shape.element == mesh.element);
+    let is_of_mesh = |body: &Body| {
+        body.shape()
+            .is_some_and(|shape| shape.element == mesh.element)
+    };
     let uses = [&mesh.link.visuals, &mesh.link.collisions];
-    let bodies = uses.into_iter().find(|bodies| bodies.iter().any(is_of_mesh)).into_iter().flatten();
-    bodies.filter_map(|body| bounds(cx, body)).any(|bounds| distance(cx, mesh.link, bounds) < FAR)
+    let bodies = uses
+        .into_iter()
+        .find(|bodies| bodies.iter().any(is_of_mesh))
+        .into_iter()
+        .flatten();
+    bodies
+        .filter_map(|body| bounds(cx, body))
+        .any(|bounds| distance(cx, mesh.link, bounds) < FAR)
 }
 
 /// From the frame of a link to the nearest point of a box; from the axis of the joint above, where the link turns: where on it
@@ -64,18 +85,35 @@ fn is_among_others(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
 fn distance(cx: &DocumentCx<'_>, link: &Link, bounds: Bounds) -> f64 {
     let above = cx.joints_above(link.shown()).first();
     let turning = above.filter(|joint| joint.is(&[JointType::Revolute, JointType::Continuous]));
-    let Some(joint) = turning else { return beyond(bounds) };
+    let Some(joint) = turning else {
+        return beyond(bounds);
+    };
     let axis = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-    let Some([x, y, z]) = axis.map_or(Some([1.0, 0.0, 0.0]), |axis| axis.numbers::<3>()) else { return 0.0 };
+    let Some([x, y, z]) = axis.map_or(Some([1.0, 0.0, 0.0]), |axis| axis.numbers::<3>()) else {
+        return 0.0;
+    };
     let length = x.hypot(y).hypot(z);
     let center = bounds.center();
-    let along = center.iter().zip([x, y, z]).map(|(at, part)| at * part).sum::<f64>() / length;
+    let along = center
+        .iter()
+        .zip([x, y, z])
+        .map(|(at, part)| at * part)
+        .sum::<f64>()
+        / length;
     let square = center.iter().map(|at| at * at).sum::<f64>() - along * along;
-    if length > 0.0 { square.max(0.0).sqrt() - bounds.diagonal() / 2.0 } else { 0.0 }
+    if length > 0.0 {
+        square.max(0.0).sqrt() - bounds.diagonal() / 2.0
+    } else {
+        0.0
+    }
 }
 
 /// From the frame to the nearest point of a box.
 fn beyond(bounds: Bounds) -> f64 {
-    let sides = bounds.min.iter().zip(&bounds.max).map(|(min, max)| min.max(-max).max(0.0));
+    let sides = bounds
+        .min
+        .iter()
+        .zip(&bounds.max)
+        .map(|(min, max)| min.max(-max).max(0.0));
     sides.map(|side| side * side).sum::<f64>().sqrt()
 }

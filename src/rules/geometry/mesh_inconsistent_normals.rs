@@ -21,17 +21,30 @@ const MANY: f64 = 0.05;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
-        let Some(edges) = mesh.mesh.and_then(|mesh| mesh.surface).map(|surface| surface.edges) else {
+        let Some(edges) = mesh
+            .mesh
+            .and_then(|mesh| mesh.surface)
+            .map(|surface| surface.edges)
+        else {
             continue;
         };
         let wrong = edges.same_direction;
-        let counts = if mesh.is_collision { wrong > 0 } else { wrong * 100 > edges.total };
+        let counts = if mesh.is_collision {
+            wrong > 0
+        } else {
+            wrong * 100 > edges.total
+        };
         if counts {
             let (name, link) = (mesh.name(), mesh.link.shown());
-            let message = format!("mesh `{name}` of link `{link}` has inconsistent normals at {wrong} edges");
+            let message =
+                format!("mesh `{name}` of link `{link}` has inconsistent normals at {wrong} edges");
             // programs that draw take normals from the file or show both sides
             let matters = mesh.is_collision && wrong as f64 > MANY * edges.total as f64;
-            let severity = if matters { Severity::Warning } else { Severity::Info };
+            let severity = if matters {
+                Severity::Warning
+            } else {
+                Severity::Info
+            };
             out.report(mesh.file.origin, message)
                 .severity(severity)
                 .group(mesh.folder_group())

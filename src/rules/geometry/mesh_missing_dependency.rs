@@ -26,17 +26,33 @@ const MOST_NAMES: usize = 3;
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let roots = cx.expansion.files.first().map(|file| &*file.source.path);
     let around = OnceCell::new();
-    let belongs = |path: &Path| around.get_or_init(|| cx.world.packages.around(roots)).hold(path);
+    let belongs = |path: &Path| {
+        around
+            .get_or_init(|| cx.world.packages.around(roots))
+            .hold(path)
+    };
     for mesh in cx.meshes() {
-        let (Some(path), Some(content)) = (mesh.target.file(), mesh.mesh) else { continue };
-        let missing = cx.world.meshes.missing(cx.world.vfs, path, content, &belongs);
+        let (Some(path), Some(content)) = (mesh.target.file(), mesh.mesh) else {
+            continue;
+        };
+        let missing = cx
+            .world
+            .meshes
+            .missing(cx.world.vfs, path, content, &belongs);
         if missing.is_empty() {
             continue;
         }
-        let message =
-            format!("mesh `{}` of link `{}` refers to {}", mesh.name(), mesh.link.shown(), names(&missing));
+        let message = format!(
+            "mesh `{}` of link `{}` refers to {}",
+            mesh.name(),
+            mesh.link.shown(),
+            names(&missing)
+        );
         let help = "add the missing file, or remove the reference from the mesh";
-        out.report(mesh.file.origin, message).group(mesh.group()).help(help).done();
+        out.report(mesh.file.origin, message)
+            .group(mesh.group())
+            .help(help)
+            .done();
     }
 }
 

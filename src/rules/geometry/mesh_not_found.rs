@@ -31,8 +31,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 missing.add(mesh.file, what, path, package.as_deref());
             }
             Target::NoFile(path) => {
-                let message = format!("mesh of link `{link}`: `{}` is not a file", vfs::slashed(path));
-                out.report(mesh.file.origin, message).help("write the path of the mesh file").done();
+                let message = format!(
+                    "mesh of link `{link}`: `{}` is not a file",
+                    vfs::slashed(path)
+                );
+                out.report(mesh.file.origin, message)
+                    .help("write the path of the mesh file")
+                    .done();
             }
             _ => {}
         }

@@ -18,12 +18,17 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes().filter(|mesh| mesh.is_collision) {
-        let Some(edges) = mesh.mesh.and_then(|mesh| mesh.surface).map(|surface| surface.edges) else {
+        let Some(edges) = mesh
+            .mesh
+            .and_then(|mesh| mesh.surface)
+            .map(|surface| surface.edges)
+        else {
             continue;
         };
         if edges.boundary > 0 {
             let (name, link, count) = (mesh.name(), mesh.link.shown(), edges.boundary);
-            let message = format!("collision mesh `{name}` of link `{link}` has holes ({count} open edges)");
+            let message =
+                format!("collision mesh `{name}` of link `{link}` has holes ({count} open edges)");
             out.report(mesh.file.origin, message)
                 .group(mesh.folder_group())
                 .help("close the holes, or use the convex hull")

@@ -28,8 +28,9 @@ const THOUSANDTH: std::ops::Range<f64> = 0.0005..0.002;
 /// Whether a mesh is too large or too small for any link.
 pub(super) fn is_suspicious(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> bool {
     let admitted = admitted(cx);
-    extent(mesh)
-        .is_some_and(|extent| extent < *admitted.start() || extent > *admitted.end() && !cx.is_static())
+    extent(mesh).is_some_and(|extent| {
+        extent < *admitted.start() || extent > *admitted.end() && !cx.is_static()
+    })
 }
 
 /// Whether a mesh of a link is: nothing else that rests on its size is right.
@@ -63,26 +64,46 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// The visuals or the collisions of a link, when they are a thousandth of the others, and only a mesh decides.
 fn shrunk<'a>(cx: &DocumentCx<'_>, link: &'a Link) -> Option<&'a [Body]> {
-    let extent = |bodies| extent_of(cx, bodies).bounds().map(Bounds::extent).filter(|&extent| extent > 0.0);
+    let extent = |bodies| {
+        extent_of(cx, bodies)
+            .bounds()
+            .map(Bounds::extent)
+            .filter(|&extent| extent > 0.0)
+    };
     let ratio = extent(&link.visuals)? / extent(&link.collisions)?;
     let small = match ratio {
         ratio if THOUSANDTH.contains(&ratio) => &link.visuals,
         ratio if THOUSANDTH.contains(&ratio.recip()) => &link.collisions,
         _ => return None,
     };
-    let is_known = |mesh: MeshUse<'_>| mesh.link.element == link.element && is_suspicious(cx, &mesh);
+    let is_known =
+        |mesh: MeshUse<'_>| mesh.link.element == link.element && is_suspicious(cx, &mesh);
     (!cx.meshes().any(is_known)).then_some(small)
 }
 
 fn report_shrunk(cx: &DocumentCx<'_>, link: &Link, bodies: &[Body], out: &mut Sink<'_>) {
     let is_own = |mesh: &MeshUse<'_>| {
-        bodies.iter().any(|body| body.shape().is_some_and(|shape| shape.element == mesh.element))
+        bodies.iter().any(|body| {
+            body.shape()
+                .is_some_and(|shape| shape.element == mesh.element)
+        })
     };
-    let Some(mesh) = cx.meshes().find(is_own) else { return };
-    let other = if mesh.is_collision { "visual" } else { "collision" };
-    let message =
-        format!("mesh `{}` is 1000 times smaller than the {other} of link `{}`", mesh.name(), link.shown());
-    let small = mesh.scale.and_then(|scale| scale.numbers::<3>().map(|factors| (scale, factors)));
+    let Some(mesh) = cx.meshes().find(is_own) else {
+        return;
+    };
+    let other = if mesh.is_collision {
+        "visual"
+    } else {
+        "collision"
+    };
+    let message = format!(
+        "mesh `{}` is 1000 times smaller than the {other} of link `{}`",
+        mesh.name(),
+        link.shown()
+    );
+    let small = mesh
+        .scale
+        .and_then(|scale| scale.numbers::<3>().map(|factors| (scale, factors)));
     match small.filter(|(scale, _)| scale.is_literal()) {
         Some((scale, factors)) => {
             let [x, y, z] = factors.map(|factor| (factor * 1000.0 * 1e6).round() / 1e6);
@@ -94,37 +115,64 @@ fn report_shrunk(cx: &DocumentCx<'_>, link: &Link, bodies: &[Body], out: &mut Si
         }
         None => out
             .report(mesh.file.origin, message)
-            .help(format!("export the mesh in meters, or correct the size of the {other}"))
+            .help(format!(
+                "export the mesh in meters, or correct the size of the {other}"
+            ))
             .done(),
     }
 }
 
 fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
-    let (Some(extent), Some(surface)) = (extent(mesh), mesh.mesh.and_then(|mesh| mesh.surface)) else {
+    let (Some(extent), Some(surface)) = (extent(mesh), mesh.mesh.and_then(|mesh| mesh.surface))
+    else {
         return;
     };
     let bounds = surface.bounds.scaled(mesh.factors().unwrap_or([1.0; 3]));
     let most = MAX_EXTENT.value(cx.world.config);
     let is_millimeters = extent > most && (0.001..=most).contains(&(extent / 1000.0));
     let (cause, help) = match is_millimeters {
-        true => {
-            ("; this looks like millimeters", "add scale=\"0.001 0.001 0.001\", or export the mesh in meters")
-        }
-        false => ("", "check the unit of the mesh and `scale`; meshes are in meters"),
+        true => (
+            "; this looks like millimeters",
+            "add scale=\"0.001 0.001 0.001\", or export the mesh in meters",
+        ),
+        false => (
+            "",
+            "check the unit of the mesh and `scale`; meshes are in meters",
+        ),
     };
     let size = meters(extent);
-    let message = format!("mesh `{}` of link `{}` is {size} across{cause}", mesh.name(), mesh.link.shown());
+    let message = format!(
+        "mesh `{}` of link `{}` is {size} across{cause}",
+        mesh.name(),
+        mesh.link.shown()
+    );
     // an object without joints may be a building or a floor
     let is_object = cx.robot.is_some_and(Robot::is_rigid);
-    let may_be_meant = most < extent && is_object && (extent < 10.0 * most || is_ground(bounds.size()));
-    let severity = if may_be_meant { Severity::Info } else { Severity::Warning };
-    let report = out.report(mesh.file.origin, message).severity(severity).help(help);
+    let may_be_meant =
+        most < extent && is_object && (extent < 10.0 * most || is_ground(bounds.size()));
+    let severity = if may_be_meant {
+        Severity::Info
+    } else {
+        Severity::Warning
+    };
+    let report = out
+        .report(mesh.file.origin, message)
+        .severity(severity)
+        .help(help);
     match rescaled(cx, mesh).filter(|_| is_millimeters) {
         Some((origin, content)) => {
-            let edit = cx.expansion.place(origin).map(|place| (place.file, place.range));
+            let edit = cx
+                .expansion
+                .place(origin)
+                .map(|place| (place.file, place.range));
             let (file, range) = edit.unwrap_or((FileIdx(0), TextRange::default()));
             report
-                .fix(Safety::Unsafe, "scale mesh from millimeters to meters", file, [(range, content)])
+                .fix(
+                    Safety::Unsafe,
+                    "scale mesh from millimeters to meters",
+                    file,
+                    [(range, content)],
+                )
                 .done();
         }
         None => report.done(),
@@ -151,7 +199,13 @@ fn rescaled(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<(Origin, String)>
         None => {
             let tag = tag_start(cx.expansion, mesh.element);
             let behind = TextRange::empty(tag.range.end);
-            Some((Origin { range: behind, ..tag }, r#" scale="0.001 0.001 0.001""#.to_owned()))
+            Some((
+                Origin {
+                    range: behind,
+                    ..tag
+                },
+                r#" scale="0.001 0.001 0.001""#.to_owned(),
+            ))
         }
     }
 }

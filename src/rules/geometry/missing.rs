@@ -27,10 +27,23 @@ struct MissingFile<'a> {
 
 impl<'a> MissingFiles<'a> {
     /// Add the file at `path`, in the folder of a package if any; `what` needs it.
-    pub(super) fn add(&mut self, name: &'a Text, what: String, path: &Path, package: Option<&Path>) {
+    pub(super) fn add(
+        &mut self,
+        name: &'a Text,
+        what: String,
+        path: &Path,
+        package: Option<&Path>,
+    ) {
         let folder = path.parent().unwrap_or(path).to_owned();
-        let group = self.0.entry((package.map(Path::to_owned), folder)).or_default();
-        group.push(MissingFile { name, what, path: path.to_owned() });
+        let group = self
+            .0
+            .entry((package.map(Path::to_owned), folder))
+            .or_default();
+        group.push(MissingFile {
+            name,
+            what,
+            path: path.to_owned(),
+        });
     }
 
     /// Report the files, those of one folder as one defect.
@@ -49,16 +62,25 @@ fn report(
     folder: &Path,
     package: Option<&Path>,
 ) {
-    let namesakes: Vec<Option<PathBuf>> = files.iter().map(|file| namesake(cx, file, package)).collect();
+    let namesakes: Vec<Option<PathBuf>> = files
+        .iter()
+        .map(|file| namesake(cx, file, package))
+        .collect();
     let is_one_folder = |found: &&PathBuf| {
-        namesakes.iter().all(|other| other.as_ref().and_then(|other| other.parent()) == found.parent())
+        namesakes
+            .iter()
+            .all(|other| other.as_ref().and_then(|other| other.parent()) == found.parent())
     };
     // beside files that are there, one that is missing is not another one in a folder elsewhere
     let is_moved = |found: &&PathBuf| {
         let other = found.parent().unwrap_or(found);
         !cx.world.vfs.is_dir(folder) || other.starts_with(folder) || folder.starts_with(other)
     };
-    let moved = namesakes.first().and_then(Option::as_ref).filter(is_one_folder).filter(is_moved);
+    let moved = namesakes
+        .first()
+        .and_then(Option::as_ref)
+        .filter(is_one_folder)
+        .filter(is_moved);
     for (file, found) in files.iter().zip(&namesakes) {
         let report = out
             .report(file.name.origin, message(file, package))
@@ -89,14 +111,18 @@ fn found_elsewhere<'s, 'a>(
     found: &Path,
     package: Option<&Path>,
 ) -> Reported<'s, 'a> {
-    let place = found.parent().map_or_else(String::new, |folder| shown(cx, file.name, folder));
+    let place = found
+        .parent()
+        .map_or_else(String::new, |folder| shown(cx, file.name, folder));
     if is_installed(cx, found, &file.path, package) {
         let help = format!(
             "build the package; the file is in `{place}`, and the build seems to install it where the URI points"
         );
         return report.severity(Severity::Info).help(help);
     }
-    let report = report.help(format!("correct the path; a file of this name is in `{place}`"));
+    let report = report.help(format!(
+        "correct the path; a file of this name is in `{place}`"
+    ));
     match uri_of(cx, file.name, found).filter(|uri| is_replaceable(file.name, uri)) {
         Some(uri) => report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri),
         None => report,
@@ -108,7 +134,10 @@ fn message(file: &MissingFile<'_>, package: Option<&Path>) -> String {
     let inside = package.and_then(|package| file.path.strip_prefix(package).ok());
     match (inside, package_name(&file.name.value)) {
         (Some(inside), Some(package)) => {
-            format!("{what} not found: package `{package}` has no file `{}`", vfs::slashed(inside))
+            format!(
+                "{what} not found: package `{package}` has no file `{}`",
+                vfs::slashed(inside)
+            )
         }
         _ => format!("{what} not found at `{}`", vfs::slashed(&file.path)),
     }
@@ -118,9 +147,19 @@ fn package_name(uri: &str) -> Option<&str> {
     uri.strip_prefix("package://")?.split('/').next()
 }
 
-fn namesake(cx: &DocumentCx<'_>, file: &MissingFile<'_>, package: Option<&Path>) -> Option<PathBuf> {
+fn namesake(
+    cx: &DocumentCx<'_>,
+    file: &MissingFile<'_>,
+    package: Option<&Path>,
+) -> Option<PathBuf> {
     let place = cx.expansion.place(file.name.origin)?;
-    let from = cx.expansion.files.get(place.file.0 as usize)?.source.path.clone();
+    let from = cx
+        .expansion
+        .files
+        .get(place.file.0 as usize)?
+        .source
+        .path
+        .clone();
     cx.world.packages.namesake(&file.path, package, &from)
 }
 
@@ -128,17 +167,25 @@ fn namesake(cx: &DocumentCx<'_>, file: &MissingFile<'_>, package: Option<&Path>)
 /// installs files by rules that cannot be worked out.
 fn is_installed(cx: &DocumentCx<'_>, found: &Path, missing: &Path, package: Option<&Path>) -> bool {
     let Some(package) = package else { return false };
-    let (Ok(source), Ok(inside)) = (found.strip_prefix(package), missing.strip_prefix(package)) else {
+    let (Ok(source), Ok(inside)) = (found.strip_prefix(package), missing.strip_prefix(package))
+    else {
         return false;
     };
-    source.ends_with(inside) && cx.world.packages.build_around(missing).is_some_and(|build| build.is_opaque)
+    source.ends_with(inside)
+        && cx
+            .world
+            .packages
+            .build_around(missing)
+            .is_some_and(|build| build.is_opaque)
 }
 
 /// A file or folder as messages call it where `name` is: as that text would name it, else from its package, else
 /// whole.
 pub(super) fn shown(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> String {
     let in_package = || cx.world.packages.containing(file)?.uri(file);
-    uri_of(cx, name, file).or_else(in_package).unwrap_or_else(|| vfs::slashed(file))
+    uri_of(cx, name, file)
+        .or_else(in_package)
+        .unwrap_or_else(|| vfs::slashed(file))
 }
 
 /// How a file is named in place of `name`.
@@ -152,5 +199,11 @@ fn uri_of(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> Option<String> {
     let place = cx.expansion.place(name.origin)?;
     let source = &cx.expansion.files.get(place.file.0 as usize)?.source.path;
     let inside = file.strip_prefix(source.parent()?).ok()?;
-    inside.to_str().map(|text| if text.is_empty() { ".".to_owned() } else { vfs::slashed(inside) })
+    inside.to_str().map(|text| {
+        if text.is_empty() {
+            ".".to_owned()
+        } else {
+            vfs::slashed(inside)
+        }
+    })
 }

@@ -18,19 +18,30 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// Links called so carry nothing that others should keep away from.
-const DECORATION: [&str; 9] =
-    ["camera", "sensor", "lidar", "laser", "imu", "logo", "decal", "marker", "optical"];
+const DECORATION: [&str; 9] = [
+    "camera", "sensor", "lidar", "laser", "imu", "logo", "decal", "marker", "optical",
+];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for (index, link) in cx.robot.links.iter().enumerate() {
         let is_mesh = |kind: &ShapeKind| matches!(kind, ShapeKind::Mesh { .. });
-        let has_mesh = link.visuals.iter().any(|body| body.shape().is_some_and(|shape| is_mesh(&shape.kind)));
-        let Some(name) = link.name.as_ref().filter(|_| has_mesh && link.collisions.is_empty()) else {
+        let has_mesh = link
+            .visuals
+            .iter()
+            .any(|body| body.shape().is_some_and(|shape| is_mesh(&shape.kind)));
+        let Some(name) = link
+            .name
+            .as_ref()
+            .filter(|_| has_mesh && link.collisions.is_empty())
+        else {
             continue;
         };
         let lower = name.value.to_lowercase();
-        let above =
-            cx.kinematics.up(index).first().and_then(|&joint| cx.robot.joints.get(joint)?.joint_type());
+        let above = cx
+            .kinematics
+            .up(index)
+            .first()
+            .and_then(|&joint| cx.robot.joints.get(joint)?.joint_type());
         // what is fixed and weighs nothing is decoration
         let is_part = above == Some(JointType::Fixed) && link.inertial.is_none();
         if is_part || DECORATION.iter().any(|word| lower.contains(word)) {

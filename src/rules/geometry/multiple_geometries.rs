@@ -20,13 +20,24 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, body, _) in bodies(cx) {
-        let Some(geometry) = &body.geometry else { continue };
+        let Some(geometry) = &body.geometry else {
+            continue;
+        };
         // a shape that URDF does not know has a rule of its own
-        let mut shapes = geometry.shapes.iter().filter(|shape| !matches!(shape.kind, ShapeKind::Other));
+        let mut shapes = geometry
+            .shapes
+            .iter()
+            .filter(|shape| !matches!(shape.kind, ShapeKind::Other));
         if let (Some(first), Some(second)) = (shapes.next(), shapes.next()) {
-            let message = format!("`geometry` of link `{}` has more than one shape", link.shown());
+            let message = format!(
+                "`geometry` of link `{}` has more than one shape",
+                link.shown()
+            );
             out.report(tag_start(cx.expansion, second.element), message)
-                .also(tag_start(cx.expansion, first.element), "parsers use this shape")
+                .also(
+                    tag_start(cx.expansion, first.element),
+                    "parsers use this shape",
+                )
                 .help("put each shape in a separate <visual> or <collision>")
                 .done();
         }

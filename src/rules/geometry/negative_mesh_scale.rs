@@ -18,7 +18,9 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
-        let (Some(scale), Some(factors)) = (mesh.scale, mesh.factors()) else { continue };
+        let (Some(scale), Some(factors)) = (mesh.scale, mesh.factors()) else {
+            continue;
+        };
         let negative = factors.iter().filter(|&&factor| factor < 0.0).count();
         // two negative factors turn the mesh by half a circle
         if negative % 2 == 1 {

@@ -16,7 +16,9 @@ pub(super) fn each_file<'a>(
     let mut files: Vec<(MeshUse<'a>, Vec<MeshUse<'a>>)> = Vec::new();
     let mut places: FastMap<std::path::PathBuf, usize> = FastMap::default();
     for mesh in cx.meshes().filter(|mesh| mesh.mesh.is_some_and(&wanted)) {
-        let Some(path) = mesh.target.file() else { continue };
+        let Some(path) = mesh.target.file() else {
+            continue;
+        };
         match places.get(path).and_then(|&place| files.get_mut(place)) {
             Some((_, others)) if others.len() < MOST_PLACES => others.push(mesh),
             Some(_) => {}

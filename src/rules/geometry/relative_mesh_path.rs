@@ -21,24 +21,33 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
         let value = mesh.file.value.as_str();
-        let is_path =
-            mesh.file.is_known() && !value.is_empty() && !value.starts_with('/') && !value.contains(':');
+        let is_path = mesh.file.is_known()
+            && !value.is_empty()
+            && !value.starts_with('/')
+            && !value.contains(':');
         if !is_path || defect(value).is_some() {
             continue;
         }
         let place = cx.expansion.place(mesh.file.origin);
         let source = place.and_then(|place| cx.expansion.files.get(place.file.0 as usize));
-        let Some(package) = source.and_then(|file| cx.world.packages.containing(&file.source.path)) else {
+        let Some(package) = source.and_then(|file| cx.world.packages.containing(&file.source.path))
+        else {
             continue;
         };
-        let message = format!("mesh `{}` of link `{}` has a relative path", mesh.name(), mesh.link.shown());
+        let message = format!(
+            "mesh `{}` of link `{}` has a relative path",
+            mesh.name(),
+            mesh.link.shown()
+        );
         let report = out
             .report(mesh.file.origin, message)
             .help("write package://PACKAGE/PATH; RViz cannot load relative paths");
         let uri = mesh.target.file().and_then(|path| package.uri(path));
         match uri.filter(|uri| is_replaceable(mesh.file, uri) && !uri.contains("..")) {
             Some(uri) => {
-                report.replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri).done();
+                report
+                    .replace_with(Safety::Unsafe, format!("replace with `{uri}`"), uri)
+                    .done();
             }
             None => report.done(),
         }

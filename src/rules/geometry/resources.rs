@@ -62,18 +62,26 @@ impl MeshUse<'_> {
 
     /// What makes one finding of several about the file.
     pub fn group(&self) -> Group {
-        self.target.place().map_or(Group::File, |path| Group::Thing(path.to_string_lossy().into()))
+        self.target.place().map_or(Group::File, |path| {
+            Group::Thing(path.to_string_lossy().into())
+        })
     }
 
     /// What makes one finding of several about the files of a folder: the program that wrote one of them wrote all of them.
     pub fn folder_group(&self) -> Group {
         let folder = self.target.place().and_then(Path::parent);
-        folder.map_or(Group::File, |path| Group::Thing(path.to_string_lossy().into()))
+        folder.map_or(Group::File, |path| {
+            Group::Thing(path.to_string_lossy().into())
+        })
     }
 
     /// The name of the file for messages, without folders.
     pub fn name(&self) -> &str {
-        self.file.value.rsplit(['/', '\\']).next().unwrap_or_default()
+        self.file
+            .value
+            .rsplit(['/', '\\'])
+            .next()
+            .unwrap_or_default()
     }
 }
 
@@ -88,9 +96,23 @@ impl DocumentCx<'_> {
         let resources = self.resources.get_or_init(|| Resources::of(self));
         named(self).filter_map(|named| {
             let (target, mesh) = resources.meshes.get(&named.element)?;
-            let Named { link, is_collision, element, file, scale } = named;
+            let Named {
+                link,
+                is_collision,
+                element,
+                file,
+                scale,
+            } = named;
             let mesh = mesh.as_deref();
-            Some(MeshUse { link, is_collision, element, file, scale, target, mesh })
+            Some(MeshUse {
+                link,
+                is_collision,
+                element,
+                file,
+                scale,
+                target,
+                mesh,
+            })
         })
     }
 
@@ -119,8 +141,20 @@ fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
     });
     bodies.filter_map(|(link, body, is_collision)| {
         let shape = body.shape()?;
-        let ShapeKind::Mesh { filename: Some(file), scale } = &shape.kind else { return None };
-        Some(Named { link, is_collision, element: shape.element, file, scale: scale.as_ref() })
+        let ShapeKind::Mesh {
+            filename: Some(file),
+            scale,
+        } = &shape.kind
+        else {
+            return None;
+        };
+        Some(Named {
+            link,
+            is_collision,
+            element: shape.element,
+            file,
+            scale: scale.as_ref(),
+        })
     })
 }
 
@@ -129,20 +163,32 @@ impl Resources {
         let mut known: FastMap<(Option<FileIdx>, &str), Target> = FastMap::default();
         let mut targets = Vec::new();
         for named in named(cx) {
-            let file = cx.expansion.place(named.file.origin).map(|place| place.file);
+            let file = cx
+                .expansion
+                .place(named.file.origin)
+                .map(|place| place.file);
             let target = if named.file.is_known() {
                 let key = (file, named.file.value.as_str());
-                known.entry(key).or_insert_with(|| resolve(cx.expansion, cx.world, named.file)).clone()
+                known
+                    .entry(key)
+                    .or_insert_with(|| resolve(cx.expansion, cx.world, named.file))
+                    .clone()
             } else {
                 Target::Unknown
             };
             targets.push((named.element, target));
         }
-        let mut paths: Vec<&Path> = targets.iter().filter_map(|(_, target)| target.file()).collect();
+        let mut paths: Vec<&Path> = targets
+            .iter()
+            .filter_map(|(_, target)| target.file())
+            .collect();
         paths.sort_unstable();
         paths.dedup();
         let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
-        known.values().filter_map(Target::place).for_each(|path| meshes.note(path));
+        known
+            .values()
+            .filter_map(Target::place)
+            .for_each(|path| meshes.note(path));
         let get = |path: &&Path| meshes.get(vfs, path);
         // threads are only started where there is work for them
         let read: Vec<Arc<Mesh>> = match paths.len() {
@@ -151,7 +197,12 @@ impl Resources {
         };
         let read: FastMap<&Path, Arc<Mesh>> = paths.into_iter().zip(read).collect();
         let mesh = |target: &Target| read.get(target.file()?).cloned();
-        Self { meshes: targets.iter().map(|(id, target)| (*id, (target.clone(), mesh(target)))).collect() }
+        Self {
+            meshes: targets
+                .iter()
+                .map(|(id, target)| (*id, (target.clone(), mesh(target))))
+                .collect(),
+        }
     }
 }
 
@@ -178,10 +229,19 @@ impl Target {
 
 /// Find the file that an attribute names.
 pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> Target {
-    let place = expansion.place(name.origin).filter(|_| name.is_known() && !name.value.trim().is_empty());
-    let Some(place) = place else { return Target::Unknown };
+    let place = expansion
+        .place(name.origin)
+        .filter(|_| name.is_known() && !name.value.trim().is_empty());
+    let Some(place) = place else {
+        return Target::Unknown;
+    };
     let files = [place.file, FileIdx(0)];
-    let from = files.map(|file| expansion.files.get(file.0 as usize).map(|file| file.source.path.as_ref()));
+    let from = files.map(|file| {
+        expansion
+            .files
+            .get(file.0 as usize)
+            .map(|file| file.source.path.as_ref())
+    });
     let mut first = None;
     // a relative path counts from the file it stands in, or from the file that is loaded
     for from in from.into_iter().flatten() {
@@ -193,12 +253,18 @@ pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> T
     }
     // a path with such faults leads nowhere because of them
     let faulty = matches!(first, Some(Target::Missing(..))) && defect(&name.value).is_some();
-    if faulty { Target::Malformed } else { first.unwrap_or(Target::Unknown) }
+    if faulty {
+        Target::Malformed
+    } else {
+        first.unwrap_or(Target::Unknown)
+    }
 }
 
 fn resolve_from(world: Surroundings<'_>, uri: &str, from: &Path) -> Target {
     let result = world.packages.resolve_uri(uri, from);
-    let package = uri.strip_prefix("package://").and_then(|rest| rest.split('/').next());
+    let package = uri
+        .strip_prefix("package://")
+        .and_then(|rest| rest.split('/').next());
     let package = package
         .and_then(|name| world.packages.find(name, from).ok())
         .map(|found| world.vfs.absolute(&found.path));
@@ -223,7 +289,11 @@ fn resolve_from(world: Surroundings<'_>, uri: &str, from: &Path) -> Target {
         UriOutcome::Missing(path) => {
             let path = world.vfs.absolute(&path);
             let base = base.unwrap_or_else(|| PathBuf::from("/"));
-            match world.vfs.as_listed(&base, &path).filter(|listed| world.vfs.is_file(listed)) {
+            match world
+                .vfs
+                .as_listed(&base, &path)
+                .filter(|listed| world.vfs.is_file(listed))
+            {
                 Some(listed) if listed != path => Target::OtherCase(listed),
                 _ => Target::Missing(path, package),
             }

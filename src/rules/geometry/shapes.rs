@@ -5,34 +5,55 @@ use expand::{XId, XKind, XTree};
 use model::{Body, Link, Material, Robot, ShapeKind, Text};
 
 /// All visuals and collisions with their link, and whether it is a collision.
-pub(super) fn bodies<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Link, &'a Body, bool)> {
-    cx.robot.into_iter().flat_map(|robot| &robot.links).flat_map(|link| {
-        let visuals = link.visuals.iter().map(move |body| (link, body, false));
-        visuals.chain(link.collisions.iter().map(move |body| (link, body, true)))
-    })
+pub(super) fn bodies<'a>(
+    cx: &'a DocumentCx<'_>,
+) -> impl Iterator<Item = (&'a Link, &'a Body, bool)> {
+    cx.robot
+        .into_iter()
+        .flat_map(|robot| &robot.links)
+        .flat_map(|link| {
+            let visuals = link.visuals.iter().map(move |body| (link, body, false));
+            visuals.chain(link.collisions.iter().map(move |body| (link, body, true)))
+        })
 }
 
 /// Whether what should be in an element `inside` a visual or collision is in a comment there: somebody took it out, and nothing is
 /// lost with it. urdfdom keeps the link without this body and all that it would have read after it: further visuals, and
 /// then collisions.
 pub(in super::super) fn is_taken_out(tree: &XTree, body: XId, inside: XId) -> bool {
-    let is_meant = |child: XId| tree.get(child).kind == XKind::Comment && tree.get(child).text.contains('<');
-    let Some(link) = tree.parent(body).filter(|_| tree.children(inside).any(is_meant)) else { return false };
-    let last = |name: &str| tree.elements(link).filter(|&child| tree.get(child).text == name).last();
+    let is_meant =
+        |child: XId| tree.get(child).kind == XKind::Comment && tree.get(child).text.contains('<');
+    let Some(link) = tree
+        .parent(body)
+        .filter(|_| tree.children(inside).any(is_meant))
+    else {
+        return false;
+    };
+    let last = |name: &str| {
+        tree.elements(link)
+            .filter(|&child| tree.get(child).text == name)
+            .last()
+    };
     last("collision").or_else(|| last("visual")) == Some(body)
 }
 
 /// The materials inside visuals, with their link.
 pub(super) fn visual_materials(robot: &Robot) -> impl Iterator<Item = (&Link, &Material)> {
-    let visuals = robot.links.iter().flat_map(|link| link.visuals.iter().map(move |body| (link, body)));
+    let visuals = robot
+        .links
+        .iter()
+        .flat_map(|link| link.visuals.iter().map(move |body| (link, body)));
     visuals.filter_map(|(link, body)| Some((link, body.material.as_deref()?)))
 }
 
 /// The materials of the robot and of its visuals.
 pub(super) fn materials<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = &'a Material> {
-    cx.robot
-        .into_iter()
-        .flat_map(|robot| robot.materials.iter().chain(visual_materials(robot).map(|(_, material)| material)))
+    cx.robot.into_iter().flat_map(|robot| {
+        robot
+            .materials
+            .iter()
+            .chain(visual_materials(robot).map(|(_, material)| material))
+    })
 }
 
 /// Whether a material says how it looks.
@@ -42,13 +63,15 @@ pub(super) fn is_defined(material: &Material) -> bool {
 
 /// The names of all meshes and textures.
 pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
-    let shapes =
-        bodies(cx).flat_map(|(_, body, _)| body.geometry.iter().flat_map(|geometry| &geometry.shapes));
+    let shapes = bodies(cx)
+        .flat_map(|(_, body, _)| body.geometry.iter().flat_map(|geometry| &geometry.shapes));
     let meshes = shapes.filter_map(|shape| match &shape.kind {
         ShapeKind::Mesh { filename, .. } => filename.as_ref(),
         _ => None,
     });
-    meshes.chain(materials(cx).filter_map(|material| material.texture_file.as_ref())).collect()
+    meshes
+        .chain(materials(cx).filter_map(|material| material.texture_file.as_ref()))
+        .collect()
 }
 
 /// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.

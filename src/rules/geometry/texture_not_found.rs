@@ -23,23 +23,40 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut missing = MissingFiles::default();
     let visuals = cx.robot.into_iter().flat_map(visual_materials);
-    let used: FastSet<&str> =
-        visuals.filter_map(|(_, material)| Some(&*material.name.as_ref()?.value)).collect();
+    let used: FastSet<&str> = visuals
+        .filter_map(|(_, material)| Some(&*material.name.as_ref()?.value))
+        .collect();
     for material in materials(cx) {
         // nobody reads the texture of a material that no visual names
-        if material.name.as_ref().is_some_and(|name| !used.contains(&*name.value)) {
+        if material
+            .name
+            .as_ref()
+            .is_some_and(|name| !used.contains(&*name.value))
+        {
             continue;
         }
-        let Some(file) = material.texture_file.as_ref().filter(|file| file.is_known()) else { continue };
-        let name = material.name.as_ref().map_or("", |name| name.value.as_str());
+        let Some(file) = material
+            .texture_file
+            .as_ref()
+            .filter(|file| file.is_known())
+        else {
+            continue;
+        };
+        let name = material
+            .name
+            .as_ref()
+            .map_or("", |name| name.value.as_str());
         match resolve(cx.expansion, cx.world, file) {
             Target::Missing(path, package) => {
                 let what = format!("texture of material `{name}`");
                 missing.add(file, what, &path, package.as_deref());
             }
             Target::OtherCase(found) => {
-                let message = format!("texture of material `{name}` differs in case from the file on disk");
-                out.report(file.origin, message).help(format!("write `{}`", shown(cx, file, &found))).done();
+                let message =
+                    format!("texture of material `{name}` differs in case from the file on disk");
+                out.report(file.origin, message)
+                    .help(format!("write `{}`", shown(cx, file, &found)))
+                    .done();
             }
             _ => {}
         }

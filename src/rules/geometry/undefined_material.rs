@@ -23,18 +23,30 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let visuals = || visual_materials(cx.robot);
-    let inline = visuals().map(|(_, material)| material).filter(|material| is_defined(material));
-    let names = cx.robot.materials.iter().chain(inline).filter_map(|material| material.name.as_ref());
+    let inline = visuals()
+        .map(|(_, material)| material)
+        .filter(|material| is_defined(material));
+    let names = cx
+        .robot
+        .materials
+        .iter()
+        .chain(inline)
+        .filter_map(|material| material.name.as_ref());
     let defined: Vec<&str> = names.map(|name| name.value.as_str()).collect();
     let known: FastSet<&str> = defined.iter().copied().collect();
     for (link, material) in visuals().filter(|(_, material)| !is_defined(material)) {
         let Some(text) = &material.name else { continue };
-        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else {
+            continue;
+        };
         if name.starts_with("Gazebo/") {
             continue;
         }
         let report = out
-            .report(text.origin, format!("undefined material `{name}` in link `{}`", link.shown()))
+            .report(
+                text.origin,
+                format!("undefined material `{name}` in link `{}`", link.shown()),
+            )
             .group(Group::Name(name.clone()));
         match nearest(name, defined.iter().copied()).filter(|near| is_replaceable(text, near)) {
             Some(near) => {

@@ -26,8 +26,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             // urdfdom takes the first element, whatever follows
             let is_passed_over = !std::mem::replace(&mut is_first, false);
             let name = cx.expansion.tree.get(shape.element).text.as_str();
-            let extension =
-                name.contains(':') || cx.world.config.allow_elements.iter().any(|known| known == name);
+            let extension = name.contains(':')
+                || cx
+                    .world
+                    .config
+                    .allow_elements
+                    .iter()
+                    .any(|known| known == name);
             let is_unknown = match shape.kind {
                 ShapeKind::Other => true,
                 ShapeKind::Capsule { .. } => cx.is_older_than(Version::V1_1),
@@ -41,13 +46,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 "capsule" => {
                     "write version=\"1.1\" in <robot>, which needs urdfdom 5.1, or use a cylinder and two spheres"
                 }
-                "ellipsoid" => "use a sphere or a mesh; only Drake, MuJoCo and SDF support ellipsoids",
+                "ellipsoid" => {
+                    "use a sphere or a mesh; only Drake, MuJoCo and SDF support ellipsoids"
+                }
                 "plane" => "use a flat box; only MuJoCo, Bullet and SDF support planes",
                 "material" | "origin" => "move it out of <geometry>",
                 _ => "use <box>, <cylinder>, <sphere> or <mesh> (or <capsule> since URDF 1.1)",
             };
             let version = if name == "capsule" { " 1.0" } else { "" };
-            let message = format!("`{name}` in link `{}` is not a shape of URDF{version}", link.shown());
+            let message = format!(
+                "`{name}` in link `{}` is not a shape of URDF{version}",
+                link.shown()
+            );
             // outside of a package, it is for the programs that take the shape
             let root = cx.expansion.files.first().map(|file| &*file.source.path);
             let in_package = root.is_some_and(|root| cx.world.packages.containing(root).is_some());
@@ -57,7 +67,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 (false, true) => Severity::Warning,
                 (false, false) => RULE.severity,
             };
-            out.report(tag_start(cx.expansion, shape.element), message).severity(severity).help(help).done();
+            out.report(tag_start(cx.expansion, shape.element), message)
+                .severity(severity)
+                .help(help)
+                .done();
         }
     }
 }

@@ -19,8 +19,9 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// The endings that at least one of the usual programs reads.
-const READ: [&str; 12] =
-    ["stl", "dae", "obj", "ply", "gltf", "glb", "mesh", "msh", "usd", "usda", "usdc", "usdz"];
+const READ: [&str; 12] = [
+    "stl", "dae", "obj", "ply", "gltf", "glb", "mesh", "msh", "usd", "usda", "usdc", "usdz",
+];
 
 /// Those of which another ending may be a misspelling.
 const USUAL: [&str; 3] = ["stl", "dae", "obj"];
@@ -34,24 +35,48 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let name = mesh.name();
         let ending = ending(name);
         let known = READ.contains(&ending.to_lowercase().as_str());
-        if known || name.is_empty() || !mesh.file.is_known() || matches!(mesh.target, Target::NoFile(_)) {
+        if known
+            || name.is_empty()
+            || !mesh.file.is_known()
+            || matches!(mesh.target, Target::NoFile(_))
+        {
             continue;
         }
         let link = mesh.link.shown();
         let message = match ending {
             "" => format!("mesh `{name}` of link `{link}` has no file extension"),
-            _ => format!("mesh of link `{link}` is in format `.{ending}`, which few programs support"),
+            _ => format!(
+                "mesh of link `{link}` is in format `.{ending}`, which few programs support"
+            ),
         };
-        let near = USUAL.iter().find(|known| edit_distance(known, &ending.to_lowercase()) == 1);
+        let near = USUAL
+            .iter()
+            .find(|known| edit_distance(known, &ending.to_lowercase()) == 1);
         let help = near.map_or_else(
             || "convert it to STL, OBJ, DAE or GLB".to_owned(),
-            |near| format!("did you mean `.{near}`? Otherwise convert the mesh to STL, OBJ, DAE or GLB"),
+            |near| {
+                format!(
+                    "did you mean `.{near}`? Otherwise convert the mesh to STL, OBJ, DAE or GLB"
+                )
+            },
         );
         // all visuals, or all collisions, in one format are a choice
         let [visuals, collisions] = &common;
-        let is_chosen = if mesh.is_collision { *collisions } else { *visuals };
-        let severity = if is_chosen { Severity::Info } else { Severity::Warning };
-        out.report(mesh.file.origin, message).severity(severity).group(mesh.group()).help(help).done();
+        let is_chosen = if mesh.is_collision {
+            *collisions
+        } else {
+            *visuals
+        };
+        let severity = if is_chosen {
+            Severity::Info
+        } else {
+            Severity::Warning
+        };
+        out.report(mesh.file.origin, message)
+            .severity(severity)
+            .group(mesh.group())
+            .help(help)
+            .done();
     }
 }
 
@@ -61,7 +86,9 @@ fn has_common_format(cx: &DocumentCx<'_>, is_collision: bool) -> bool {
         .meshes()
         .filter(|mesh| mesh.is_collision == is_collision)
         .map(|mesh| ending(mesh.name()).to_lowercase());
-    let Some(first) = endings.next() else { return false };
+    let Some(first) = endings.next() else {
+        return false;
+    };
     OTHER.contains(&first.as_str()) && endings.all(|other| other == first)
 }
 

@@ -27,14 +27,18 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .collect();
     for material in &cx.robot.materials {
         let Some(text) = &material.name else { continue };
-        let Some(name) = text.name().filter(|name| !used.contains(name.as_str())) else { continue };
+        let Some(name) = text.name().filter(|name| !used.contains(name.as_str())) else {
+            continue;
+        };
         // files of materials are shared; what a condition left out may need the material
         let place = cx.expansion.place(text.origin);
         if place.is_none_or(|place| place.file != FileIdx(0)) || is_mentioned(cx, name) {
             continue;
         }
         let whole = element_range(cx.expansion, material.element);
-        let report = out.report(text.origin, format!("unused material `{name}`")).help("remove the material");
+        let report = out
+            .report(text.origin, format!("unused material `{name}`"))
+            .help("remove the material");
         match cx.expansion.place(whole) {
             Some(place) => {
                 report
@@ -53,10 +57,15 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a value in the sources is `name`, but for the definition of the material itself.
 fn is_mentioned(cx: &RobotCx<'_>, name: &str) -> bool {
-    let items = cx.expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let items = cx
+        .expansion
+        .files
+        .iter()
+        .flat_map(|file| file.source.document.parts());
     let nodes = items.flat_map(|(_, item)| item.all_nodes());
     let attrs = nodes.flat_map(|node| node.attrs().map(move |attr| (node, attr)));
     let mentions = attrs.filter(|(_, attr)| attr.raw() == name);
-    let is_definition = |node: Node<'_>| node.name() == "material" && node.child_elements().next().is_some();
+    let is_definition =
+        |node: Node<'_>| node.name() == "material" && node.child_elements().next().is_some();
     mentions.filter(|(node, _)| !is_definition(*node)).count() > 0
 }

@@ -24,9 +24,12 @@ const TOUCH: f64 = 0.01;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for link in cx.links() {
-        let (visual, collision) =
-            (extent_of(cx, &link.visuals).bounds(), extent_of(cx, &link.collisions).bounds());
-        let (Some(visual), Some(collision), Some(first)) = (visual, collision, link.collisions.first())
+        let (visual, collision) = (
+            extent_of(cx, &link.visuals).bounds(),
+            extent_of(cx, &link.collisions).bounds(),
+        );
+        let (Some(visual), Some(collision), Some(first)) =
+            (visual, collision, link.collisions.first())
         else {
             continue;
         };
@@ -37,7 +40,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if !is_apart(visual, collision) || is_scaled_wrong(cx, link) {
             continue;
         }
-        let message = format!("visual and collision of link `{}` do not overlap", link.shown());
+        let message = format!(
+            "visual and collision of link `{}` do not overlap",
+            link.shown()
+        );
         out.report(tag_start(cx.expansion, first.element), message)
             .help("correct the `origin` of one of them; both show the same part")
             .done();
@@ -49,8 +55,19 @@ const MARKER: f64 = 0.02;
 
 /// Whether two boxes share no space.
 fn is_apart(one: Bounds, other: Bounds) -> bool {
-    let sizes = one.size().into_iter().zip(other.size()).map(|(a, b)| a.min(b));
-    let shared = one.max.iter().zip(&other.max).zip(one.min.iter().zip(&other.min));
-    let shared = shared.map(|((max, other_max), (min, other_min))| max.min(*other_max) - min.max(*other_min));
-    shared.zip(sizes).any(|(shared, size)| shared < 0.0 || size > 0.0 && shared < TOUCH * size)
+    let sizes = one
+        .size()
+        .into_iter()
+        .zip(other.size())
+        .map(|(a, b)| a.min(b));
+    let shared = one
+        .max
+        .iter()
+        .zip(&other.max)
+        .zip(one.min.iter().zip(&other.min));
+    let shared = shared
+        .map(|((max, other_max), (min, other_min))| max.min(*other_max) - min.max(*other_min));
+    shared
+        .zip(sizes)
+        .any(|(shared, size)| shared < 0.0 || size > 0.0 && shared < TOUCH * size)
 }

@@ -18,7 +18,9 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
-        let (Some(scale), Some(factors)) = (mesh.scale, mesh.factors()) else { continue };
+        let (Some(scale), Some(factors)) = (mesh.scale, mesh.factors()) else {
+            continue;
+        };
         if factors.contains(&0.0) {
             let message = format!("mesh of link `{}` has a scale of zero", mesh.link.shown());
             out.report(scale.origin, message)

@@ -30,28 +30,47 @@ const BESIDE: f64 = 0.25;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(text) = inertial.origin.as_ref().and_then(|origin| origin.xyz.as_ref()) else { continue };
-        let Some(center) = text.numbers::<3>() else { continue };
+        let Some(text) = inertial
+            .origin
+            .as_ref()
+            .and_then(|origin| origin.xyz.as_ref())
+        else {
+            continue;
+        };
+        let Some(center) = text.numbers::<3>() else {
+            continue;
+        };
         let is_light = inertial.mass().is_some_and(|mass| mass <= LIGHT);
         let [x, y, z] = center;
         // whatever the shape and however light: such a number has another unit
         let is_far = x.hypot(y).hypot(z) > FAR;
         let severity = match known_box(cx, link).filter(|_| !is_light) {
             Some(bounds) if !is_outside(bounds, center) => continue,
-            Some(_) if body_boxes(cx, link).into_iter().any(|bounds| !is_outside(bounds, center)) => continue,
+            Some(_)
+                if body_boxes(cx, link)
+                    .into_iter()
+                    .any(|bounds| !is_outside(bounds, center)) =>
+            {
+                continue;
+            }
             None if !is_far => continue,
             Some(bounds)
                 if !is_far
                     && (is_beside(bounds, center)
                         || is_in_world(cx, link)
-                        || inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass))
+                        || inertial
+                            .mass()
+                            .is_some_and(|mass| is_small_part(cx, link, mass))
                         || is_made_up(inertial, center)) =>
             {
                 Severity::Info
             }
             _ => Severity::Warning,
         };
-        let message = format!("center of mass of link `{}` is outside its geometry", link.shown());
+        let message = format!(
+            "center of mass of link `{}` is outside its geometry",
+            link.shown()
+        );
         out.report(text.origin, message)
             .severity(severity)
             .help("check the units (meters) and the frame of the inertial origin")
@@ -75,7 +94,10 @@ fn is_beside(bounds: Bounds, point: [f64; 3]) -> bool {
 fn is_outside(bounds: Bounds, point: [f64; 3]) -> bool {
     let grown = bounds.size().map(|length| length * GROWN + MARGIN);
     let around = Bounds::centered(grown.map(|length| length * 2.0));
-    let large = Bounds { min: sum(bounds.min, around.min), max: sum(bounds.max, around.max) };
+    let large = Bounds {
+        min: sum(bounds.min, around.min),
+        max: sum(bounds.max, around.max),
+    };
     large.outside(point) > 0.0
 }
 

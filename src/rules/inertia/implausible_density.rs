@@ -37,14 +37,21 @@ const LEAST_MASS: f64 = 0.05;
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let Some(text) = &inertial.mass else { continue };
-        let Some(mass) = text.number().filter(|&mass| mass > 0.0) else { continue };
-        let Some(volume) = volume(cx, link).filter(|&volume| volume >= LEAST_VOLUME) else { continue };
+        let Some(mass) = text.number().filter(|&mass| mass > 0.0) else {
+            continue;
+        };
+        let Some(volume) = volume(cx, link).filter(|&volume| volume >= LEAST_VOLUME) else {
+            continue;
+        };
         let density = mass / volume;
         if (LIGHT..=HEAVY).contains(&density) || is_scaled_wrong(cx, link) {
             continue;
         }
-        let message =
-            format!("link `{}` has an implausible density of {} kg/m^3", link.shown(), short(density));
+        let message = format!(
+            "link `{}` has an implausible density of {} kg/m^3",
+            link.shown(),
+            short(density)
+        );
         let is_gross = !(FAR_TOO_LIGHT..FAR_TOO_HEAVY).contains(&density)
             && mass >= LEAST_MASS
             && !fits_in_shape(cx, link, mass)
@@ -53,7 +60,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             && !is_mass_of_all(cx, mass)
             && !is_immovable(cx, mass);
         out.report(text.origin, message)
-            .severity(if is_gross { Severity::Warning } else { Severity::Info })
+            .severity(if is_gross {
+                Severity::Warning
+            } else {
+                Severity::Info
+            })
             .help("check the units: kilograms for the mass, meters for the geometry")
             .done();
     }
@@ -71,9 +82,19 @@ fn is_mass_of_all(cx: &DocumentCx<'_>, mass: f64) -> bool {
     const LEAST_LINKS: usize = 4;
     /// How much larger than the smallest the largest of them is.
     const SPREAD: f64 = 10.0;
-    let all: Vec<(&Link, f64)> = inertials(cx).filter_map(|(link, own)| Some((link, own.mass()?))).collect();
-    let same: Vec<&Link> = all.iter().filter(|(_, own)| *own == mass).map(|(link, _)| *link).collect();
-    let volumes = || same.iter().filter_map(|link| volume(cx, link)).filter(|&volume| volume > 0.0);
+    let all: Vec<(&Link, f64)> = inertials(cx)
+        .filter_map(|(link, own)| Some((link, own.mass()?)))
+        .collect();
+    let same: Vec<&Link> = all
+        .iter()
+        .filter(|(_, own)| *own == mass)
+        .map(|(link, _)| *link)
+        .collect();
+    let volumes = || {
+        same.iter()
+            .filter_map(|link| volume(cx, link))
+            .filter(|&volume| volume > 0.0)
+    };
     let least = || volumes().fold(f64::INFINITY, f64::min);
     same.len() >= LEAST_LINKS
         && same.len() * 2 >= all.len()
@@ -86,7 +107,12 @@ fn fits_in_shape(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
     /// Sides that are shorter are those of a sheet, whose thickness nobody measured, meters.
     const SHEET: f64 = 0.01;
     shape(cx, link).is_none_or(|shape| {
-        let density = mass / shape.size().into_iter().map(|side| side.max(SHEET)).product::<f64>();
+        let density = mass
+            / shape
+                .size()
+                .into_iter()
+                .map(|side| side.max(SHEET))
+                .product::<f64>();
         (FAR_TOO_LIGHT..=HEAVY).contains(&density)
     })
 }

@@ -32,9 +32,15 @@ const LIGHT_PART: f64 = 0.1;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(mass) = inertial.mass().filter(|&mass| mass > 0.0) else { continue };
-        let Some(entries) = inertial.entries() else { continue };
-        let Verdict::Definite([_, _, most]) = verdict(entries) else { continue };
+        let Some(mass) = inertial.mass().filter(|&mass| mass > 0.0) else {
+            continue;
+        };
+        let Some(entries) = inertial.entries() else {
+            continue;
+        };
+        let Verdict::Definite([_, _, most]) = verdict(entries) else {
+            continue;
+        };
         let radius = (most / mass).sqrt();
         let Some(misfit) = misfit(cx, link, radius)
             .filter(|_| !is_placeholder(cx, link, inertial) && !is_scaled_wrong(cx, link))
@@ -45,19 +51,30 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         };
         let made_up = is_same_about_all_axes(entries);
         let (severity, help) = match misfit.is_gross && !made_up && matters(cx, link, mass) {
-            true => (Severity::Warning, "check the units: kg m^2, not kg mm^2 or g mm^2"),
+            true => (
+                Severity::Warning,
+                "check the units: kg m^2, not kg mm^2 or g mm^2",
+            ),
             false => (Severity::Info, "compute the inertia from mass and shape"),
         };
         let (name, radius, beside) = (link.shown(), short(radius), misfit.beside);
-        let message =
-            format!("inertia of link `{name}` is implausible: radius of gyration {radius} m, {beside}");
-        out.report(inertia_tag(cx.expansion, inertial), message).severity(severity).help(help).done();
+        let message = format!(
+            "inertia of link `{name}` is implausible: radius of gyration {radius} m, {beside}"
+        );
+        out.report(inertia_tag(cx.expansion, inertial), message)
+            .severity(severity)
+            .help(help)
+            .done();
     }
 }
 
 /// Whether a simulation depends on the inertia of a link.
 fn matters(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool {
-    let least = if is_joined(cx, link) { LIGHT_PART } else { LIGHT };
+    let least = if is_joined(cx, link) {
+        LIGHT_PART
+    } else {
+        LIGHT
+    };
     mass > least && !is_in_world(cx, link)
 }
 
@@ -72,9 +89,10 @@ struct Misfit {
 fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
     match extent(cx, link) {
         Extent::Unknown => None,
-        Extent::Nothing => {
-            (radius > FAR).then(|| Misfit { is_gross: true, beside: "too large for any link".to_owned() })
-        }
+        Extent::Nothing => (radius > FAR).then(|| Misfit {
+            is_gross: true,
+            beside: "too large for any link".to_owned(),
+        }),
         Extent::Known(bounds) => {
             let half = bounds.diagonal() / 2.0;
             let wrong = half > 0.0 && (radius > 2.0 * half || radius < half / 50.0);

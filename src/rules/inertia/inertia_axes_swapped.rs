@@ -29,24 +29,37 @@ const NAMES: [&str; 3] = ["ixx", "iyy", "izz"];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some((found, expected)) = moments(cx, link, inertial) else { continue };
-        let Some((a, b)) = swapped(found, expected) else { continue };
+        let Some((found, expected)) = moments(cx, link, inertial) else {
+            continue;
+        };
+        let Some((a, b)) = swapped(found, expected) else {
+            continue;
+        };
         if is_scaled_wrong(cx, link) {
             continue;
         }
         let [first, second] = [a, b].map(|i| NAMES.get(i).copied().unwrap_or_default());
-        let message = format!("`{first}` and `{second}` of link `{}` seem to be swapped", link.shown());
+        let message = format!(
+            "`{first}` and `{second}` of link `{}` seem to be swapped",
+            link.shown()
+        );
         let [one, other] = [a, b].map(|i| found.get(i).copied().map_or_else(String::new, short));
-        let help =
-            format!("write {first}=\"{other}\" and {second}=\"{one}\"; these fit the box around the link");
-        out.report(inertia_tag(cx.expansion, inertial), message).help(help).done();
+        let help = format!(
+            "write {first}=\"{other}\" and {second}=\"{one}\"; these fit the box around the link"
+        );
+        out.report(inertia_tag(cx.expansion, inertial), message)
+            .help(help)
+            .done();
     }
 }
 
 /// The moments of a link, and those of the box around it with the same mass.
 fn moments(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> Option<([f64; 3], [f64; 3])> {
     let [xx, xy, xz, yy, yz, zz] = inertial.entries()?;
-    let is_turned = inertial.origin.as_ref().is_some_and(|origin| origin.angles() != Some([0.0; 3]));
+    let is_turned = inertial
+        .origin
+        .as_ref()
+        .is_some_and(|origin| origin.angles() != Some([0.0; 3]));
     if is_turned || [xy, xz, yz] != [0.0; 3] {
         return None;
     }
@@ -63,8 +76,15 @@ fn swapped(found: [f64; 3], expected: [f64; 3]) -> Option<(usize, usize)> {
     [(0, 1), (0, 2), (1, 2)].into_iter().find(|&(a, b)| {
         let mut exchanged = found;
         exchanged.swap(a, b);
-        let all_fit = exchanged.iter().zip(&expected).all(|(&found, &expected)| fits(found, expected));
+        let all_fit = exchanged
+            .iter()
+            .zip(&expected)
+            .all(|(&found, &expected)| fits(found, expected));
         let pair = [a, b].map(|i| found.get(i).zip(expected.get(i)));
-        all_fit && pair.into_iter().flatten().all(|(&found, &expected)| is_other(found, expected))
+        all_fit
+            && pair
+                .into_iter()
+                .flatten()
+                .all(|(&found, &expected)| is_other(found, expected))
     })
 }

@@ -27,7 +27,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             Some(Verdict::Negative) => (Severity::Error, "has a negative principal moment"),
             Some(Verdict::Singular) => {
                 // simulators add the inertia of a link that is fixed to that of its parent
-                let severity = if is_joined(cx, link) { Severity::Info } else { Severity::Warning };
+                let severity = if is_joined(cx, link) {
+                    Severity::Info
+                } else {
+                    Severity::Warning
+                };
                 (severity, "has a principal moment of zero")
             }
             _ => continue,

@@ -38,7 +38,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     };
     let rotors = inertials(cx).filter(has_rotor).take(ROTORS).count();
     for (link, inertial) in inertials(cx) {
-        let Some([a, b, c]) = impossible(inertial) else { continue };
+        let Some([a, b, c]) = impossible(inertial) else {
+            continue;
+        };
         let is_rotor = rotors == ROTORS && has_rotor(&(link, inertial));
         let severity = match is_error(cx, link, inertial) && !is_rotor {
             true => Severity::Error,
@@ -61,16 +63,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// The moments, if no body has them.
 fn impossible(inertial: &Inertial) -> Option<[f64; 3]> {
-    let Verdict::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else { return None };
+    let Verdict::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else {
+        return None;
+    };
     (a + b < c * (1.0 - ROUNDING)).then_some(moments)
 }
 
 /// Whether the largest moment of a link is that about the axis of its own joint.
 fn is_about_joint(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial, most: f64) -> bool {
     const TOLERANCE: f64 = 0.02;
-    let &[joint] = cx.joints_above(link.shown()) else { return false };
-    let axis = joint.axis().map(Vector3::from).and_then(|axis| axis.try_normalize(f64::EPSILON));
-    let Some(axis) = axis.filter(|_| !joint.is(&[JointType::Fixed])) else { return false };
+    let &[joint] = cx.joints_above(link.shown()) else {
+        return false;
+    };
+    let axis = joint
+        .axis()
+        .map(Vector3::from)
+        .and_then(|axis| axis.try_normalize(f64::EPSILON));
+    let Some(axis) = axis.filter(|_| !joint.is(&[JointType::Fixed])) else {
+        return false;
+    };
     let (Some([xx, xy, xz, yy, yz, zz]), Some(frame)) =
         (inertial.entries(), transform(inertial.origin.as_ref()))
     else {
@@ -83,8 +94,12 @@ fn is_about_joint(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial, most: f
 
 /// Whether the inertia of a link is impossible, and not by rounding alone.
 pub(super) fn is_error(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> bool {
-    let Some([a, b, c]) = impossible(inertial) else { return false };
+    let Some([a, b, c]) = impossible(inertial) else {
+        return false;
+    };
     // simulators add the inertia of a part that is fixed to a heavy body to that of the body
-    let is_added = inertial.mass().is_some_and(|mass| is_small_part(cx, link, mass));
+    let is_added = inertial
+        .mass()
+        .is_some_and(|mass| is_small_part(cx, link, mass));
     !is_added && a + b < c * (1.0 - COARSE) && c - a - b > LAST_DIGIT
 }

@@ -24,12 +24,21 @@ pub(super) fn is_small_part(cx: &DocumentCx<'_>, link: &Link, mass: f64) -> bool
     const SMALL: f64 = 0.05;
     let mut name = link.shown();
     for _ in 0..=cx.joints().len() {
-        let &[joint] = joints_above(cx, name) else { return false };
-        let Some(parent) = joint.parent.as_ref().filter(|_| joint.is(&[JointType::Fixed])) else {
+        let &[joint] = joints_above(cx, name) else {
+            return false;
+        };
+        let Some(parent) = joint
+            .parent
+            .as_ref()
+            .filter(|_| joint.is(&[JointType::Fixed]))
+        else {
             return false;
         };
         name = parent.value.as_str();
-        let mut carried = cx.links_named(name).iter().filter_map(|carrier| carrier.inertial.as_ref()?.mass());
+        let mut carried = cx
+            .links_named(name)
+            .iter()
+            .filter_map(|carrier| carrier.inertial.as_ref()?.mass());
         if carried.any(|carried| mass <= SMALL * carried) {
             return true;
         }
@@ -44,8 +53,14 @@ pub(super) fn is_in_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
         if is_surroundings(name) {
             return true;
         }
-        let &[joint] = joints_above(cx, name) else { return false };
-        let Some(parent) = joint.parent.as_ref().filter(|_| joint.is(&[JointType::Fixed])) else {
+        let &[joint] = joints_above(cx, name) else {
+            return false;
+        };
+        let Some(parent) = joint
+            .parent
+            .as_ref()
+            .filter(|_| joint.is(&[JointType::Fixed]))
+        else {
             return false;
         };
         name = parent.value.as_str();
@@ -55,11 +70,17 @@ pub(super) fn is_in_world(cx: &DocumentCx<'_>, link: &Link) -> bool {
 
 /// The box of visuals and collisions together; none when there are none, or a part of it is not known.
 pub(super) fn known_box(cx: &DocumentCx<'_>, link: &Link) -> Option<Bounds> {
-    let parts = [extent_of(cx, &link.collisions), extent_of(cx, &link.visuals)];
+    let parts = [
+        extent_of(cx, &link.collisions),
+        extent_of(cx, &link.visuals),
+    ];
     if parts.contains(&Extent::Unknown) {
         return None;
     }
-    parts.into_iter().filter_map(Extent::bounds).reduce(|a, b| a.with(b))
+    parts
+        .into_iter()
+        .filter_map(Extent::bounds)
+        .reduce(|a, b| a.with(b))
 }
 
 /// The same, when it is more than a marker.
@@ -78,16 +99,31 @@ pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
         if matches!(name, "" | "?") || !seen.insert(name) {
             continue;
         }
-        let boxes = cx.links_named(name).iter().filter_map(|link| known_box(cx, link));
+        let boxes = cx
+            .links_named(name)
+            .iter()
+            .filter_map(|link| known_box(cx, link));
         found.extend(boxes.map(|bounds| bounds.moved(&place)));
         let fixed = |joint: &&&Joint| joint.is(&[JointType::Fixed]);
         for joint in cx.joints_above(name).iter().filter(fixed) {
             let to = transform(joint.origin.as_ref()).map(|to| place * to.inverse());
-            open.extend(joint.parent.as_ref().zip(to).map(|(parent, to)| (parent.value.as_str(), to)));
+            open.extend(
+                joint
+                    .parent
+                    .as_ref()
+                    .zip(to)
+                    .map(|(parent, to)| (parent.value.as_str(), to)),
+            );
         }
         for joint in cx.joints_below(name).iter().filter(fixed) {
             let to = transform(joint.origin.as_ref()).map(|to| place * to);
-            open.extend(joint.child.as_ref().zip(to).map(|(child, to)| (child.value.as_str(), to)));
+            open.extend(
+                joint
+                    .child
+                    .as_ref()
+                    .zip(to)
+                    .map(|(child, to)| (child.value.as_str(), to)),
+            );
         }
     }
     found
@@ -96,5 +132,9 @@ pub(super) fn body_boxes(cx: &DocumentCx<'_>, link: &Link) -> Vec<Bounds> {
 /// The joints whose child is a link. In a macro that nothing calls, a part of the names is not known; what is known tells
 /// them apart.
 fn joints_above<'a>(cx: &'a DocumentCx<'_>, link: &str) -> &'a [&'a Joint] {
-    if matches!(link, "" | "?") { &[] } else { cx.joints_above(link) }
+    if matches!(link, "" | "?") {
+        &[]
+    } else {
+        cx.joints_above(link)
+    }
 }

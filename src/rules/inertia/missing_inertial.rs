@@ -26,10 +26,20 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if !simulated && robot.controls.is_empty() {
         return;
     }
-    let severity = if simulated { Severity::Warning } else { Severity::Info };
+    let severity = if simulated {
+        Severity::Warning
+    } else {
+        Severity::Info
+    };
     for (index, link) in robot.links.iter().enumerate() {
-        let Some(name) = link.name.as_ref().filter(|name| name.value != "world") else { continue };
-        let above = cx.kinematics.up(index).first().and_then(|&joint| robot.joints.get(joint)?.joint_type());
+        let Some(name) = link.name.as_ref().filter(|name| name.value != "world") else {
+            continue;
+        };
+        let above = cx
+            .kinematics
+            .up(index)
+            .first()
+            .and_then(|&joint| robot.joints.get(joint)?.joint_type());
         let moves = above.is_some_and(|kind| kind != JointType::Fixed);
         if moves && link.has_geometry() && link.inertial.is_none() && !carries_mass(cx, index) {
             let message = format!("moving link `{}` has no `inertial`", name.value);
@@ -46,9 +56,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 fn is_simulated(cx: &RobotCx<'_>) -> bool {
     let tree = &cx.expansion.tree;
     let is_simulator = |control: &Ros2Control| {
-        let plugin = control.plugin(tree).and_then(|element| Text::content(tree, element));
+        let plugin = control
+            .plugin(tree)
+            .and_then(|element| Text::content(tree, element));
         // a plugin that is not known may be one
-        plugin.as_ref().is_some_and(|plugin| !plugin.is_known() || is_simulator_plugin(&plugin.value))
+        plugin
+            .as_ref()
+            .is_some_and(|plugin| !plugin.is_known() || is_simulator_plugin(&plugin.value))
     };
     let is_only_shown = cx.robot.links.iter().all(|link| link.inertial.is_none());
     // colors for Gazebo are kept where nobody simulates the robot
@@ -58,7 +72,8 @@ fn is_simulated(cx: &RobotCx<'_>) -> bool {
 
 fn has_more_than_color(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
     let tree = &cx.expansion.tree;
-    tree.elements(block.element).any(|tag| tree.get(tag).text != "material")
+    tree.elements(block.element)
+        .any(|tag| tree.get(tag).text != "material")
 }
 
 /// Whether a link fixed below has a mass: simulators join both to one body.
@@ -69,11 +84,19 @@ fn carries_mass(cx: &RobotCx<'_>, link: usize) -> bool {
         if !seen.insert(link) {
             continue;
         }
-        if cx.robot.links.get(link).is_some_and(|link| link.inertial.is_some()) {
+        if cx
+            .robot
+            .links
+            .get(link)
+            .is_some_and(|link| link.inertial.is_some())
+        {
             return true;
         }
         let fixed = cx.kinematics.down(link).iter().filter(|&&joint| {
-            cx.robot.joints.get(joint).is_some_and(|joint| joint.joint_type() == Some(JointType::Fixed))
+            cx.robot
+                .joints
+                .get(joint)
+                .is_some_and(|joint| joint.joint_type() == Some(JointType::Fixed))
         });
         open.extend(fixed.filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1)));
     }

@@ -52,7 +52,9 @@ pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
 
 /// The principal moments of `ixx ixy ixz iyy iyz izz` in rising order.
 pub(in super::super) fn principal(entries: [f64; 6]) -> [f64; 3] {
-    let size = entries.into_iter().fold(f64::MIN_POSITIVE, |size: f64, entry| size.max(entry.abs()));
+    let size = entries
+        .into_iter()
+        .fold(f64::MIN_POSITIVE, |size: f64, entry| size.max(entry.abs()));
     // products of very small or large numbers would leave the range of floats
     let [xx, xy, xz, yy, yz, zz] = entries.map(|entry| entry / size);
     let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
@@ -73,28 +75,41 @@ fn without_noise(entries: [f64; 6]) -> [f64; 6] {
 }
 
 /// The links that have an inertial, with it.
-pub(super) fn inertials<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = (&'a Link, &'a Inertial)> {
+pub(super) fn inertials<'a>(
+    cx: &'a DocumentCx<'_>,
+) -> impl Iterator<Item = (&'a Link, &'a Inertial)> {
     let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
     links.filter_map(|link| Some((link, link.inertial.as_ref()?)))
 }
 
 /// The start tag of `inertia`, or that of `inertial` without one.
 pub(super) fn inertia_tag(expansion: &Expansion, inertial: &Inertial) -> Origin {
-    tag_start(expansion, inertial.inertia_element.unwrap_or(inertial.element))
+    tag_start(
+        expansion,
+        inertial.inertia_element.unwrap_or(inertial.element),
+    )
 }
 
 /// Whether the three moments are equal and the products nothing beside them, as in numbers that were made up.
 pub(super) fn is_same_about_all_axes([xx, xy, xz, yy, yz, zz]: [f64; 6]) -> bool {
     /// The part of a moment up to which a product is nothing.
     const NOTHING: f64 = 1e-2;
-    xx == yy && yy == zz && [xy, xz, yz].iter().all(|product| product.abs() <= NOTHING * xx)
+    xx == yy
+        && yy == zz
+        && [xy, xz, yz]
+            .iter()
+            .all(|product| product.abs() <= NOTHING * xx)
 }
 
 /// A number for people: four digits, as short as it goes.
 pub(super) fn short(number: f64) -> String {
     let text = format!("{number:.3e}");
     let plain = format!("{}", text.parse::<f64>().unwrap_or(number));
-    if plain.len() <= text.len() { plain } else { text }
+    if plain.len() <= text.len() {
+        plain
+    } else {
+        text
+    }
 }
 
 #[cfg(test)]
@@ -105,22 +120,38 @@ mod tests {
     fn verdicts() {
         let is_definite = |entries| matches!(verdict(entries), Verdict::Definite(_));
         assert_eq!(verdict([0.0; 6]), Verdict::Zero);
-        assert_eq!(verdict([9e-16, 1e-22, -3e-18, 0.0, 0.0, -1e-19]), Verdict::Zero);
+        assert_eq!(
+            verdict([9e-16, 1e-22, -3e-18, 0.0, 0.0, -1e-19]),
+            Verdict::Zero
+        );
         assert_eq!(verdict([0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]), Verdict::Negative);
         assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]), Verdict::Singular);
-        assert_eq!(verdict([1.0, 9e-13, 0.0, 1.0, 0.0, -9e-16]), Verdict::Singular);
+        assert_eq!(
+            verdict([1.0, 9e-13, 0.0, 1.0, 0.0, -9e-16]),
+            Verdict::Singular
+        );
         assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, -1e-9]), Verdict::Negative);
         assert_eq!(verdict([1.0, 1.1, 0.0, 1.0, 0.0, 1.0]), Verdict::Negative);
         // eigenvalues 2, 1 and -1e-6: an export with six digits
         assert!(is_definite([1.0, 1.000_001, 0.0, 1.0, 0.0, 1.0]));
         assert!(is_definite([1e-14, 0.0, 0.0, 1e-14, 0.0, 1e-14]));
         assert!(is_definite([1e200, 0.0, 0.0, 2e200, 0.0, 2e200]));
-        let Verdict::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else { panic!() };
-        assert!(moments.iter().zip([2.0, 2.0, 4.0]).all(|(a, b)| (a - b).abs() < 1e-12));
+        let Verdict::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else {
+            panic!()
+        };
+        assert!(
+            moments
+                .iter()
+                .zip([2.0, 2.0, 4.0])
+                .all(|(a, b)| (a - b).abs() < 1e-12)
+        );
     }
 
     #[test]
     fn numbers_for_people() {
-        assert_eq!([0.25, 1234.5678, 1e-7, 0.0123456].map(short), ["0.25", "1235", "1.000e-7", "0.01235"]);
+        assert_eq!(
+            [0.25, 1234.5678, 1e-7, 0.0123456].map(short),
+            ["0.25", "1235", "1.000e-7", "0.01235"]
+        );
     }
 }

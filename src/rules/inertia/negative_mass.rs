@@ -19,11 +19,16 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(text) = inertial.mass.as_ref().filter(|text| text.number().is_some_and(|mass| mass < 0.0))
+        let Some(text) = inertial
+            .mass
+            .as_ref()
+            .filter(|text| text.number().is_some_and(|mass| mass < 0.0))
         else {
             continue;
         };
         let message = format!("link `{}` has a negative mass", link.shown());
-        out.report(text.origin, message).help("write a mass greater than 0, in kilograms").done();
+        out.report(text.origin, message)
+            .help("write a mass greater than 0, in kilograms")
+            .done();
     }
 }

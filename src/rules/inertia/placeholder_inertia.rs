@@ -22,7 +22,10 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         if is_placeholder(cx, link, inertial) {
-            let message = format!("inertia of link `{}` looks like a placeholder value", link.shown());
+            let message = format!(
+                "inertia of link `{}` looks like a placeholder value",
+                link.shown()
+            );
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .help("compute the inertia from mass and shape")
                 .done();
@@ -32,7 +35,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether the inertia of a link is a round number that does not come from its mass and shape.
 pub(super) fn is_placeholder(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> bool {
-    let Some([xx, xy, xz, yy, yz, zz]) = inertial.entries() else { return false };
+    let Some([xx, xy, xz, yy, yz, zz]) = inertial.entries() else {
+        return false;
+    };
     let is_round = xx == yy && yy == zz && [xy, xz, yz] == [0.0; 3] && is_power_of_ten(xx);
     if !is_round || inertial.mass().is_some_and(|mass| mass <= 0.0) {
         return false;

@@ -22,19 +22,44 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let profiles = &cx.world.config.profiles;
     let without_ros = profiles.contains(&Profile::Gazebo) && profiles.len() == 1;
-    let &[root] = cx.kinematics.roots(cx.robot).as_slice() else { return };
-    let Some(link) = cx.robot.links.get(root).filter(|_| cx.whole && !without_ros) else { return };
-    let (Some(name), Some(_)) = (&link.name, &link.inertial) else { return };
-    let message = format!("root link `{}` has an inertia, which KDL ignores", name.value);
+    let &[root] = cx.kinematics.roots(cx.robot).as_slice() else {
+        return;
+    };
+    let Some(link) = cx
+        .robot
+        .links
+        .get(root)
+        .filter(|_| cx.whole && !without_ros)
+    else {
+        return;
+    };
+    let (Some(name), Some(_)) = (&link.name, &link.inertial) else {
+        return;
+    };
+    let message = format!(
+        "root link `{}` has an inertia, which KDL ignores",
+        name.value
+    );
     let report = out
         .report(name.origin, message)
         .help("add a root link without inertia and a fixed joint to this link");
     let tag = tag_start(cx.expansion, link.element);
     let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
-    match cx.expansion.place(tag).filter(|_| is_plain && cx.robot.link("base_footprint").is_none()) {
+    match cx
+        .expansion
+        .place(tag)
+        .filter(|_| is_plain && cx.robot.link("base_footprint").is_none())
+    {
         Some(place) => {
             let edit = [(TextRange::empty(place.range.start), root_above(&name.value))];
-            report.fix(Safety::Unsafe, "add a root link without inertia", place.file, edit).done();
+            report
+                .fix(
+                    Safety::Unsafe,
+                    "add a root link without inertia",
+                    place.file,
+                    edit,
+                )
+                .done();
         }
         None => report.done(),
     }

@@ -22,10 +22,15 @@ const TINY: f64 = 1e-9;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(Verdict::Definite([least, ..])) = inertial.entries().map(verdict) else { continue };
+        let Some(Verdict::Definite([least, ..])) = inertial.entries().map(verdict) else {
+            continue;
+        };
         if least > 0.0 && least < TINY {
-            let message =
-                format!("inertia of link `{}` is very small: {} kg m^2", link.shown(), short(least));
+            let message = format!(
+                "inertia of link `{}` is very small: {} kg m^2",
+                link.shown(),
+                short(least)
+            );
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .help(
                     "increase the inertia, or attach the link with a fixed joint; simulators become inaccurate otherwise",

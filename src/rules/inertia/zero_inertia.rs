@@ -27,12 +27,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if heavy && inertial.entries().map(verdict) == Some(Verdict::Zero) {
             let message = format!("link `{}` has a mass but zero inertia", link.shown());
             // what is joined to a heavier body, or never turns, needs no inertia of its own
-            let is_frame = !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
+            let is_frame =
+                !link.has_geometry() && inertial.mass().is_some_and(|mass| mass <= LIGHT);
             let without_effect = is_frame || is_joined(cx, link) || is_in_world(cx, link);
-            let severity = if without_effect { Severity::Info } else { Severity::Warning };
+            let severity = if without_effect {
+                Severity::Info
+            } else {
+                Severity::Warning
+            };
             out.report(inertia_tag(cx.expansion, inertial), message)
                 .severity(severity)
-                .help("compute the inertia from mass and shape; simulators become unstable otherwise")
+                .help(
+                    "compute the inertia from mass and shape; simulators become unstable otherwise",
+                )
                 .done();
         }
     }

@@ -21,22 +21,40 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(text) = inertial.mass.as_ref().filter(|text| text.number() == Some(0.0)) else { continue };
+        let Some(text) = inertial
+            .mass
+            .as_ref()
+            .filter(|text| text.number() == Some(0.0))
+        else {
+            continue;
+        };
         // a frame that says that it weighs nothing is harmless, as is an object that simulators take for static
-        let no_inertia = inertial.entries().map(verdict).is_none_or(|verdict| verdict == Verdict::Zero);
+        let no_inertia = inertial
+            .entries()
+            .map(verdict)
+            .is_none_or(|verdict| verdict == Verdict::Zero);
         let is_frame = !link.has_geometry() && no_inertia;
         let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
         let harmless = is_frame || is_object || is_joined(cx, link);
-        let severity = if harmless { Severity::Info } else { Severity::Warning };
+        let severity = if harmless {
+            Severity::Info
+        } else {
+            Severity::Warning
+        };
         let message = format!("link `{}` has zero mass", link.shown());
         let report = out
             .report(text.origin, message)
             .severity(severity)
             .help("write a mass greater than 0, or remove <inertial>; simulators ignore a link without mass");
-        match cx.expansion.place(element_range(cx.expansion, inertial.element)) {
+        match cx
+            .expansion
+            .place(element_range(cx.expansion, inertial.element))
+        {
             Some(place) => {
                 let edit = [(place.range, String::new())];
-                report.fix(Safety::Unsafe, "remove `inertial`", place.file, edit).done();
+                report
+                    .fix(Safety::Unsafe, "remove `inertial`", place.file, edit)
+                    .done();
             }
             None => report.done(),
         }

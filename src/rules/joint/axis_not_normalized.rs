@@ -20,8 +20,9 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let axes: Vec<_> =
-        moving_axes(cx.joints()).map(|(joint, text, axis)| (joint, text, axis, length(axis))).collect();
+    let axes: Vec<_> = moving_axes(cx.joints())
+        .map(|(joint, text, axis)| (joint, text, axis, length(axis)))
+        .collect();
     let is_habit = is_habit(axes.iter().map(|&(.., length)| length));
     for (joint, text, axis, length) in axes {
         if length >= NO_LENGTH && !is_unit(length) {
@@ -35,7 +36,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .report(text.origin, message)
                 .severity(if is_meant { Severity::Info } else { RULE.severity })
                 .help("normalize the axis; parsers use it unchanged, so motion is scaled by its length");
-            rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| part / length))).done();
+            rewrite(
+                report,
+                Safety::Unsafe,
+                text,
+                vector(&axis.map(|part| part / length)),
+            )
+            .done();
         }
     }
 }

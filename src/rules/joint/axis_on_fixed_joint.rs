@@ -19,17 +19,33 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Fixed])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[JointType::Fixed]))
+    {
         let parts = [
             ("axis", joint.axis.as_ref().map(|axis| axis.element)),
             ("limit", joint.limit.as_ref().map(|limit| limit.element)),
-            ("dynamics", joint.dynamics.as_ref().map(|dynamics| dynamics.element)),
+            (
+                "dynamics",
+                joint.dynamics.as_ref().map(|dynamics| dynamics.element),
+            ),
         ];
-        for (name, element) in parts.into_iter().filter_map(|(name, element)| Some((name, element?))) {
+        for (name, element) in parts
+            .into_iter()
+            .filter_map(|(name, element)| Some((name, element?)))
+        {
             let message = format!("`{name}` has no effect on fixed joint `{}`", joint.shown());
             let report = out.report(element_range(cx.expansion, element), message);
             let fix = format!("remove <{name}>");
-            delete_element(report.help(fix.clone()), cx.expansion, element, (Safety::Safe, &fix)).done();
+            delete_element(
+                report.help(fix.clone()),
+                cx.expansion,
+                element,
+                (Safety::Safe, &fix),
+            )
+            .done();
         }
     }
 }

@@ -22,7 +22,10 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
-        let Some(dynamics) = joint.dynamics.as_ref().filter(|d| d.damping.is_none() && d.friction.is_none())
+        let Some(dynamics) = joint
+            .dynamics
+            .as_ref()
+            .filter(|d| d.damping.is_none() && d.friction.is_none())
         else {
             continue;
         };
@@ -31,10 +34,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if spec.is_some_and(|spec| !meant_attributes(cx, dynamics.element, spec).is_empty()) {
             continue;
         }
-        let message = format!("`dynamics` of joint `{}` has neither damping nor friction", joint.shown());
+        let message = format!(
+            "`dynamics` of joint `{}` has neither damping nor friction",
+            joint.shown()
+        );
         let report = out.report(element_range(cx.expansion, dynamics.element), message);
         let report =
             report.help("remove <dynamics>, or add damping=\"...\" or friction=\"...\"; urdfdom rejects the joint otherwise");
-        delete_element(report, cx.expansion, dynamics.element, (Safety::Safe, "remove <dynamics>")).done();
+        delete_element(
+            report,
+            cx.expansion,
+            dynamics.element,
+            (Safety::Safe, "remove <dynamics>"),
+        )
+        .done();
     }
 }

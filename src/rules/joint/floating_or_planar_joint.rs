@@ -18,7 +18,11 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[Floating, Planar])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[Floating, Planar]))
+    {
         let Some(kind) = &joint.kind else { continue };
         out.report(kind.origin, format!("joint `{}` is {}, which kdl_parser treats as fixed", joint.shown(), kind.value))
             .help("use a chain of prismatic and revolute joints; robot_state_publisher publishes this joint as fixed")

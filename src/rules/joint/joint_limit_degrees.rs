@@ -31,7 +31,11 @@ fn is_in_half_turns(value: f64) -> bool {
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[JointType::Revolute]))
+    {
         let Some(limit) = &joint.limit else { continue };
         for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {
             let Some(text) = text else { continue };
@@ -41,14 +45,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                     && !is_part_of_pi(*value)
                     && !is_in_half_turns(*value)
             };
-            let Some(value) = text.number().filter(is_large) else { continue };
+            let Some(value) = text.number().filter(is_large) else {
+                continue;
+            };
             let turns = short((value / std::f64::consts::TAU).abs().round());
             let message = format!(
                 "{name} limit of joint `{}` is {} rad ({turns} turns); this looks like degrees",
                 joint.shown(),
                 text.value
             );
-            let report = out.report(text.origin, message).help("write the angle in radians");
+            let report = out
+                .report(text.origin, message)
+                .help("write the angle in radians");
             from_degrees(report, cx.expansion, text, whole(text)).done();
         }
     }

@@ -23,18 +23,32 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| !joint.is(&[Continuous, Fixed, Floating])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| !joint.is(&[Continuous, Fixed, Floating]))
+    {
         let Some(limit) = &joint.limit else { continue };
-        let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else { continue };
-        let message =
-            format!("lower limit {lower} of joint `{}` is greater than upper limit {upper}", joint.shown());
-        let report = out.report(tag_start(cx.expansion, limit.element), message).help(SWAP);
+        let Some((lower, upper)) = limit.range().filter(|(lower, upper)| lower > upper) else {
+            continue;
+        };
+        let message = format!(
+            "lower limit {lower} of joint `{}` is greater than upper limit {upper}",
+            joint.shown()
+        );
+        let report = out
+            .report(tag_start(cx.expansion, limit.element), message)
+            .help(SWAP);
         swapped(report, cx, limit).done();
     }
 }
 
 /// With the fix to swap both values.
-fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit) -> Reported<'s, 'a> {
+fn swapped<'s, 'a>(
+    report: Reported<'s, 'a>,
+    cx: &DocumentCx<'_>,
+    limit: &Limit,
+) -> Reported<'s, 'a> {
     let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper) else {
         return report.help("add the missing limit; its default is 0");
     };
@@ -42,8 +56,13 @@ fn swapped<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, limit: &Limit)
     if given(lower) || given(upper) {
         return report.help("swap the values in the macro calls");
     }
-    let texts = (source_text(cx.expansion, lower.origin), source_text(cx.expansion, upper.origin));
-    let (Some((file, at_lower, low)), Some((_, at_upper, up))) = texts else { return report };
+    let texts = (
+        source_text(cx.expansion, lower.origin),
+        source_text(cx.expansion, upper.origin),
+    );
+    let (Some((file, at_lower, low)), Some((_, at_upper, up))) = texts else {
+        return report;
+    };
     let edits = [(at_lower, up), (at_upper, low)];
     report.fix(Safety::Unsafe, "swap lower and upper", file, edits)
 }

@@ -19,22 +19,42 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| !joint.is(&[JointType::Fixed])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| !joint.is(&[JointType::Fixed]))
+    {
         let Some(limit) = &joint.limit else { continue };
         let is_new = Version::V1_2.is_in(&cx.expansion.tree);
         let strength = [("effort", &limit.effort), ("velocity", &limit.velocity)];
-        for (name, text) in strength.into_iter().chain(Limit::DYNAMIC.into_iter().zip(&limit.dynamic)) {
+        for (name, text) in strength
+            .into_iter()
+            .chain(Limit::DYNAMIC.into_iter().zip(&limit.dynamic))
+        {
             let Some(text) = text else { continue };
             if let Some(value) = text.number().filter(|&value| value < 0.0) {
                 // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
-                let severity = if value == -1.0 && !is_new { Severity::Warning } else { Severity::Error };
-                let message = format!("joint `{}` has negative {name} {}", joint.shown(), text.value);
+                let severity = if value == -1.0 && !is_new {
+                    Severity::Warning
+                } else {
+                    Severity::Error
+                };
+                let message = format!(
+                    "joint `{}` has negative {name} {}",
+                    joint.shown(),
+                    text.value
+                );
                 let report = out
                     .report(text.origin, message)
                     .severity(severity)
                     .help("write the value without the sign; it applies to both directions");
-                rewrite(report, Safety::Unsafe, text, text.value.trim().trim_start_matches('-').to_owned())
-                    .done();
+                rewrite(
+                    report,
+                    Safety::Unsafe,
+                    text,
+                    text.value.trim().trim_start_matches('-').to_owned(),
+                )
+                .done();
             }
         }
     }

@@ -19,10 +19,19 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[Revolute, Prismatic])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[Revolute, Prismatic]))
+    {
         let Some(limit) = &joint.limit else { continue };
-        let Some((at, _)) = limit.range().filter(|(lower, upper)| lower == upper) else { continue };
-        let message = format!("joint `{}` cannot move: lower and upper limit are both {at}", joint.shown());
+        let Some((at, _)) = limit.range().filter(|(lower, upper)| lower == upper) else {
+            continue;
+        };
+        let message = format!(
+            "joint `{}` cannot move: lower and upper limit are both {at}",
+            joint.shown()
+        );
         out.report(tag_start(cx.expansion, limit.element), message)
             .help("write lower=\"...\" upper=\"...\" in radians or meters (the default is 0), or make the joint fixed")
             .done();

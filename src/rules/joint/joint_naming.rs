@@ -45,12 +45,19 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if joints.len() < 2 {
             continue;
         }
-        let numbered =
-            |i: usize, name: &str| name.strip_suffix(&format!("joint_{}", i + 1)).map(str::to_owned);
-        let prefix =
-            joints.iter().enumerate().find_map(|(i, joint)| numbered(i, joint.shown())).unwrap_or_default();
+        let numbered = |i: usize, name: &str| {
+            name.strip_suffix(&format!("joint_{}", i + 1))
+                .map(str::to_owned)
+        };
+        let prefix = joints
+            .iter()
+            .enumerate()
+            .find_map(|(i, joint)| numbered(i, joint.shown()))
+            .unwrap_or_default();
         for (i, joint) in joints.iter().enumerate() {
-            let Some(name) = joint.name.as_ref().filter(|name| name.is_known()) else { continue };
+            let Some(name) = joint.name.as_ref().filter(|name| name.is_known()) else {
+                continue;
+            };
             let expected = format!("{prefix}joint_{}", i + 1);
             if name.value != expected {
                 let message = format!(
@@ -59,7 +66,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                     i + 1
                 );
                 out.report(name.origin, message)
-                    .help(format!("rename it to `{expected}`; ROS-Industrial numbers joints from the base"))
+                    .help(format!(
+                        "rename it to `{expected}`; ROS-Industrial numbers joints from the base"
+                    ))
                     .done();
             }
         }
@@ -69,7 +78,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Whether a joint belongs to a gripper or an external axis, by its name.
 fn is_other(name: &str) -> bool {
     let name = name.to_lowercase();
-    let words: Vec<&str> =
-        name.split(['_', '-', '/']).map(|word| word.trim_end_matches(|c: char| c.is_ascii_digit())).collect();
+    let words: Vec<&str> = name
+        .split(['_', '-', '/'])
+        .map(|word| word.trim_end_matches(|c: char| c.is_ascii_digit()))
+        .collect();
     words.iter().any(|word| OTHERS.contains(word)) && !words.iter().any(|word| OWN.contains(word))
 }

@@ -24,22 +24,36 @@ const IN_DEGREES: [f64; 4] = [90.0, 120.0, 180.0, 360.0];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let most = MAX_JOINT_VELOCITY.value(cx.world.config);
-    let joints: Vec<&Joint> = cx.joints().iter().filter(|joint| joint.is(&[JointType::Revolute])).collect();
+    let joints: Vec<&Joint> = cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[JointType::Revolute]))
+        .collect();
     for joint in &joints {
         if joint.limit.as_ref().is_some_and(is_made_up) {
             continue;
         }
-        let Some(text) = velocity(joint) else { continue };
-        if text.number().is_some_and(|value| is_everywhere(&joints, value)) {
+        let Some(text) = velocity(joint) else {
+            continue;
+        };
+        if text
+            .number()
+            .is_some_and(|value| is_everywhere(&joints, value))
+        {
             continue;
         }
-        if text.number().is_some_and(|value| value > most && IN_DEGREES.contains(&value)) {
+        if text
+            .number()
+            .is_some_and(|value| value > most && IN_DEGREES.contains(&value))
+        {
             let message = format!(
                 "velocity limit of joint `{}` is {} rad/s; this looks like degrees per second",
                 joint.shown(),
                 text.value
             );
-            let report = out.report(text.origin, message).help("write the velocity in rad/s");
+            let report = out
+                .report(text.origin, message)
+                .help("write the velocity in rad/s");
             from_degrees(report, cx.expansion, text, whole(text)).done();
         }
     }

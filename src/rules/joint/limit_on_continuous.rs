@@ -22,11 +22,17 @@ pub(super) static RULE: Rule = Rule {
 const FULL_TURN: f64 = std::f64::consts::TAU - 0.01;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[JointType::Continuous])) {
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[JointType::Continuous]))
+    {
         let Some(limit) = &joint.limit else { continue };
         let texts = [("lower", &limit.lower), ("upper", &limit.upper)];
-        let written: Vec<_> =
-            texts.into_iter().filter_map(|(name, text)| Some((name, text.as_ref()?))).collect();
+        let written: Vec<_> = texts
+            .into_iter()
+            .filter_map(|(name, text)| Some((name, text.as_ref()?)))
+            .collect();
         if written.is_empty() {
             continue;
         }
@@ -50,10 +56,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a joint only goes where another one with limits leads it.
 fn follows(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
-    let leader = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()?.name());
+    let leader = joint
+        .mimic
+        .as_ref()
+        .and_then(|mimic| mimic.joint.as_ref()?.name());
     let mut joints = cx.joints().iter();
     let is_leader = |other: &&Joint| other.name.as_ref().and_then(Text::name) == leader;
-    leader.is_some() && joints.find(is_leader).is_some_and(|found| !found.is(&[JointType::Continuous]))
+    leader.is_some()
+        && joints
+            .find(is_leader)
+            .is_some_and(|found| !found.is(&[JointType::Continuous]))
 }
 
 /// Whether the limits leave less than a full turn: they are meant, and ignored. Limits of zero say nothing.

@@ -19,9 +19,15 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, target) in mimicking(cx.robot) {
-        let Some(last) = target.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else { continue };
-        let message =
-            format!("joint `{}` mimics `{}`, which mimics `{}`", joint.shown(), target.shown(), last.value);
+        let Some(last) = target.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else {
+            continue;
+        };
+        let message = format!(
+            "joint `{}` mimics `{}`, which mimics `{}`",
+            joint.shown(),
+            target.shown(),
+            last.value
+        );
         out.report(text.origin, message)
             .help("mimic the last joint directly, with the product of the multipliers")
             .done();

@@ -20,18 +20,31 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for circle in circles(&targets(cx.robot)) {
-        let Some(&last) = circle.iter().max() else { continue };
+        let Some(&last) = circle.iter().max() else {
+            continue;
+        };
         let joint = |i: usize| cx.robot.joints.get(i);
         let value = |i: usize| joint(i)?.mimic.as_ref()?.joint.as_ref();
-        let (Some(at), Some(own)) = (value(last), joint(last)) else { continue };
+        let (Some(at), Some(own)) = (value(last), joint(last)) else {
+            continue;
+        };
         let message = match circle.len() {
             1 => format!("joint `{}` mimics itself", own.shown()),
-            _ => format!("joint `{}` mimics `{}`, which mimics it in turn", own.shown(), at.value),
+            _ => format!(
+                "joint `{}` mimics `{}`, which mimics it in turn",
+                own.shown(),
+                at.value
+            ),
         };
-        let mut report = out.report(at.origin, message).help("remove one <mimic> of the cycle");
+        let mut report = out
+            .report(at.origin, message)
+            .help("remove one <mimic> of the cycle");
         for &other in circle.iter().filter(|&&other| other != last) {
             if let (Some(at), Some(other)) = (value(other), joint(other)) {
-                report = report.also(at.origin, format!("joint `{}` mimics `{}`", other.shown(), at.value));
+                report = report.also(
+                    at.origin,
+                    format!("joint `{}` mimics `{}`", other.shown(), at.value),
+                );
             }
         }
         report.done();
@@ -50,9 +63,12 @@ fn circles(targets: &[Option<usize>]) -> Vec<Vec<usize>> {
             (joint, walk, walk != start)
         });
         let mut own: FastSet<usize> = FastSet::default();
-        let Some((back, walk, _)) = seen.find(|&(joint, _, old)| old || !own.insert(joint)) else { continue };
+        let Some((back, walk, _)) = seen.find(|&(joint, _, old)| old || !own.insert(joint)) else {
+            continue;
+        };
         if walk == start {
-            let behind = std::iter::successors(next(&back), next).take_while(|&joint| joint != back);
+            let behind =
+                std::iter::successors(next(&back), next).take_while(|&joint| joint != back);
             circles.push(std::iter::once(back).chain(behind).collect());
         }
     }
@@ -66,7 +82,10 @@ mod tests {
     #[test]
     fn circles_are_found_once_and_without_what_leads_into_them() {
         assert_eq!(circles(&[Some(1), Some(2), Some(1), None]), [[1, 2]]);
-        assert_eq!(circles(&[Some(0), Some(3), None, Some(1)]), [vec![0], vec![1, 3]]);
+        assert_eq!(
+            circles(&[Some(0), Some(3), None, Some(1)]),
+            [vec![0], vec![1, 3]]
+        );
         assert!(circles(&[None, Some(0), Some(1)]).is_empty());
     }
 }

@@ -22,8 +22,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, target) in mimicking(cx.robot) {
         // variants that fix a pair of joints fix both
         if target.is(&[JointType::Fixed]) && !joint.is(&[JointType::Fixed]) {
-            let message =
-                format!("joint `{}` mimics joint `{}`, which is fixed", joint.shown(), target.shown());
+            let message = format!(
+                "joint `{}` mimics joint `{}`, which is fixed",
+                joint.shown(),
+                target.shown()
+            );
             out.report(text.origin, message)
                 .help("mimic a joint that moves, or make this joint fixed")
                 .done();

@@ -24,9 +24,13 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for (joint, _, target) in mimicking(cx.robot) {
         let Some(mimic) = &joint.mimic else { continue };
-        let (Some(own), Some(theirs)) = (range(joint), range(target)) else { continue };
-        let number = |text: &Option<Text>, default| text.as_ref().map_or(Some(default), Text::number);
-        let (Some(factor), Some(offset)) = (number(&mimic.multiplier, 1.0), number(&mimic.offset, 0.0))
+        let (Some(own), Some(theirs)) = (range(joint), range(target)) else {
+            continue;
+        };
+        let number =
+            |text: &Option<Text>, default| text.as_ref().map_or(Some(default), Text::number);
+        let (Some(factor), Some(offset)) =
+            (number(&mimic.multiplier, 1.0), number(&mimic.offset, 0.0))
         else {
             continue;
         };
@@ -36,10 +40,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if low >= own.0 - room && high <= own.1 + room {
             continue;
         }
-        let at = mimic
-            .multiplier
-            .as_ref()
-            .map_or_else(|| tag_start(cx.expansion, mimic.element), |text| text.origin);
+        let at = mimic.multiplier.as_ref().map_or_else(
+            || tag_start(cx.expansion, mimic.element),
+            |text| text.origin,
+        );
         let message = format!(
             "joint `{}` mimics `{}` from {} to {}, but its limits are {} to {}",
             joint.shown(),
@@ -49,12 +53,18 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             short(own.0),
             short(own.1)
         );
-        out.report(at, message).help("change the multiplier, the offset or the limits of one joint").done();
+        out.report(at, message)
+            .help("change the multiplier, the offset or the limits of one joint")
+            .done();
     }
 }
 
 /// The limits of a joint that has some.
 fn range(joint: &Joint) -> Option<(f64, f64)> {
-    let range = joint.limit.as_ref().filter(|_| joint.is(&[Revolute, Prismatic]))?.range()?;
+    let range = joint
+        .limit
+        .as_ref()
+        .filter(|_| joint.is(&[Revolute, Prismatic]))?
+        .range()?;
     (range.0 <= range.1).then_some(range)
 }

@@ -23,11 +23,20 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let known: FastSet<&str> = cx.robot.joints.iter().map(|joint| joint.shown()).collect();
     for joint in &cx.robot.joints {
-        let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else { continue };
-        let Some(target) = text.name().filter(|name| !known.contains(name.as_str())) else { continue };
+        let Some(text) = joint.mimic.as_ref().and_then(|mimic| mimic.joint.as_ref()) else {
+            continue;
+        };
+        let Some(target) = text.name().filter(|name| !known.contains(name.as_str())) else {
+            continue;
+        };
         let message = format!("joint `{}` mimics unknown joint `{target}`", joint.shown());
         let report = out.report(text.origin, message);
-        let names = cx.robot.joints.iter().map(|joint| joint.shown()).filter(|name| *name != joint.shown());
+        let names = cx
+            .robot
+            .joints
+            .iter()
+            .map(|joint| joint.shown())
+            .filter(|name| *name != joint.shown());
         match nearest(target, names) {
             Some(near) => {
                 let report = report.help(Help::did_you_mean(near));

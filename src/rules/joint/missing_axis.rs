@@ -23,25 +23,50 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !cx.whole() {
         return;
     }
-    let moving =
-        |joint: &&Joint| joint.joint_type().is_some_and(|kind| kind.has_axis() || kind == JointType::Planar);
-    for joint in cx.joints().iter().filter(moving).filter(|joint| joint.axis.is_none()) {
-        let message = format!("joint `{}` has no `axis`; the default is `1 0 0`", joint.shown());
+    let moving = |joint: &&Joint| {
+        joint
+            .joint_type()
+            .is_some_and(|kind| kind.has_axis() || kind == JointType::Planar)
+    };
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(moving)
+        .filter(|joint| joint.axis.is_none())
+    {
+        let message = format!(
+            "joint `{}` has no `axis`; the default is `1 0 0`",
+            joint.shown()
+        );
         let report = out.report(tag_start(cx.expansion, joint.element), message);
         written(report.help("add <axis xyz=\"...\"/>"), cx, joint).done();
     }
 }
 
 /// With the fix to write the axis behind the last of the elements that usually stand in front of it.
-fn written<'s, 'a>(report: Reported<'s, 'a>, cx: &DocumentCx<'_>, joint: &Joint) -> Reported<'s, 'a> {
+fn written<'s, 'a>(
+    report: Reported<'s, 'a>,
+    cx: &DocumentCx<'_>,
+    joint: &Joint,
+) -> Reported<'s, 'a> {
     let tree = &cx.expansion.tree;
     let usual = |&id: &_| ["origin", "parent", "child"].contains(&tree.get(id).text.as_str());
     let own = |&id: &_| tree.get(id).origin.frame == tree.get(joint.element).origin.frame;
-    let Some(last) = tree.elements(joint.element).filter(usual).filter(own).last() else { return report };
-    let Some((file, range, _)) = source_text(cx.expansion, element_range(cx.expansion, last)) else {
+    let Some(last) = tree
+        .elements(joint.element)
+        .filter(usual)
+        .filter(own)
+        .last()
+    else {
         return report;
     };
-    let edit =
-        (TextRange::empty(range.end), format!("{}<axis xyz=\"1 0 0\"/>", indent(cx.expansion, file, range)));
+    let Some((file, range, _)) = source_text(cx.expansion, element_range(cx.expansion, last))
+    else {
+        return report;
+    };
+    let edit = (
+        TextRange::empty(range.end),
+        format!("{}<axis xyz=\"1 0 0\"/>", indent(cx.expansion, file, range)),
+    );
     report.fix(Safety::Safe, "add `<axis xyz=\"1 0 0\"/>`", file, [edit])
 }

@@ -23,7 +23,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !cx.whole() {
         return;
     }
-    for joint in cx.joints().iter().filter(|joint| joint.limit.is_none() && joint.is(&[Revolute, Prismatic]))
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.limit.is_none() && joint.is(&[Revolute, Prismatic]))
     {
         // an expression that was meant to insert a block has its own finding, and so has a misspelled element
         if has_unknown_text(cx, joint) || has_misspelled_limit(cx, joint) {
@@ -31,9 +34,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         let kind = joint.kind.as_ref().map_or("", |kind| kind.value.as_str());
         let name = joint.shown();
-        out.report(tag_start(cx.expansion, joint.element), format!("{kind} joint `{name}` has no `limit`"))
-            .help("add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>")
-            .done();
+        out.report(
+            tag_start(cx.expansion, joint.element),
+            format!("{kind} joint `{name}` has no `limit`"),
+        )
+        .help("add <limit lower=\"...\" upper=\"...\" effort=\"...\" velocity=\"...\"/>")
+        .done();
     }
 }
 
@@ -45,5 +51,6 @@ fn has_unknown_text(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
 /// Whether a joint holds an element whose name is nearly `limit`.
 fn has_misspelled_limit(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
     let tree = &cx.expansion.tree;
-    tree.elements(joint.element).any(|id| nearest(&tree.get(id).text, ["limit"]).is_some())
+    tree.elements(joint.element)
+        .any(|id| nearest(&tree.get(id).text, ["limit"]).is_some())
 }

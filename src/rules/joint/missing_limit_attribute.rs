@@ -23,7 +23,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
         let Some(limit) = &joint.limit else { continue };
         let is_new = Version::V1_2.is_in(&cx.expansion.tree);
-        let mut missing = if is_new { missing_bounds(joint, limit) } else { missing_strength(limit) };
+        let mut missing = if is_new {
+            missing_bounds(joint, limit)
+        } else {
+            missing_strength(limit)
+        };
         if !missing.is_empty()
             && let Some(spec) = schema::urdf_element("limit")
         {
@@ -37,7 +41,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let fixed = joint.is(&[JointType::Fixed]);
-        let message = format!("`limit` of joint `{}` has no {}", joint.shown(), missing.join(" and no "));
+        let message = format!(
+            "`limit` of joint `{}` has no {}",
+            joint.shown(),
+            missing.join(" and no ")
+        );
         out.report(tag_start(cx.expansion, limit.element), message)
             .severity(if fixed { Severity::Info } else { Severity::Error })
             .help(match is_new {
@@ -51,7 +59,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// What a limit lacks before URDF 1.2.
 fn missing_strength(limit: &Limit) -> Vec<&'static str> {
     let strength = [("effort", &limit.effort), ("velocity", &limit.velocity)];
-    strength.into_iter().filter(|(_, text)| text.is_none()).map(|(name, _)| name).collect()
+    strength
+        .into_iter()
+        .filter(|(_, text)| text.is_none())
+        .map(|(name, _)| name)
+        .collect()
 }
 
 /// What a limit lacks from URDF 1.2 on.
@@ -60,13 +72,19 @@ fn missing_bounds(joint: &Joint, limit: &Limit) -> Vec<&'static str> {
         return Vec::new();
     }
     let bounds = [("lower", &limit.lower), ("upper", &limit.upper)];
-    bounds.into_iter().filter(|(_, text)| text.is_none()).map(|(name, _)| name).collect()
+    bounds
+        .into_iter()
+        .filter(|(_, text)| text.is_none())
+        .map(|(name, _)| name)
+        .collect()
 }
 
 /// Before URDF 1.2, a bound that is left out is 0: right for a gripper that opens from 0 on, and easily overlooked in an arm.
 fn half_bounds(cx: &DocumentCx<'_>, joint: &Joint, limit: &Limit, out: &mut Sink<'_>) {
     let missing = missing_bounds(joint, limit);
-    let [missing] = missing.as_slice() else { return };
+    let [missing] = missing.as_slice() else {
+        return;
+    };
     out.report(
         tag_start(cx.expansion, limit.element),
         format!("`limit` of joint `{}` has no {missing}", joint.shown()),

@@ -18,13 +18,22 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
-        let Some(dynamics) = &joint.dynamics else { continue };
-        for (name, text) in [("damping", &dynamics.damping), ("friction", &dynamics.friction)] {
+        let Some(dynamics) = &joint.dynamics else {
+            continue;
+        };
+        for (name, text) in [
+            ("damping", &dynamics.damping),
+            ("friction", &dynamics.friction),
+        ] {
             let Some(text) = text else { continue };
             if text.number().is_some_and(|value| value < 0.0) {
                 out.report(
                     text.origin,
-                    format!("joint `{}` has negative {name} {}", joint.shown(), text.value),
+                    format!(
+                        "joint `{}` has negative {name} {}",
+                        joint.shown(),
+                        text.value
+                    ),
                 )
                 .help("write 0 or more; a negative value makes simulations unstable")
                 .done();

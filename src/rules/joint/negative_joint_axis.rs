@@ -22,9 +22,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, axis) in moving_axes(cx.joints()) {
         let zeros = axis.iter().filter(|part| **part == 0.0).count();
         if zeros == 2 && axis.contains(&-1.0) {
-            out.report(text.origin, format!("joint `{}` has a negative axis", joint.shown()))
-                .help("use the positive axis if the sign agrees with the controller")
-                .done();
+            out.report(
+                text.origin,
+                format!("joint `{}` has a negative axis", joint.shown()),
+            )
+            .help("use the positive axis if the sign agrees with the controller")
+            .done();
         }
     }
 }

@@ -25,27 +25,59 @@ const ROUNDING: f64 = 1e-9;
 const BY_THE_SAME: f64 = 1e-3;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx.joints().iter().filter(|joint| joint.is(&[Revolute, Prismatic])) {
-        let (Some(limit), Some(safety)) = (&joint.limit, &joint.safety) else { continue };
-        let Some((lower, upper)) = limit.range() else { continue };
+    for joint in cx
+        .joints()
+        .iter()
+        .filter(|joint| joint.is(&[Revolute, Prismatic]))
+    {
+        let (Some(limit), Some(safety)) = (&joint.limit, &joint.safety) else {
+            continue;
+        };
+        let Some((lower, upper)) = limit.range() else {
+            continue;
+        };
         let number = |text: &Option<Text>| text.as_ref().map_or(Some(0.0), Text::number);
-        let (Some(low), Some(up)) = (number(&safety.soft_lower_limit), number(&safety.soft_upper_limit))
-        else {
+        let (Some(low), Some(up)) = (
+            number(&safety.soft_lower_limit),
+            number(&safety.soft_upper_limit),
+        ) else {
             continue;
         };
         if low == 0.0 && up == 0.0 {
             continue;
         }
         let outside = [
-            ("soft_lower_limit", &safety.soft_lower_limit, low < lower - ROUNDING, "below the lower", lower),
-            ("soft_upper_limit", &safety.soft_upper_limit, up > upper + ROUNDING, "above the upper", upper),
+            (
+                "soft_lower_limit",
+                &safety.soft_lower_limit,
+                low < lower - ROUNDING,
+                "below the lower",
+                lower,
+            ),
+            (
+                "soft_upper_limit",
+                &safety.soft_upper_limit,
+                up > upper + ROUNDING,
+                "above the upper",
+                upper,
+            ),
         ];
-        let severity =
-            if is_switched_off(lower - low, up - upper) { Severity::Info } else { Severity::Warning };
-        for (name, text, _, side, hard) in outside.into_iter().filter(|(_, _, is_outside, ..)| *is_outside) {
+        let severity = if is_switched_off(lower - low, up - upper) {
+            Severity::Info
+        } else {
+            Severity::Warning
+        };
+        for (name, text, _, side, hard) in outside
+            .into_iter()
+            .filter(|(_, _, is_outside, ..)| *is_outside)
+        {
             let Some(text) = text else { continue };
-            let message =
-                format!("joint `{}`: {name} {} is {side} limit {}", joint.shown(), text.value, short(hard));
+            let message = format!(
+                "joint `{}`: {name} {} is {side} limit {}",
+                joint.shown(),
+                text.value,
+                short(hard)
+            );
             out.report(text.origin, message)
                 .severity(severity)
                 .help("write a soft limit inside the hard limits")

@@ -22,11 +22,17 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx.joints() {
-        let Some(kind) = joint.kind.as_ref().filter(|kind| kind.is_known()) else { continue };
+        let Some(kind) = joint.kind.as_ref().filter(|kind| kind.is_known()) else {
+            continue;
+        };
         if JointType::of(&kind.value).is_some() {
             continue;
         }
-        let message = format!("joint `{}` has unknown type `{}`", joint.shown(), kind.value);
+        let message = format!(
+            "joint `{}` has unknown type `{}`",
+            joint.shown(),
+            kind.value
+        );
         let report = out.report(kind.origin, message);
         let names = || JointType::ALL.iter().map(|(name, _)| *name);
         let same = names().find(|name| name.eq_ignore_ascii_case(kind.value.trim()));

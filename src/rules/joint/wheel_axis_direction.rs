@@ -27,7 +27,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if !joint.is(&[JointType::Continuous]) || !is_wheel(joint) {
             continue;
         }
-        let Some(y) = axis_in_base(cx.robot, cx.kinematics, i).map(|axis| axis.y) else { return };
+        let Some(y) = axis_in_base(cx.robot, cx.kinematics, i).map(|axis| axis.y) else {
+            return;
+        };
         if y >= 0.9 {
             return;
         }
@@ -36,13 +38,23 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
     }
     for joint in backward {
-        let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref()) else { continue };
-        let message = format!("axis of wheel `{}` points to the right of the robot", joint.shown());
-        let mut report = out
-            .report(text.origin, message)
-            .help("use an axis that points to the left (+y), so that a positive velocity drives forward");
+        let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref()) else {
+            continue;
+        };
+        let message = format!(
+            "axis of wheel `{}` points to the right of the robot",
+            joint.shown()
+        );
+        let mut report = out.report(text.origin, message).help(
+            "use an axis that points to the left (+y), so that a positive velocity drives forward",
+        );
         if let Some(axis) = text.numbers::<3>() {
-            report = rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| 0.0 - part)));
+            report = rewrite(
+                report,
+                Safety::Unsafe,
+                text,
+                vector(&axis.map(|part| 0.0 - part)),
+            );
         }
         report.done();
     }
@@ -50,8 +62,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a joint is that of a wheel, by its name or that of the link it carries.
 fn is_wheel(joint: &Joint) -> bool {
-    let child = joint.child.as_ref().map_or("", |child| child.value.as_str());
-    [joint.shown(), child].iter().any(|name| name.to_lowercase().contains("wheel"))
+    let child = joint
+        .child
+        .as_ref()
+        .map_or("", |child| child.value.as_str());
+    [joint.shown(), child]
+        .iter()
+        .any(|name| name.to_lowercase().contains("wheel"))
 }
 
 /// The axis of a joint in the frame of the robot's base at position zero; none when a value is not known.
@@ -61,7 +78,11 @@ fn axis_in_base(robot: &Robot, kinematics: &Kinematics, joint: usize) -> Option<
     axis = transform(own.origin.as_ref())?.rotation * axis;
     let (mut link, _) = kinematics.ends(joint)?;
     for above in kinematics.above(link).collect::<Vec<_>>() {
-        if robot.links.get(link).is_some_and(|link| link.shown().ends_with("base_link")) {
+        if robot
+            .links
+            .get(link)
+            .is_some_and(|link| link.shown().ends_with("base_link"))
+        {
             break;
         }
         axis = transform(robot.joints.get(above)?.origin.as_ref())?.rotation * axis;

@@ -24,19 +24,31 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
     let mut seen: FastMap<(&str, String), &Joint> = FastMap::default();
     for joint in robot.joints.iter().filter(|joint| is_wheel(robot, joint)) {
-        let Some((parent, _)) = joint.ends() else { continue };
-        let other = other_side(joint.shown()).and_then(|name| seen.get(&(parent.as_str(), name)).copied());
+        let Some((parent, _)) = joint.ends() else {
+            continue;
+        };
+        let other =
+            other_side(joint.shown()).and_then(|name| seen.get(&(parent.as_str(), name)).copied());
         seen.insert((parent.as_str(), joint.shown().to_lowercase()), joint);
         let Some(first) = other else { continue };
-        let (Some(a), Some(b)) = (axis_in_parent(first), axis_in_parent(joint)) else { continue };
+        let (Some(a), Some(b)) = (axis_in_parent(first), axis_in_parent(joint)) else {
+            continue;
+        };
         if a.dot(&b) > -0.9 {
             continue;
         }
         let at = |joint: &Joint| {
             let xyz = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-            xyz.map_or_else(|| tag_start(cx.expansion, joint.element), |text| text.origin)
+            xyz.map_or_else(
+                || tag_start(cx.expansion, joint.element),
+                |text| text.origin,
+            )
         };
-        let message = format!("wheel joints `{}` and `{}` have opposite axes", first.shown(), joint.shown());
+        let message = format!(
+            "wheel joints `{}` and `{}` have opposite axes",
+            first.shown(),
+            joint.shown()
+        );
         let mut report = out
             .report(at(joint), message)
             .also(at(first), format!("axis of joint `{}`", first.shown()))
@@ -44,7 +56,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref())
             && let Some(axis) = text.numbers::<3>()
         {
-            report = rewrite(report, Safety::Unsafe, text, vector(&axis.map(|part| 0.0 - part)));
+            report = rewrite(
+                report,
+                Safety::Unsafe,
+                text,
+                vector(&axis.map(|part| 0.0 - part)),
+            );
         }
         report.done();
     }
@@ -52,14 +69,26 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a joint turns freely, by itself, and carries nothing that moves: an arm may well be mirrored.
 fn is_wheel(robot: &Robot, joint: &Joint) -> bool {
-    let Some((_, child)) =
-        joint.ends().filter(|_| joint.is(&[JointType::Continuous]) && joint.mimic.is_none())
+    let Some((_, child)) = joint
+        .ends()
+        .filter(|_| joint.is(&[JointType::Continuous]) && joint.mimic.is_none())
     else {
         return false;
     };
-    let moved = |other: &&Joint| other.parent.as_ref().is_some_and(|parent| parent.value == *child);
-    let carries = robot.joints.iter().filter(moved).any(|other| !other.is(&[JointType::Fixed]));
+    let moved = |other: &&Joint| {
+        other
+            .parent
+            .as_ref()
+            .is_some_and(|parent| parent.value == *child)
+    };
+    let carries = robot
+        .joints
+        .iter()
+        .filter(moved)
+        .any(|other| !other.is(&[JointType::Fixed]));
     let names = format!("{} {child}", joint.shown()).to_lowercase();
-    let is_rotor = ["rotor", "propeller", "prop_"].iter().any(|word| names.contains(word));
+    let is_rotor = ["rotor", "propeller", "prop_"]
+        .iter()
+        .any(|word| names.contains(word));
     !carries && !is_rotor
 }

@@ -11,7 +11,9 @@ const SIDES: [(&str, &str); 4] = [("left", "right"), ("l", "r"), ("lf", "rf"), (
 pub(super) fn other_side(name: &str) -> Option<String> {
     let name = name.to_lowercase();
     let swapped = |word: &str| {
-        let pair = SIDES.iter().find(|(left, right)| *left == word || *right == word);
+        let pair = SIDES
+            .iter()
+            .find(|(left, right)| *left == word || *right == word);
         pair.map(|&(left, right)| if left == word { right } else { left })
     };
     let mut other = String::new();
@@ -27,8 +29,13 @@ pub(super) fn other_side(name: &str) -> Option<String> {
         return Some(other);
     }
     // `leftwheel`, `wheelLeft`
-    let long = SIDES.iter().take(1).flat_map(|&(left, right)| [(left, right), (right, left)]);
-    long.into_iter().find(|(from, _)| name.contains(from)).map(|(from, to)| name.replacen(from, to, 1))
+    let long = SIDES
+        .iter()
+        .take(1)
+        .flat_map(|&(left, right)| [(left, right), (right, left)]);
+    long.into_iter()
+        .find(|(from, _)| name.contains(from))
+        .map(|(from, to)| name.replacen(from, to, 1))
 }
 
 /// The axis of a joint in the frame of its parent; none when a value is not known or there is no direction.

@@ -21,9 +21,12 @@ pub(in super::super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (joint, text, axis) in moving_axes(cx.joints()) {
         if length(axis) < NO_LENGTH {
-            out.report(text.origin, format!("axis of joint `{}` is the zero vector", joint.shown()))
-                .help("write a direction, for example xyz=\"0 0 1\"")
-                .done();
+            out.report(
+                text.origin,
+                format!("axis of joint `{}` is the zero vector", joint.shown()),
+            )
+            .help("write a direction, for example xyz=\"0 0 1\"")
+            .done();
         }
     }
 }

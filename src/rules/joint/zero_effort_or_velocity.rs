@@ -31,17 +31,35 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut order: Vec<FileIdx> = Vec::new();
     let mut files: FastMap<FileIdx, First<'_>> = FastMap::default();
     for joint in cx.joints().iter().filter(|joint| joint.is_driven()) {
-        let Some((name, value)) = zero(joint) else { continue };
-        let Some(place) = cx.expansion.place(value.origin) else { continue };
+        let Some((name, value)) = zero(joint) else {
+            continue;
+        };
+        let Some(place) = cx.expansion.place(value.origin) else {
+            continue;
+        };
         match files.get_mut(&place.file) {
             Some(first) => first.others += 1,
             None => {
                 order.push(place.file);
-                files.insert(place.file, First { joint, name, value, others: 0 });
+                files.insert(
+                    place.file,
+                    First {
+                        joint,
+                        name,
+                        value,
+                        others: 0,
+                    },
+                );
             }
         }
     }
-    for First { joint, name, value, others } in order.iter().filter_map(|file| files.get(file)) {
+    for First {
+        joint,
+        name,
+        value,
+        others,
+    } in order.iter().filter_map(|file| files.get(file))
+    {
         let more = match others {
             0 => String::new(),
             1 => " (and one more joint in this file)".to_owned(),
@@ -58,7 +76,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// The effort or velocity of a joint that is zero.
 fn zero(joint: &Joint) -> Option<(&'static str, &Text)> {
     let limit = joint.limit.as_ref()?;
-    let texts = [("effort", limit.effort.as_ref()), ("velocity", limit.velocity.as_ref())];
-    let mut zeros = texts.into_iter().filter_map(|(name, text)| Some((name, text?)));
+    let texts = [
+        ("effort", limit.effort.as_ref()),
+        ("velocity", limit.velocity.as_ref()),
+    ];
+    let mut zeros = texts
+        .into_iter()
+        .filter_map(|(name, text)| Some((name, text?)));
     zeros.find(|(_, text)| text.number() == Some(0.0))
 }

@@ -19,7 +19,10 @@ pub(in super::super) static RULE: Rule = Rule {
 
 /// The finding about a warning of the configuration in `file`.
 pub fn invalid_config(file: FileId, warning: &ConfigWarning) -> Finding {
-    let span = Span { file, range: warning.place.range };
+    let span = Span {
+        file,
+        range: warning.place.range,
+    };
     let help = match &warning.nearest {
         Some(near) => Help::did_you_mean(near),
         None => advice(&warning.message).into(),

@@ -19,6 +19,8 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for malformed in Suppressions::of(&cx.source.document).malformed {
-        out.report_in(cx.file, malformed.comment, malformed.message).help(malformed.help).done();
+        out.report_in(cx.file, malformed.comment, malformed.message)
+            .help(malformed.help)
+            .done();
     }
 }

@@ -41,9 +41,12 @@ impl Reach {
             }
         }
         for word in found.words.values_mut() {
-            word.elements.sort_by_key(|(range, number)| (range.start, *number));
+            word.elements
+                .sort_by_key(|(range, number)| (range.start, *number));
         }
-        let enables = list.iter().filter(|suppression| suppression.directive == Directive::Enable);
+        let enables = list
+            .iter()
+            .filter(|suppression| suppression.directive == Directive::Enable);
         for selector in enables.flat_map(|suppression| &suppression.rules) {
             if !found.begins.contains_key(&selector.text) {
                 let begin = found.first_disable(selector);
@@ -56,8 +59,13 @@ impl Reach {
     /// The end of the first `disable` that names a rule which `selector` names too, or the same word.
     fn first_disable(&self, selector: &Selector) -> Option<u32> {
         let rules = all().filter(|rule| selector.names(rule));
-        let words = rules.flat_map(Rule::selectors).filter_map(|word| self.words.get(word));
-        words.chain(self.words.get(&selector.text)).filter_map(OfWord::first_disable).min()
+        let words = rules
+            .flat_map(Rule::selectors)
+            .filter_map(|word| self.words.get(word));
+        words
+            .chain(self.words.get(&selector.text))
+            .filter_map(OfWord::first_disable)
+            .min()
     }
 
     /// Where the first `disable` ends that an `enable` of this word could end.
@@ -69,9 +77,12 @@ impl Reach {
     pub fn hiding(&self, rule: &Rule, offset: u32) -> Option<usize> {
         let words = || rule.selectors().filter_map(|word| self.words.get(word));
         // what is disabled was disabled last
-        let switch = words().filter_map(|word| word.last_switch(offset)).max_by_key(|(number, _)| *number);
-        let disabled =
-            switch.filter(|(_, directive)| *directive == Directive::Disable).map(|(number, _)| number);
+        let switch = words()
+            .filter_map(|word| word.last_switch(offset))
+            .max_by_key(|(number, _)| *number);
+        let disabled = switch
+            .filter(|(_, directive)| *directive == Directive::Disable)
+            .map(|(number, _)| number);
         let others = words().filter_map(|word| word.element(offset).max(word.file));
         others.chain(disabled).max()
     }
@@ -82,12 +93,17 @@ impl OfWord {
         match suppression.directive {
             Directive::DisableNextLine => self.elements.push((suppression.scope, number)),
             Directive::DisableFile => self.file = Some(number),
-            switch => self.switches.push((suppression.comment.end, number, switch)),
+            switch => self
+                .switches
+                .push((suppression.comment.end, number, switch)),
         }
     }
 
     fn first_disable(&self) -> Option<u32> {
-        let mut disables = self.switches.iter().filter(|(_, _, switch)| *switch == Directive::Disable);
+        let mut disables = self
+            .switches
+            .iter()
+            .filter(|(_, _, switch)| *switch == Directive::Disable);
         disables.next().map(|(end, ..)| *end)
     }
 
@@ -100,7 +116,9 @@ impl OfWord {
 
     /// The last one of the element around `offset`.
     fn element(&self, offset: u32) -> Option<usize> {
-        let count = self.elements.partition_point(|(range, _)| range.start <= offset);
+        let count = self
+            .elements
+            .partition_point(|(range, _)| range.start <= offset);
         let (range, number) = self.elements.get(count.checked_sub(1)?)?;
         (offset < range.end).then_some(*number)
     }

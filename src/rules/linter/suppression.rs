@@ -84,7 +84,10 @@ impl Suppressions {
         let mut found = Self::default();
         let marks = ["lint", "Lint", "LINT"].map(memchr::memmem::Finder::new);
         let is_marked = |text: &[u8]| marks.iter().any(|mark| mark.find(text).is_some());
-        if !document.parts().any(|(_, item)| is_marked(item.text().as_bytes())) {
+        if !document
+            .parts()
+            .any(|(_, item)| is_marked(item.text().as_bytes()))
+        {
             return found;
         }
         let end = document.len();
@@ -105,7 +108,8 @@ impl Suppressions {
                         if let Some(parsed) = parse(node, base) {
                             found.add(parsed, document, end);
                             let last = found.list.last().map(|last| (last.directive, last.comment));
-                            if last == Some((Directive::DisableNextLine, node.range().shift(base))) {
+                            if last == Some((Directive::DisableNextLine, node.range().shift(base)))
+                            {
                                 waiting.push(found.list.len() - 1);
                             }
                         }
@@ -133,7 +137,9 @@ impl Suppressions {
         if suppression.directive == Directive::DisableFile && is_late() {
             return self.malformed.push(Malformed {
                 comment,
-                message: format!("`disable-file` has no effect after the first {HEAD_LINES} lines of a file"),
+                message: format!(
+                    "`disable-file` has no effect after the first {HEAD_LINES} lines of a file"
+                ),
                 help: "move the comment to the top of the file, or write `disable`".to_owned(),
             });
         }
@@ -147,7 +153,9 @@ impl Suppressions {
 
     /// Whether an `enable` at `offset` ends what a `disable` before it began.
     pub fn ended_by(&self, selector: &Selector, offset: u32) -> bool {
-        self.reach.begins(&selector.text).is_some_and(|begin| begin <= offset)
+        self.reach
+            .begins(&selector.text)
+            .is_some_and(|begin| begin <= offset)
     }
 }
 
@@ -166,10 +174,22 @@ fn parse(comment: Node<'_>, base: u32) -> Option<Result<Suppression, Malformed>>
     let text = comment.raw().trim_start();
     let range = comment.range().shift(base);
     let Some(rest) = text.strip_prefix(Suppressions::MARK) else {
-        return misspelled(text).map(|(message, help)| Err(Malformed { comment: range, message, help }));
+        return misspelled(text).map(|(message, help)| {
+            Err(Malformed {
+                comment: range,
+                message,
+                help,
+            })
+        });
     };
     let start = base + comment.raw_range().end - rest.len() as u32;
-    Some(read(rest, start, range).map_err(|(message, help)| Malformed { comment: range, message, help }))
+    Some(
+        read(rest, start, range).map_err(|(message, help)| Malformed {
+            comment: range,
+            message,
+            help,
+        }),
+    )
 }
 
 /// What is wrong with a comment that begins nearly as those for the linter do, and goes on as they do.
@@ -189,7 +209,10 @@ fn misspelled(text: &str) -> Option<(String, String)> {
         Suppressions::MARK,
         begins.trim_end()
     );
-    Some((message, format!("write <!-- {} {} -->", Suppressions::MARK, said.trim())))
+    Some((
+        message,
+        format!("write <!-- {} {} -->", Suppressions::MARK, said.trim()),
+    ))
 }
 
 /// Read what follows the mark; `start` is where it stands.
@@ -203,13 +226,21 @@ fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (Stri
         "disable" => Directive::Disable,
         "enable" => Directive::Enable,
         "disable-file" => Directive::DisableFile,
-        "" => return Err(("suppression comment has no directive".to_owned(), FORM.to_owned())),
+        "" => {
+            return Err((
+                "suppression comment has no directive".to_owned(),
+                FORM.to_owned(),
+            ));
+        }
         _ => {
             let help = match nearest(word, WORDS) {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => format!("use one of `{}`", WORDS.join("`, `")),
             };
-            return Err((format!("unknown directive `{word}` in a suppression comment"), help));
+            return Err((
+                format!("unknown directive `{word}` in a suppression comment"),
+                help,
+            ));
         }
     };
     let mut rules = Vec::new();
@@ -224,7 +255,10 @@ fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (Stri
         if name.contains(char::is_whitespace) {
             let help = "separate rules with commas, and start the reason with a colon".to_owned();
             return Err((
-                format!("unknown rule `{}`", name.split_whitespace().collect::<Vec<_>>().join(" ")),
+                format!(
+                    "unknown rule `{}`",
+                    name.split_whitespace().collect::<Vec<_>>().join(" ")
+                ),
                 help,
             ));
         }
@@ -234,7 +268,12 @@ fn read(text: &str, start: u32, comment: TextRange) -> Result<Suppression, (Stri
         });
         at += part.len() + 1;
     }
-    Ok(Suppression { directive, comment, rules, scope: TextRange::default() })
+    Ok(Suppression {
+        directive,
+        comment,
+        rules,
+        scope: TextRange::default(),
+    })
 }
 
 #[cfg(test)]
@@ -247,7 +286,9 @@ mod tests {
     fn hides(text: &str, code: &str) -> bool {
         let found = Suppressions::of(&Document::parse(text));
         assert!(found.malformed.is_empty(), "{:?}", found.malformed);
-        found.hiding(by_code(code).unwrap(), text.find("here").unwrap() as u32).is_some()
+        found
+            .hiding(by_code(code).unwrap(), text.find("here").unwrap() as u32)
+            .is_some()
     }
 
     #[test]
@@ -285,8 +326,9 @@ mod tests {
     #[test]
     fn what_an_enable_ends() {
         let ended = |begin: &str, end: &str| {
-            let text =
-                format!("<robot><!-- xacro-lint: {begin} --><a/><!-- xacro-lint: enable {end} --></robot>");
+            let text = format!(
+                "<robot><!-- xacro-lint: {begin} --><a/><!-- xacro-lint: enable {end} --></robot>"
+            );
             let found = Suppressions::of(&Document::parse(&text));
             let last = found.list.last().unwrap();
             found.ended_by(&last.rules[0], last.comment.start)
@@ -314,12 +356,20 @@ mod tests {
                 "<!-- xacro-lint: disable-next-line STR008 -->"
             )
         };
-        let text = format!("<robot>{}</robot>", (0..20_000).map(one).collect::<String>());
+        let text = format!(
+            "<robot>{}</robot>",
+            (0..20_000).map(one).collect::<String>()
+        );
         let found = Suppressions::of(&Document::parse(&text));
         let rule = by_code("STR008").unwrap();
-        let hidden = text.match_indices("<a/>").filter(|(at, _)| found.hiding(rule, *at as u32).is_some());
+        let hidden = text
+            .match_indices("<a/>")
+            .filter(|(at, _)| found.hiding(rule, *at as u32).is_some());
         assert_eq!(hidden.count(), 20_000);
-        let ends = found.list.iter().filter(|one| found.ended_by(&one.rules[0], one.comment.start));
+        let ends = found
+            .list
+            .iter()
+            .filter(|one| found.ended_by(&one.rules[0], one.comment.start));
         assert_eq!(ends.count(), 0);
     }
 
@@ -327,11 +377,17 @@ mod tests {
     fn what_cannot_be_understood() {
         for (comment, expected) in [
             ("xacro-lint:", "suppression comment has no directive"),
-            ("xacro-lint: disabel STR008", "unknown directive `disabel` in a suppression comment"),
+            (
+                "xacro-lint: disabel STR008",
+                "unknown directive `disabel` in a suppression comment",
+            ),
             ("xacro-lint: disable", "`disable` has no rule"),
             ("xacro-lint: disable: all of it", "`disable` has no rule"),
             ("xacro-lint: disable STR008, : why", "`disable` has no rule"),
-            ("xacro-lint: disable STR008 STR007", "unknown rule `STR008 STR007`"),
+            (
+                "xacro-lint: disable STR008 STR007",
+                "unknown rule `STR008 STR007`",
+            ),
             (
                 "Xacro-Lint: disable STR008",
                 "suppression comment starts with `Xacro-Lint:` instead of `xacro-lint:`",
@@ -345,15 +401,28 @@ mod tests {
                 "suppression comment starts with `XACRO-LINT :` instead of `xacro-lint:`",
             ),
         ] {
-            let found = Suppressions::of(&Document::parse(&format!("<robot><!-- {comment} --></robot>")));
+            let found = Suppressions::of(&Document::parse(&format!(
+                "<robot><!-- {comment} --></robot>"
+            )));
             let messages: Vec<&str> = found.malformed.iter().map(|m| m.message.as_str()).collect();
-            assert_eq!((messages, found.list.len()), (vec![expected], 0), "{comment}");
+            assert_eq!(
+                (messages, found.list.len()),
+                (vec![expected], 0),
+                "{comment}"
+            );
         }
-        let late = format!("<robot>{}<!-- xacro-lint: disable-file STR008 --></robot>", "\n".repeat(10));
+        let late = format!(
+            "<robot>{}<!-- xacro-lint: disable-file STR008 --></robot>",
+            "\n".repeat(10)
+        );
         assert_eq!(Suppressions::of(&Document::parse(&late)).malformed.len(), 1);
-        let other = Suppressions::of(&Document::parse("<robot><!-- see xacro-lint: disable x --></robot>"));
+        let other = Suppressions::of(&Document::parse(
+            "<robot><!-- see xacro-lint: disable x --></robot>",
+        ));
         assert!(other.malformed.is_empty() && other.list.is_empty());
-        let prose = Suppressions::of(&Document::parse("<robot><!-- xacro-lint finds this --></robot>"));
+        let prose = Suppressions::of(&Document::parse(
+            "<robot><!-- xacro-lint finds this --></robot>",
+        ));
         assert!(prose.malformed.is_empty() && prose.list.is_empty());
     }
 }

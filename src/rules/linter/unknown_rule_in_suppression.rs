@@ -33,9 +33,13 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             Some(near) => Help::did_you_mean(near),
             None => "run `xacro-lint rules` to list all rules".into(),
         };
-        let finding = out.report_in(cx.file, selector.range, format!("unknown rule `{name}`")).help(help);
+        let finding = out
+            .report_in(cx.file, selector.range, format!("unknown rule `{name}`"))
+            .help(help);
         match near.filter(|near| edit_distance(&name.to_lowercase(), &near.to_lowercase()) <= 1) {
-            Some(near) => finding.replace_with(Safety::Safe, format!("replace with `{near}`"), near).done(),
+            Some(near) => finding
+                .replace_with(Safety::Safe, format!("replace with `{near}`"), near)
+                .done(),
             None => finding.done(),
         }
     }

@@ -28,7 +28,10 @@ pub fn unused_suppression(
     safety: Safety,
 ) -> Finding {
     let (file, document) = (source.id, &source.document);
-    let names: Vec<String> = unused.iter().map(|selector| format!("`{}`", selector.text)).collect();
+    let names: Vec<String> = unused
+        .iter()
+        .map(|selector| format!("`{}`", selector.text))
+        .collect();
     let names = names.join(", ");
     let message = match suppression.directive {
         Directive::Enable => format!("`enable` of {names} has no matching `disable`"),
@@ -38,21 +41,44 @@ pub fn unused_suppression(
     let starts: FastSet<u32> = unused.iter().map(|selector| selector.range.start).collect();
     let is_used = |selector: &&Selector| !starts.contains(&selector.range.start);
     let used: Vec<&Selector> = suppression.rules.iter().filter(is_used).collect();
-    let (message_of_fix, edit) = match (used.is_empty(), suppression.rules.first(), suppression.rules.last())
-    {
+    let (message_of_fix, edit) = match (
+        used.is_empty(),
+        suppression.rules.first(),
+        suppression.rules.last(),
+    ) {
         (false, Some(first), Some(last)) => {
             let range = TextRange::new(first.range.start, last.range.end);
             let kept: Vec<&str> = used.iter().map(|selector| selector.text.as_str()).collect();
-            (format!("remove {names}"), Edit { span: span(range), content: kept.join(", ") })
+            (
+                format!("remove {names}"),
+                Edit {
+                    span: span(range),
+                    content: kept.join(", "),
+                },
+            )
         }
         _ => {
             let range = with_its_line(document, suppression.comment);
-            ("remove the comment".to_owned(), Edit { span: span(range), content: String::new() })
+            (
+                "remove the comment".to_owned(),
+                Edit {
+                    span: span(range),
+                    content: String::new(),
+                },
+            )
         }
     };
     let help = Some(format!("{message_of_fix}; it suppresses nothing"));
-    let fix = Fix { safety, message: message_of_fix, edits: vec![edit] };
-    Finding { fix: Some(fix), help, ..Finding::new(&RULE, span(suppression.comment), message) }
+    let fix = Fix {
+        safety,
+        message: message_of_fix,
+        edits: vec![edit],
+    };
+    Finding {
+        fix: Some(fix),
+        help,
+        ..Finding::new(&RULE, span(suppression.comment), message)
+    }
 }
 
 /// A comment that has its lines for itself, with these lines.
@@ -62,7 +88,11 @@ fn with_its_line(document: &Document, comment: TextRange) -> TextRange {
     let indent = before.len() - before.trim_end_matches(blanks).len();
     let begins = before.trim_end_matches(blanks);
     let tail = behind.trim_start_matches(blanks);
-    let line_end = if tail.starts_with("\r\n") { 2 } else { usize::from(tail.starts_with('\n')) };
+    let line_end = if tail.starts_with("\r\n") {
+        2
+    } else {
+        usize::from(tail.starts_with('\n'))
+    };
     if line_end == 0 {
         return comment;
     }

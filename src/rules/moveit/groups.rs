@@ -9,15 +9,28 @@ use project::{Kind, Named, is_computed};
 /// Report the groups that no SRDF of the robot defines.
 pub(super) fn unknown(cx: &BesideCx<'_>, out: &mut Sink<'_>, groups: &[Named], what: &str) {
     // what an SRDF defines is known only where there is one, and where its arguments do not decide the names in it
-    let mut names = cx.srdfs().flat_map(|srdf| &srdf.groups).map(|group| group.name.as_ref());
+    let mut names = cx
+        .srdfs()
+        .flat_map(|srdf| &srdf.groups)
+        .map(|group| group.name.as_ref());
     let is_sure = |name: &Text| name.is_known() && (name.is_literal() || !cx.has_variants);
-    if cx.srdfs().next().is_none() || !cx.has_all_groups || !names.all(|name| name.is_some_and(is_sure)) {
+    if cx.srdfs().next().is_none()
+        || !cx.has_all_groups
+        || !names.all(|name| name.is_some_and(is_sure))
+    {
         return;
     }
     // where each group of the SRDF has its settings, others are left over
     let has = |name: &Text| groups.iter().any(|group| group.name == name.value);
-    let defined = cx.srdfs().flat_map(|srdf| &srdf.groups).filter_map(|group| group.name.as_ref());
-    let severity = if defined.into_iter().all(has) { Severity::Info } else { Severity::Warning };
+    let defined = cx
+        .srdfs()
+        .flat_map(|srdf| &srdf.groups)
+        .filter_map(|group| group.name.as_ref());
+    let severity = if defined.into_iter().all(has) {
+        Severity::Info
+    } else {
+        Severity::Warning
+    };
     for group in groups.iter().filter(|group| !is_computed(&group.name)) {
         if cx.lacks(Kind::Group, &group.name) {
             let message = format!("{what} for unknown group `{}`", group.name);

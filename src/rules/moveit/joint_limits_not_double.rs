@@ -30,15 +30,29 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     // of a joint that the robot does not have, nothing is read
-    let limits = cx.settings().into_iter().flat_map(|settings| &settings.limits);
+    let limits = cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.limits);
     for limit in limits.filter(|limit| cx.joints(&limit.joint.name).next().is_some()) {
         for (key, value, is_integer, range) in &limit.values {
-            let read = DOUBLES.iter().any(|(name, switch)| *name == key.name && limit.has(switch));
+            let read = DOUBLES
+                .iter()
+                .any(|(name, switch)| *name == key.name && limit.has(switch));
             if !is_integer || !read {
                 continue;
             }
-            let message = format!("`{}` of joint `{}` is not a double", key.name, limit.joint.name);
-            let report = out.report_span(Span { file: cx.file, range: *range }, message);
+            let message = format!(
+                "`{}` of joint `{}` is not a double",
+                key.name, limit.joint.name
+            );
+            let report = out.report_span(
+                Span {
+                    file: cx.file,
+                    range: *range,
+                },
+                message,
+            );
             let help = format!("write `{value:.1}`; MoveIt 2 stops at a parameter of another type");
             report.help(help).done();
         }

@@ -15,11 +15,17 @@ pub(super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    for limit in cx.settings().into_iter().flat_map(|settings| &settings.limits) {
+    for limit in cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.limits)
+    {
         let joint = &limit.joint;
         if !is_computed(&joint.name) && cx.lacks(Kind::Joint, &joint.name) {
             let message = format!("limits of unknown joint `{}`", joint.name);
-            cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
+            cx.report(out, joint, message)
+                .help(cx.advice(Kind::Joint, &joint.name))
+                .done();
         }
     }
 }

@@ -15,14 +15,24 @@ pub(super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    for controller in cx.settings().into_iter().flat_map(|settings| &settings.moveit) {
-        for joint in controller.joints.iter().filter(|joint| !is_computed(&joint.name)) {
+    for controller in cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.moveit)
+    {
+        for joint in controller
+            .joints
+            .iter()
+            .filter(|joint| !is_computed(&joint.name))
+        {
             if cx.lacks(Kind::Joint, &joint.name) {
                 let message = format!(
                     "controller `{}` of MoveIt has unknown joint `{}`",
                     controller.name.name, joint.name
                 );
-                cx.report(out, joint, message).help(cx.advice(Kind::Joint, &joint.name)).done();
+                cx.report(out, joint, message)
+                    .help(cx.advice(Kind::Joint, &joint.name))
+                    .done();
             }
         }
     }

@@ -23,8 +23,13 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         .map(|listed| listed.name.name.as_str())
         .collect();
     // controllers of other programs, such as drivers, are listed nowhere
-    let controllers = cx.settings().into_iter().flat_map(|settings| &settings.moveit);
-    let is_any_listed = controllers.clone().any(|one| listed.contains(last(&one.name.name)));
+    let controllers = cx
+        .settings()
+        .into_iter()
+        .flat_map(|settings| &settings.moveit);
+    let is_any_listed = controllers
+        .clone()
+        .any(|one| listed.contains(last(&one.name.name)));
     for controller in controllers.filter(|_| is_any_listed) {
         let name = last(&controller.name.name);
         if listed.contains(name) || project::is_computed(name) {
@@ -34,14 +39,22 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let near = nearest(name, listed.iter().copied());
         // the driver of a gripper may offer the action itself
         let is_of_driver = controller.is_gripper && near.is_none();
-        let severity = if is_of_driver { Severity::Info } else { RULE.severity };
+        let severity = if is_of_driver {
+            Severity::Info
+        } else {
+            RULE.severity
+        };
         let help = match near {
             Some(near) => Help::did_you_mean(near),
             None => {
-                format!("add `{name}` with its `type` to the parameters of the controller manager").into()
+                format!("add `{name}` with its `type` to the parameters of the controller manager")
+                    .into()
             }
         };
-        cx.report(out, &controller.name, message).severity(severity).help(help).done();
+        cx.report(out, &controller.name, message)
+            .severity(severity)
+            .help(help)
+            .done();
     }
 }
 

@@ -15,6 +15,8 @@ pub(super) static RULE: Rule = Rule::semantic(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(settings) = cx.settings() else { return };
+    let Some(settings) = cx.settings() else {
+        return;
+    };
     unknown(cx, out, &settings.servo, "parameters of MoveIt Servo");
 }

@@ -18,10 +18,14 @@ pub(super) static RULE: Rule = Rule {
 
 /// The finding about a file of a package that is named and does not exist.
 pub fn setup_assistant_file_not_found(span: Span, file: &str, package: &str) -> Finding {
-    let mut finding =
-        Finding::new(&RULE, span, format!("file `{file}` does not exist in package `{package}`"));
+    let mut finding = Finding::new(
+        &RULE,
+        span,
+        format!("file `{file}` does not exist in package `{package}`"),
+    );
     finding.help = Some(
-        "correct the path; launch files that use `MoveItConfigsBuilder` fail without the file".to_owned(),
+        "correct the path; launch files that use `MoveItConfigsBuilder` fail without the file"
+            .to_owned(),
     );
     finding
 }

@@ -17,10 +17,21 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// The finding about arguments with which a file cannot be expanded, and what is wrong there.
-pub fn setup_assistant_robot_fails(span: Span, file: &str, (place, problem): (Span, &str)) -> Finding {
-    let mut finding =
-        Finding::new(&RULE, span, format!("`{file}` has an error with these arguments: {problem}"));
+pub fn setup_assistant_robot_fails(
+    span: Span,
+    file: &str,
+    (place, problem): (Span, &str),
+) -> Finding {
+    let mut finding = Finding::new(
+        &RULE,
+        span,
+        format!("`{file}` has an error with these arguments: {problem}"),
+    );
     finding.help = Some("correct the arguments; without them, the error does not occur".to_owned());
-    finding.related.push(Related { span: place, message: problem.to_owned(), is_call: false });
+    finding.related.push(Related {
+        span: place,
+        message: problem.to_owned(),
+        is_call: false,
+    });
     finding
 }

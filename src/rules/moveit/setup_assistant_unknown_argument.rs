@@ -17,10 +17,21 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// The finding about an argument that no file of the robot declares or reads.
-pub fn setup_assistant_unknown_argument(span: Span, name: &str, file: &str, near: Option<&str>) -> Finding {
+pub fn setup_assistant_unknown_argument(
+    span: Span,
+    name: &str,
+    file: &str,
+    near: Option<&str>,
+) -> Finding {
     let help = match near {
         Some(near) => Help::did_you_mean(near),
-        None => format!("remove it, or declare it in `{file}`; xacro ignores an unknown argument").into(),
+        None => format!("remove it, or declare it in `{file}`; xacro ignores an unknown argument")
+            .into(),
     };
-    Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`")).advised(help)
+    Finding::new(
+        &RULE,
+        span,
+        format!("unknown argument `{name}` of `{file}`"),
+    )
+    .advised(help)
 }

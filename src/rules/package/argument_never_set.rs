@@ -18,8 +18,16 @@ pub(super) static RULE: Rule = Rule {
 
 /// The finding about an argument that none of `calls` calls of the robot passes.
 pub fn argument_never_set(span: Span, name: &str, calls: usize) -> Finding {
-    let calls = if calls == 1 { "the only call".to_owned() } else { format!("any of {calls} calls") };
-    let mut finding = Finding::new(&RULE, span, format!("argument `{name}` is not passed in {calls}"));
+    let calls = if calls == 1 {
+        "the only call".to_owned()
+    } else {
+        format!("any of {calls} calls")
+    };
+    let mut finding = Finding::new(
+        &RULE,
+        span,
+        format!("argument `{name}` is not passed in {calls}"),
+    );
     finding.help = Some("replace it with its default, or pass it in a launch file".to_owned());
     finding
 }

@@ -24,28 +24,50 @@ pub(super) static RULE: Rule = Rule {
 /// The words to replace, and by what.
 const WORDS: [(&str, &str, &str); 2] = [
     ("xacro.py", "xacro", "call the program `xacro`"),
-    ("--inorder", "", "remove the option; it is the default since ROS Melodic"),
+    (
+        "--inorder",
+        "",
+        "remove the option; it is the default since ROS Melodic",
+    ),
 ];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(root) = cx.expansion.files.first().map(|file| file.source.path.clone()) else { return };
+    let Some(root) = cx
+        .expansion
+        .files
+        .first()
+        .map(|file| file.source.path.clone())
+    else {
+        return;
+    };
     if is_launch(&root) {
         return check_file(cx, &root, out);
     }
     if cx.kind == RootKind::Robot {
-        launch::files(cx.world, &root).iter().for_each(|path| check_file(cx, path, out));
+        launch::files(cx.world, &root)
+            .iter()
+            .for_each(|path| check_file(cx, path, out));
     }
 }
 
 fn check_file(cx: &DocumentCx<'_>, path: &Path, out: &mut Sink<'_>) {
-    let Ok(file) = cx.world.vfs.text(path) else { return };
+    let Ok(file) = cx.world.vfs.text(path) else {
+        return;
+    };
     for (word, replacement, help) in WORDS {
         for (at, _) in file.text.match_indices(word) {
             let range = TextRange::new(at as u32, (at + word.len()) as u32);
-            let span = Span { file: cx.world.vfs.file_id(path), range };
-            let blank = replacement.is_empty() && file.text.get(..at).is_some_and(|text| text.ends_with(' '));
+            let span = Span {
+                file: cx.world.vfs.file_id(path),
+                range,
+            };
+            let blank = replacement.is_empty()
+                && file.text.get(..at).is_some_and(|text| text.ends_with(' '));
             let range = TextRange::new(range.start - u32::from(blank), range.end);
-            let edit = Edit { span: Span { range, ..span }, content: replacement.to_owned() };
+            let edit = Edit {
+                span: Span { range, ..span },
+                content: replacement.to_owned(),
+            };
             out.report_span(span, format!("`{word}` is deprecated"))
                 .help(help)
                 .edits(Safety::Safe, "update the command", vec![edit])

@@ -19,7 +19,9 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else {
+        return;
+    };
     if !manifest.name.ends_with("_description") && !manifest.name.ends_with("_support") {
         let message = format!(
             "package `{}` contains a robot description, but its name does not end in `_description`",

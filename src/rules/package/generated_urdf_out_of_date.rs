@@ -19,5 +19,8 @@ pub(in super::super) static RULE: Rule = Rule {
 /// The finding about a generated file, at the name of its source in the banner of xacro.
 pub fn generated_urdf_out_of_date(span: Span, source: &str, help: String) -> Finding {
     let message = format!("generated file is out of date: `{source}` gives another robot");
-    Finding { help: Some(help), ..Finding::new(&RULE, span, message) }
+    Finding {
+        help: Some(help),
+        ..Finding::new(&RULE, span, message)
+    }
 }

@@ -23,10 +23,14 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let mut said: FastSet<String> = FastSet::default();
     for mention in mentions::packages(cx) {
         if !is_valid(&mention.name) && said.insert(mention.name.clone()) {
-            out.report_in(cx.file, mention.range, format!("invalid package name `{}`", mention.name))
-                .group(Group::Value(mention.name.as_str().into()))
-                .help("use at least two of a-z, 0-9 and `_`; start with a letter and do not use `__`")
-                .done();
+            out.report_in(
+                cx.file,
+                mention.range,
+                format!("invalid package name `{}`", mention.name),
+            )
+            .group(Group::Value(mention.name.as_str().into()))
+            .help("use at least two of a-z, 0-9 and `_`; start with a letter and do not use `__`")
+            .done();
         }
     }
 }

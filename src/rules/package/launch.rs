@@ -7,15 +7,27 @@ use super::manifest::Manifest;
 
 /// The launch files in the folder `launch` of the package that a file belongs to.
 pub(super) fn files(world: Surroundings<'_>, file: &Path) -> Vec<PathBuf> {
-    let Some(manifest) = Manifest::around(world, file) else { return Vec::new() };
+    let Some(manifest) = Manifest::around(world, file) else {
+        return Vec::new();
+    };
     let folder = manifest.folder.join("launch");
-    let paths = world.vfs.list_dir(&folder).iter().map(|entry| folder.join(&entry.name)).collect::<Vec<_>>();
+    let paths = world
+        .vfs
+        .list_dir(&folder)
+        .iter()
+        .map(|entry| folder.join(&entry.name))
+        .collect::<Vec<_>>();
     paths.into_iter().filter(|path| is_launch(path)).collect()
 }
 
 pub(super) fn is_launch(path: &Path) -> bool {
-    let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
-    [".launch", ".launch.xml", ".py"].iter().any(|ending| name.ends_with(ending))
+    let name = path
+        .file_name()
+        .map(|name| name.to_string_lossy())
+        .unwrap_or_default();
+    [".launch", ".launch.xml", ".py"]
+        .iter()
+        .any(|ending| name.ends_with(ending))
 }
 
 /// What a launch file that expands a description names: the program, or the package of ROS 2 whose launch files run it.
@@ -24,14 +36,20 @@ const EXPANDERS: [&str; 2] = ["xacro", "urdf_launch"];
 /// Whether a launch file of the package names a file without running xacro, nor another launch file that does: it is read as
 /// it stands.
 pub fn reads_as_it_stands(cx: &FileCx<'_>) -> bool {
-    let Some(name) = cx.source.path.file_name().and_then(|name| name.to_str()) else { return false };
+    let Some(name) = cx.source.path.file_name().and_then(|name| name.to_str()) else {
+        return false;
+    };
     let files = files(cx.world, &cx.source.path);
-    let texts: Vec<_> =
-        files.iter().filter_map(|path| Some((path.file_name()?, cx.world.vfs.text(path).ok()?))).collect();
+    let texts: Vec<_> = files
+        .iter()
+        .filter_map(|path| Some((path.file_name()?, cx.world.vfs.text(path).ok()?)))
+        .collect();
     let expands = |text: &str| EXPANDERS.iter().any(|expander| text.contains(expander));
     let hands_on = |text: &str| {
         let mut others = texts.iter().filter(|(_, other)| expands(&other.text));
         others.any(|(other, _)| other.to_str().is_some_and(|other| text.contains(other)))
     };
-    texts.iter().any(|(_, file)| file.text.contains(name) && !expands(&file.text) && !hands_on(&file.text))
+    texts
+        .iter()
+        .any(|(_, file)| file.text.contains(name) && !expands(&file.text) && !hands_on(&file.text))
 }

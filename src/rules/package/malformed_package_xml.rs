@@ -26,12 +26,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if !seen.insert(path.clone()) {
             continue;
         }
-        let Ok(source) = cx.world.vfs.document(&path) else { continue };
+        let Ok(source) = cx.world.vfs.document(&path) else {
+            continue;
+        };
         let errors = source.document.errors();
-        let Some(error) = errors.iter().min_by_key(|error| error.expat_offset) else { continue };
-        let span = Span { file: source.id, range: error.range };
-        out.report_span(span, format!("package.xml of `{}` is malformed: {}", package.name, error.message))
-            .help("correct the XML; dependencies are not checked until then")
-            .done();
+        let Some(error) = errors.iter().min_by_key(|error| error.expat_offset) else {
+            continue;
+        };
+        let span = Span {
+            file: source.id,
+            range: error.range,
+        };
+        out.report_span(
+            span,
+            format!(
+                "package.xml of `{}` is malformed: {}",
+                package.name, error.message
+            ),
+        )
+        .help("correct the XML; dependencies are not checked until then")
+        .done();
     }
 }

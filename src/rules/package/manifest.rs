@@ -60,7 +60,9 @@ impl Manifest {
         let package = world.packages.containing(file)?;
         let path = package.folder.join("package.xml");
         let text = world.vfs.text(&path).ok()?;
-        world.manifests.get(world.vfs.file_id(&path), &text, package)
+        world
+            .manifests
+            .get(world.vfs.file_id(&path), &text, package)
     }
 
     /// Whether a package comes along at run time.
@@ -76,8 +78,12 @@ impl Manifest {
             if !seen.insert(name.clone()) || seen.len() > MOST_PACKAGES {
                 continue;
             }
-            let Ok(folder) = world.packages.find(&name, from) else { continue };
-            let Some(manifest) = Self::around(world, &folder.path.join("package.xml")) else { continue };
+            let Ok(folder) = world.packages.find(&name, from) else {
+                continue;
+            };
+            let Some(manifest) = Self::around(world, &folder.path.join("package.xml")) else {
+                continue;
+            };
             if manifest.declares(package) {
                 return true;
             }
@@ -87,18 +93,25 @@ impl Manifest {
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {
-        let options =
-            ParsingOptions { allow_dtd: true, nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
+        let options = ParsingOptions {
+            allow_dtd: true,
+            nodes_limit: MANIFEST_NODES,
+            ..ParsingOptions::default()
+        };
         let document = Document::parse_with_options(text, options).ok()?;
         let root = document.root_element();
         let of = |names: &'static [&'static str]| {
             let elements = root.children().filter(Node::is_element);
             elements.filter(move |node| names.contains(&node.tag_name().name()))
         };
-        let runtime = of(&RUNTIME).filter_map(|node| Some(node.text()?.trim().to_owned())).collect();
+        let runtime = of(&RUNTIME)
+            .filter_map(|node| Some(node.text()?.trim().to_owned()))
+            .collect();
         let start = root.range().start as u32;
         let name_node = of(&["name"]).next();
-        let name_text = name_node.and_then(|node| node.first_child()).map_or(0..0, |text| text.range());
+        let name_text = name_node
+            .and_then(|node| node.first_child())
+            .map_or(0..0, |text| text.range());
         Some(Self {
             name,
             folder,
@@ -112,33 +125,55 @@ impl Manifest {
 
     /// The start of the manifest.
     pub fn start(&self) -> Span {
-        Span { file: self.file, range: self.root }
+        Span {
+            file: self.file,
+            range: self.root,
+        }
     }
 
     /// The name of the package.
     pub fn name_span(&self) -> Span {
-        Span { file: self.file, range: self.name_range }
+        Span {
+            file: self.file,
+            range: self.name_range,
+        }
     }
 
     /// The text that adds a dependency, and where it goes.
     pub fn addition(&self, package: &str) -> (Span, String) {
         let (at, before, behind) = &self.insertion;
-        let span = Span { file: self.file, range: TextRange::empty(*at) };
+        let span = Span {
+            file: self.file,
+            range: TextRange::empty(*at),
+        };
         (span, format!("{before}{package}{behind}"))
     }
 }
 
 /// Behind the last dependency in its style, else in front of the end tag.
 fn insertion(text: &str, root: Node<'_, '_>) -> (u32, String, String) {
-    let old = root.attribute("format").is_none_or(|format| format.trim() == "1");
+    let old = root
+        .attribute("format")
+        .is_none_or(|format| format.trim() == "1");
     let tag = if old { "run_depend" } else { "exec_depend" };
     let elements: Vec<Node<'_, '_>> = root.children().filter(Node::is_element).collect();
-    let last = elements.iter().rev().find(|node| node.tag_name().name().ends_with("depend"));
+    let last = elements
+        .iter()
+        .rev()
+        .find(|node| node.tag_name().name().ends_with("depend"));
     let (at, indent) = match last.or(elements.last()) {
         Some(last) => {
             let start = last.range().start;
-            let line = text.get(..start).unwrap_or_default().rsplit('\n').next().unwrap_or_default();
-            (last.range().end, if line.trim().is_empty() { line } else { "  " })
+            let line = text
+                .get(..start)
+                .unwrap_or_default()
+                .rsplit('\n')
+                .next()
+                .unwrap_or_default();
+            (
+                last.range().end,
+                if line.trim().is_empty() { line } else { "  " },
+            )
         }
         None => (root.range().end.saturating_sub("</package>".len()), "  "),
     };
@@ -168,12 +203,14 @@ mod tests {
 
     #[test]
     fn a_dependency_is_added_in_the_style_of_the_file() {
-        let modern =
-            "<package format='3'>\n    <name>p</name>\n    <depend>a</depend>\n    <export/>\n</package>";
+        let modern = "<package format='3'>\n    <name>p</name>\n    <depend>a</depend>\n    <export/>\n</package>";
         let expected = modern.replace("</depend>", "</depend>\n    <exec_depend>x</exec_depend>");
         assert_eq!(added(modern), expected);
         let old = "<package>\n <name>p</name>\n</package>";
-        assert_eq!(added(old), "<package>\n <name>p</name>\n <run_depend>x</run_depend>\n</package>");
+        assert_eq!(
+            added(old),
+            "<package>\n <name>p</name>\n <run_depend>x</run_depend>\n</package>"
+        );
     }
 
     #[test]

@@ -44,7 +44,10 @@ fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
                 _ => {}
             }
             if found.len() > known && is_conditional(node) {
-                found.iter_mut().skip(known).for_each(|mention| mention.is_conditional = true);
+                found
+                    .iter_mut()
+                    .skip(known)
+                    .for_each(|mention| mention.is_conditional = true);
             }
         }
     }
@@ -53,7 +56,9 @@ fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
 
 fn is_conditional(node: Node<'_>) -> bool {
     let around = std::iter::successors(node.parent(), |node| node.parent());
-    around.into_iter().any(|node| matches!(node.name(), "xacro:if" | "xacro:unless"))
+    around
+        .into_iter()
+        .any(|node| matches!(node.name(), "xacro:if" | "xacro:unless"))
 }
 
 static URI: LazyLock<Finder<'_>> = LazyLock::new(|| Finder::new("package://"));
@@ -72,18 +77,33 @@ fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
             let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
             let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());
             let behind = rest.get(end..).unwrap_or_default();
-            let closed = if is_uri { behind.starts_with('/') } else { behind.trim_start().starts_with(')') };
+            let closed = if is_uri {
+                behind.starts_with('/')
+            } else {
+                behind.trim_start().starts_with(')')
+            };
             if end == 0 || !closed || (is_uri && blanks > 0) {
                 continue;
             }
-            let range = |start: usize, end: usize| TextRange::new(base + start as u32, base + end as u32);
+            let range =
+                |start: usize, end: usize| TextRange::new(base + start as u32, base + end as u32);
             let path = behind.strip_prefix('/').filter(|_| is_uri).map(|path| {
-                let length = path.find(['$', '<', '&', ' ', '"', '\'']).unwrap_or(path.len());
+                let length = path
+                    .find(['$', '<', '&', ' ', '"', '\''])
+                    .unwrap_or(path.len());
                 let from = start + end + 1;
-                (path.get(..length).unwrap_or_default().to_owned(), range(from, from + length))
+                (
+                    path.get(..length).unwrap_or_default().to_owned(),
+                    range(from, from + length),
+                )
             });
             let name = rest.get(..end).unwrap_or_default().to_owned();
-            found.push(Mention { name, range: range(start, start + end), is_conditional: false, path });
+            found.push(Mention {
+                name,
+                range: range(start, start + end),
+                is_conditional: false,
+                path,
+            });
         }
     }
 }
@@ -117,6 +137,9 @@ mod tests {
         let text = "package://arm/meshes/${part}.stl";
         let mut found = Vec::new();
         in_text(text, 0, &mut found);
-        assert_eq!(found[0].path.as_ref().map(|(path, _)| path.as_str()), Some("meshes/"));
+        assert_eq!(
+            found[0].path.as_ref().map(|(path, _)| path.as_str()),
+            Some("meshes/")
+        );
     }
 }

@@ -21,8 +21,18 @@ pub(super) static RULE: Rule = Rule {
 /// The finding about an argument that a robot reads at `used` and this call does not pass.
 pub fn missing_launch_argument(call: Span, name: &str, file: &Path, used: Span) -> Finding {
     let file = file.file_name().unwrap_or_default().to_string_lossy();
-    let mut finding = Finding::new(&RULE, call, format!("missing argument `{name}` of `{file}`"));
-    finding.help = Some(format!("pass it in this call: `{name}:=...`; it has no default, and xacro fails"));
-    finding.related.push(Related { span: used, message: "used here".to_owned(), is_call: false });
+    let mut finding = Finding::new(
+        &RULE,
+        call,
+        format!("missing argument `{name}` of `{file}`"),
+    );
+    finding.help = Some(format!(
+        "pass it in this call: `{name}:=...`; it has no default, and xacro fails"
+    ));
+    finding.related.push(Related {
+        span: used,
+        message: "used here".to_owned(),
+        is_call: false,
+    });
     finding
 }

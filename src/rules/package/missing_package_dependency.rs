@@ -26,7 +26,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     if mentions.is_empty() {
         return;
     }
-    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, cx.file) else { return };
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, cx.file) else {
+        return;
+    };
     let mut said: FastSet<&str> = FastSet::default();
     let (maybe, always): (Vec<&Mention>, Vec<&Mention>) =
         mentions.iter().partition(|mention| mention.is_conditional);
@@ -38,9 +40,13 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         }
         let (span, content) = manifest.addition(name);
         // what a condition brings in may be optional, and what another dependency brings along is there
-        let comes_along = mention.is_conditional || manifest.brings(cx.world, &cx.source.path, name);
-        let severity =
-            if comes_along || needs(cx, name, &manifest.name) { Severity::Info } else { RULE.severity };
+        let comes_along =
+            mention.is_conditional || manifest.brings(cx.world, &cx.source.path, name);
+        let severity = if comes_along || needs(cx, name, &manifest.name) {
+            Severity::Info
+        } else {
+            RULE.severity
+        };
         out.report_in(
             cx.file,
             mention.range,
@@ -59,7 +65,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 /// Whether a package depends on the one that names it: declared both ways, neither could be built.
 fn needs(cx: &FileCx<'_>, name: &str, own: &str) -> bool {
     let from = &cx.source.path;
-    let Ok(found) = cx.world.packages.find(name, from) else { return false };
+    let Ok(found) = cx.world.packages.find(name, from) else {
+        return false;
+    };
     let manifest = Manifest::around(cx.world, &found.path.join("package.xml"));
     manifest.is_some_and(|manifest| manifest.declares(own) || manifest.brings(cx.world, from, own))
 }

@@ -55,7 +55,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Where a robot names packages and not one of them is found, that is one warning, at the first of these names: the
 /// packages are not looked for where they are.
-pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansion, world: Surroundings<'_>) {
+pub(in super::super) fn warn_once(
+    findings: &mut [Finding],
+    expansion: &Expansion,
+    world: Surroundings<'_>,
+) {
     let mut missing: Vec<&str> = Vec::new();
     for read in expansion.record.iter() {
         match read {
@@ -65,34 +69,68 @@ pub(in super::super) fn warn_once(findings: &mut [Finding], expansion: &Expansio
         }
     }
     let from = expansion.files.first().map(|file| file.source.path.clone());
-    for attr in expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root)) {
-        let Some(name) = package(attr).filter(|name| !missing.contains(name)) else { continue };
-        if from.as_ref().is_some_and(|from| world.packages.find(name, from).is_ok()) {
+    for attr in expansion
+        .tree
+        .root()
+        .into_iter()
+        .flat_map(|root| file_names(expansion, root))
+    {
+        let Some(name) = package(attr).filter(|name| !missing.contains(name)) else {
+            continue;
+        };
+        if from
+            .as_ref()
+            .is_some_and(|from| world.packages.find(name, from).is_ok())
+        {
             return;
         }
         missing.push(name);
     }
     // where the own package is found, packages are looked for in the right places, and this one is of others: unless what
     // it should hold is here
-    let uris = || expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root));
-    let is_at_hand = || from.as_ref().is_some_and(|from| uris().any(|attr| has_file_of(world, attr, from)));
-    let is_owned = from.as_ref().is_some_and(|from| world.packages.containing(from).is_some());
-    if is_owned && !is_at_hand() || from.as_ref().is_some_and(|from| is_fetched(world, expansion, from)) {
+    let uris = || {
+        expansion
+            .tree
+            .root()
+            .into_iter()
+            .flat_map(|root| file_names(expansion, root))
+    };
+    let is_at_hand = || {
+        from.as_ref()
+            .is_some_and(|from| uris().any(|attr| has_file_of(world, attr, from)))
+    };
+    let is_owned = from
+        .as_ref()
+        .is_some_and(|from| world.packages.containing(from).is_some());
+    if is_owned && !is_at_hand()
+        || from
+            .as_ref()
+            .is_some_and(|from| is_fetched(world, expansion, from))
+    {
         return;
     }
     // what the package declares is installed along with it, and only not here; a folder around the file with the name of
     // a package is a copy of it
     let manifest = manifest::of_file(world, expansion, FileIdx(0));
-    let is_around = |name: &&str| from.as_ref().is_some_and(|from| from.iter().any(|part| part == *name));
+    let is_around = |name: &&str| {
+        from.as_ref()
+            .is_some_and(|from| from.iter().any(|part| part == *name))
+    };
     if missing.iter().any(is_around)
         || manifest.is_some_and(|manifest| missing.iter().any(|name| manifest.declares(name)))
     {
         return;
     }
     let first = findings.iter_mut().find(|finding| *finding.rule == RULE);
-    let Some(first) = first.filter(|first| first.severity == Severity::Info) else { return };
-    let names =
-        missing.iter().take(MOST_PLACES).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let Some(first) = first.filter(|first| first.severity == Severity::Info) else {
+        return;
+    };
+    let names = missing
+        .iter()
+        .take(MOST_PLACES)
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(", ");
     first.severity = Severity::Warning;
     first.message = "none of the packages of this robot were found".to_owned();
     // what is missing is the same for all robots of a check
@@ -110,15 +148,29 @@ pub fn missing_packages(expansion: &Expansion, world: Surroundings<'_>) -> BTree
         _ => None,
     });
     let from = expansion.files.first().map(|file| file.source.path.clone());
-    let uris = expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root));
-    let is_missing = |name: &&str| from.as_ref().is_some_and(|from| world.packages.find(name, from).is_err());
+    let uris = expansion
+        .tree
+        .root()
+        .into_iter()
+        .flat_map(|root| file_names(expansion, root));
+    let is_missing = |name: &&str| {
+        from.as_ref()
+            .is_some_and(|from| world.packages.find(name, from).is_err())
+    };
     let names: BTreeSet<&str> = uris.filter_map(package).collect();
-    named.chain(names.into_iter().filter(is_missing).map(str::to_owned)).collect()
+    named
+        .chain(names.into_iter().filter(is_missing).map(str::to_owned))
+        .collect()
 }
 
 /// Whether a file of the name that a URI ends with is in the workspace.
 fn has_file_of(world: Surroundings<'_>, attr: &XAttr, from: &Path) -> bool {
-    path_in_package(attr).is_some_and(|path| world.packages.namesake(Path::new(path), None, from).is_some())
+    path_in_package(attr).is_some_and(|path| {
+        world
+            .packages
+            .namesake(Path::new(path), None, from)
+            .is_some()
+    })
 }
 
 /// Whether what is missing comes with the sources that a list of repositories brings, or lies in a folder around the file
@@ -127,14 +179,29 @@ fn is_fetched(world: Surroundings<'_>, expansion: &Expansion, from: &Path) -> bo
     let top = world.packages.sources_around(from);
     let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
     let folders: Vec<&Path> = from.ancestors().skip(1).take_while(inside).collect();
-    let is_list =
-        |name: &str| name.ends_with(".repos") || name.ends_with(".rosinstall") || name == ".gitmodules";
-    let has_list = |folder: &&Path| world.vfs.list_dir(folder).iter().any(|entry| is_list(&entry.name));
+    let is_list = |name: &str| {
+        name.ends_with(".repos") || name.ends_with(".rosinstall") || name == ".gitmodules"
+    };
+    let has_list = |folder: &&Path| {
+        world
+            .vfs
+            .list_dir(folder)
+            .iter()
+            .any(|entry| is_list(&entry.name))
+    };
     let lies_around = |attr: &XAttr| {
-        let is_there = |path: &str| folders.iter().any(|folder| world.vfs.is_file(&folder.join(path)));
+        let is_there = |path: &str| {
+            folders
+                .iter()
+                .any(|folder| world.vfs.is_file(&folder.join(path)))
+        };
         path_in_package(attr).is_some_and(is_there)
     };
-    let mut uris = expansion.tree.root().into_iter().flat_map(|root| file_names(expansion, root));
+    let mut uris = expansion
+        .tree
+        .root()
+        .into_iter()
+        .flat_map(|root| file_names(expansion, root));
     folders.iter().any(has_list) || uris.any(lies_around)
 }
 
@@ -155,23 +222,46 @@ fn file_names(expansion: &Expansion, root: XId) -> Vec<&XAttr> {
 }
 
 /// Look for the package that an element names, once for each file and name.
-fn look_up(cx: &DocumentCx<'_>, attr: &XAttr, missing: &mut IndexMap<(FileIdx, String), Option<Missing>>) {
+fn look_up(
+    cx: &DocumentCx<'_>,
+    attr: &XAttr,
+    missing: &mut IndexMap<(FileIdx, String), Option<Missing>>,
+) {
     let Some(name) = package(attr) else { return };
-    let Some(place) = cx.expansion.place(attr.origin) else { return };
-    let slot = missing.entry((place.file, name.to_owned())).or_insert_with(|| {
-        let from = cx.expansion.files.get(place.file.0 as usize)?.source.path.clone();
-        let error = cx.world.packages.find(name, &from).err()?;
-        Some(Missing { error, places: Vec::new() })
-    });
+    let Some(place) = cx.expansion.place(attr.origin) else {
+        return;
+    };
+    let slot = missing
+        .entry((place.file, name.to_owned()))
+        .or_insert_with(|| {
+            let from = cx
+                .expansion
+                .files
+                .get(place.file.0 as usize)?
+                .source
+                .path
+                .clone();
+            let error = cx.world.packages.find(name, &from).err()?;
+            Some(Missing {
+                error,
+                places: Vec::new(),
+            })
+        });
     if let Some(missing) = slot {
         missing.places.push(name_in_source(attr, name));
     }
 }
 
 fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut Sink<'_>) {
-    let Some((&first, others)) = places.split_first() else { return };
+    let Some((&first, others)) = places.split_first() else {
+        return;
+    };
     let news = is_news(cx.world, missing.nearest.as_deref());
-    let severity = if news { Severity::Warning } else { Severity::Info };
+    let severity = if news {
+        Severity::Warning
+    } else {
+        Severity::Info
+    };
     let mut report = out.report(first, message(missing)).severity(severity);
     for &other in others.iter().take(MOST_PLACES) {
         report = report.also(other, "also used here");
@@ -181,7 +271,9 @@ fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut 
             .help(Help::did_you_mean(near))
             .replace_with(Safety::Unsafe, format!("rename to `{near}`"), near)
             .done(),
-        None => report.help("pass its folder with --package-path, or source its workspace").done(),
+        None => report
+            .help("pass its folder with --package-path, or source its workspace")
+            .done(),
     }
 }
 
@@ -189,13 +281,19 @@ fn report(cx: &DocumentCx<'_>, missing: &NotFound, places: &[Origin], out: &mut 
 fn package(attr: &XAttr) -> Option<&str> {
     let name = attr.value.strip_prefix("package://")?.split('/').next()?;
     let end = ("package://".len() + name.len()) as u32;
-    let known = attr.pieces.iter().all(|piece| !piece.unknown || piece.out.start > end);
+    let known = attr
+        .pieces
+        .iter()
+        .all(|piece| !piece.unknown || piece.out.start > end);
     (known && !name.is_empty()).then_some(name)
 }
 
 /// The path behind the package of a `package://` URI.
 fn path_in_package(attr: &XAttr) -> Option<&str> {
-    let path = attr.value.strip_prefix("package://")?.strip_prefix(package(attr)?)?;
+    let path = attr
+        .value
+        .strip_prefix("package://")?
+        .strip_prefix(package(attr)?)?;
     Some(path.trim_start_matches('/')).filter(|path| !path.is_empty())
 }
 
@@ -204,12 +302,19 @@ fn name_in_source(attr: &XAttr, name: &str) -> Origin {
     let start = "package://".len() as u32;
     let range = TextRange::new(start, start + name.len() as u32);
     match attr.pieces.iter().find(|piece| piece.out.start < range.end) {
-        None => Origin { range: range.shift(attr.origin.range.start), ..attr.origin },
+        None => Origin {
+            range: range.shift(attr.origin.range.start),
+            ..attr.origin
+        },
         Some(piece) if piece.out.contains_range(range) => piece.source,
         Some(_) => attr.origin,
     }
 }
 
 fn message(missing: &NotFound) -> String {
-    format!("package `{}` not found (searched {} folders)", missing.name, missing.tried.len())
+    format!(
+        "package `{}` not found (searched {} folders)",
+        missing.name,
+        missing.tried.len()
+    )
 }

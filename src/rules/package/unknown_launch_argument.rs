@@ -35,8 +35,12 @@ pub fn unknown_launch_argument(
             "remove it, or declare it in `{file}` with <xacro:arg name=\"{name}\" default=\"\"/>; xacro ignores an unknown argument"
         )),
     };
-    let mut finding =
-        Finding::new(&RULE, span, format!("unknown argument `{name}` of `{file}`")).advised(help);
+    let mut finding = Finding::new(
+        &RULE,
+        span,
+        format!("unknown argument `{name}` of `{file}`"),
+    )
+    .advised(help);
     if near.is_none() {
         // what a call passes in vain was written for another robot
         finding.group = Some(Group::Name(file.into()));

@@ -35,7 +35,15 @@ pub fn value_outside_choices(
 /// The first of some words, in backticks.
 pub(super) fn listed(words: &[String]) -> String {
     const MOST: usize = 6;
-    let first: Vec<String> = words.iter().take(MOST).map(|word| format!("`{word}`")).collect();
+    let first: Vec<String> = words
+        .iter()
+        .take(MOST)
+        .map(|word| format!("`{word}`"))
+        .collect();
     let more = words.len().saturating_sub(MOST);
-    if more > 0 { format!("{} and {more} more", first.join(", ")) } else { first.join(", ") }
+    if more > 0 {
+        format!("{} and {more} more", first.join(", "))
+    } else {
+        first.join(", ")
+    }
 }

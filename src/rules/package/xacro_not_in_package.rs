@@ -20,17 +20,33 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let file = cx.expansion.files.first().map(|file| file.source.path.clone());
-    if file.is_none_or(|path| path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("xacro"))) {
+    let file = cx
+        .expansion
+        .files
+        .first()
+        .map(|file| file.source.path.clone());
+    if file.is_none_or(|path| {
+        path.extension()
+            .is_none_or(|ending| !ending.eq_ignore_ascii_case("xacro"))
+    }) {
         return;
     }
-    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else { return };
+    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else {
+        return;
+    };
     if manifest.name != "xacro" && !manifest.runtime.iter().any(|name| name == "xacro") {
         let (span, content) = manifest.addition("xacro");
-        let message = format!("package `{}` has xacro files but does not depend on `xacro`", manifest.name);
+        let message = format!(
+            "package `{}` has xacro files but does not depend on `xacro`",
+            manifest.name
+        );
         out.report_span(manifest.start(), message)
             .help("add <exec_depend>xacro</exec_depend> to package.xml")
-            .edits(Safety::Safe, "add the dependency to package.xml", vec![Edit { span, content }])
+            .edits(
+                Safety::Safe,
+                "add the dependency to package.xml",
+                vec![Edit { span, content }],
+            )
             .done();
     }
 }

@@ -129,21 +129,25 @@ impl ElementSpec {
 
     /// The attribute of a name.
     pub fn attribute(&self, name: &str) -> Option<&'static AttributeSpec> {
-        self.attributes.iter().find(|attribute| attribute.name == name)
+        self.attributes
+            .iter()
+            .find(|attribute| attribute.name == name)
     }
 
     /// The element of a name that may stand in it.
     pub fn child(&self, name: &str) -> Option<&'static ElementSpec> {
-        static BY_PARENT: LazyLock<FastMap<(&str, &str), &'static ElementSpec>> = LazyLock::new(|| {
-            let pairs = every_element()
-                .flat_map(|element| element.parents.iter().map(move |parent| (parent, element)));
-            // of two elements of one name the first counts
-            let mut known = FastMap::default();
-            pairs.for_each(|(&parent, element)| {
-                known.entry((parent, element.name)).or_insert(element);
+        static BY_PARENT: LazyLock<FastMap<(&str, &str), &'static ElementSpec>> =
+            LazyLock::new(|| {
+                let pairs = every_element().flat_map(|element| {
+                    element.parents.iter().map(move |parent| (parent, element))
+                });
+                // of two elements of one name the first counts
+                let mut known = FastMap::default();
+                pairs.for_each(|(&parent, element)| {
+                    known.entry((parent, element.name)).or_insert(element);
+                });
+                known
             });
-            known
-        });
         BY_PARENT.get(&(self.key, name)).copied()
     }
 
@@ -156,7 +160,15 @@ impl ElementSpec {
 
 impl AttributeSpec {
     const fn new(name: &'static str, kind: AttributeKind, docs: &'static str) -> Self {
-        Self { name, kind, required: false, unit: None, default: None, docs, since: Version::V1_0 }
+        Self {
+            name,
+            kind,
+            required: false,
+            unit: None,
+            default: None,
+            docs,
+            since: Version::V1_0,
+        }
     }
 
     const fn required(mut self) -> Self {
@@ -191,7 +203,9 @@ impl AttributeSpec {
 
 /// All elements, those of URDF first.
 pub fn elements() -> impl Iterator<Item = &'static ElementSpec> {
-    std::iter::once(robot()).chain(urdf::ELEMENTS).chain(control::ELEMENTS)
+    std::iter::once(robot())
+        .chain(urdf::ELEMENTS)
+        .chain(control::ELEMENTS)
 }
 
 /// All elements of URDF and SRDF; those of SRDF have keys of their own.
@@ -233,7 +247,11 @@ mod tests {
     fn parents_are_elements_and_required_children_are_children() {
         for spec in every_element() {
             for parent in spec.parents {
-                assert!(every_element().any(|other| other.key == *parent), "{}: {parent}", spec.name);
+                assert!(
+                    every_element().any(|other| other.key == *parent),
+                    "{}: {parent}",
+                    spec.name
+                );
             }
             for child in spec.required {
                 assert!(spec.child(child).is_some(), "{}: {child}", spec.name);
@@ -248,7 +266,11 @@ mod tests {
         let mut seen = Vec::new();
         for spec in every_element() {
             for parent in spec.parents {
-                assert!(!seen.contains(&(spec.name, *parent)), "{} in {parent}", spec.name);
+                assert!(
+                    !seen.contains(&(spec.name, *parent)),
+                    "{} in {parent}",
+                    spec.name
+                );
                 seen.push((spec.name, *parent));
             }
         }
@@ -257,17 +279,29 @@ mod tests {
     #[test]
     fn attributes_are_documented_and_defaults_fit() {
         for spec in every_element() {
-            assert!(!spec.docs.is_empty() && !spec.docs.ends_with('.'), "{}", spec.name);
+            assert!(
+                !spec.docs.is_empty() && !spec.docs.ends_with('.'),
+                "{}",
+                spec.name
+            );
             for attribute in spec.attributes {
                 let place = format!("{}/@{}", spec.name, attribute.name);
-                assert!(!attribute.docs.is_empty() && !attribute.docs.ends_with('.'), "{place}");
-                let Some(default) = attribute.default else { continue };
+                assert!(
+                    !attribute.docs.is_empty() && !attribute.docs.ends_with('.'),
+                    "{place}"
+                );
+                let Some(default) = attribute.default else {
+                    continue;
+                };
                 assert!(!attribute.required, "{place}");
                 match attribute.kind {
                     AttributeKind::Choice(words) => assert!(words.contains(&default), "{place}"),
                     _ => {
                         let count = attribute.numbers();
-                        assert!(count.is_none_or(|n| default.split(' ').count() == n), "{place}");
+                        assert!(
+                            count.is_none_or(|n| default.split(' ').count() == n),
+                            "{place}"
+                        );
                     }
                 }
             }
@@ -281,10 +315,16 @@ mod tests {
         assert!(joint.child("origin").is_some() && joint.child("command_interface").is_none());
         assert!(robot().child("link").unwrap().child("origin").is_none());
         assert!(joint.attribute("type").unwrap().required);
-        let controlled = robot().child("ros2_control").and_then(|block| block.child("joint")).unwrap();
+        let controlled = robot()
+            .child("ros2_control")
+            .and_then(|block| block.child("joint"))
+            .unwrap();
         assert!(controlled.child("command_interface").is_some());
         let group = semantic_robot().child("group").unwrap();
-        assert!(group.child("chain").is_some() && group.child("group").unwrap().children().next().is_none());
+        assert!(
+            group.child("chain").is_some()
+                && group.child("group").unwrap().children().next().is_none()
+        );
         assert!(semantic_robot().child("link").is_none() && robot().child("group").is_none());
     }
 }

@@ -35,13 +35,23 @@ pub(super) fn are_adjacent(paired: &PairedRobot<'_>, one: &str, two: &str) -> Op
 
 fn neighbors(paired: &PairedRobot<'_>, link: usize) -> impl Iterator<Item = usize> {
     let kinematics = paired.kinematics;
-    let up = kinematics.up(link).iter().filter_map(|&joint| Some(kinematics.ends(joint)?.0));
-    let down = kinematics.down(link).iter().filter_map(|&joint| Some(kinematics.ends(joint)?.1));
+    let up = kinematics
+        .up(link)
+        .iter()
+        .filter_map(|&joint| Some(kinematics.ends(joint)?.0));
+    let down = kinematics
+        .down(link)
+        .iter()
+        .filter_map(|&joint| Some(kinematics.ends(joint)?.1));
     up.chain(down).collect::<Vec<_>>().into_iter()
 }
 
 fn has_body(paired: &PairedRobot<'_>, link: usize) -> bool {
-    paired.robot.links.get(link).is_some_and(|link| !link.collisions.is_empty())
+    paired
+        .robot
+        .links
+        .get(link)
+        .is_some_and(|link| !link.collisions.is_empty())
 }
 
 /// The joints between two links that both have collision geometry, with these links, the lesser name first.
@@ -55,5 +65,11 @@ pub(super) fn touching<'a>(paired: &PairedRobot<'a>) -> Vec<(&'a Joint, (&'a str
         let (one, two) = (link(parent)?.as_str(), link(child)?.as_str());
         Some((joint, (one.min(two), one.max(two))))
     };
-    paired.robot.joints.iter().enumerate().filter_map(pair).collect()
+    paired
+        .robot
+        .joints
+        .iter()
+        .enumerate()
+        .filter_map(pair)
+        .collect()
 }

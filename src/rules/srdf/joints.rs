@@ -21,7 +21,11 @@ impl<'a> Members<'a> {
             [only] => Some(only),
             _ => None,
         };
-        Self { srdf, robot, known: FastMap::default() }
+        Self {
+            srdf,
+            robot,
+            known: FastMap::default(),
+        }
     }
 
     /// The joints of a group and of those in it; none when not all are known.
@@ -42,7 +46,13 @@ impl<'a> Members<'a> {
 /// Whether a state has to say where a joint is: it moves by itself, and something drives it.
 pub(super) fn is_planned(cx: &BesideCx<'_>, srdf: &Srdf, name: &str) -> bool {
     let is_passive = srdf.passive.iter().any(|joint| joint.value == name);
-    let has_value = |kind| matches!(kind, JointType::Revolute | JointType::Continuous | JointType::Prismatic);
-    let is_driven = |joint: &model::Joint| joint.mimic.is_none() && joint.joint_type().is_some_and(has_value);
+    let has_value = |kind| {
+        matches!(
+            kind,
+            JointType::Revolute | JointType::Continuous | JointType::Prismatic
+        )
+    };
+    let is_driven =
+        |joint: &model::Joint| joint.mimic.is_none() && joint.joint_type().is_some_and(has_value);
     !is_passive && cx.joints(name).all(|(_, joint)| is_driven(joint))
 }

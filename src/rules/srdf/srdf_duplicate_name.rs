@@ -20,9 +20,21 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     fn own(name: &Option<Text>) -> (&str, Option<&Text>) {
         ("", name.as_ref())
     }
-    report(out, "group", srdf.groups.iter().map(|group| own(&group.name)));
-    report(out, "end effector", srdf.effectors.iter().map(|effector| own(&effector.name)));
-    report(out, "virtual joint", srdf.virtual_joints.iter().map(|joint| own(&joint.name)));
+    report(
+        out,
+        "group",
+        srdf.groups.iter().map(|group| own(&group.name)),
+    );
+    report(
+        out,
+        "end effector",
+        srdf.effectors.iter().map(|effector| own(&effector.name)),
+    );
+    report(
+        out,
+        "virtual joint",
+        srdf.virtual_joints.iter().map(|joint| own(&joint.name)),
+    );
     let states = srdf.states.iter().filter_map(|state| {
         let group = state.group.as_ref()?.name()?;
         Some((group.as_str(), state.name.as_ref()))
@@ -31,15 +43,24 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// Report the names that are there twice in the same scope.
-fn report<'a>(out: &mut Sink<'_>, kind: &str, names: impl Iterator<Item = (&'a str, Option<&'a Text>)>) {
+fn report<'a>(
+    out: &mut Sink<'_>,
+    kind: &str,
+    names: impl Iterator<Item = (&'a str, Option<&'a Text>)>,
+) {
     let mut first: FastMap<(&str, &str), &Text> = FastMap::default();
     for (scope, text) in names {
-        let Some((text, name)) = text.and_then(|text| Some((text, text.name()?))) else { continue };
+        let Some((text, name)) = text.and_then(|text| Some((text, text.name()?))) else {
+            continue;
+        };
         let known = *first.entry((scope, name.as_str())).or_insert(text);
         if !std::ptr::eq(known, text) {
             let message = format!("duplicate {kind} name `{name}`");
             let first = format!("first {kind} named `{name}`");
-            out.report(text.origin, message).also(known.origin, first).help("use another name").done();
+            out.report(text.origin, message)
+                .also(known.origin, first)
+                .help("use another name")
+                .done();
         }
     }
 }

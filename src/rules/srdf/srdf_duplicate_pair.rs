@@ -26,15 +26,27 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         if std::ptr::eq(known, pair) {
             continue;
         }
-        let message = format!("collisions between `{}` and `{}` are disabled twice", links.0, links.1);
-        let report = out.report(tag_start(cx.expansion, pair.element), message).group(Group::File);
+        let message = format!(
+            "collisions between `{}` and `{}` are disabled twice",
+            links.0, links.1
+        );
+        let report = out
+            .report(tag_start(cx.expansion, pair.element), message)
+            .group(Group::File);
         // a full matrix has each pair both ways
         let reason = |pair: &Pair| pair.reason.as_ref().map(|reason| reason.value.clone());
-        let is_mirrored =
-            pair.link1.as_ref().map(|link| &link.value) == known.link2.as_ref().map(|link| &link.value);
+        let is_mirrored = pair.link1.as_ref().map(|link| &link.value)
+            == known.link2.as_ref().map(|link| &link.value);
         let is_same = is_mirrored && reason(pair) == reason(known);
-        let report = report.severity(if is_same { Severity::Info } else { RULE.severity });
+        let report = report.severity(if is_same {
+            Severity::Info
+        } else {
+            RULE.severity
+        });
         let known = tag_start(cx.expansion, known.element);
-        report.also(known, "first disabled here").help("remove this element").done();
+        report
+            .also(known, "first disabled here")
+            .help("remove this element")
+            .done();
     }
 }

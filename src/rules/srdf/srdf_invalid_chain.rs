@@ -17,7 +17,9 @@ pub(super) static RULE: Rule = Rule::beside(
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let groups = cx.srdf().into_iter().flat_map(|srdf| &srdf.groups);
     for chain in groups.flat_map(|group| &group.chains) {
-        let (Some(base), Some(tip)) = (&chain.base, &chain.tip) else { continue };
+        let (Some(base), Some(tip)) = (&chain.base, &chain.tip) else {
+            continue;
+        };
         if !cx.robots.iter().all(|paired| is_reversed(paired, chain)) {
             continue;
         }
@@ -27,20 +29,39 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "write the last link of the chain as `tip_link`".to_owned(),
             ),
             false => (
-                format!("chain from `{}` to `{}` leads up the tree", base.value, tip.value),
-                format!("exchange them: base_link=\"{}\" tip_link=\"{}\"", tip.value, base.value),
+                format!(
+                    "chain from `{}` to `{}` leads up the tree",
+                    base.value, tip.value
+                ),
+                format!(
+                    "exchange them: base_link=\"{}\" tip_link=\"{}\"",
+                    tip.value, base.value
+                ),
             ),
         };
         // of a chain that leads up, MoveIt makes the group of the same joints
-        let severity = if base.value == tip.value { RULE.severity } else { Severity::Warning };
-        out.report(tip.origin, message).severity(severity).help(help).done();
+        let severity = if base.value == tip.value {
+            RULE.severity
+        } else {
+            Severity::Warning
+        };
+        out.report(tip.origin, message)
+            .severity(severity)
+            .help(help)
+            .done();
     }
 }
 
 /// Whether both links are there, and the base is the tip or below it.
 fn is_reversed(paired: &PairedRobot<'_>, chain: &Chain) -> bool {
     let link = |text: &Option<model::Text>| paired.kinematics.link(text.as_ref()?.name()?);
-    let (Some(base), Some(tip)) = (link(&chain.base), link(&chain.tip)) else { return false };
+    let (Some(base), Some(tip)) = (link(&chain.base), link(&chain.tip)) else {
+        return false;
+    };
     let parent = |joint: usize| paired.kinematics.ends(joint).map(|(parent, _)| parent);
-    base == tip || paired.kinematics.above(base).any(|joint| parent(joint) == Some(tip))
+    base == tip
+        || paired
+            .kinematics
+            .above(base)
+            .any(|joint| parent(joint) == Some(tip))
 }

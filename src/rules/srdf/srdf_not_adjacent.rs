@@ -18,9 +18,21 @@ pub(super) static RULE: Rule = Rule::beside(
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
     for pair in &srdf.disabled {
-        let Some(reason) = pair.reason.as_ref().filter(|reason| reason.value == "Adjacent") else { continue };
-        let Some((one, two)) = pair.links() else { continue };
-        if cx.robots.iter().any(|paired| are_adjacent(paired, one, two) != Some(false)) {
+        let Some(reason) = pair
+            .reason
+            .as_ref()
+            .filter(|reason| reason.value == "Adjacent")
+        else {
+            continue;
+        };
+        let Some((one, two)) = pair.links() else {
+            continue;
+        };
+        if cx
+            .robots
+            .iter()
+            .any(|paired| are_adjacent(paired, one, two) != Some(false))
+        {
             continue;
         }
         let message = format!("links `{one}` and `{two}` are not adjacent");

@@ -14,9 +14,16 @@ pub(super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(name) = cx.srdf().and_then(|srdf| srdf.name.as_ref()) else { return };
-    let mut names = cx.robots.iter().map(|paired| paired.robot.name.as_ref().and_then(|name| name.name()));
-    let (Some(own), Some(Some(first))) = (name.name(), names.next()) else { return };
+    let Some(name) = cx.srdf().and_then(|srdf| srdf.name.as_ref()) else {
+        return;
+    };
+    let mut names = cx
+        .robots
+        .iter()
+        .map(|paired| paired.robot.name.as_ref().and_then(|name| name.name()));
+    let (Some(own), Some(Some(first))) = (name.name(), names.next()) else {
+        return;
+    };
     if own == first || names.any(|other| other.is_none_or(|other| other == own)) {
         return;
     }

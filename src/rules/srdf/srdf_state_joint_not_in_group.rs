@@ -18,11 +18,17 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
     let mut members = Members::new(cx, srdf);
     for state in &srdf.states {
-        let Some(group) = state.group.as_ref().and_then(|group| group.name()) else { continue };
-        let Some(joints) = members.of(group) else { continue };
+        let Some(group) = state.group.as_ref().and_then(|group| group.name()) else {
+            continue;
+        };
+        let Some(joints) = members.of(group) else {
+            continue;
+        };
         for (joint, _) in &state.joints {
             let is_other = |name: &str| !joints.contains(name) && cx.joints(name).next().is_some();
-            let Some(name) = joint.name().filter(|name| is_other(name)) else { continue };
+            let Some(name) = joint.name().filter(|name| is_other(name)) else {
+                continue;
+            };
             let message = format!("joint `{name}` is not in group `{group}`");
             let help = format!("remove it, or add it to group `{group}`; MoveIt ignores it");
             out.report(joint.origin, message).help(help).done();

@@ -18,7 +18,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     const SLACK: f64 = 1e-4;
     let states = cx.srdf().into_iter().flat_map(|srdf| &srdf.states);
     for (joint, value) in states.flat_map(|state| &state.joints) {
-        let (Some(name), Some(text)) = (joint.name(), value) else { continue };
+        let (Some(name), Some(text)) = (joint.name(), value) else {
+            continue;
+        };
         let Some(value) = text.number() else { continue };
         let mut limits = Vec::new();
         for (paired, joint) in cx.joints(name) {
@@ -30,10 +32,19 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         if limits.is_empty() || !limits.iter().all(|(range, ..)| is_outside(range)) {
             continue;
         }
-        let Some((Some((lower, upper)), paired, joint)) = limits.into_iter().next() else { continue };
-        let message = format!("joint `{name}` is at {value}, outside of its limits {lower} to {upper}");
+        let Some((Some((lower, upper)), paired, joint)) = limits.into_iter().next() else {
+            continue;
+        };
+        let message =
+            format!("joint `{name}` is at {value}, outside of its limits {lower} to {upper}");
         let help = format!("write a value from {lower} to {upper}");
-        let origin = joint.name.as_ref().and_then(|name| paired.span(name.origin));
-        out.report(text.origin, message).help(help).also_span(origin, "joint defined here").done();
+        let origin = joint
+            .name
+            .as_ref()
+            .and_then(|name| paired.span(name.origin));
+        out.report(text.origin, message)
+            .help(help)
+            .also_span(origin, "joint defined here")
+            .done();
     }
 }

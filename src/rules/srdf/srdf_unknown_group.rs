@@ -16,10 +16,21 @@ pub(super) static RULE: Rule = Rule::semantic(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(srdf) = cx.srdf().filter(|_| is_whole(cx.expansion)) else { return };
+    let Some(srdf) = cx.srdf().filter(|_| is_whole(cx.expansion)) else {
+        return;
+    };
     for (text, kind, is_given) in srdf.names() {
-        let is_unknown = |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
-        let Some(name) = text.name().filter(|name| is_unknown(name)) else { continue };
-        unknown(cx, out, (text, kind), RULE.severity, format!("SRDF refers to unknown group `{name}`"));
+        let is_unknown =
+            |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
+        let Some(name) = text.name().filter(|name| is_unknown(name)) else {
+            continue;
+        };
+        unknown(
+            cx,
+            out,
+            (text, kind),
+            RULE.severity,
+            format!("SRDF refers to unknown group `{name}`"),
+        );
     }
 }

@@ -17,9 +17,18 @@ pub(super) static RULE: Rule = Rule::beside(
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
     for (text, kind, _) in srdf.names() {
-        let Some(name) = text.name().filter(|name| kind == Kind::Joint && cx.lacks(kind, name)) else {
+        let Some(name) = text
+            .name()
+            .filter(|name| kind == Kind::Joint && cx.lacks(kind, name))
+        else {
             continue;
         };
-        unknown(cx, out, (text, kind), RULE.severity, format!("SRDF refers to unknown joint `{name}`"));
+        unknown(
+            cx,
+            out,
+            (text, kind),
+            RULE.severity,
+            format!("SRDF refers to unknown joint `{name}`"),
+        );
     }
 }

@@ -17,17 +17,30 @@ pub(in super::super) static RULE: Rule = Rule::beside(
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
     for (text, kind, _) in srdf.names() {
-        let Some(name) = text.name().filter(|name| kind == Kind::Link && cx.lacks(kind, name)) else {
+        let Some(name) = text
+            .name()
+            .filter(|name| kind == Kind::Link && cx.lacks(kind, name))
+        else {
             continue;
         };
         // MoveIt warns, and passes over the pair: one for another variant of the robot, unless the name is misspelled
-        let pairs = srdf.disabled.iter().flat_map(|pair| [&pair.link1, &pair.link2]).flatten();
+        let pairs = srdf
+            .disabled
+            .iter()
+            .flat_map(|pair| [&pair.link1, &pair.link2])
+            .flatten();
         let is_of_pair = pairs.into_iter().any(|link| std::ptr::eq(link, text));
         let severity = match is_of_pair {
             true if cx.is_misspelled(kind, name) => Severity::Warning,
             true => Severity::Info,
             false => RULE.severity,
         };
-        unknown(cx, out, (text, kind), severity, format!("SRDF refers to unknown link `{name}`"));
+        unknown(
+            cx,
+            out,
+            (text, kind),
+            severity,
+            format!("SRDF refers to unknown link `{name}`"),
+        );
     }
 }

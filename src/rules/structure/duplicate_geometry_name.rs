@@ -32,7 +32,10 @@ fn twice(link: &Link, kind: &str, bodies: &[Body], out: &mut Sink<'_>) {
         let Some(name) = text.name() else { continue };
         match first.get(name.as_str()) {
             Some(earlier) => out
-                .report(text.origin, format!("duplicate {kind} name `{name}` in link `{}`", link.shown()))
+                .report(
+                    text.origin,
+                    format!("duplicate {kind} name `{name}` in link `{}`", link.shown()),
+                )
                 .also(earlier.origin, format!("first {kind} named `{name}`"))
                 .help("rename one of them, or remove the names")
                 .done(),

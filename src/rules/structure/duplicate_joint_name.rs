@@ -20,7 +20,11 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let names = cx.robot.joints.iter().filter_map(|joint| joint.name.as_ref());
+    let names = cx
+        .robot
+        .joints
+        .iter()
+        .filter_map(|joint| joint.name.as_ref());
     // what links show of two calls is not said again of joints
     let mut calls = RepeatedCalls::of_links(cx);
     let mut first: FastMap<&str, &Text> = FastMap::default();

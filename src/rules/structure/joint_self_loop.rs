@@ -21,9 +21,15 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if let (Some((parent, child)), Some(at)) = (joint.ends(), &joint.child)
             && parent == child
         {
-            out.report(at.origin, format!("joint `{}` connects link `{child}` to itself", joint.shown()))
-                .help("use another parent or child link; some parsers hang on this")
-                .done();
+            out.report(
+                at.origin,
+                format!(
+                    "joint `{}` connects link `{child}` to itself",
+                    joint.shown()
+                ),
+            )
+            .help("use another parent or child link; some parsers hang on this")
+            .done();
         }
     }
 }

@@ -18,18 +18,30 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for cycle in cx.kinematics.cycles() {
-        let Some(&last) = cycle.iter().max() else { continue };
+        let Some(&last) = cycle.iter().max() else {
+            continue;
+        };
         let joint = |joint: &usize| cx.robot.joints.get(*joint);
-        let names: Vec<&str> =
-            cycle.iter().filter_map(joint).filter_map(|j| Some(j.ends()?.0.as_str())).collect();
-        let Some(child) = joint(&last).and_then(|joint| joint.child.as_ref()) else { continue };
+        let names: Vec<&str> = cycle
+            .iter()
+            .filter_map(joint)
+            .filter_map(|j| Some(j.ends()?.0.as_str()))
+            .collect();
+        let Some(child) = joint(&last).and_then(|joint| joint.child.as_ref()) else {
+            continue;
+        };
         let message = format!("kinematic loop: `{}`", names.join("` -> `"));
         let mut report = out.report(child.origin, message);
         for other in cycle.iter().filter(|&&i| i != last).filter_map(joint) {
             if let Some(child) = &other.child {
-                report = report.also(child.origin, format!("joint `{}` is part of the loop", other.shown()));
+                report = report.also(
+                    child.origin,
+                    format!("joint `{}` is part of the loop", other.shown()),
+                );
             }
         }
-        report.help("swap parent and child of one joint, or correct the link it refers to").done();
+        report
+            .help("swap parent and child of one joint, or correct the link it refers to")
+            .done();
     }
 }

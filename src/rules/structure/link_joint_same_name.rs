@@ -20,16 +20,21 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let links = cx.links().iter().filter_map(|link| link.name.as_ref());
-    let links: FastMap<&str, &Text> = links.filter_map(|text| Some((text.name()?.as_str(), text))).collect();
+    let links: FastMap<&str, &Text> = links
+        .filter_map(|text| Some((text.name()?.as_str(), text)))
+        .collect();
     for text in cx.joints().iter().filter_map(|joint| joint.name.as_ref()) {
         let Some(name) = text.name() else { continue };
         if let Some(link) = links.get(name.as_str()) {
-            out.report(text.origin, format!("joint `{name}` has the same name as a link"))
-                .also(link.origin, format!("link `{name}`"))
-                .help(format!(
-                    "rename the joint, for example to `{name}_joint`; SDF requires different names"
-                ))
-                .done();
+            out.report(
+                text.origin,
+                format!("joint `{name}` has the same name as a link"),
+            )
+            .also(link.origin, format!("link `{name}`"))
+            .help(format!(
+                "rename the joint, for example to `{name}_joint`; SDF requires different names"
+            ))
+            .done();
         }
     }
 }

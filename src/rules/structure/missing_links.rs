@@ -46,16 +46,31 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     for joint in &cx.robot.joints {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
             let Some(text) = text else { continue };
-            let Some(name) = text.name().filter(|name| cx.kinematics.link(name).is_none()) else { continue };
+            let Some(name) = text
+                .name()
+                .filter(|name| cx.kinematics.link(name).is_none())
+            else {
+                continue;
+            };
             if almost.contains(name) {
                 continue;
             }
-            let used =
-                Use { joint: joint.shown().to_owned(), end, at: text.origin, literal: text.is_literal() };
+            let used = Use {
+                joint: joint.shown().to_owned(),
+                end,
+                at: text.origin,
+                literal: text.is_literal(),
+            };
             match missing.get_mut(name) {
                 Some(uses) => uses.others.push(used),
                 None => {
-                    missing.insert(name.clone(), Uses { first: used, others: Vec::new() });
+                    missing.insert(
+                        name.clone(),
+                        Uses {
+                            first: used,
+                            others: Vec::new(),
+                        },
+                    );
                 }
             }
         }
@@ -63,37 +78,62 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     // looking for near names takes time; nobody reads that many suggestions
     let near = |i: usize, name: &EcoString| if i < 50 { near_link(cx, name) } else { None };
     let missing = missing.into_iter().enumerate();
-    missing.map(|(i, (name, uses))| Missing { nearest: near(i, &name), name, uses }).collect()
+    missing
+        .map(|(i, (name, uses))| Missing {
+            nearest: near(i, &name),
+            name,
+            uses,
+        })
+        .collect()
 }
 
 /// The names of links that are there but for something else that is reported: a tag that is misspelled, spaces in the name.
 fn almost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     let tree = &cx.expansion.tree;
     let is_misspelled = |tag: &str| tag != "link" && nearest(tag, ["link"]).is_some();
-    let elements = tree.elements(cx.robot.element).filter(|&id| is_misspelled(&tree.get(id).text));
+    let elements = tree
+        .elements(cx.robot.element)
+        .filter(|&id| is_misspelled(&tree.get(id).text));
     let named = elements.filter_map(|id| Some(Text::attr(tree, id, "name")?.name()?.clone()));
-    let links = cx.robot.links.iter().filter_map(|link| link.name.as_ref()?.name());
-    let trimmed = links.filter(|name| name.trim() != name.as_str()).map(|name| name.trim().into());
+    let links = cx
+        .robot
+        .links
+        .iter()
+        .filter_map(|link| link.name.as_ref()?.name());
+    let trimmed = links
+        .filter(|name| name.trim() != name.as_str())
+        .map(|name| name.trim().into());
     named.chain(trimmed).collect()
 }
 
 /// Links that a misspelled joint lost: what is wrong with them is said at the joint.
 pub(super) fn lost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
-    missing_links(cx).into_iter().filter_map(|missing| missing.nearest).collect()
+    missing_links(cx)
+        .into_iter()
+        .filter_map(|missing| missing.nearest)
+        .collect()
 }
 
 /// The joints that have a parent or a child, and not both: what is missing is reported at the joint.
 pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint> {
-    robot.joints.iter().filter(|joint| joint.parent.is_some() != joint.child.is_some())
+    robot
+        .joints
+        .iter()
+        .filter(|joint| joint.parent.is_some() != joint.child.is_some())
 }
 
 /// The link that was perhaps meant: a near name, or the only one that differs by a prefix.
 fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
-    let names = || cx.robot.links.iter().filter_map(|link| Some(link.name.as_ref()?.name()?.as_str()));
+    let names = || {
+        cx.robot
+            .links
+            .iter()
+            .filter_map(|link| Some(link.name.as_ref()?.name()?.as_str()))
+    };
     let is_loose = |name: &&str| {
-        cx.kinematics
-            .link(name)
-            .is_some_and(|link| cx.kinematics.up(link).is_empty() && cx.kinematics.down(link).is_empty())
+        cx.kinematics.link(name).is_some_and(|link| {
+            cx.kinematics.up(link).is_empty() && cx.kinematics.down(link).is_empty()
+        })
     };
     if let Some(near) = nearest(name, names().filter(is_loose)) {
         return Some(near.into());
@@ -101,8 +141,10 @@ fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
     if let Some(near) = nearest(name, names()) {
         return Some(near.into());
     }
-    let extends =
-        |long: &str, short: &str| long.strip_suffix(short).is_some_and(|prefix| prefix.ends_with('_'));
+    let extends = |long: &str, short: &str| {
+        long.strip_suffix(short)
+            .is_some_and(|prefix| prefix.ends_with('_'))
+    };
     let mut prefixed = names().filter(|other| extends(other, name) || extends(name, other));
     match (prefixed.next(), prefixed.next()) {
         (Some(only), None) => Some(only.into()),
@@ -113,7 +155,11 @@ fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
 /// The links that joints somewhere in the files, with other arguments, have as one of these ends: `parent`, `child`.
 pub(super) fn joined_elsewhere(cx: &RobotCx<'_>, ends: &[&str]) -> FastSet<EcoString> {
     let files = cx.expansion.files.iter();
-    let nodes = files.flat_map(|file| elements(&file.source.document)).map(|(_, node)| node);
-    let names = nodes.filter(|node| ends.contains(&node.name())).filter_map(|node| node.attr("link"));
+    let nodes = files
+        .flat_map(|file| elements(&file.source.document))
+        .map(|(_, node)| node);
+    let names = nodes
+        .filter(|node| ends.contains(&node.name()))
+        .filter_map(|node| node.attr("link"));
     names.map(|name| name.raw().into()).collect()
 }

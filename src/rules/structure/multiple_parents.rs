@@ -23,17 +23,30 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
         *count.entry(&name.value).or_default() += 1;
     }
-    for (link, name) in cx.robot.links.iter().map(|link| link.name.as_ref()).enumerate() {
+    for (link, name) in cx
+        .robot
+        .links
+        .iter()
+        .map(|link| link.name.as_ref())
+        .enumerate()
+    {
         // of two links of one name, each may hang on its own joint
         if name.is_none_or(|name| count.get(name.value.as_str()) != Some(&1)) {
             continue;
         }
-        let joints = cx.kinematics.up(link).iter().filter_map(|&joint| cx.robot.joints.get(joint));
+        let joints = cx
+            .kinematics
+            .up(link)
+            .iter()
+            .filter_map(|&joint| cx.robot.joints.get(joint));
         // loops and doubled joints are said elsewhere
-        let mut joints = joints.filter(|joint| joint.ends().is_some_and(|(parent, child)| parent != child));
+        let mut joints =
+            joints.filter(|joint| joint.ends().is_some_and(|(parent, child)| parent != child));
         let Some(first) = joints.next() else { continue };
         for joint in joints.filter(|joint| joint.shown() != first.shown()) {
-            let (Some(child), Some(earlier)) = (&joint.child, &first.child) else { continue };
+            let (Some(child), Some(earlier)) = (&joint.child, &first.child) else {
+                continue;
+            };
             let message = format!(
                 "link `{}` has more than one parent joint: `{}` and `{}`",
                 child.value,
@@ -51,7 +64,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 }
             };
             out.report(child.origin, message)
-                .also(earlier.origin, format!("joint `{}` is the first parent joint", first.shown()))
+                .also(
+                    earlier.origin,
+                    format!("joint `{}` is the first parent joint", first.shown()),
+                )
                 .help(help)
                 .done();
         }
@@ -64,7 +80,10 @@ fn reversed<'j>(cx: &RobotCx<'_>, joints: [&'j Joint; 2]) -> Option<&'j Joint> {
         return None;
     }
     let is_loose = |joint: &&Joint| {
-        let parent = joint.parent.as_ref().and_then(|parent| cx.kinematics.link(parent.name()?));
+        let parent = joint
+            .parent
+            .as_ref()
+            .and_then(|parent| cx.kinematics.link(parent.name()?));
         parent.is_some_and(|link| cx.kinematics.up(link).is_empty())
     };
     let mut loose = joints.into_iter().filter(is_loose);

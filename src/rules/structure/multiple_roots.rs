@@ -37,10 +37,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let mut roots: Vec<&Text> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {
         let name = cx.robot.links.get(root).and_then(|link| link.name.as_ref());
-        let is_reported = |name: &Text| lost.contains(&name.value) || is_end_of_reversed_joint(cx, root);
-        roots.extend(name.filter(|name| !cx.kinematics.down(root).is_empty() && !is_reported(name)));
+        let is_reported =
+            |name: &Text| lost.contains(&name.value) || is_end_of_reversed_joint(cx, root);
+        roots
+            .extend(name.filter(|name| !cx.kinematics.down(root).is_empty() && !is_reported(name)));
     }
-    let usual = USUAL_ROOTS.iter().find_map(|usual| roots.iter().position(|root| root.value == *usual));
+    let usual = USUAL_ROOTS
+        .iter()
+        .find_map(|usual| roots.iter().position(|root| root.value == *usual));
     // each joint without a parent gives a root, and has its own finding
     if roots.len() < 2 || roots.len() <= 1 + joints_with_one_end(cx.robot).count() {
         return;
@@ -48,16 +52,32 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let first = roots.remove(usual.unwrap_or(0));
     let elsewhere = joined_elsewhere(cx, &["child"]);
     for root in roots {
-        out.report(root.origin, format!("more than one root link: `{}` and `{}`", root.value, first.value))
-            .severity(if elsewhere.contains(&root.value) { Severity::Info } else { RULE.severity })
-            .also(first.origin, "first root link")
-            .help(format!("add a joint whose child is `{}`", root.value))
-            .done();
+        out.report(
+            root.origin,
+            format!(
+                "more than one root link: `{}` and `{}`",
+                root.value, first.value
+            ),
+        )
+        .severity(if elsewhere.contains(&root.value) {
+            Severity::Info
+        } else {
+            RULE.severity
+        })
+        .also(first.origin, "first root link")
+        .help(format!("add a joint whose child is `{}`", root.value))
+        .done();
     }
 }
 
 /// Whether the child of a joint of a root has another parent already: the joint looks reversed, which `multiple-parents` reports.
 fn is_end_of_reversed_joint(cx: &RobotCx<'_>, root: usize) -> bool {
-    let children = cx.kinematics.down(root).iter().filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1));
-    children.into_iter().any(|child| cx.kinematics.up(child).len() > 1)
+    let children = cx
+        .kinematics
+        .down(root)
+        .iter()
+        .filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1));
+    children
+        .into_iter()
+        .any(|child| cx.kinematics.up(child).len() > 1)
 }

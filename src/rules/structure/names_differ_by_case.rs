@@ -21,8 +21,16 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    alike("link", cx.links().iter().filter_map(|link| link.name.as_ref()), out);
-    alike("joint", cx.joints().iter().filter_map(|joint| joint.name.as_ref()), out);
+    alike(
+        "link",
+        cx.links().iter().filter_map(|link| link.name.as_ref()),
+        out,
+    );
+    alike(
+        "joint",
+        cx.joints().iter().filter_map(|joint| joint.name.as_ref()),
+        out,
+    );
 }
 
 fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a Text>, out: &mut Sink<'_>) {
@@ -34,7 +42,10 @@ fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a Text>, out: &mut Sink<'
             Some(earlier) if earlier.value != *name => out
                 .report(
                     text.origin,
-                    format!("{kind} names `{}` and `{name}` differ only in case", earlier.value),
+                    format!(
+                        "{kind} names `{}` and `{name}` differ only in case",
+                        earlier.value
+                    ),
                 )
                 .also(earlier.origin, format!("{kind} `{}`", earlier.value))
                 .help("rename one of them; TF is case-sensitive, other programs are not")

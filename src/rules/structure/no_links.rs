@@ -19,8 +19,11 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if cx.robot.links.is_empty() {
-        out.report(tag_start(cx.expansion, cx.robot.element), "robot has no links")
-            .help("add <link name=\"base_link\"/>; urdfdom rejects a robot without links")
-            .done();
+        out.report(
+            tag_start(cx.expansion, cx.robot.element),
+            "robot has no links",
+        )
+        .help("add <link name=\"base_link\"/>; urdfdom rejects a robot without links")
+        .done();
     }
 }

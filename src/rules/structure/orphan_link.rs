@@ -27,7 +27,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     if cx.robot.links.len() < 2 {
         return;
     }
-    let ends = cx.robot.joints.iter().flat_map(|joint| [&joint.parent, &joint.child]);
+    let ends = cx
+        .robot
+        .joints
+        .iter()
+        .flat_map(|joint| [&joint.parent, &joint.child]);
     let joined: FastSet<&EcoString> = ends.flatten().map(|end| &end.value).collect();
     let lost = lost_links(cx);
     let misplaced = ends_of_misplaced_joints(cx);
@@ -49,18 +53,33 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let elsewhere = OnceCell::new();
     for (name, text) in orphans {
         let elsewhere = elsewhere.get_or_init(|| joined_elsewhere(cx, &["parent", "child"]));
-        out.report(name.origin, format!("link `{text}` is not connected to any joint"))
-            .severity(if elsewhere.contains(text) { Severity::Info } else { RULE.severity })
-            .help(format!("add a joint whose child is `{text}`"))
-            .done();
+        out.report(
+            name.origin,
+            format!("link `{text}` is not connected to any joint"),
+        )
+        .severity(if elsewhere.contains(text) {
+            Severity::Info
+        } else {
+            RULE.severity
+        })
+        .help(format!("add a joint whose child is `{text}`"))
+        .done();
     }
 }
 
 /// The links that joints inside of links connect: what is wrong is said at these joints.
 fn ends_of_misplaced_joints(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     let tree = &cx.expansion.tree;
-    let joints = cx.robot.links.iter().flat_map(|link| tree.elements(link.element));
-    let ends = joints.filter(|&id| tree.get(id).text == "joint").flat_map(|joint| tree.elements(joint));
+    let joints = cx
+        .robot
+        .links
+        .iter()
+        .flat_map(|link| tree.elements(link.element));
+    let ends = joints
+        .filter(|&id| tree.get(id).text == "joint")
+        .flat_map(|joint| tree.elements(joint));
     let links = ends.filter(|&end| matches!(tree.get(end).text.as_str(), "parent" | "child"));
-    links.filter_map(|end| Some(Text::attr(tree, end, "link")?.name()?.clone())).collect()
+    links
+        .filter_map(|end| Some(Text::attr(tree, end, "link")?.name()?.clone()))
+        .collect()
 }

@@ -31,8 +31,12 @@ impl Repeated {
     pub(super) fn help(&self) -> String {
         let name = &self.name;
         match &self.prefix {
-            Some(prefix) => format!("write another {prefix}=\"...\" in each call of macro `{name}`"),
-            None => format!("start the names in macro `{name}` with a parameter: name=\"${{prefix}}...\""),
+            Some(prefix) => {
+                format!("write another {prefix}=\"...\" in each call of macro `{name}`")
+            }
+            None => format!(
+                "start the names in macro `{name}` with a parameter: name=\"${{prefix}}...\""
+            ),
         }
     }
 }
@@ -57,25 +61,43 @@ impl RepeatedCalls {
     }
 
     /// The calls that made the same name of the same text.
-    pub(super) fn between(&mut self, expansion: &Expansion, one: Origin, other: Origin) -> Option<Repeated> {
+    pub(super) fn between(
+        &mut self,
+        expansion: &Expansion,
+        one: Origin,
+        other: Origin,
+    ) -> Option<Repeated> {
         if expansion.place(one)? != expansion.place(other)? {
             return None;
         }
         let (one, other) = (calls_around(expansion, one), calls_around(expansion, other));
         let mut pairs = one.iter().zip(&other);
         let ((first, one), (later, other)) = pairs.find(|((_, one), (_, other))| one != other)?;
-        if first.kind != FrameKind::Macro || later.kind != FrameKind::Macro || first.name != later.name {
+        if first.kind != FrameKind::Macro
+            || later.kind != FrameKind::Macro
+            || first.name != later.name
+        {
             return None;
         }
-        let is_first = self.seen.insert(((one.file, one.range), (other.file, other.range)));
-        Some(Repeated { name: later.name.to_string(), prefix: prefix_of(expansion, later.call), is_first })
+        let is_first = self
+            .seen
+            .insert(((one.file, one.range), (other.file, other.range)));
+        Some(Repeated {
+            name: later.name.to_string(),
+            prefix: prefix_of(expansion, later.call),
+            is_first,
+        })
     }
 }
 
 /// The calls and blocks around a text, outermost first.
 fn calls_around(expansion: &Expansion, origin: Origin) -> Vec<(&Frame, Place)> {
-    let frames = expansion.frames_of(origin).filter(|frame| frame.kind != FrameKind::Include);
-    let mut frames: Vec<_> = frames.filter_map(|frame| Some((frame, expansion.place(frame.call)?))).collect();
+    let frames = expansion
+        .frames_of(origin)
+        .filter(|frame| frame.kind != FrameKind::Include);
+    let mut frames: Vec<_> = frames
+        .filter_map(|frame| Some((frame, expansion.place(frame.call)?)))
+        .collect();
     frames.reverse();
     frames
 }
@@ -85,5 +107,7 @@ fn prefix_of(expansion: &Expansion, call: Origin) -> Option<String> {
     let item = &expansion.sources.get(call.src.0 as usize)?.item;
     let node = item.element_at(call.range.start)?;
     let mut names = node.attrs().map(|attr| attr.name());
-    names.find(|name| ["prefix", "tf_prefix", "ns", "namespace"].contains(name)).map(str::to_owned)
+    names
+        .find(|name| ["prefix", "tf_prefix", "ns", "namespace"].contains(name))
+        .map(str::to_owned)
 }

@@ -22,28 +22,43 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for missing in missing_links(cx) {
         let name = &missing.name;
         let (first, others) = (&missing.uses.first, &missing.uses.others);
-        let message = format!("joint `{}` has undefined {} link `{name}`", first.joint, first.end);
+        let message = format!(
+            "joint `{}` has undefined {} link `{name}`",
+            first.joint, first.end
+        );
         let argument = out.argument(first.at).filter(|_| others.is_empty());
         let mut report = out.report(first.at, message);
         for other in others {
-            report =
-                report.also(other.at, format!("joint `{}` also uses it as {} link", other.joint, other.end));
+            report = report.also(
+                other.at,
+                format!("joint `{}` also uses it as {} link", other.joint, other.end),
+            );
         }
         match &missing.nearest {
             Some(near) if first.literal => {
                 let (rename, help) = (format!("rename to `{near}`"), Help::did_you_mean(near));
-                report = report.help(help).replace_with(Safety::Unsafe, rename, near.as_str());
+                report = report
+                    .help(help)
+                    .replace_with(Safety::Unsafe, rename, near.as_str());
             }
             Some(near) => {
                 report = report.help(Help::did_you_mean(near));
                 if let Some(span) = argument {
-                    let edits = vec![Edit { span, content: near.to_string() }];
-                    report = report.edits(Safety::Unsafe, format!("change argument to `{near}`"), edits);
+                    let edits = vec![Edit {
+                        span,
+                        content: near.to_string(),
+                    }];
+                    report = report.edits(
+                        Safety::Unsafe,
+                        format!("change argument to `{near}`"),
+                        edits,
+                    );
                 }
             }
             None => {
-                report =
-                    report.help(format!("add <link name=\"{name}\"/>, or use the name of an existing link"))
+                report = report.help(format!(
+                    "add <link name=\"{name}\"/>, or use the name of an existing link"
+                ))
             }
         }
         report.done();

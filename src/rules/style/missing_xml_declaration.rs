@@ -25,8 +25,12 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     }
     let length = header.lines().next().map_or(0, str::len) as u32;
     let edit = (TextRange::empty(0), "<?xml version=\"1.0\"?>\n".to_owned());
-    out.report_in(cx.file, TextRange::new(0, length), "file has no XML declaration")
-        .help("add <?xml version=\"1.0\"?> at the start of the file")
-        .fix(Safety::Safe, "add the XML declaration", cx.file, [edit])
-        .done();
+    out.report_in(
+        cx.file,
+        TextRange::new(0, length),
+        "file has no XML declaration",
+    )
+    .help("add <?xml version=\"1.0\"?> at the start of the file")
+    .fix(Safety::Safe, "add the XML declaration", cx.file, [edit])
+    .done();
 }

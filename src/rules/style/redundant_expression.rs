@@ -24,7 +24,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             let text = attr.raw();
             let start = attr.value_range().start + base;
             for token in split(text).tokens {
-                let Token::Expr { range, inner, .. } = token else { continue };
+                let Token::Expr { range, inner, .. } = token else {
+                    continue;
+                };
                 let literal = inner.slice(text).trim();
                 if is_printed_as_written(literal) {
                     out.report_in(
@@ -51,7 +53,12 @@ fn is_printed_as_written(literal: &str) -> bool {
     let fraction_is_plain =
         fraction.is_none_or(|text| text == "0" || !text.is_empty() && !text.ends_with('0'));
     let tiny = fraction.is_some_and(|text| whole == "0" && text.starts_with("0000"));
-    plain && whole_is_plain && fraction_is_plain && !tiny && literal != "-0" && decimal(literal).is_some()
+    plain
+        && whole_is_plain
+        && fraction_is_plain
+        && !tiny
+        && literal != "-0"
+        && decimal(literal).is_some()
 }
 
 #[cfg(test)]
@@ -63,7 +70,9 @@ mod tests {
         for text in ["0", "12", "-3", "0.5", "10.0", "-0.25"] {
             assert!(is_printed_as_written(text), "{text}");
         }
-        for text in ["", "00", "1.50", "1e3", ".5", "5.", "x", "0.00001", "-0", "1_0", "1.2.3"] {
+        for text in [
+            "", "00", "1.50", "1e3", ".5", "5.", "x", "0.00001", "-0", "1_0", "1.2.3",
+        ] {
             assert!(!is_printed_as_written(text), "{text}");
         }
     }

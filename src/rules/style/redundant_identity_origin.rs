@@ -22,13 +22,22 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     const PARENTS: [&str; 4] = ["joint", "visual", "collision", "inertial"];
-    for (base, node) in outside_free_zones(cx.elements()).filter(|(_, node)| node.name() == "origin") {
-        let counts = node.parent().is_some_and(|parent| PARENTS.contains(&parent.name()));
+    for (base, node) in
+        outside_free_zones(cx.elements()).filter(|(_, node)| node.name() == "origin")
+    {
+        let counts = node
+            .parent()
+            .is_some_and(|parent| PARENTS.contains(&parent.name()));
         if counts && is_identity(node) && node.child_elements().next().is_none() {
             let range = node.range().shift(base);
             out.report_in(cx.file, range, "redundant `origin`")
                 .help("remove the element; zero is the default")
-                .fix(Safety::Safe, "remove the element", cx.file, [(line(node, base), String::new())])
+                .fix(
+                    Safety::Safe,
+                    "remove the element",
+                    cx.file,
+                    [(line(node, base), String::new())],
+                )
                 .done();
         }
     }
@@ -36,14 +45,22 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether an origin moves nothing; one without attributes does not either.
 fn is_identity(node: Node<'_>) -> bool {
-    let zero = |text: &str| text.split_whitespace().all(|word| decimal(word) == Some(0.0));
-    node.attrs().all(|attr| matches!(attr.name(), "xyz" | "rpy") && zero(attr.raw()))
+    let zero = |text: &str| {
+        text.split_whitespace()
+            .all(|word| decimal(word) == Some(0.0))
+    };
+    node.attrs()
+        .all(|attr| matches!(attr.name(), "xyz" | "rpy") && zero(attr.raw()))
 }
 
 /// The element with the blanks in front of it.
 fn line(node: Node<'_>, base: u32) -> TextRange {
     let range = node.range();
-    let before = node.item().text().get(..range.start as usize).unwrap_or_default();
+    let before = node
+        .item()
+        .text()
+        .get(..range.start as usize)
+        .unwrap_or_default();
     let start = before.trim_end().len() as u32;
     TextRange::new(start, range.end).shift(base)
 }

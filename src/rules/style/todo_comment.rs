@@ -22,12 +22,19 @@ const LEFT_TO_DO: [&str; 2] = ["TODO", "FIXME"];
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for (base, item) in cx.source.document.parts() {
-        for node in item.all_nodes().filter(|node| node.kind() == NodeKind::Comment) {
+        for node in item
+            .all_nodes()
+            .filter(|node| node.kind() == NodeKind::Comment)
+        {
             let mut words = node.raw().split(|c: char| !c.is_alphanumeric());
             if let Some(word) = words.find(|word| LEFT_TO_DO.contains(word)) {
-                out.report_in(cx.file, node.range().shift(base), format!("`{word}` in a comment"))
-                    .help("resolve it, or move it to an issue tracker")
-                    .done();
+                out.report_in(
+                    cx.file,
+                    node.range().shift(base),
+                    format!("`{word}` in a comment"),
+                )
+                .help("resolve it, or move it to an issue tracker")
+                .done();
             }
         }
     }

@@ -23,25 +23,37 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             "xacro:unless" => false,
             _ => continue,
         };
-        let Some(value) = node.attr("value") else { continue };
-        let Some(truth) = truth(value.raw()) else { continue };
+        let Some(value) = node.attr("value") else {
+            continue;
+        };
+        let Some(truth) = truth(value.raw()) else {
+            continue;
+        };
         let (verb, help) = if truth == wanted {
             ("always", "remove the condition and keep its content")
         } else {
-            ("never", "remove the element, or make the condition depend on an argument")
+            (
+                "never",
+                "remove the element, or make the condition depend on an argument",
+            )
         };
         let message = format!(
             "condition of this `{}` is constant: its content is {verb} part of the robot",
             node.name()
         );
-        out.report_in(cx.file, value.value_range().shift(base), message).help(help).done();
+        out.report_in(cx.file, value.value_range().shift(base), message)
+            .help(help)
+            .done();
     }
 }
 
 /// The truth of a value without expressions; none when it has some, or is none at all.
 fn truth(value: &str) -> Option<bool> {
     let value = value.trim();
-    let constant = value.strip_prefix("${").and_then(|rest| rest.strip_suffix('}')).map_or(value, str::trim);
+    let constant = value
+        .strip_prefix("${")
+        .and_then(|rest| rest.strip_suffix('}'))
+        .map_or(value, str::trim);
     match constant {
         "true" | "True" => Some(true),
         "false" | "False" => Some(false),

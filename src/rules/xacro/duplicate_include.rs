@@ -33,8 +33,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
     };
     let mut seen: FastSet<Place> = FastSet::default();
-    for later in inclusions.iter().filter(always).filter(|found| seen.insert(found.tag)) {
-        let first = *first_of.entry((later.target, later.namespace.as_str())).or_insert(later);
+    for later in inclusions
+        .iter()
+        .filter(always)
+        .filter(|found| seen.insert(found.tag))
+    {
+        let first = *first_of
+            .entry((later.target, later.namespace.as_str()))
+            .or_insert(later);
         if first.tag == later.tag || depends_on_arguments(first, later) {
             continue;
         }
@@ -52,10 +58,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether two tags name one file only because of the arguments that are given now.
 fn depends_on_arguments(first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
     const ARGUMENTS: [&str; 4] = ["$(arg ", "$(optenv ", "$(env ", "xacro.arg("];
-    let name = |inclusion: &Inclusion<'_>| inclusion.node.attr("filename").map(|name| name.raw().to_owned());
+    let name = |inclusion: &Inclusion<'_>| {
+        inclusion
+            .node
+            .attr("filename")
+            .map(|name| name.raw().to_owned())
+    };
     let (first, later) = (name(first), name(later));
     let is_given = |name: &Option<String>| {
-        name.as_ref().is_some_and(|name| ARGUMENTS.iter().any(|word| name.contains(word)))
+        name.as_ref()
+            .is_some_and(|name| ARGUMENTS.iter().any(|word| name.contains(word)))
     };
     first != later && (is_given(&first) || is_given(&later))
 }
@@ -68,7 +80,9 @@ fn emitting(cx: &DocumentCx<'_>) -> FastSet<u32> {
     while let Some(element) = open.pop() {
         let mut frame = tree.get(element).origin.frame;
         while frames.insert(frame.0) {
-            let Some(around) = cx.expansion.frames.get(frame.0 as usize) else { break };
+            let Some(around) = cx.expansion.frames.get(frame.0 as usize) else {
+                break;
+            };
             frame = around.call.frame;
         }
         open.extend(tree.elements(element));
@@ -78,8 +92,13 @@ fn emitting(cx: &DocumentCx<'_>) -> FastSet<u32> {
 
 /// Whether a property is set between two tags of one file: the second include may then mean something else.
 fn is_redefined_between(cx: &DocumentCx<'_>, first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
-    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else { return false };
-    let between = TextRange::new(first.tag.range.end, later.tag.range.start.max(first.tag.range.end));
+    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else {
+        return false;
+    };
+    let between = TextRange::new(
+        first.tag.range.end,
+        later.tag.range.start.max(first.tag.range.end),
+    );
     let parts = file.source.document.parts();
     let mut nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
     nodes.any(|(base, node)| {
@@ -98,7 +117,11 @@ fn report(
 ) {
     let name = source::file_name(cx.expansion, later.target);
     let report = out
-        .report_in(later.tag.file, later.tag.range, format!("duplicate include of `{name}`"))
+        .report_in(
+            later.tag.file,
+            later.tag.range,
+            format!("duplicate include of `{name}`"),
+        )
         .also_at(first.tag, "first included here");
     if !one_file {
         return report
@@ -107,15 +130,24 @@ fn report(
             .done();
     }
     if emits {
-        return report.help("remove one of the includes; the content is in the robot twice").done();
+        return report
+            .help("remove one of the includes; the content is in the robot twice")
+            .done();
     }
-    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else { return };
+    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else {
+        return;
+    };
     let element = later.node.range();
     let start = later.tag.range.start - (later.node.name_range().start - 1 - element.start);
     let range = TextRange::new(start, start + element.len());
     let removal = source::removal(&file.source.document, range);
     report
         .help("remove this include; everything it defines is already defined")
-        .fix(Safety::Safe, "remove the include", later.tag.file, [(removal, String::new())])
+        .fix(
+            Safety::Safe,
+            "remove the include",
+            later.tag.file,
+            [(removal, String::new())],
+        )
         .done();
 }

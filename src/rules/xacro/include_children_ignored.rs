@@ -26,6 +26,9 @@ pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
     Some(Fix {
         safety: Safety::Safe,
         message: "remove the content of the include".to_owned(),
-        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+        edits: vec![Edit {
+            span: Span { range, ..span },
+            content: String::new(),
+        }],
     })
 }

@@ -9,13 +9,20 @@ use base::{Span, TextRange};
 use expand::Detail;
 use workspace::nearest;
 
-pub(in super::super) static RULE: Rule =
-    Rule::found("XAC008", "include-not-found", Category::Xacro, Severity::Error, page("include-not-found"))
-        .fixed(Safety::Unsafe);
+pub(in super::super) static RULE: Rule = Rule::found(
+    "XAC008",
+    "include-not-found",
+    Category::Xacro,
+    Severity::Error,
+    page("include-not-found"),
+)
+.fixed(Safety::Unsafe);
 
 /// A file in the same folder may have almost its name.
 pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
-    let Some(Detail::LookedFor(path)) = &cx.problem.detail else { return None };
+    let Some(Detail::LookedFor(path)) = &cx.problem.detail else {
+        return None;
+    };
     let (path, span) = (Path::new(path), cx.span);
     let old = path.file_name()?.to_str()?;
     let written = cx.document.slice(span.range);
@@ -27,7 +34,10 @@ pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
         safety: Safety::Unsafe,
         message: format!("include `{new}`"),
         edits: vec![Edit {
-            span: Span { range: TextRange::new(start, span.range.end), ..span },
+            span: Span {
+                range: TextRange::new(start, span.range.end),
+                ..span
+            },
             content: new.to_owned(),
         }],
     })

@@ -30,6 +30,9 @@ pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
     is_valid.then(|| Fix {
         safety: Safety::Unsafe,
         message: format!("rename to `{new}`"),
-        edits: vec![Edit { span: cx.span, content: new }],
+        edits: vec![Edit {
+            span: cx.span,
+            content: new,
+        }],
     })
 }

@@ -27,7 +27,9 @@ pub struct Mentions {
 impl Mentions {
     fn of_file(file: &SourceFile) -> Self {
         let mut mentions = Self::default();
-        file.document.parts().for_each(|(_, item)| mentions.add_item(item));
+        file.document
+            .parts()
+            .for_each(|(_, item)| mentions.add_item(item));
         mentions
     }
 
@@ -35,8 +37,10 @@ impl Mentions {
     pub fn inside(node: Node<'_>) -> Self {
         let mut mentions = Self::default();
         let inside = node.range();
-        let nodes =
-            node.item().all_nodes().filter(|other| *other != node && inside.contains_range(other.range()));
+        let nodes = node
+            .item()
+            .all_nodes()
+            .filter(|other| *other != node && inside.contains_range(other.range()));
         nodes.for_each(|node| mentions.add_node(node));
         mentions
     }
@@ -72,9 +76,11 @@ impl Mentions {
     /// `name:=^` reads `name` where the macro is called.
     fn add_params(&mut self, params: &str) {
         for word in params.split_whitespace() {
-            let forwarded =
-                word.split_once('=').filter(|(_, value)| value.trim_start_matches('\'').starts_with('^'));
-            self.words.extend(forwarded.map(|(name, _)| name.trim_end_matches(':').into()));
+            let forwarded = word
+                .split_once('=')
+                .filter(|(_, value)| value.trim_start_matches('\'').starts_with('^'));
+            self.words
+                .extend(forwarded.map(|(name, _)| name.trim_end_matches(':').into()));
         }
     }
 
@@ -88,7 +94,11 @@ impl Mentions {
             false => !c.is_alphanumeric(),
         };
         // no name begins like a number
-        let is_name = |word: &&str| word.bytes().next().is_some_and(|first| !first.is_ascii_digit());
+        let is_name = |word: &&str| {
+            word.bytes()
+                .next()
+                .is_some_and(|first| !first.is_ascii_digit())
+        };
         for word in text.split(ends_word).filter(is_name) {
             insert(&mut self.words, word);
         }
@@ -116,7 +126,11 @@ pub(super) fn everywhere<'a>(cx: &'a DocumentCx<'_>) -> Option<&'a [Mentions]> {
     let mentions = cx.mentions.get_or_init(|| {
         let untaken = untaken::files(cx)?;
         let read = cx.expansion.files.iter().map(|file| &file.source);
-        Some(read.chain(&untaken).map(|file| Mentions::of_file(file)).collect())
+        Some(
+            read.chain(&untaken)
+                .map(|file| Mentions::of_file(file))
+                .collect(),
+        )
     });
     mentions.as_deref()
 }
@@ -126,7 +140,10 @@ pub(super) fn outside<'a>(
     cx: &'a DocumentCx<'_>,
     without: &'a FastSet<FileIdx>,
 ) -> Option<impl Iterator<Item = &'a Mentions> + Clone> {
-    let files = (0..).map(FileIdx).zip(everywhere(cx)?).filter(|(file, _)| !without.contains(file));
+    let files = (0..)
+        .map(FileIdx)
+        .zip(everywhere(cx)?)
+        .filter(|(file, _)| !without.contains(file));
     Some(files.map(|(_, mentions)| mentions))
 }
 
@@ -150,9 +167,16 @@ mod tests {
         let item = document.items().next().unwrap().1.clone();
         let mut mentions = Mentions::default();
         mentions.add_item(&item);
-        let found: String = "abcdefghijk".chars().filter(|c| mentions.word(&c.to_string())).collect();
+        let found: String = "abcdefghijk"
+            .chars()
+            .filter(|c| mentions.word(&c.to_string()))
+            .collect();
         assert_eq!(found, "abcefhi");
-        assert!(mentions.tags.contains("arm.part") && mentions.blocks.contains("k") && !mentions.computed);
+        assert!(
+            mentions.tags.contains("arm.part")
+                && mentions.blocks.contains("k")
+                && !mentions.computed
+        );
         let inside = Mentions::inside(item.element().unwrap());
         assert!(!inside.word("b") && inside.word("a"));
     }

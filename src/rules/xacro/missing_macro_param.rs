@@ -20,10 +20,15 @@ pub(in super::super) static RULE: Rule = Rule::found(
 /// Missing parameters, where an empty text is a value that makes sense: only a person knows the values of others.
 pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
     let may_be_empty = |name: &EcoString| {
-        name == "ns" || ["prefix", "suffix", "namespace"].iter().any(|word| name.contains(word))
+        name == "ns"
+            || ["prefix", "suffix", "namespace"]
+                .iter()
+                .any(|word| name.contains(word))
     };
     let all_empty = missing(cx.problem).iter().all(may_be_empty);
-    all_empty.then(|| add(cx, "add the missing parameters with empty values")).flatten()
+    all_empty
+        .then(|| add(cx, "add the missing parameters with empty values"))
+        .flatten()
 }
 
 /// What editors offer in its place: the parameters with values that the author has to fill in.
@@ -37,8 +42,15 @@ fn add(cx: &ProblemCx<'_>, message: &str) -> Option<Fix> {
     }
     let range = TextRange::empty(cx.span.range.end);
     let content = format!(" {}", attributes(cx.problem));
-    let edits = vec![Edit { span: Span { range, ..cx.span }, content }];
-    Some(Fix { safety: Safety::Unsafe, message: message.to_owned(), edits })
+    let edits = vec![Edit {
+        span: Span { range, ..cx.span },
+        content,
+    }];
+    Some(Fix {
+        safety: Safety::Unsafe,
+        message: message.to_owned(),
+        edits,
+    })
 }
 
 /// The parameters that the call does not give.
@@ -51,6 +63,9 @@ fn missing(problem: &Problem) -> &[EcoString] {
 
 /// The missing parameters as attributes with empty values.
 fn attributes(problem: &Problem) -> String {
-    let empty: Vec<String> = missing(problem).iter().map(|name| format!("{name}=\"\"")).collect();
+    let empty: Vec<String> = missing(problem)
+        .iter()
+        .map(|name| format!("{name}=\"\""))
+        .collect();
     empty.join(" ")
 }

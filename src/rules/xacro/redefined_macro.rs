@@ -30,19 +30,35 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
-    let is_called = |id| cx.expansion.symbols.uses_of(id).any(|used| used.kind == UseKind::Call);
+    let is_called = |id| {
+        cx.expansion
+            .symbols
+            .uses_of(id)
+            .any(|used| used.kind == UseKind::Call)
+    };
     let mut first: FastMap<(&str, &str), (Place, Node<'_>, bool)> = FastMap::default();
-    for (id, definition) in cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Macro) {
+    for (id, definition) in cx
+        .expansion
+        .symbols
+        .iter()
+        .filter(|(_, found)| found.kind == SymbolKind::Macro)
+    {
         let node = source::definition_tag(cx.expansion, definition);
         let place = source::place(cx.expansion, definition.place);
-        let (Some(node), Some(place)) = (node, place) else { continue };
-        let Some(space) = spaces.get(&place.file) else { continue };
+        let (Some(node), Some(place)) = (node, place) else {
+            continue;
+        };
+        let Some(space) = spaces.get(&place.file) else {
+            continue;
+        };
         if source::is_conditional(node) || source::macro_around(node).is_some() {
             continue;
         }
         let name = definition.name.as_str();
         let earlier = first.insert((space.as_str(), name), (place, node, is_called(id)));
-        if let Some((earlier, _, was_called)) = earlier.filter(|(_, earlier, _)| !is_same(*earlier, node)) {
+        if let Some((earlier, _, was_called)) =
+            earlier.filter(|(_, earlier, _)| !is_same(*earlier, node))
+        {
             // calls of both, each before the next is defined, take turns on purpose
             let is_meant = was_called || !is_called(id);
             out.report_in(place.file, place.range, format!("macro `{name}` is redefined"))
@@ -83,7 +99,9 @@ fn content(node: Node<'_>) -> Vec<Node<'_>> {
 
 /// The attributes of an element in any order.
 fn attributes(node: Node<'_>) -> BTreeMap<String, Vec<String>> {
-    node.attrs().map(|attr| (attr.name().to_owned(), words(attr.raw()))).collect()
+    node.attrs()
+        .map(|attr| (attr.name().to_owned(), words(attr.raw())))
+        .collect()
 }
 
 fn words(text: &str) -> Vec<String> {
@@ -96,11 +114,14 @@ fn namespaces(inclusions: &[Inclusion<'_>]) -> FastMap<FileIdx, String> {
     let mut spaces: FastMap<FileIdx, String> = FastMap::from_iter([(FileIdx(0), String::new())]);
     let mut doubtful: FastSet<FileIdx> = FastSet::default();
     for inclusion in inclusions {
-        let outer = spaces.contains_key(&inclusion.tag.file) && !doubtful.contains(&inclusion.tag.file);
+        let outer =
+            spaces.contains_key(&inclusion.tag.file) && !doubtful.contains(&inclusion.tag.file);
         let certain = outer
             && !source::is_conditional(inclusion.node)
             && source::macro_around(inclusion.node).is_none();
-        let known = spaces.entry(inclusion.target).or_insert_with(|| inclusion.namespace.clone());
+        let known = spaces
+            .entry(inclusion.target)
+            .or_insert_with(|| inclusion.namespace.clone());
         if !certain || *known != inclusion.namespace {
             doubtful.insert(inclusion.target);
         }
@@ -111,7 +132,9 @@ fn namespaces(inclusions: &[Inclusion<'_>]) -> FastMap<FileIdx, String> {
 
 /// Where a call was meant, the name of the macro goes into the tags.
 pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
-    let Some(Detail::Called(called)) = &cx.problem.detail else { return None };
+    let Some(Detail::Called(called)) = &cx.problem.detail else {
+        return None;
+    };
     let (document, span) = (cx.document, cx.span);
     let call = format!("xacro:{called}");
     let place = document.item_at(span.range.start);
@@ -120,7 +143,10 @@ pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
     let name = node.attrs().next().filter(|attr| attr.name() == "name")?;
     let tag = TextRange::new(node.name_range().start, name.range().end).shift(place.start);
     let end = node.end_name_range()?.shift(place.start);
-    let edit = |range| Edit { span: Span { range, ..span }, content: call.clone() };
+    let edit = |range| Edit {
+        span: Span { range, ..span },
+        content: call.clone(),
+    };
     Some(Fix {
         safety: Safety::Unsafe,
         message: format!("call macro `{called}`"),

@@ -26,12 +26,20 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let used = unused::used(cx);
     let mut last: FastMap<(FileIdx, &str), (DefinitionId, Place, Node<'_>)> = FastMap::default();
-    let properties = cx.expansion.symbols.iter().filter(|(_, found)| found.kind == SymbolKind::Property);
+    let properties = cx
+        .expansion
+        .symbols
+        .iter()
+        .filter(|(_, found)| found.kind == SymbolKind::Property);
     for (id, definition) in properties {
-        let Some((place, node)) = plain(cx, definition) else { continue };
+        let Some((place, node)) = plain(cx, definition) else {
+            continue;
+        };
         let key = (place.file, definition.name.as_str());
         let earlier = last.insert(key, (id, place, node));
-        let Some((earlier, first, first_node)) = earlier else { continue };
+        let Some((earlier, first, first_node)) = earlier else {
+            continue;
+        };
         if !used.contains(&earlier)
             && first.range.end < place.range.start
             && source::macro_around(first_node) == source::macro_around(node)
@@ -42,9 +50,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             out.report_in(
                 place.file,
                 place.range,
-                format!("property `{}` is redefined before it is used", definition.name),
+                format!(
+                    "property `{}` is redefined before it is used",
+                    definition.name
+                ),
             )
-            .severity(if is_same { Severity::Info } else { Severity::Warning })
+            .severity(if is_same {
+                Severity::Info
+            } else {
+                Severity::Warning
+            })
             .also_at(first, "this value is never read")
             .help("remove one of them, or rename it")
             .done();
@@ -55,7 +70,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// The place and tag of a definition that holds in any case: in no conditional, and with a value alone.
 fn plain<'a>(cx: &DocumentCx<'a>, definition: &Definition) -> Option<(Place, Node<'a>)> {
     let node = source::definition_tag(cx.expansion, definition)?;
-    let special = ["default", "scope", "lazy_eval", "remove"].iter().any(|name| node.attr(name).is_some());
+    let special = ["default", "scope", "lazy_eval", "remove"]
+        .iter()
+        .any(|name| node.attr(name).is_some());
     let plain = node.name() == "xacro:property" && !special && !source::is_conditional(node);
     let place = source::place(cx.expansion, definition.place)?;
     plain.then_some((place, node))
@@ -69,7 +86,9 @@ fn written(node: Node<'_>) -> Option<String> {
 /// Whether a file is included between two definitions: it may read the first one, in another branch or in the macros that
 /// it defines.
 fn included_between(cx: &DocumentCx<'_>, first: Place, second: Place) -> bool {
-    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else { return true };
+    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else {
+        return true;
+    };
     let between = TextRange::new(first.range.end, second.range.start);
     let mut nodes = elements(&file.source.document);
     nodes.any(|(base, node)| {
@@ -79,14 +98,25 @@ fn included_between(cx: &DocumentCx<'_>, first: Place, second: Place) -> bool {
 
 /// Whether an expression between two definitions, or in the second one, mentions the name: a branch not taken
 /// here may read it.
-fn mentioned_between(cx: &DocumentCx<'_>, first: Place, second: Place, node: Node<'_>, name: &str) -> bool {
-    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else { return true };
+fn mentioned_between(
+    cx: &DocumentCx<'_>,
+    first: Place,
+    second: Place,
+    node: Node<'_>,
+    name: &str,
+) -> bool {
+    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else {
+        return true;
+    };
     let end = second.range.end + node.start_tag_range().len();
     let between = TextRange::new(first.range.end, end);
     let text = file.source.document.slice(between);
     text.split('$').skip(1).any(|part| {
         let end = part.find(['"', '\n']).unwrap_or(part.len());
-        let words = part.get(..end).unwrap_or_default().split(|c: char| !c.is_alphanumeric() && c != '_');
+        let words = part
+            .get(..end)
+            .unwrap_or_default()
+            .split(|c: char| !c.is_alphanumeric() && c != '_');
         words.into_iter().any(|word| word == name)
     })
 }

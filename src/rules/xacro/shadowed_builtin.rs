@@ -8,13 +8,20 @@ use model::decimal;
 use workspace::Target;
 use xml::Node;
 
-pub(in super::super) static RULE: Rule =
-    Rule::found("XAC018", "shadowed-builtin", Category::Xacro, Severity::Warning, page("shadowed-builtin"));
+pub(in super::super) static RULE: Rule = Rule::found(
+    "XAC018",
+    "shadowed-builtin",
+    Category::Xacro,
+    Severity::Warning,
+    page("shadowed-builtin"),
+);
 
 /// Whether a name that hides a built-in symbol means something else from there on. A parameter does so in its macro
 /// only, where everybody sees it, and a property with the very value of the symbol changes nothing.
 pub(in super::super) fn is_news(expansion: &Expansion, problem: &Problem) -> bool {
-    let Some(node) = definition(expansion, problem) else { return true };
+    let Some(node) = definition(expansion, problem) else {
+        return true;
+    };
     match node.name() {
         "xacro:property" => !has_value(expansion, problem.place, node, ROUNDING),
         "xacro:include" => true,
@@ -35,12 +42,17 @@ pub(in super::super) fn is_harmless(
     generation: Option<Target>,
 ) -> bool {
     generation == Some(Target::Ros1)
-        && definition(expansion, problem).is_some_and(|node| has_value(expansion, problem.place, node, ROUGH))
+        && definition(expansion, problem)
+            .is_some_and(|node| has_value(expansion, problem.place, node, ROUGH))
 }
 
 /// The tag of the property that hides a symbol.
 fn definition<'a>(expansion: &'a Expansion, problem: &Problem) -> Option<Node<'a>> {
-    let document = &expansion.files.get(problem.place.file.0 as usize)?.source.document;
+    let document = &expansion
+        .files
+        .get(problem.place.file.0 as usize)?
+        .source
+        .document;
     let item = document.item_at(problem.place.range.start);
     item.item.all_nodes().find(|node| {
         let tag = node.start_tag_range().shift(item.start);
@@ -50,9 +62,16 @@ fn definition<'a>(expansion: &'a Expansion, problem: &Problem) -> Option<Node<'a
 
 /// Whether a property has the value of the symbol that it hides, up to a part of it.
 fn has_value(expansion: &Expansion, place: Place, node: Node<'_>, rounding: f64) -> bool {
-    let name = node.attr("name").map(|name| name.raw().to_owned()).unwrap_or_default();
-    let Some(Value::Float(known)) = global_symbol(&name) else { return false };
-    let written = node.attr("value").and_then(|value| decimal(value.raw().trim()));
+    let name = node
+        .attr("name")
+        .map(|name| name.raw().to_owned())
+        .unwrap_or_default();
+    let Some(Value::Float(known)) = global_symbol(&name) else {
+        return false;
+    };
+    let written = node
+        .attr("value")
+        .and_then(|value| decimal(value.raw().trim()));
     let computed = expansion.bindings.iter().find_map(|binding| {
         let definition = expansion.symbols.get(binding.definition?)?;
         match binding.value {
@@ -62,5 +81,7 @@ fn has_value(expansion: &Expansion, place: Place, node: Node<'_>, rounding: f64)
             _ => None,
         }
     });
-    written.or(computed).is_some_and(|value| (value - known).abs() <= rounding * known.abs())
+    written
+        .or(computed)
+        .is_some_and(|value| (value - known).abs() <= rounding * known.abs())
 }

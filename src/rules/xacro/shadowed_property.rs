@@ -34,7 +34,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 let hidden = hidden.and_then(|hidden| source::place(cx.expansion, hidden.place));
                 let place = source::place(cx.expansion, definition.place);
                 if let (Some(place), Some(hidden)) = (place, hidden) {
-                    let message = format!("parameter `{0}` shadows property `{0}`", definition.name);
+                    let message =
+                        format!("parameter `{0}` shadows property `{0}`", definition.name);
                     out.report_in(place.file, place.range, message)
                         .also_at(hidden, "property defined here")
                         .help("rename one of them")

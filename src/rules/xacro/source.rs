@@ -15,35 +15,50 @@ pub(super) fn is_main(cx: &DocumentCx<'_>) -> bool {
 /// The absolute place of a text.
 pub(super) fn place(expansion: &Expansion, at: SourceRange) -> Option<Place> {
     let source = expansion.sources.get(at.src.0 as usize)?;
-    Some(Place { file: source.file, range: at.range.shift(source.base) })
+    Some(Place {
+        file: source.file,
+        range: at.range.shift(source.base),
+    })
 }
 
 /// The innermost element whose start tag holds a text, with the offset its ranges count from.
 pub(super) fn tag(expansion: &Expansion, at: SourceRange) -> Option<(u32, Node<'_>)> {
     let source = expansion.sources.get(at.src.0 as usize)?;
-    let node = source.item.all_nodes().find(|node| node.start_tag_range().contains_range(at.range))?;
+    let node = source
+        .item
+        .all_nodes()
+        .find(|node| node.start_tag_range().contains_range(at.range))?;
     Some((source.base, node))
 }
 
 /// The tag of a definition.
-pub(super) fn definition_tag<'a>(expansion: &'a Expansion, definition: &Definition) -> Option<Node<'a>> {
+pub(super) fn definition_tag<'a>(
+    expansion: &'a Expansion,
+    definition: &Definition,
+) -> Option<Node<'a>> {
     tag(expansion, definition.place).map(|(_, node)| node)
 }
 
 /// Whether a conditional stands around an element, in its file.
 pub(super) fn is_conditional(node: Node<'_>) -> bool {
     let around = std::iter::successors(node.parent(), |node| node.parent());
-    around.into_iter().any(|node| matches!(node.name(), "xacro:if" | "xacro:unless"))
+    around
+        .into_iter()
+        .any(|node| matches!(node.name(), "xacro:if" | "xacro:unless"))
 }
 
 /// The macro that an element stands in.
 pub(super) fn macro_around(node: Node<'_>) -> Option<Node<'_>> {
-    std::iter::successors(node.parent(), |node| node.parent()).find(|node| node.name() == "xacro:macro")
+    std::iter::successors(node.parent(), |node| node.parent())
+        .find(|node| node.name() == "xacro:macro")
 }
 
 /// The name of a file without its folders.
 pub(super) fn file_name(expansion: &Expansion, file: FileIdx) -> &str {
-    let name = expansion.files.get(file.0 as usize).map_or("", |file| file.name.as_str());
+    let name = expansion
+        .files
+        .get(file.0 as usize)
+        .map_or("", |file| file.name.as_str());
     name.rsplit('/').next().unwrap_or(name)
 }
 
@@ -80,23 +95,36 @@ pub(super) struct Inclusion<'a> {
 }
 
 /// The includes of an expansion, in order; of very many, the first ones.
-pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: Surroundings<'_>) -> Vec<Inclusion<'a>> {
+pub(super) fn inclusions<'a>(
+    expansion: &'a Expansion,
+    world: Surroundings<'_>,
+) -> Vec<Inclusion<'a>> {
     const MOST: usize = 10_000;
     let names = expansion.files.iter().map(|file| file.name.as_str());
-    let mut by_name: FastMap<&str, Option<FileIdx>> = names.zip((0..).map(FileIdx).map(Some)).collect();
-    let by_id: FastMap<FileId, FileIdx> =
-        expansion.files.iter().map(|file| file.source.id).zip((0..).map(FileIdx)).collect();
+    let mut by_name: FastMap<&str, Option<FileIdx>> =
+        names.zip((0..).map(FileIdx).map(Some)).collect();
+    let by_id: FastMap<FileId, FileIdx> = expansion
+        .files
+        .iter()
+        .map(|file| file.source.id)
+        .zip((0..).map(FileIdx))
+        .collect();
     let mut namespaces: FastMap<u32, String> = FastMap::default();
     let mut found = Vec::new();
-    let frames = (0..).zip(&expansion.frames).filter(|(_, frame)| frame.kind == FrameKind::Include);
+    let frames = (0..)
+        .zip(&expansion.frames)
+        .filter(|(_, frame)| frame.kind == FrameKind::Include);
     for (number, frame) in frames.take(MOST) {
         let load = || {
             let path = world.vfs.absolute(Path::new(frame.name.as_str()));
             world.vfs.document(&world.packages.present(&path)).ok()
         };
-        let target = *by_name.entry(&frame.name).or_insert_with(|| by_id.get(&load()?.id).copied());
+        let target = *by_name
+            .entry(&frame.name)
+            .or_insert_with(|| by_id.get(&load()?.id).copied());
         let node = tag(expansion, frame.call.into()).map(|(_, node)| node);
-        let (Some(target), Some(node), Some(tag)) = (target, node, expansion.place(frame.call)) else {
+        let (Some(target), Some(node), Some(tag)) = (target, node, expansion.place(frame.call))
+        else {
             continue;
         };
         let within = frame.call.frame.0;
@@ -106,7 +134,14 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: Surroundings<'_>) 
             namespace = format!("{namespace}.{}", ns.raw());
         }
         namespaces.insert(number, namespace.clone());
-        found.push(Inclusion { frame: number, tag, node, target, namespace, within });
+        found.push(Inclusion {
+            frame: number,
+            tag,
+            node,
+            target,
+            namespace,
+            within,
+        });
     }
     found
 }
@@ -115,10 +150,16 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: Surroundings<'_>) 
 pub fn include_tags(expansion: &Expansion, world: Surroundings<'_>) -> Vec<(FileId, Span)> {
     let id = |file: FileIdx| Some(expansion.files.get(file.0 as usize)?.source.id);
     let tag = |found: Inclusion<'_>| {
-        let span = Span { file: id(found.tag.file)?, range: found.tag.range };
+        let span = Span {
+            file: id(found.tag.file)?,
+            range: found.tag.range,
+        };
         Some((id(found.target)?, span))
     };
-    inclusions(expansion, world).into_iter().filter_map(tag).collect()
+    inclusions(expansion, world)
+        .into_iter()
+        .filter_map(tag)
+        .collect()
 }
 
 /// The innermost include among a frame and those around it.
@@ -141,13 +182,20 @@ mod tests {
 
     #[test]
     fn an_element_goes_with_its_line() {
-        for (text, expected) in
-            [("a\n  <b/> \nc", "a\nc"), ("a <b/>\nc", "a \nc"), ("<b/>\nc", "c"), ("  <b/> c", "   c")]
-        {
+        for (text, expected) in [
+            ("a\n  <b/> \nc", "a\nc"),
+            ("a <b/>\nc", "a \nc"),
+            ("<b/>\nc", "c"),
+            ("  <b/> c", "   c"),
+        ] {
             let start = text.find("<b/>").unwrap() as u32;
             let range = removal(&Document::parse(text), TextRange::new(start, start + 4));
             let (start, end) = (range.start as usize, range.end as usize);
-            assert_eq!(format!("{}{}", &text[..start], &text[end..]), expected, "{text:?}");
+            assert_eq!(
+                format!("{}{}", &text[..start], &text[end..]),
+                expected,
+                "{text:?}"
+            );
         }
     }
 }

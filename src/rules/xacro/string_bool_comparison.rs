@@ -46,12 +46,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for attr in attrs.filter(|attr| attr.has_dollar() && compares(attr.raw())) {
             let start = attr.value_range().start;
             for (found, offset) in comparisons(attr.raw()) {
-                let at = SourceRange { src, range: found.name_range.shift(start + offset) };
+                let at = SourceRange {
+                    src,
+                    range: found.name_range.shift(start + offset),
+                };
                 let definitions = uses.get(&at).map_or(&[][..], Vec::as_slice);
                 let converted = |&id: &DefinitionId| is_converted(cx, id, &uses, MOST_STEPS);
                 if !definitions.is_empty() && definitions.iter().all(converted) {
                     let range = found.range.shift(start + offset + read.base);
-                    report(Place { file: read.file, range }, &found, out);
+                    report(
+                        Place {
+                            file: read.file,
+                            range,
+                        },
+                        &found,
+                        out,
+                    );
                 }
             }
         }
@@ -60,7 +70,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 fn uses(cx: &DocumentCx<'_>) -> Uses {
     let mut uses = Uses::default();
-    for used in cx.expansion.symbols.uses.iter().filter(|used| used.kind == UseKind::Read) {
+    for used in cx
+        .expansion
+        .symbols
+        .uses
+        .iter()
+        .filter(|used| used.kind == UseKind::Read)
+    {
         uses.entry(used.place).or_default().push(used.definition);
     }
     uses
@@ -79,12 +95,23 @@ struct Comparison {
 fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
     let mut found = Vec::new();
     for token in split(text).tokens {
-        if let Token::Expr { inner, code: Code::Static(parsed), .. } = token {
+        if let Token::Expr {
+            inner,
+            code: Code::Static(parsed),
+            ..
+        } = token
+        {
             let mut truths = FastSet::default();
-            visit_all(&parsed.expr, &mut |expr| truths.extend(compared_with_truth(expr)));
+            visit_all(&parsed.expr, &mut |expr| {
+                truths.extend(compared_with_truth(expr))
+            });
             let is_news = |found: &Comparison| !truths.contains(found.name.as_str());
             visit_all(&parsed.expr, &mut |expr| {
-                found.extend(comparison(expr).filter(is_news).map(|found| (found, inner.start)))
+                found.extend(
+                    comparison(expr)
+                        .filter(is_news)
+                        .map(|found| (found, inner.start)),
+                )
             });
         }
     }
@@ -98,8 +125,12 @@ fn visit_all(expr: &Expr, f: &mut dyn FnMut(&Expr)) {
 
 /// The name that is compared with `True` or `False`: who writes `x == 'true' or x == True` knows both.
 fn compared_with_truth(expr: &Expr) -> Option<String> {
-    let ExprKind::Compare(left, rest) = &expr.kind else { return None };
-    let [(CmpOp::Eq | CmpOp::Ne | CmpOp::Is | CmpOp::IsNot, right)] = rest.as_slice() else { return None };
+    let ExprKind::Compare(left, rest) = &expr.kind else {
+        return None;
+    };
+    let [(CmpOp::Eq | CmpOp::Ne | CmpOp::Is | CmpOp::IsNot, right)] = rest.as_slice() else {
+        return None;
+    };
     let is_truth = |expr: &Expr| match &expr.kind {
         ExprKind::Const(Const::Bool(_)) => true,
         ExprKind::Name(name) => matches!(name.as_str(), "True" | "False"),
@@ -113,8 +144,12 @@ fn compared_with_truth(expr: &Expr) -> Option<String> {
 }
 
 fn comparison(expr: &Expr) -> Option<Comparison> {
-    let ExprKind::Compare(left, rest) = &expr.kind else { return None };
-    let [(op, right)] = rest.as_slice() else { return None };
+    let ExprKind::Compare(left, rest) = &expr.kind else {
+        return None;
+    };
+    let [(op, right)] = rest.as_slice() else {
+        return None;
+    };
     let equal = match op {
         CmpOp::Eq => true,
         CmpOp::Ne => false,
@@ -127,18 +162,29 @@ fn comparison(expr: &Expr) -> Option<Comparison> {
     };
     let is_truth = matches!(text.as_str(), "true" | "True" | "false" | "False");
     let (name, text) = (name.to_string(), text.to_string());
-    is_truth.then_some(Comparison { name, name_range, range: expr.range, equal, text })
+    is_truth.then_some(Comparison {
+        name,
+        name_range,
+        range: expr.range,
+        equal,
+        text,
+    })
 }
 
 /// Whether the text `true` given to a definition becomes a truth value in any case.
 fn is_converted(cx: &DocumentCx<'_>, id: DefinitionId, uses: &Uses, steps: u32) -> bool {
-    let Some(definition) = cx.expansion.symbols.get(id).filter(|_| steps > 0) else { return false };
+    let Some(definition) = cx.expansion.symbols.get(id).filter(|_| steps > 0) else {
+        return false;
+    };
     match definition.kind {
         SymbolKind::Property => {
             let node = source::definition_tag(cx.expansion, definition);
             let value = node.and_then(|node| node.attr("value").or_else(|| node.attr("default")));
             value.is_some_and(|value| {
-                let at = SourceRange { src: definition.place.src, range: value.value_range() };
+                let at = SourceRange {
+                    src: definition.place.src,
+                    range: value.value_range(),
+                };
                 is_converted_text(cx, value.raw(), at, uses, steps)
             })
         }
@@ -155,12 +201,20 @@ fn is_converted_param(
     uses: &Uses,
     steps: u32,
 ) -> bool {
-    let given: Vec<_> = cx.expansion.symbols.uses_of(id).filter(|used| used.kind == UseKind::Given).collect();
+    let given: Vec<_> = cx
+        .expansion
+        .symbols
+        .uses_of(id)
+        .filter(|used| used.kind == UseKind::Given)
+        .collect();
     let converted = |at: SourceRange| {
         let attr = source::tag(cx.expansion, at)
             .and_then(|(_, node)| node.attrs().find(|attr| attr.name_range() == at.range));
         attr.is_some_and(|attr| {
-            let value = SourceRange { src: at.src, range: attr.value_range() };
+            let value = SourceRange {
+                src: at.src,
+                range: attr.value_range(),
+            };
             is_converted_text(cx, attr.raw(), value, uses, steps)
         })
     };
@@ -176,39 +230,66 @@ fn default_of(cx: &DocumentCx<'_>, param: &Definition) -> Option<String> {
     let source = cx.expansion.sources.get(param.place.src.0 as usize)?;
     let rest = source.item.text().get(param.place.range.end as usize..)?;
     let value = rest.strip_prefix(':').unwrap_or(rest).strip_prefix('=')?;
-    value.split([' ', '\t', '\n', '\r']).next().map(str::to_owned)
+    value
+        .split([' ', '\t', '\n', '\r'])
+        .next()
+        .map(str::to_owned)
 }
 
 /// Whether a text at `at` is a literal, an argument, or the value of a name that is.
-fn is_converted_text(cx: &DocumentCx<'_>, text: &str, at: SourceRange, uses: &Uses, steps: u32) -> bool {
+fn is_converted_text(
+    cx: &DocumentCx<'_>,
+    text: &str,
+    at: SourceRange,
+    uses: &Uses,
+    steps: u32,
+) -> bool {
     if text.contains(['\'', '"', '&']) {
         return false;
     }
     let tokens = split(text).tokens;
     let is_name = |token: &Token| match token {
-        Token::Expr { inner, code: Code::Static(parsed), .. } => {
+        Token::Expr {
+            inner,
+            code: Code::Static(parsed),
+            ..
+        } => {
             let range = parsed.expr.range.shift(at.range.start + inner.start);
             let definitions = uses.get(&SourceRange { src: at.src, range });
             matches!(parsed.expr.kind, ExprKind::Name(_))
-                && definitions.is_some_and(|ids| ids.iter().all(|&id| is_converted(cx, id, uses, steps - 1)))
+                && definitions
+                    .is_some_and(|ids| ids.iter().all(|&id| is_converted(cx, id, uses, steps - 1)))
         }
         _ => false,
     };
     match tokens.as_slice() {
         [only @ Token::Expr { .. }] => is_name(only),
-        tokens => tokens.iter().all(|token| matches!(token, Token::Text(_) | Token::Subst { .. })),
+        tokens => tokens
+            .iter()
+            .all(|token| matches!(token, Token::Text(_) | Token::Subst { .. })),
     }
 }
 
 fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
-    let Comparison { name, equal, text, .. } = found;
+    let Comparison {
+        name, equal, text, ..
+    } = found;
     let verdict = if *equal { "never" } else { "always" };
     let truth = text.eq_ignore_ascii_case("true");
-    let replacement = if truth == *equal { name.clone() } else { format!("not {name}") };
-    let message = format!("comparison is {verdict} true: xacro converts `{text}` in `{name}` to a boolean");
+    let replacement = if truth == *equal {
+        name.clone()
+    } else {
+        format!("not {name}")
+    };
+    let message =
+        format!("comparison is {verdict} true: xacro converts `{text}` in `{name}` to a boolean");
     out.report_in(at.file, at.range, message)
         .help(format!("write `{replacement}`"))
-        .replace_with(Safety::Safe, format!("replace with `{replacement}`"), replacement)
+        .replace_with(
+            Safety::Safe,
+            format!("replace with `{replacement}`"),
+            replacement,
+        )
         .done();
 }
 

@@ -32,6 +32,9 @@ pub(super) fn without_attribute(cx: &ProblemCx<'_>, safety: Safety) -> Option<Fi
     Some(Fix {
         safety,
         message: format!("remove `{}`", attr.name()),
-        edits: vec![Edit { span: Span { range, ..span }, content: String::new() }],
+        edits: vec![Edit {
+            span: Span { range, ..span },
+            content: String::new(),
+        }],
     })
 }

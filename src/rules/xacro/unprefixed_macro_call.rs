@@ -30,7 +30,8 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             .into_iter()
             .flatten()
             .map(|range| (TextRange::empty(range.start), "xacro:".to_owned()));
-        let message = format!("call of macro `{name}` is missing the `xacro:` prefix, so xacro ignores it");
+        let message =
+            format!("call of macro `{name}` is missing the `xacro:` prefix, so xacro ignores it");
         out.report_in(cx.file, TextRange::new(start.start - 1, start.end), message)
             .help(format!("write `xacro:{name}`"))
             .fix(Safety::Safe, "add the prefix `xacro:`", cx.file, edits)

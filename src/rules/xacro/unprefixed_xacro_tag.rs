@@ -20,17 +20,33 @@ pub(in super::super) static RULE: Rule = Rule {
     check: Check::File(check),
 };
 
-const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "property", "unless"];
+const TAGS: [&str; 7] = [
+    "arg",
+    "if",
+    "include",
+    "insert_block",
+    "macro",
+    "property",
+    "unless",
+];
 
 /// Those that nothing but xacro knows.
 const OWN_TAGS: [&str; 3] = ["insert_block", "macro", "property"];
 
 /// Whether an element outside of free zones is a tag of xacro without its prefix. A file that a robot in xacro includes is
 /// one in xacro, whether it declares the prefix or not; so is one whose name says so.
-pub(in super::super) fn is_unprefixed(expansion: &Expansion, document: &Document, node: Node<'_>) -> bool {
+pub(in super::super) fn is_unprefixed(
+    expansion: &Expansion,
+    document: &Document,
+    node: Node<'_>,
+) -> bool {
     let is_in_xacro = || {
         expansion.files.first().is_some_and(|root| {
-            let named = root.source.path.extension().is_some_and(|ending| ending == "xacro");
+            let named = root
+                .source
+                .path
+                .extension()
+                .is_some_and(|ending| ending == "xacro");
             named || declares(&root.source.document)
         })
     };
@@ -41,12 +57,16 @@ pub(in super::super) fn is_unprefixed(expansion: &Expansion, document: &Document
 }
 
 fn declares(document: &Document) -> bool {
-    document.root().is_some_and(|root| root.name() == "robot" && root.attr("xmlns:xacro").is_some())
+    document
+        .root()
+        .is_some_and(|root| root.name() == "robot" && root.attr("xmlns:xacro").is_some())
 }
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     let elements = outside_free_zones(cx.elements());
-    for (base, node) in elements.filter(|&(_, node)| is_unprefixed(cx.expansion, &cx.source.document, node)) {
+    for (base, node) in
+        elements.filter(|&(_, node)| is_unprefixed(cx.expansion, &cx.source.document, node))
+    {
         let name = node.name();
         let start = node.name_range().shift(base);
         let end = node.end_name_range().map(|range| range.shift(base));
@@ -58,15 +78,22 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let place = TextRange::new(start.start - 1, start.end);
         if is_of_itself(node) {
             let help = "remove it; as a property it would be defined by itself";
-            out.report_in(cx.file, place, message).severity(Severity::Info).help(help).done();
+            out.report_in(cx.file, place, message)
+                .severity(Severity::Info)
+                .help(help)
+                .done();
             continue;
         }
-        let report = out.report_in(cx.file, place, message).help(format!("write `xacro:{name}`"));
+        let report = out
+            .report_in(cx.file, place, message)
+            .help(format!("write `xacro:{name}`"));
         if !declares(&cx.source.document) {
             report.done();
             continue;
         }
-        report.fix(Safety::Safe, "add the prefix `xacro:`", cx.file, edits).done();
+        report
+            .fix(Safety::Safe, "add the prefix `xacro:`", cx.file, edits)
+            .done();
     }
 }
 
@@ -74,6 +101,10 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 fn is_of_itself(node: Node<'_>) -> bool {
     let text = |name: &str| node.attr(name).map(|value| value.raw().to_owned());
     let value = text("value").unwrap_or_default();
-    let inner = value.trim().strip_prefix("${").and_then(|value| value.strip_suffix('}'));
-    node.name() == "property" && inner.is_some_and(|inner| Some(inner.trim()) == text("name").as_deref())
+    let inner = value
+        .trim()
+        .strip_prefix("${")
+        .and_then(|value| value.strip_suffix('}'));
+    node.name() == "property"
+        && inner.is_some_and(|inner| Some(inner.trim()) == text("name").as_deref())
 }

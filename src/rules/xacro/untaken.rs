@@ -13,13 +13,23 @@ use xml::NodeKind;
 
 /// The files that further arguments could bring in; none when it cannot be told which.
 pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
-    let taken: FastSet<Place> =
-        source::inclusions(cx.expansion, cx.world).into_iter().map(|inclusion| inclusion.tag).collect();
-    let mut known: FastSet<FileId> = cx.expansion.files.iter().map(|file| file.source.id).collect();
+    let taken: FastSet<Place> = source::inclusions(cx.expansion, cx.world)
+        .into_iter()
+        .map(|inclusion| inclusion.tag)
+        .collect();
+    let mut known: FastSet<FileId> = cx
+        .expansion
+        .files
+        .iter()
+        .map(|file| file.source.id)
+        .collect();
     let mut open = Vec::new();
     for (number, file) in (0..).zip(&cx.expansion.files) {
         for (range, filename) in includes(&file.source) {
-            let place = Place { file: expand::FileIdx(number), range };
+            let place = Place {
+                file: expand::FileIdx(number),
+                range,
+            };
             let brought_in = || load(cx, &filename, &file.source.path);
             match taken.contains(&place) {
                 false => open.extend(brought_in()?),
@@ -45,11 +55,16 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
 fn includes(file: &SourceFile) -> Vec<(base::TextRange, String)> {
     let mut found = Vec::new();
     for (base, item) in file.document.parts() {
-        let elements = item.all_nodes().filter(|node| node.kind() == NodeKind::Element);
+        let elements = item
+            .all_nodes()
+            .filter(|node| node.kind() == NodeKind::Element);
         for node in elements.filter(|node| node.name() == "xacro:include") {
             let name = node.name_range();
             let range = base::TextRange::new(name.start - 1, name.end).shift(base);
-            found.extend(node.attr("filename").map(|filename| (range, filename.raw().to_owned())));
+            found.extend(
+                node.attr("filename")
+                    .map(|filename| (range, filename.raw().to_owned())),
+            );
         }
     }
     found
@@ -67,6 +82,9 @@ fn load(cx: &DocumentCx<'_>, filename: &str, from: &Path) -> Option<Vec<Arc<Sour
         Some(path) => vec![path],
         None => admitted_files(filename, from, packages, vfs),
     };
-    let files: Vec<_> = paths.iter().filter_map(|path| vfs.document(path).ok()).collect();
+    let files: Vec<_> = paths
+        .iter()
+        .filter_map(|path| vfs.document(path).ok())
+        .collect();
     (!files.is_empty()).then_some(files)
 }

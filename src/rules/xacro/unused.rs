@@ -15,27 +15,43 @@ pub(super) fn in_root<'a>(
         return Vec::new();
     }
     // an undefined name may be a definition misspelled
-    if cx
-        .expansion
-        .problems
-        .iter()
-        .any(|problem| matches!(problem.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedArg))
-    {
+    if cx.expansion.problems.iter().any(|problem| {
+        matches!(
+            problem.kind,
+            ProblemKind::UndefinedProperty | ProblemKind::UndefinedArg
+        )
+    }) {
         return Vec::new();
     }
     let used = used(cx);
-    let symbols = cx.expansion.symbols.iter().filter(|(_, definition)| kinds.contains(&definition.kind));
-    let unused = symbols.filter(|(id, definition)| !used.contains(id) && !definition.name.starts_with('_'));
+    let symbols = cx
+        .expansion
+        .symbols
+        .iter()
+        .filter(|(_, definition)| kinds.contains(&definition.kind));
+    let unused =
+        symbols.filter(|(id, definition)| !used.contains(id) && !definition.name.starts_with('_'));
     let placed = unused.filter_map(|(id, definition)| {
-        Some((id, definition, source::place(cx.expansion, definition.place)?))
+        Some((
+            id,
+            definition,
+            source::place(cx.expansion, definition.place)?,
+        ))
     });
     // what other files define may be for others
-    placed.filter(|(_, _, place)| place.file == FileIdx(0)).collect()
+    placed
+        .filter(|(_, _, place)| place.file == FileIdx(0))
+        .collect()
 }
 
 /// The definitions that are read, called or inserted.
 pub(super) fn used(cx: &DocumentCx<'_>) -> FastSet<DefinitionId> {
-    let uses = cx.expansion.symbols.uses.iter().filter(|used| used.kind != UseKind::Given);
+    let uses = cx
+        .expansion
+        .symbols
+        .uses
+        .iter()
+        .filter(|used| used.kind != UseKind::Given);
     uses.map(|used| used.definition).collect()
 }
 
@@ -43,6 +59,11 @@ pub(super) fn used(cx: &DocumentCx<'_>) -> FastSet<DefinitionId> {
 pub(super) fn removal(cx: &DocumentCx<'_>, definition: &Definition) -> Option<TextRange> {
     let (base, node) = source::tag(cx.expansion, definition.place)?;
     let place = source::place(cx.expansion, definition.place)?;
-    let document = &cx.expansion.files.get(place.file.0 as usize)?.source.document;
+    let document = &cx
+        .expansion
+        .files
+        .get(place.file.0 as usize)?
+        .source
+        .document;
     Some(source::removal(document, node.range().shift(base)))
 }

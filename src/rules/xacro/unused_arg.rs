@@ -24,16 +24,26 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let Some(mentions) = mentions::everywhere(cx) else { return };
+    let Some(mentions) = mentions::everywhere(cx) else {
+        return;
+    };
     let is_read = |name: &str| mentions.iter().any(|file| file.word(name));
-    for (_, definition, place) in found.into_iter().filter(|(_, found, _)| !is_read(&found.name)) {
+    for (_, definition, place) in found
+        .into_iter()
+        .filter(|(_, found, _)| !is_read(&found.name))
+    {
         let message = format!("unused argument `{}`", definition.name);
         let help = "remove it here and in launch files that pass it";
         let report = out.report_in(place.file, place.range, message).help(help);
         match unused::removal(cx, definition) {
             Some(range) => {
                 report
-                    .fix(Safety::Unsafe, "remove the argument", place.file, [(range, String::new())])
+                    .fix(
+                        Safety::Unsafe,
+                        "remove the argument",
+                        place.file,
+                        [(range, String::new())],
+                    )
                     .done();
             }
             None => report.done(),

@@ -33,11 +33,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let giving = giving(cx);
     // what a library includes may be for others
-    for inclusion in inclusions.iter().filter(|inclusion| inclusion.tag.file == FileIdx(0)) {
+    for inclusion in inclusions
+        .iter()
+        .filter(|inclusion| inclusion.tag.file == FileIdx(0))
+    {
         let files = subtree(inclusion, &inclusions);
-        let once = inclusions.iter().filter(|other| other.target == inclusion.target).count() == 1;
-        let gives_nodes =
-            || giving.get(inclusion.frame as usize) != Some(&false) || may_give_nodes(cx, inclusion);
+        let once = inclusions
+            .iter()
+            .filter(|other| other.target == inclusion.target)
+            .count()
+            == 1;
+        let gives_nodes = || {
+            giving.get(inclusion.frame as usize) != Some(&false) || may_give_nodes(cx, inclusion)
+        };
         if once && !gives_nodes() && !is_used(cx, &files) {
             report(cx, inclusion, out);
         }
@@ -63,7 +71,11 @@ fn giving(cx: &DocumentCx<'_>) -> Vec<bool> {
     let mut giving = vec![false; frames.len()];
     let mut give = |frame: FrameId| giving.get_mut(frame.0 as usize).map(|gives| *gives = true);
     give(tree.get(cx.element).origin.frame);
-    for node in tree.below(cx.element).map(|id| tree.get(id)).filter(|node| node.kind == XKind::Element) {
+    for node in tree
+        .below(cx.element)
+        .map(|id| tree.get(id))
+        .filter(|node| node.kind == XKind::Element)
+    {
         give(node.origin.frame);
     }
     // a step comes behind the one around it
@@ -79,21 +91,37 @@ fn giving(cx: &DocumentCx<'_>) -> Vec<bool> {
 
 /// Whether an element of the document could come from one of the branches of an include.
 fn may_give_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
-    let Some(file) = cx.expansion.files.get(inclusion.target.0 as usize) else { return true };
-    let mut elements = file.source.document.items().filter_map(|(_, item)| item.element());
-    let only_defines =
-        |name: &str| matches!(name, "xacro:macro" | "xacro:property" | "xacro:arg" | "xacro:include");
+    let Some(file) = cx.expansion.files.get(inclusion.target.0 as usize) else {
+        return true;
+    };
+    let mut elements = file
+        .source
+        .document
+        .items()
+        .filter_map(|(_, item)| item.element());
+    let only_defines = |name: &str| {
+        matches!(
+            name,
+            "xacro:macro" | "xacro:property" | "xacro:arg" | "xacro:include"
+        )
+    };
     elements.any(|element| !only_defines(element.name()))
 }
 
 /// Whether other files use what some files define.
 fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
     let symbols = &cx.expansion.symbols;
-    let inside =
-        |at: SourceRange| source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file));
-    let Some(mentions) = mentions::outside(cx, files) else { return true };
+    let inside = |at: SourceRange| {
+        source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file))
+    };
+    let Some(mentions) = mentions::outside(cx, files) else {
+        return true;
+    };
     let mut any = false;
-    for (id, definition) in symbols.iter().filter(|(_, definition)| inside(definition.place)) {
+    for (id, definition) in symbols
+        .iter()
+        .filter(|(_, definition)| inside(definition.place))
+    {
         any = true;
         let named = match definition.kind {
             SymbolKind::Macro => mentions.clone().any(|file| file.tag(&definition.name)),
@@ -110,13 +138,27 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
 }
 
 fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {
-    let Some(file) = cx.expansion.files.get(inclusion.tag.file.0 as usize) else { return };
+    let Some(file) = cx.expansion.files.get(inclusion.tag.file.0 as usize) else {
+        return;
+    };
     let name = source::file_name(cx.expansion, inclusion.target);
     let element = inclusion.node.range();
     let start = inclusion.tag.range.start - (inclusion.node.name_range().start - 1 - element.start);
-    let removal = source::removal(&file.source.document, TextRange::new(start, start + element.len()));
-    out.report_in(inclusion.tag.file, inclusion.tag.range, format!("unused include `{name}`"))
-        .help("remove the include")
-        .fix(Safety::Unsafe, "remove the include", inclusion.tag.file, [(removal, String::new())])
-        .done();
+    let removal = source::removal(
+        &file.source.document,
+        TextRange::new(start, start + element.len()),
+    );
+    out.report_in(
+        inclusion.tag.file,
+        inclusion.tag.range,
+        format!("unused include `{name}`"),
+    )
+    .help("remove the include")
+    .fix(
+        Safety::Unsafe,
+        "remove the include",
+        inclusion.tag.file,
+        [(removal, String::new())],
+    )
+    .done();
 }

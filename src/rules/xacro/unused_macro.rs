@@ -24,15 +24,18 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let Some(mentions) = mentions::everywhere(cx) else { return };
+    let Some(mentions) = mentions::everywhere(cx) else {
+        return;
+    };
     for (_, definition, place) in found {
         let name = definition.name.as_str();
         if mentions.iter().any(|file| file.tag(name)) {
             continue;
         }
         let message = format!("unused macro `{name}`");
-        let report =
-            out.report_in(place.file, place.range, message).help("remove it, or start its name with `_`");
+        let report = out
+            .report_in(place.file, place.range, message)
+            .help("remove it, or start its name with `_`");
         match unused::removal(cx, definition) {
             Some(range) => {
                 report

@@ -31,12 +31,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let forwards = Forwards::of(cx);
     let mut bodies: FastMap<DefinitionId, Option<Mentions>> = FastMap::default();
     for (id, definition) in cx.expansion.symbols.iter() {
-        let Some(of) = definition.of.filter(|_| !used.contains(&id) && !definition.name.starts_with('_'))
+        let Some(of) = definition
+            .of
+            .filter(|_| !used.contains(&id) && !definition.name.starts_with('_'))
         else {
             continue;
         };
         let body = bodies.entry(of).or_insert_with(|| body(cx, of, &forwards));
-        if body.as_ref().is_some_and(|body| !is_mentioned(body, definition, &forwards)) {
+        if body
+            .as_ref()
+            .is_some_and(|body| !is_mentioned(body, definition, &forwards))
+        {
             report(cx, of, definition, out);
         }
     }
@@ -47,9 +52,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Mentions> {
     let place = cx.expansion.symbols.get(of)?.place;
     let (base, node) = source::tag(cx.expansion, place)?;
-    let (file, range) = (source::place(cx.expansion, place)?.file, node.range().shift(base));
+    let (file, range) = (
+        source::place(cx.expansion, place)?.file,
+        node.range().shift(base),
+    );
     let misspelled = |found: &Problem| {
-        let undefined = matches!(found.kind, ProblemKind::UndefinedProperty | ProblemKind::UndefinedBlock);
+        let undefined = matches!(
+            found.kind,
+            ProblemKind::UndefinedProperty | ProblemKind::UndefinedBlock
+        );
         undefined && found.place.file == file && range.contains_range(found.place.range)
     };
     if cx.expansion.problems.iter().any(misspelled) {
@@ -59,11 +70,16 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
         // what it would insert is used as soon as the prefix is there
         return None;
     }
-    node.children()
-        .find(|child| matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child))?;
+    node.children().find(|child| {
+        matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child)
+    })?;
     let body = Mentions::inside(node);
-    let known =
-        |tag: &EcoString| is_keyword(tag) || forwards.macros.contains(tag.rsplit('.').next().unwrap_or(tag));
+    let known = |tag: &EcoString| {
+        is_keyword(tag)
+            || forwards
+                .macros
+                .contains(tag.rsplit('.').next().unwrap_or(tag))
+    };
     (!body.tags.contains("include") && body.tags.iter().all(known)).then_some(body)
 }
 
@@ -83,16 +99,33 @@ fn is_blank(node: Node<'_>) -> bool {
 }
 
 fn is_keyword(tag: &str) -> bool {
-    const KEYWORDS: [&str; 9] =
-        ["arg", "attribute", "element", "if", "insert_block", "macro", "property", "unless", "call"];
+    const KEYWORDS: [&str; 9] = [
+        "arg",
+        "attribute",
+        "element",
+        "if",
+        "insert_block",
+        "macro",
+        "property",
+        "unless",
+        "call",
+    ];
     KEYWORDS.contains(&tag)
 }
 
 fn is_mentioned(body: &Mentions, param: &Definition, forwards: &Forwards) -> bool {
     let name = param.name.as_str();
     let forwarded = || {
-        let mut tags = body.tags.iter().map(|tag| tag.rsplit('.').next().unwrap_or(tag));
-        body.computed || tags.any(|tag| forwards.forwards.contains(&(tag.to_owned(), name.to_owned())))
+        let mut tags = body
+            .tags
+            .iter()
+            .map(|tag| tag.rsplit('.').next().unwrap_or(tag));
+        body.computed
+            || tags.any(|tag| {
+                forwards
+                    .forwards
+                    .contains(&(tag.to_owned(), name.to_owned()))
+            })
     };
     match param.kind {
         SymbolKind::BlockParameter => body.computed || body.blocks.contains(name),
@@ -111,16 +144,29 @@ struct Forwards {
 impl Forwards {
     fn of(cx: &DocumentCx<'_>) -> Self {
         let mut found = Self::default();
-        let items = cx.expansion.files.iter().flat_map(|file| file.source.document.parts());
-        let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(|node| node.name() == "xacro:macro");
+        let items = cx
+            .expansion
+            .files
+            .iter()
+            .flat_map(|file| file.source.document.parts());
+        let macros = items
+            .flat_map(|(_, item)| item.all_nodes())
+            .filter(|node| node.name() == "xacro:macro");
         for node in macros {
-            let Some(name) = node.attr("name") else { continue };
+            let Some(name) = node.attr("name") else {
+                continue;
+            };
             let name = name.raw().trim_start_matches("xacro:");
             found.macros.insert(name.to_owned());
             let params = node.attr("params").map_or("", |params| params.raw());
-            for (param, value) in params.split_whitespace().filter_map(|word| word.split_once('=')) {
+            for (param, value) in params
+                .split_whitespace()
+                .filter_map(|word| word.split_once('='))
+            {
                 if value.starts_with('^') {
-                    found.forwards.insert((name.to_owned(), param.trim_end_matches(':').to_owned()));
+                    found
+                        .forwards
+                        .insert((name.to_owned(), param.trim_end_matches(':').to_owned()));
                 }
             }
         }
@@ -131,11 +177,23 @@ impl Forwards {
 /// Whether the body of a macro has links or joints, or calls macros that may have; others often take the block that goes
 /// with them, and need none.
 fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
-    let found = cx.expansion.symbols.get(of).and_then(|owner| source::tag(cx.expansion, owner.place));
+    let found = cx
+        .expansion
+        .symbols
+        .get(of)
+        .and_then(|owner| source::tag(cx.expansion, owner.place));
     let mut open: Vec<Node<'_>> = found.map(|(_, node)| node).into_iter().collect();
     while let Some(node) = open.pop() {
-        let is_call = node.name().strip_prefix("xacro:").is_some_and(|tag| !is_keyword(tag));
-        if is_call || matches!(node.name(), "link" | "joint" | "inertial" | "visual" | "collision") {
+        let is_call = node
+            .name()
+            .strip_prefix("xacro:")
+            .is_some_and(|tag| !is_keyword(tag));
+        if is_call
+            || matches!(
+                node.name(),
+                "link" | "joint" | "inertial" | "visual" | "collision"
+            )
+        {
             return true;
         }
         open.extend(node.children());
@@ -151,10 +209,14 @@ fn is_missed(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition) -> bool 
         is_block && other.place.range.start < param.place.range.start
     };
     let index = symbols.iter().filter(|(_, other)| is_before(other)).count();
-    let calls = symbols.uses_of(of).filter(|used| used.kind == UseKind::Call);
+    let calls = symbols
+        .uses_of(of)
+        .filter(|used| used.kind == UseKind::Call);
     let tags = calls.filter_map(|call| source::tag(cx.expansion, call.place));
     let mut given = tags.map(|(_, node)| {
-        let mut elements = node.children().filter(|child| child.kind() == NodeKind::Element);
+        let mut elements = node
+            .children()
+            .filter(|child| child.kind() == NodeKind::Element);
         elements.nth(index).is_some_and(moves_nothing)
     });
     let first = given.next();
@@ -164,12 +226,21 @@ fn is_missed(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition) -> bool 
 /// Whether an element is an `origin` of zeros.
 fn moves_nothing(node: Node<'_>) -> bool {
     let is_zero = |word: &str| word.parse() == Ok(0.0);
-    node.name() == "origin" && node.attrs().all(|attr| attr.raw().split_ascii_whitespace().all(is_zero))
+    node.name() == "origin"
+        && node
+            .attrs()
+            .all(|attr| attr.raw().split_ascii_whitespace().all(is_zero))
 }
 
 fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut Sink<'_>) {
-    let Some(place) = source::place(cx.expansion, param.place) else { return };
-    let owner = cx.expansion.symbols.get(of).map_or("", |owner| owner.name.as_str());
+    let Some(place) = source::place(cx.expansion, param.place) else {
+        return;
+    };
+    let owner = cx
+        .expansion
+        .symbols
+        .get(of)
+        .map_or("", |owner| owner.name.as_str());
     // with a block, what callers write is lost, such as a pose
     let (what, verb, severity) = match param.kind {
         SymbolKind::BlockParameter if places_parts(cx, of) && is_missed(cx, of, param) => {

@@ -24,16 +24,22 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if found.is_empty() {
         return;
     }
-    let Some(mentions) = mentions::everywhere(cx) else { return };
+    let Some(mentions) = mentions::everywhere(cx) else {
+        return;
+    };
     for (_, definition, place) in found {
         let name = definition.name.as_str();
         let block = definition.kind == SymbolKind::BlockProperty;
-        if mentions.iter().any(|file| file.word(name) || block && file.block(name)) {
+        if mentions
+            .iter()
+            .any(|file| file.word(name) || block && file.block(name))
+        {
             continue;
         }
         let message = format!("unused property `{name}`");
-        let report =
-            out.report_in(place.file, place.range, message).help("remove it, or start its name with `_`");
+        let report = out
+            .report_in(place.file, place.range, message)
+            .help("remove it, or start its name with `_`");
         match unused::removal(cx, definition) {
             Some(range) => {
                 report

@@ -67,12 +67,19 @@ fn is_same(tree: &XTree, a: XId, b: XId) -> bool {
 
 /// What an element says, piece by piece.
 fn words(tree: &XTree, element: XId) -> impl Iterator<Item = (&str, Vec<(&str, &str)>)> {
-    let nodes = std::iter::once(element).chain(tree.below(element)).map(|id| tree.get(id));
+    let nodes = std::iter::once(element)
+        .chain(tree.below(element))
+        .map(|id| tree.get(id));
     let says = |kind| matches!(kind, XKind::Element | XKind::Text | XKind::CData);
-    nodes.filter(move |node| says(node.kind) && !node.text.trim().is_empty()).map(|node| {
-        let mut attrs: Vec<_> =
-            node.attrs.iter().map(|attr| (attr.name.as_str(), attr.value.as_str())).collect();
-        attrs.sort_unstable();
-        (node.text.trim(), attrs)
-    })
+    nodes
+        .filter(move |node| says(node.kind) && !node.text.trim().is_empty())
+        .map(|node| {
+            let mut attrs: Vec<_> = node
+                .attrs
+                .iter()
+                .map(|attr| (attr.name.as_str(), attr.value.as_str()))
+                .collect();
+            attrs.sort_unstable();
+            (node.text.trim(), attrs)
+        })
 }

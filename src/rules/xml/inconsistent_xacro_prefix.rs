@@ -21,13 +21,21 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for attr in cx.root_attrs() {
-        let Some(prefix) = attr.name().strip_prefix("xmlns:").filter(|&prefix| prefix != "xacro") else {
+        let Some(prefix) = attr
+            .name()
+            .strip_prefix("xmlns:")
+            .filter(|&prefix| prefix != "xacro")
+        else {
             continue;
         };
         if is_xacro_uri(attr.raw()) {
             let edits = renamed(cx, attr, prefix);
             // nothing but the declaration has the prefix: no tag is lost
-            let severity = if edits.len() > 1 { Severity::Error } else { Severity::Info };
+            let severity = if edits.len() > 1 {
+                Severity::Error
+            } else {
+                Severity::Info
+            };
             let message = format!(
                 "the xacro namespace has the prefix `{prefix}`, so xacro ignores `{prefix}:` elements"
             );
@@ -42,16 +50,29 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// The declaration and all tags and attributes with the prefix.
 fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRange, String)> {
-    let has_prefix = |name: &str| name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(':'));
+    let has_prefix = |name: &str| {
+        name.strip_prefix(prefix)
+            .is_some_and(|rest| rest.starts_with(':'))
+    };
     let end = declaration.name_range().end;
     let mut places = vec![TextRange::new(end - prefix.len() as u32, end)];
     for (base, node) in cx.elements() {
-        let tags = [Some(node.name_range()), node.end_name_range()].into_iter().flatten();
-        let attrs = node.attrs().filter(|attr| has_prefix(attr.name())).map(|attr| attr.name_range());
+        let tags = [Some(node.name_range()), node.end_name_range()]
+            .into_iter()
+            .flatten();
+        let attrs = node
+            .attrs()
+            .filter(|attr| has_prefix(attr.name()))
+            .map(|attr| attr.name_range());
         let names = tags.filter(|_| has_prefix(node.name())).chain(attrs);
         places.extend(
-            names.map(|name| TextRange::new(name.start, name.start + prefix.len() as u32).shift(base)),
+            names.map(|name| {
+                TextRange::new(name.start, name.start + prefix.len() as u32).shift(base)
+            }),
         );
     }
-    places.into_iter().map(|range| (range, "xacro".to_owned())).collect()
+    places
+        .into_iter()
+        .map(|range| (range, "xacro".to_owned()))
+        .collect()
 }

@@ -27,14 +27,21 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let is_plain = is_plain(cx);
-    for Numeric { id, name, count, text } in numeric(cx) {
+    for Numeric {
+        id,
+        name,
+        count,
+        text,
+    } in numeric(cx)
+    {
         let bad = bad_words(text, *count);
         if bad.is_empty() {
             blanks(cx, (*id, name), *count, text, is_plain, out);
         } else if let Some(meant) = meant::of_numbers(cx, text, *count) {
             report_meant(cx, *id, name, text, meant, out);
         } else {
-            bad.into_iter().for_each(|range| report(cx, *id, name, text, range, out));
+            bad.into_iter()
+                .for_each(|range| report(cx, *id, name, text, range, out));
         }
     }
 }
@@ -61,7 +68,9 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
     let mut found = Vec::new();
     for (id, spec) in walk::known(cx) {
         for attribute in spec.attributes {
-            let text = attribute.numbers().zip(Text::attr(&cx.expansion.tree, id, attribute.name));
+            let text = attribute
+                .numbers()
+                .zip(Text::attr(&cx.expansion.tree, id, attribute.name));
             let judged = |text: &Text| {
                 let open = text.value.contains("${") || text.value.contains("$(");
                 // readers pass over what is newer than the robot
@@ -71,7 +80,12 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
                     && !cx.is_older_than(attribute.since)
             };
             let text = text.filter(|(_, text)| judged(text));
-            found.extend(text.map(|(count, text)| Numeric { id, name: attribute.name, count, text }));
+            found.extend(text.map(|(count, text)| Numeric {
+                id,
+                name: attribute.name,
+                count,
+                text,
+            }));
         }
     }
     found
@@ -95,7 +109,9 @@ fn blanks(
         let message = format!(
             "`{name}` of {element} ends with whitespace, which urdfdom does not accept after a number"
         );
-        let report = out.report(text.origin, message).help(format!("write `{trimmed}`"));
+        let report = out
+            .report(text.origin, message)
+            .help(format!("write `{trimmed}`"));
         rewrite(report, Safety::Unsafe, text, trimmed.to_owned()).done();
     } else if is_plain
         && text.is_literal()
@@ -103,10 +119,16 @@ fn blanks(
         && let Some(blank) = blank_in_vector(&written)
     {
         let element = walk::described(cx, id);
-        let message =
-            format!("{blank} between the numbers of `{name}` of {element}; urdfdom accepts only spaces");
-        let spaced = trimmed.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
-        let report = out.report(text.origin, message).help(format!("write `{spaced}`"));
+        let message = format!(
+            "{blank} between the numbers of `{name}` of {element}; urdfdom accepts only spaces"
+        );
+        let spaced = trimmed
+            .split_ascii_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        let report = out
+            .report(text.origin, message)
+            .help(format!("write `{spaced}`"));
         rewrite(report, Safety::Unsafe, text, spaced).done();
     }
 }
@@ -114,10 +136,17 @@ fn blanks(
 /// Whether readers take the values as they are written, and some value holds a blank that is no space: xacro makes a
 /// space of each.
 fn is_plain(cx: &DocumentCx<'_>) -> bool {
-    let file = cx.expansion.files.first().filter(|_| cx.kind == RootKind::Robot);
+    let file = cx
+        .expansion
+        .files
+        .first()
+        .filter(|_| cx.kind == RootKind::Robot);
     file.is_some_and(|file| {
-        let declares_xacro =
-            file.source.document.root().is_some_and(|root| root.attr("xmlns:xacro").is_some());
+        let declares_xacro = file
+            .source
+            .document
+            .root()
+            .is_some_and(|root| root.attr("xmlns:xacro").is_some());
         is_plain_urdf(&file.source.path)
             && !declares_xacro
             && cx.expansion.files.len() == 1
@@ -127,59 +156,119 @@ fn is_plain(cx: &DocumentCx<'_>) -> bool {
 
 /// Whether a value of a document holds a tab or a line break.
 fn has_blanks(document: &Document) -> bool {
-    let mut attrs = document.parts().flat_map(|(_, item)| item.all_nodes()).flat_map(|node| node.attrs());
-    attrs.any(|attr| attr.raw().bytes().any(|byte| matches!(byte, b'\t' | b'\n' | b'\r')))
+    let mut attrs = document
+        .parts()
+        .flat_map(|(_, item)| item.all_nodes())
+        .flat_map(|node| node.attrs());
+    attrs.any(|attr| {
+        attr.raw()
+            .bytes()
+            .any(|byte| matches!(byte, b'\t' | b'\n' | b'\r'))
+    })
 }
 
 /// The tab or line break that makes urdfdom refuse a vector. It cuts the text at spaces, and of each part reads a
 /// number, which blanks may precede and not follow.
 fn blank_in_vector(value: &str) -> Option<&'static str> {
-    let last = |part: &str| part.chars().next_back().filter(|last| last.is_ascii_whitespace());
+    let last = |part: &str| {
+        part.chars()
+            .next_back()
+            .filter(|last| last.is_ascii_whitespace())
+    };
     let inner = |part: &str| part.trim().chars().find(|c| c.is_ascii_whitespace());
-    let blank = value.split(' ').find_map(|part| last(part).or_else(|| inner(part)))?;
-    Some(if blank == '\t' { "a tab" } else { "a line break" })
+    let blank = value
+        .split(' ')
+        .find_map(|part| last(part).or_else(|| inner(part)))?;
+    Some(if blank == '\t' {
+        "a tab"
+    } else {
+        "a line break"
+    })
 }
 
 /// Whether expansion had something to say about a value.
 pub(super) fn is_reported(cx: &DocumentCx<'_>, origin: Origin) -> bool {
-    let Some(place) = cx.expansion.place(origin) else { return false };
+    let Some(place) = cx.expansion.place(origin) else {
+        return false;
+    };
     let inside = |at: Place| at.file == place.file && place.range.contains_range(at.range);
-    cx.expansion.problems.iter().any(|problem| inside(problem.place))
+    cx.expansion
+        .problems
+        .iter()
+        .any(|problem| inside(problem.place))
 }
 
 /// The words that are no numbers. Of a single number also what follows it; an empty range when there is none.
 pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
-    let is_bad = |range: &Range<usize>| text.value.get(range.clone()).is_none_or(|word| !is_decimal(word));
+    let is_bad = |range: &Range<usize>| {
+        text.value
+            .get(range.clone())
+            .is_none_or(|word| !is_decimal(word))
+    };
     let bad: Vec<Range<usize>> = text.words().filter(is_bad).collect();
     if count > 1 || !bad.is_empty() {
         return bad;
     }
     let whole = 0..text.value.len();
     let surplus = text.words().nth(1);
-    let wrong = if text.words().next().is_none() { Some(whole) } else { surplus };
+    let wrong = if text.words().next().is_none() {
+        Some(whole)
+    } else {
+        surplus
+    };
     wrong.into_iter().collect()
 }
 
 /// A value of which it is clear what it was meant to be.
-fn report_meant(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, meant: Meant, out: &mut Sink<'_>) {
+fn report_meant(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    name: &str,
+    text: &Text,
+    meant: Meant,
+    out: &mut Sink<'_>,
+) {
     let Meant { help, value } = meant;
-    let what = if text.words().nth(1).is_some() { "is not a list of numbers" } else { "is not a number" };
-    let message = format!("`{1}` in `{name}` of {0} {what}", walk::described(cx, id), text.value);
+    let what = if text.words().nth(1).is_some() {
+        "is not a list of numbers"
+    } else {
+        "is not a number"
+    };
+    let message = format!(
+        "`{1}` in `{name}` of {0} {what}",
+        walk::described(cx, id),
+        text.value
+    );
     let is_written = text.is_literal() && text.origin.range.len() as usize == text.value.len();
-    let report = out.report(text.origin, message).help(format!("{help}: {name}=\"{value}\""));
+    let report = out
+        .report(text.origin, message)
+        .help(format!("{help}: {name}=\"{value}\""));
     match is_written {
-        true => report.replace_with(Safety::Unsafe, format!("replace with `{value}`"), value).done(),
+        true => report
+            .replace_with(Safety::Unsafe, format!("replace with `{value}`"), value)
+            .done(),
         false => report.done(),
     }
 }
 
-fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<usize>, out: &mut Sink<'_>) {
+fn report(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    name: &str,
+    text: &Text,
+    range: Range<usize>,
+    out: &mut Sink<'_>,
+) {
     let element = walk::described(cx, id);
     let word = text.value.get(range.clone()).unwrap_or_default();
     if let Some(at) = written_at(cx, text, range.clone()) {
         return report_value(cx, (&element, name), word, at, out);
     }
-    let origin = if word.is_empty() { text.origin } else { text.part(range.clone()) };
+    let origin = if word.is_empty() {
+        text.origin
+    } else {
+        text.part(range.clone())
+    };
     let message = match word {
         "" | " " => format!("`{name}` of {element} is empty; expected a number"),
         word => format!("`{word}` in `{name}` of {element} is not a number"),
@@ -189,13 +278,25 @@ fn report(cx: &DocumentCx<'_>, id: XId, name: &str, text: &Text, range: Range<us
     let is_written = text.is_literal() && origin.range.len() as usize == word.len();
     if decimal(&repaired).is_some() && word.contains(',') && is_written {
         let report = report.help("write a decimal point instead of a comma");
-        return report.replace_with(Safety::Unsafe, format!("replace with `{repaired}`"), repaired).done();
+        return report
+            .replace_with(
+                Safety::Unsafe,
+                format!("replace with `{repaired}`"),
+                repaired,
+            )
+            .done();
     }
     if let Some(meant) = meant::of_word(cx, word).filter(|_| text.is_written(range)) {
         let report = report.help(format!("write `{meant}`: an expression is in `${{...}}`"));
-        return report.replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant).done();
+        return report
+            .replace_with(Safety::Unsafe, format!("replace with `{meant}`"), meant)
+            .done();
     }
-    let help = match word.trim_start_matches(['+', '-']).to_ascii_lowercase().as_str() {
+    let help = match word
+        .trim_start_matches(['+', '-'])
+        .to_ascii_lowercase()
+        .as_str()
+    {
         "nan" | "inf" | "infinity" => "write a finite number",
         lower if lower.starts_with("0x") => "write it as a decimal number",
         _ => "write a decimal number such as 0.25 or 2.5e-3, without a unit",
@@ -214,9 +315,13 @@ fn written_at(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>) -> Option<O
     let mut seen = 0;
     while let Some(read) = open.pop().filter(|_| seen < MOST) {
         seen += 1;
-        let Some(binding) = cx.expansion.bindings.get(read as usize) else { continue };
+        let Some(binding) = cx.expansion.bindings.get(read as usize) else {
+            continue;
+        };
         open.extend(cx.expansion.read_in(binding.reads));
-        let Some(origin) = binding.origin else { continue };
+        let Some(origin) = binding.origin else {
+            continue;
+        };
         if source_text(cx.expansion, origin).is_some_and(|(_, _, source)| source == word) {
             return Some(origin);
         }
@@ -235,8 +340,15 @@ fn report_value(
     if is_reported(cx, at) {
         return;
     }
-    let of_name = || Some((meant::name_of_property(cx, word)?, "put the name of the property in `${...}`"));
-    let Some((number, help)) = meant_number(word).or_else(of_name) else { return };
+    let of_name = || {
+        Some((
+            meant::name_of_property(cx, word)?,
+            "put the name of the property in `${...}`",
+        ))
+    };
+    let Some((number, help)) = meant_number(word).or_else(of_name) else {
+        return;
+    };
     let message = format!("`{word}` in `{name}` of {element} is not a number");
     out.report(at, message)
         .help(format!("{help}: write `{number}`"))

@@ -18,23 +18,40 @@ pub(super) struct Meant {
 /// Of an attribute that holds so many numbers; none when it does, or when it cannot be told.
 pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Option<Meant> {
     let value = text.value.as_str();
-    let holds_numbers =
-        |value: &str| value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal);
+    let holds_numbers = |value: &str| {
+        value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal)
+    };
     if holds_numbers(value) {
         return None;
     }
     let plain = value.replace(['\u{2212}', '\u{2013}'], "-");
     if plain != value && holds_numbers(&plain) {
-        return Some(Meant { help: "write an ASCII minus sign `-`", value: plain });
+        return Some(Meant {
+            help: "write an ASCII minus sign `-`",
+            value: plain,
+        });
     }
-    let spaced = value.replace([',', ';'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+    let spaced = value
+        .replace([',', ';'], " ")
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     if count > 1 && spaced != value && holds_numbers(&spaced) {
-        return Some(Meant { help: "separate the numbers with spaces, not commas", value: spaced });
+        return Some(Meant {
+            help: "separate the numbers with spaces, not commas",
+            value: spaced,
+        });
     }
-    let is_xacro = cx.expansion.files.first().is_some_and(|file| !is_plain_urdf(&file.source.path));
+    let is_xacro = cx
+        .expansion
+        .files
+        .first()
+        .is_some_and(|file| !is_plain_urdf(&file.source.path));
     let bracketed = bracketed(cx, value)?;
-    (bracketed != value && text.is_literal() && is_xacro)
-        .then_some(Meant { help: "write the expression in `${...}`", value: bracketed })
+    (bracketed != value && text.is_literal() && is_xacro).then_some(Meant {
+        help: "write the expression in `${...}`",
+        value: bracketed,
+    })
 }
 
 /// The words of a value with `${...}` around those that are expressions of known names.
@@ -48,17 +65,25 @@ fn bracketed(cx: &DocumentCx<'_>, value: &str) -> Option<String> {
 
 /// `{width}`, `$width` and `pi/2` as the expression in it.
 fn expression<'w>(cx: &DocumentCx<'_>, word: &'w str) -> Option<&'w str> {
-    let inner = word.strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
+    let inner = word
+        .strip_prefix('{')
+        .and_then(|rest| rest.strip_suffix('}'));
     let code = inner.or_else(|| word.strip_prefix('$')).unwrap_or(word);
-    let mut names =
-        code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| is_identifier(name)).peekable();
+    let mut names = code
+        .split(|c: char| !c.is_alphanumeric() && c != '_')
+        .filter(|name| is_identifier(name))
+        .peekable();
     let is_code = names.peek().is_some() && names.all(|name| is_known(cx, name));
     (is_code && expr::parse(code).errors.is_empty()).then_some(code)
 }
 
 /// `{width}` and `$width` as `${width}`, in the text of a robot that speaks xacro.
 pub(super) fn of_word(cx: &DocumentCx<'_>, word: &str) -> Option<String> {
-    let is_xacro = cx.expansion.files.first().is_some_and(|file| !is_plain_urdf(&file.source.path));
+    let is_xacro = cx
+        .expansion
+        .files
+        .first()
+        .is_some_and(|file| !is_plain_urdf(&file.source.path));
     let code = expression(cx, word).filter(|&code| is_xacro && code != word)?;
     Some(format!("${{{code}}}"))
 }
@@ -73,7 +98,11 @@ const OTHER_NAMES: &[(&str, &[&str], &str)] = &[
     ("origin", &["rotation", "orientation", "euler"], "rpy"),
     ("axis", &["rpy", "direction"], "xyz"),
     ("mesh", &["file", "path", "uri", "url", "src"], "filename"),
-    ("texture", &["file", "path", "uri", "url", "src"], "filename"),
+    (
+        "texture",
+        &["file", "path", "uri", "url", "src"],
+        "filename",
+    ),
     ("plugin", &["file", "path"], "filename"),
     ("parent", &["name"], "link"),
     ("child", &["name"], "link"),
@@ -89,30 +118,49 @@ pub(super) fn of_attribute<'a>(
     name: &str,
     absent: impl Iterator<Item = &'a str> + Clone,
 ) -> Option<(&'a str, bool)> {
-    let other = OTHER_NAMES.iter().find(|(of, names, _)| *of == element && names.contains(&name));
+    let other = OTHER_NAMES
+        .iter()
+        .find(|(of, names, _)| *of == element && names.contains(&name));
     let other = other.and_then(|(_, _, meant)| absent.clone().find(|absent| absent == meant));
-    other.map(|meant| (meant, false)).or_else(|| walk::meant(name, absent))
+    other
+        .map(|meant| (meant, false))
+        .or_else(|| walk::meant(name, absent))
 }
 
 /// The attributes that are meant by unknown ones of an element, which `unknown-attribute` reports.
-pub(in super::super) fn attributes(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
+pub(in super::super) fn attributes(
+    cx: &DocumentCx<'_>,
+    id: XId,
+    spec: &ElementSpec,
+) -> Vec<&'static str> {
     const MOST: usize = 50;
     let attrs = &cx.expansion.tree.get(id).attrs;
-    let unknown = attrs.iter().filter(|attr| spec.attribute(&attr.name).is_none()).take(MOST);
+    let unknown = attrs
+        .iter()
+        .filter(|attr| spec.attribute(&attr.name).is_none())
+        .take(MOST);
     let absent = unknown_attribute::absent(cx, id, spec);
-    unknown.filter_map(|attr| Some(of_attribute(spec.name, &attr.name, absent.iter().copied())?.0)).collect()
+    unknown
+        .filter_map(|attr| Some(of_attribute(spec.name, &attr.name, absent.iter().copied())?.0))
+        .collect()
 }
 
 /// The expression that was meant by a word that is the name of a property.
 pub(super) fn name_of_property(cx: &DocumentCx<'_>, word: &str) -> Option<String> {
-    let is_property = |binding: &BindingInfo| binding.name == word && binding.kind == BindingKind::Property;
+    let is_property =
+        |binding: &BindingInfo| binding.name == word && binding.kind == BindingKind::Property;
     let is_known = is_identifier(word) && cx.expansion.bindings.iter().any(is_property);
     is_known.then(|| format!("${{{word}}}"))
 }
 
 /// Whether an expression can name it.
 fn is_known(cx: &DocumentCx<'_>, name: &str) -> bool {
-    name == "pi" || cx.expansion.bindings.iter().any(|binding| binding.name == name)
+    name == "pi"
+        || cx
+            .expansion
+            .bindings
+            .iter()
+            .any(|binding| binding.name == name)
 }
 
 /// A name with `${...}` where `{...}`, `#{...}` or `$[...]` holds a name of the expansion: `{prefix}tcp` as `${prefix}tcp`.
@@ -126,7 +174,10 @@ pub(in super::super) fn with_dollars(cx: &DocumentCx<'_>, name: &str) -> Option<
         if !is_identifier(code) || !is_known(cx, code) {
             return None;
         }
-        out.push_str(&format!("{}${{{code}}}", before.trim_end_matches(['#', '$'])));
+        out.push_str(&format!(
+            "{}${{{code}}}",
+            before.trim_end_matches(['#', '$'])
+        ));
         rest = after;
     }
     out.push_str(rest);

@@ -29,14 +29,27 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if missing.is_empty() || walk::may_get_more(cx, id) {
             continue;
         }
-        let plural = if missing.len() == 1 { "attribute" } else { "attributes" };
-        let message = format!("missing {plural} `{1}` in {0}", walk::described(cx, id), missing.join("`, `"));
+        let plural = if missing.len() == 1 {
+            "attribute"
+        } else {
+            "attributes"
+        };
+        let message = format!(
+            "missing {plural} `{1}` in {0}",
+            walk::described(cx, id),
+            missing.join("`, `")
+        );
         if let (["value"], Some(text)) = (missing.as_slice(), number_inside(cx, id)) {
             report_inside(cx, id, (spec.name, "value", message), &text, out);
             continue;
         }
-        let add: Vec<String> = missing.iter().map(|name| format!("{name}=\"...\"")).collect();
-        out.report(tag_start(cx.expansion, id), message).help(format!("add {}", add.join(" "))).done();
+        let add: Vec<String> = missing
+            .iter()
+            .map(|name| format!("{name}=\"...\""))
+            .collect();
+        out.report(tag_start(cx.expansion, id), message)
+            .help(format!("add {}", add.join(" ")))
+            .done();
     }
 }
 
@@ -52,15 +65,18 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if control.name.is_none() {
             let message = "missing attribute `name` in `ros2_control`".to_owned();
             let help = "add name=\"...\"; ros2_control rejects the robot without it";
-            out.report(tag_start(cx.expansion, control.element), message).help(help).done();
+            out.report(tag_start(cx.expansion, control.element), message)
+                .help(help)
+                .done();
         }
         for part in tree.elements(control.element) {
             let inner = tree.elements(part).filter(|&id| nameless(id, &INTERFACES));
             for id in inner.chain(Some(part).filter(|&part| nameless(part, &PARTS))) {
                 let message = format!("missing attribute `name` in {}", walk::described(cx, id));
                 let kind = tree.get(id).text.as_str();
-                let is_word =
-                    |text: &Text| tree.elements(id).next().is_none() && !text.value.trim().contains(' ');
+                let is_word = |text: &Text| {
+                    tree.elements(id).next().is_none() && !text.value.trim().contains(' ')
+                };
                 match Text::content(tree, id).filter(is_word) {
                     Some(text) => report_inside(cx, id, (kind, "name", message), &text, out),
                     None => out
@@ -76,13 +92,23 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// The required attributes that are absent and not misspelled either.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
     let is_there = |name: &str| cx.expansion.tree.attr(id, name).is_some();
-    if spec.attributes.iter().all(|attribute| !attribute.required || is_there(attribute.name)) {
+    if spec
+        .attributes
+        .iter()
+        .all(|attribute| !attribute.required || is_there(attribute.name))
+    {
         return Vec::new();
     }
     let absent = unknown_attribute::absent(cx, id, spec);
-    let required = |name: &&str| spec.attribute(name).is_some_and(|attribute| attribute.required);
+    let required = |name: &&str| {
+        spec.attribute(name)
+            .is_some_and(|attribute| attribute.required)
+    };
     let misspelled = meant::attributes(cx, id, spec);
-    absent.into_iter().filter(|name| required(name) && !misspelled.contains(name)).collect()
+    absent
+        .into_iter()
+        .filter(|name| required(name) && !misspelled.contains(name))
+        .collect()
 }
 
 /// The text of an element that holds nothing but a number.
@@ -99,13 +125,23 @@ fn report_inside(
     text: &Text,
     out: &mut Sink<'_>,
 ) {
-    let content = source_text(cx.expansion, text.origin).map_or_else(String::new, |(_, _, source)| source);
+    let content =
+        source_text(cx.expansion, text.origin).map_or_else(String::new, |(_, _, source)| source);
     let element = format!("<{name} {attribute}=\"{}\"/>", content.trim());
-    let report = out.report(tag_start(cx.expansion, id), message).help(format!("write {element}"));
+    let report = out
+        .report(tag_start(cx.expansion, id), message)
+        .help(format!("write {element}"));
     let is_plain = cx.expansion.tree.get(id).attrs.is_empty() && !content.contains(['"', '<']);
     match source_text(cx.expansion, element_range(cx.expansion, id)).filter(|_| is_plain) {
         Some((file, range, _)) => {
-            report.fix(Safety::Unsafe, format!("replace with `{element}`"), file, [(range, element)]).done();
+            report
+                .fix(
+                    Safety::Unsafe,
+                    format!("replace with `{element}`"),
+                    file,
+                    [(range, element)],
+                )
+                .done();
         }
         None => report.done(),
     }

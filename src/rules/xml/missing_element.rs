@@ -27,17 +27,29 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if missing.is_empty() || walk::may_get_more(cx, id) {
             continue;
         }
-        let message =
-            format!("missing element `{1}` in {0}", walk::described(cx, id), missing.join("` and `"));
+        let message = format!(
+            "missing element `{1}` in {0}",
+            walk::described(cx, id),
+            missing.join("` and `")
+        );
         let shape = bare_shape(cx, id).filter(|_| missing == ["geometry"]);
         if let Some(shape) = shape {
             let help = format!("put `{shape}` in <geometry>");
-            out.report(tag_start(cx.expansion, id), message).help(help).done();
+            out.report(tag_start(cx.expansion, id), message)
+                .help(help)
+                .done();
             continue;
         }
         let is_meant = missing == ["geometry"] && is_taken_out(&cx.expansion.tree, id, id);
-        let severity = if is_meant { Severity::Info } else { RULE.severity };
-        let add: Vec<String> = missing.iter().map(|name| format!("<{name} .../>")).collect();
+        let severity = if is_meant {
+            Severity::Info
+        } else {
+            RULE.severity
+        };
+        let add: Vec<String> = missing
+            .iter()
+            .map(|name| format!("<{name} .../>"))
+            .collect();
         out.report(tag_start(cx.expansion, id), message)
             .severity(severity)
             .help(format!("add {}", add.join(" and ")))
@@ -59,7 +71,9 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
         }
     }
     let absent = |name: &&str| {
-        let there = tree.elements(id).any(|child| tree.get(child).text == **name);
+        let there = tree
+            .elements(id)
+            .any(|child| tree.get(child).text == **name);
         !there && !misspelled.iter().any(|(meant, _)| meant == name)
     };
     spec.required.iter().copied().filter(absent).collect()

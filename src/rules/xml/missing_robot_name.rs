@@ -23,15 +23,21 @@ pub(in super::super) static RULE: Rule = Rule {
 const HELP: &str = "add name=\"...\"; urdfdom rejects a robot without a name";
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let Some(robot) = cx.robot.filter(|_| cx.kind == RootKind::Robot) else { return };
+    let Some(robot) = cx.robot.filter(|_| cx.kind == RootKind::Robot) else {
+        return;
+    };
     let message = match &robot.name {
         None => "robot has no name",
         Some(name) if name.is_known() && name.value.is_empty() => "robot has an empty name",
         Some(_) => return,
     };
-    let report = out.report(tag_start(cx.expansion, robot.element), message).help(HELP);
+    let report = out
+        .report(tag_start(cx.expansion, robot.element), message)
+        .help(HELP);
     match named_like_file(cx.expansion, robot) {
-        Some((range, content)) => report.fix(Safety::Unsafe, FIX, FileIdx(0), [(range, content)]).done(),
+        Some((range, content)) => report
+            .fix(Safety::Unsafe, FIX, FileIdx(0), [(range, content)])
+            .done(),
         None => report.done(),
     }
 }
@@ -40,15 +46,32 @@ const FIX: &str = "use the file name as robot name";
 
 /// The same of a file that is a robot, as its surroundings say.
 pub fn missing_robot_name(expansion: &Expansion, robot: &Robot) -> Option<Finding> {
-    let place = |range| Some(Span { file: expansion.files.first()?.source.id, range });
-    let tag =
-        expansion.place(tag_start(expansion, robot.element)).filter(|place| place.file == FileIdx(0))?;
+    let place = |range| {
+        Some(Span {
+            file: expansion.files.first()?.source.id,
+            range,
+        })
+    };
+    let tag = expansion
+        .place(tag_start(expansion, robot.element))
+        .filter(|place| place.file == FileIdx(0))?;
     let fix = named_like_file(expansion, robot).and_then(|(range, content)| {
-        let edits = vec![Edit { span: place(range)?, content }];
-        Some(Fix { safety: Safety::Unsafe, message: FIX.to_owned(), edits })
+        let edits = vec![Edit {
+            span: place(range)?,
+            content,
+        }];
+        Some(Fix {
+            safety: Safety::Unsafe,
+            message: FIX.to_owned(),
+            edits,
+        })
     });
     let finding = Finding::new(by_code(RULE.code)?, place(tag.range)?, "robot has no name");
-    Some(Finding { help: Some(HELP.to_owned()), fix, ..finding })
+    Some(Finding {
+        help: Some(HELP.to_owned()),
+        fix,
+        ..finding
+    })
 }
 
 /// The edit that names the robot like its file.
@@ -60,7 +83,9 @@ fn named_like_file(expansion: &Expansion, robot: &Robot) -> Option<(TextRange, S
         _ if !plain => None,
         // an empty value: between the quotes, when they are in this file
         Some(name) => {
-            let place = expansion.place(name.origin).filter(|place| place.file == FileIdx(0))?;
+            let place = expansion
+                .place(name.origin)
+                .filter(|place| place.file == FileIdx(0))?;
             name.is_literal().then(|| (place.range, stem.to_owned()))
         }
         None => {

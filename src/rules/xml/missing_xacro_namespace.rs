@@ -16,7 +16,10 @@ pub(in super::super) static RULE: Rule = Rule::found(
 
 /// Declare it where the root element begins.
 pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
-    let root = cx.document.root().filter(|root| root.attr("xmlns:xacro").is_none())?;
+    let root = cx
+        .document
+        .root()
+        .filter(|root| root.attr("xmlns:xacro").is_none())?;
     let range = TextRange::empty(root.name_range().end);
     Some(Fix {
         safety: Safety::Safe,

@@ -29,8 +29,13 @@ pub use walk::Seen;
 pub(super) use walk::{described, known};
 
 // what expansion finds, without fixes of their own
-pub(super) static XML_ENCODING_MISMATCH: Rule =
-    Rule::found("XML016", "xml-encoding-mismatch", Xml, Error, page("xml-encoding-mismatch"));
+pub(super) static XML_ENCODING_MISMATCH: Rule = Rule::found(
+    "XML016",
+    "xml-encoding-mismatch",
+    Xml,
+    Error,
+    page("xml-encoding-mismatch"),
+);
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[
@@ -59,7 +64,13 @@ const XACRO_URI: &str = "http://www.ros.org/wiki/xacro";
 
 /// Whether a namespace is meant to be xacro's: files in the wild spell it in many ways.
 pub(super) fn is_xacro_uri(uri: &str) -> bool {
-    let rest = uri.trim_start_matches("http://").trim_start_matches("https://");
-    let host = rest.split('/').next().unwrap_or("").trim_start_matches("www.");
+    let rest = uri
+        .trim_start_matches("http://")
+        .trim_start_matches("https://");
+    let host = rest
+        .split('/')
+        .next()
+        .unwrap_or("")
+        .trim_start_matches("www.");
     matches!(host, "ros.org" | "wiki.ros.org") && rest.trim_end_matches('/').ends_with("xacro")
 }

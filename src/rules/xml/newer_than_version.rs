@@ -23,16 +23,32 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for (id, spec) in walk::known(cx) {
         let written = |name: &str| tree.attr(id, name).is_some();
-        let newer = spec.attributes.iter().filter(|attribute| attribute.since > Version::V1_0);
-        let newer = newer.filter(|attribute| written(attribute.name) && cx.is_older_than(attribute.since));
+        let newer = spec
+            .attributes
+            .iter()
+            .filter(|attribute| attribute.since > Version::V1_0);
+        let newer =
+            newer.filter(|attribute| written(attribute.name) && cx.is_older_than(attribute.since));
         for attribute in newer {
-            let Some(text) = Text::attr(tree, id, attribute.name) else { continue };
-            let Some(own) = Version::of(tree) else { continue };
+            let Some(text) = Text::attr(tree, id, attribute.name) else {
+                continue;
+            };
+            let Some(own) = Version::of(tree) else {
+                continue;
+            };
             let (name, since) = (attribute.name, attribute.since);
             // a rotation that is lost changes the robot; limits of acceleration are for those who know them
             let is_rotation = name == "quat_xyzw";
-            let severity = if is_rotation { Severity::Warning } else { Severity::Info };
-            let instead = if is_rotation { ", or write the rotation as rpy" } else { "" };
+            let severity = if is_rotation {
+                Severity::Warning
+            } else {
+                Severity::Info
+            };
+            let instead = if is_rotation {
+                ", or write the rotation as rpy"
+            } else {
+                ""
+            };
             let message = format!(
                 "`{name}` of {} requires URDF {since}, but the robot is URDF {own}, so parsers ignore it",
                 walk::described(cx, id)

@@ -19,22 +19,30 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    let Some(attr) = cx.root_attrs().find(|attr| attr.name() == "xmlns:xacro") else { return };
+    let Some(attr) = cx.root_attrs().find(|attr| attr.name() == "xmlns:xacro") else {
+        return;
+    };
     let uri = attr.raw();
     if uri == XACRO_URI {
         return;
     }
     let package = cx.world.packages.containing(&cx.source.path);
-    let group = package.map_or(Group::File, |own| Group::Thing(own.folder.to_string_lossy().into()));
+    let group = package.map_or(Group::File, |own| {
+        Group::Thing(own.folder.to_string_lossy().into())
+    });
     // the root stands in the header, which begins the file
-    out.report_in(cx.file, attr.range(), format!("nonstandard URI for `xmlns:xacro`: `{uri}`"))
-        .group(group)
-        .help(format!("write xmlns:xacro=\"{XACRO_URI}\""))
-        .fix(
-            Safety::Safe,
-            format!("change namespace to `{XACRO_URI}`"),
-            cx.file,
-            [(attr.value_range(), XACRO_URI.to_owned())],
-        )
-        .done();
+    out.report_in(
+        cx.file,
+        attr.range(),
+        format!("nonstandard URI for `xmlns:xacro`: `{uri}`"),
+    )
+    .group(group)
+    .help(format!("write xmlns:xacro=\"{XACRO_URI}\""))
+    .fix(
+        Safety::Safe,
+        format!("change namespace to `{XACRO_URI}`"),
+        cx.file,
+        [(attr.value_range(), XACRO_URI.to_owned())],
+    )
+    .done();
 }

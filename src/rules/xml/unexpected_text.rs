@@ -21,7 +21,15 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// Where text is nobody's.
-const PLACES: [&str; 7] = ["robot", "link", "joint", "visual", "collision", "geometry", "inertial"];
+const PLACES: [&str; 7] = [
+    "robot",
+    "link",
+    "joint",
+    "visual",
+    "collision",
+    "geometry",
+    "inertial",
+];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
@@ -43,7 +51,10 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
         Some((end, _)) => format!("{}...", shown.get(..end).unwrap_or_default()),
         None => shown,
     };
-    let message = format!("unexpected text `{shown}` in {}", walk::described(cx, parent));
+    let message = format!(
+        "unexpected text `{shown}` in {}",
+        walk::described(cx, parent)
+    );
     out.report(trimmed(cx, node.origin), message)
         .help("remove it, or put it in a comment <!-- ... -->; parsers ignore it")
         .done();
@@ -51,8 +62,13 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
 
 /// A place without the blanks around its text.
 fn trimmed(cx: &DocumentCx<'_>, origin: Origin) -> Origin {
-    let Some(source) = cx.expansion.sources.get(origin.src.0 as usize) else { return origin };
+    let Some(source) = cx.expansion.sources.get(origin.src.0 as usize) else {
+        return origin;
+    };
     let text = origin.range.slice(source.item.text());
     let start = origin.range.start + (text.len() - text.trim_start().len()) as u32;
-    Origin { range: TextRange::new(start, start + text.trim().len() as u32), ..origin }
+    Origin {
+        range: TextRange::new(start, start + text.trim().len() as u32),
+        ..origin
+    }
 }

@@ -39,7 +39,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if !unknown.is_empty() {
             let absent = absent(cx, id, spec);
             let unknown = report_several(cx, id, spec, &absent, unknown, out);
-            unknown.into_iter().for_each(|attr| report(cx, id, spec, &absent, attr, out));
+            unknown
+                .into_iter()
+                .for_each(|attr| report(cx, id, spec, &absent, attr, out));
         }
     }
 }
@@ -56,21 +58,44 @@ fn report_parts<'a>(
     out: &mut Sink<'_>,
 ) -> Vec<&'a XAttr> {
     for (vector, parts) in PARTS {
-        let is_meant = spec.attribute(vector).is_some() && cx.expansion.tree.attr(id, vector).is_none();
+        let is_meant =
+            spec.attribute(vector).is_some() && cx.expansion.tree.attr(id, vector).is_none();
         let own = |attr: &&XAttr| parts.contains(&attr.name.as_str());
-        let Some(&first) = unknown.iter().find(|attr| is_meant && own(attr)) else { continue };
+        let Some(&first) = unknown.iter().find(|attr| is_meant && own(attr)) else {
+            continue;
+        };
         let number = |part: &str| {
             let text = unknown.iter().find(|attr| attr.name == part);
-            text.map_or_else(|| Some("0".to_owned()), |attr| Some(source_text(cx.expansion, attr.origin)?.2))
+            text.map_or_else(
+                || Some("0".to_owned()),
+                |attr| Some(source_text(cx.expansion, attr.origin)?.2),
+            )
         };
         let numbers: Option<Vec<String>> = parts.into_iter().map(number).collect();
-        let names: Vec<&str> =
-            unknown.iter().filter(|attr| own(attr)).map(|attr| attr.name.as_str()).collect();
-        let plural = if names.len() == 1 { "attribute" } else { "attributes" };
-        let message = format!("unknown {plural} `{}` in {}", names.join("`, `"), walk::described(cx, id));
+        let names: Vec<&str> = unknown
+            .iter()
+            .filter(|attr| own(attr))
+            .map(|attr| attr.name.as_str())
+            .collect();
+        let plural = if names.len() == 1 {
+            "attribute"
+        } else {
+            "attributes"
+        };
+        let message = format!(
+            "unknown {plural} `{}` in {}",
+            names.join("`, `"),
+            walk::described(cx, id)
+        );
         let text = numbers.map_or_else(|| "...".to_owned(), |numbers| numbers.join(" "));
-        let help = format!("write {vector}=\"{text}\"; parsers silently ignore `{}`", first.name);
-        out.report(name_of(cx, first), message).severity(Severity::Warning).help(help).done();
+        let help = format!(
+            "write {vector}=\"{text}\"; parsers silently ignore `{}`",
+            first.name
+        );
+        out.report(name_of(cx, first), message)
+            .severity(Severity::Warning)
+            .help(help)
+            .done();
         unknown.retain(|attr| !own(attr));
     }
     unknown
@@ -85,13 +110,21 @@ fn report_several<'a>(
     unknown: Vec<&'a XAttr>,
     out: &mut Sink<'_>,
 ) -> Vec<&'a XAttr> {
-    let meant_by = |attr: &XAttr| meant::of_attribute(spec.name, &attr.name, absent.iter().copied());
-    let meant: Vec<(&XAttr, &str)> =
-        unknown.iter().filter_map(|attr| Some((*attr, meant_by(attr)?.0))).collect();
-    let ([(first, _), _, ..], true) = (meant.as_slice(), are_different(&meant)) else { return unknown };
+    let meant_by =
+        |attr: &XAttr| meant::of_attribute(spec.name, &attr.name, absent.iter().copied());
+    let meant: Vec<(&XAttr, &str)> = unknown
+        .iter()
+        .filter_map(|attr| Some((*attr, meant_by(attr)?.0)))
+        .collect();
+    let ([(first, _), _, ..], true) = (meant.as_slice(), are_different(&meant)) else {
+        return unknown;
+    };
     let list = |names: Vec<&str>| names.join("`, `");
     let names = list(meant.iter().map(|(attr, _)| attr.name.as_str()).collect());
-    let message = format!("unknown attributes `{names}` in {}", walk::described(cx, id));
+    let message = format!(
+        "unknown attributes `{names}` in {}",
+        walk::described(cx, id)
+    );
     let is_needed = meant.iter().any(|(_, near)| is_needed(cx, id, spec, near));
     let help = format!(
         "did you mean `{}`? Parsers silently ignore `{names}`",
@@ -99,21 +132,32 @@ fn report_several<'a>(
     );
     let report = out
         .report(name_of(cx, first), message)
-        .severity(if is_needed { Severity::Error } else { Severity::Warning })
+        .severity(if is_needed {
+            Severity::Error
+        } else {
+            Severity::Warning
+        })
         .help(help);
     let places: Option<Vec<_>> = meant
         .iter()
         .map(|(attr, near)| Some((cx.expansion.place(name_of(cx, attr))?, near.to_string())))
         .collect();
-    let file = places.as_ref().and_then(|places| Some(places.first()?.0.file));
+    let file = places
+        .as_ref()
+        .and_then(|places| Some(places.first()?.0.file));
     match (places, file) {
         (Some(places), Some(file)) if places.iter().all(|(place, _)| place.file == file) => {
             let edits = places.into_iter().map(|(place, near)| (place.range, near));
-            report.fix(Safety::Unsafe, "rename the attributes", file, edits).done();
+            report
+                .fix(Safety::Unsafe, "rename the attributes", file, edits)
+                .done();
         }
         _ => report.done(),
     }
-    unknown.into_iter().filter(|attr| meant_by(attr).is_none()).collect()
+    unknown
+        .into_iter()
+        .filter(|attr| meant_by(attr).is_none())
+        .collect()
 }
 
 /// Whether no two attributes are meant to be the same one.
@@ -125,14 +169,22 @@ fn are_different(meant: &[(&XAttr, &str)]) -> bool {
 
 /// Names that any element may have.
 fn is_admitted(cx: &DocumentCx<'_>, name: &str) -> bool {
-    let allowed = || cx.world.config.allow_attributes.iter().any(|allowed| allowed == name);
+    let allowed = || {
+        cx.world
+            .config
+            .allow_attributes
+            .iter()
+            .any(|allowed| allowed == name)
+    };
     name.contains(':') || matches!(name, "id" | "xmlns") || allowed()
 }
 
 /// The attributes that an element could have and does not.
 pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
     let names = spec.attributes.iter().map(|attribute| attribute.name);
-    names.filter(|name| cx.expansion.tree.attr(element, name).is_none()).collect()
+    names
+        .filter(|name| cx.expansion.tree.attr(element, name).is_none())
+        .collect()
 }
 
 fn report(
@@ -147,19 +199,30 @@ fn report(
     let message = format!("unknown attribute `{name}` in {}", walk::described(cx, id));
     let group = Group::Name(format!("{name} of {}", spec.name).into());
     let report = out.report(name_of(cx, attr), message).group(group);
-    let taken: Vec<String> = spec.attributes.iter().map(|known| format!("`{}`", known.name)).collect();
+    let taken: Vec<String> = spec
+        .attributes
+        .iter()
+        .map(|known| format!("`{}`", known.name))
+        .collect();
     match meant::of_attribute(spec.name, name, absent.iter().copied()) {
         Some((near, sure)) => {
             let safety = if sure { Safety::Safe } else { Safety::Unsafe };
             report
-                .severity(if is_needed(cx, id, spec, near) { Severity::Error } else { Severity::Warning })
+                .severity(if is_needed(cx, id, spec, near) {
+                    Severity::Error
+                } else {
+                    Severity::Warning
+                })
                 .help(Help::did_you_mean(near).and(&format!("Parsers silently ignore `{name}`")))
                 .replace_with(safety, format!("rename to `{near}`"), near)
                 .done();
         }
         None if taken.is_empty() => {
             report
-                .help(format!("remove it; `{}` has no attributes, and parsers silently ignore it", spec.name))
+                .help(format!(
+                    "remove it; `{}` has no attributes, and parsers silently ignore it",
+                    spec.name
+                ))
                 .done();
         }
         None => {
@@ -168,7 +231,11 @@ fn report(
                 spec.name,
                 taken.join(", ")
             );
-            let severity = if is_of_other_shape(spec, name) { Severity::Warning } else { Severity::Hint };
+            let severity = if is_of_other_shape(spec, name) {
+                Severity::Warning
+            } else {
+                Severity::Hint
+            };
             report.severity(severity).help(help).done();
         }
     }
@@ -177,10 +244,14 @@ fn report(
 /// Whether parsers reject the element without this attribute, which no other finding says then.
 fn is_needed(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, name: &str) -> bool {
     let tree = &cx.expansion.tree;
-    let is_required = spec.attribute(name).is_some_and(|attribute| attribute.required);
+    let is_required = spec
+        .attribute(name)
+        .is_some_and(|attribute| attribute.required);
     let is_strength = spec.name == "limit" && matches!(name, "effort" | "velocity");
     let is_fixed = || {
-        tree.parent(id).and_then(|joint| tree.attr(joint, "type")).is_some_and(|kind| kind.value == "fixed")
+        tree.parent(id)
+            .and_then(|joint| tree.attr(joint, "type"))
+            .is_some_and(|kind| kind.value == "fixed")
     };
     // urdfdom rejects dynamics without any of its attributes
     let is_only = spec.name == "dynamics" && tree.get(id).attrs.len() == 1;
@@ -190,7 +261,8 @@ fn is_needed(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, name: &str) -> bo
 /// Whether another shape has an attribute of this name.
 fn is_of_other_shape(spec: &ElementSpec, name: &str) -> bool {
     let is_shape = |spec: &ElementSpec| spec.parents.contains(&"geometry");
-    is_shape(spec) && schema::elements().any(|other| is_shape(other) && other.attribute(name).is_some())
+    is_shape(spec)
+        && schema::elements().any(|other| is_shape(other) && other.attribute(name).is_some())
 }
 
 /// The name of an attribute in the source; its value, where the name stands somewhere else.
@@ -200,6 +272,10 @@ fn name_of(cx: &DocumentCx<'_>, attr: &XAttr) -> Origin {
     let holds = |node: &Node<'_>| node.start_tag_range().contains_range(origin.range);
     let node = source.and_then(|source| source.item.all_nodes().find(holds));
     let mut attrs = node.into_iter().flat_map(|node| node.attrs());
-    let named = attrs.find(|other| other.value_range() == origin.range && other.name() == attr.name);
-    named.map_or(origin, |named| Origin { range: named.name_range(), ..origin })
+    let named =
+        attrs.find(|other| other.value_range() == origin.range && other.name() == attr.name);
+    named.map_or(origin, |named| Origin {
+        range: named.name_range(),
+        ..origin
+    })
 }

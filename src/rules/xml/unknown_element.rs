@@ -27,14 +27,17 @@ pub(in super::super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut bare: FastMap<XId, Option<&str>> = FastMap::default();
     for &Seen { id, spec, parent } in walk::elements(cx) {
-        let (None, Some(parent)) = (spec, parent) else { continue };
+        let (None, Some(parent)) = (spec, parent) else {
+            continue;
+        };
         let name = cx.expansion.tree.get(id).text.as_str();
         // shapes have a rule of their own
         let elsewhere = name.contains(':') || parent.name == "geometry";
         if elsewhere || is_allowed(cx, name) || walk::lacks_prefix(cx, id) {
             continue;
         }
-        let mut bare_around = |around| *bare.entry(around).or_insert_with(|| bare_shape(cx, around));
+        let mut bare_around =
+            |around| *bare.entry(around).or_insert_with(|| bare_shape(cx, around));
         if cx.complete && cx.expansion.tree.parent(id).and_then(&mut bare_around) == Some(name) {
             continue; // it is said that the geometry is missing
         }
@@ -47,7 +50,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 fn is_allowed(cx: &DocumentCx<'_>, name: &str) -> bool {
-    cx.world.config.allow_elements.iter().any(|allowed| allowed == name)
+    cx.world
+        .config
+        .allow_elements
+        .iter()
+        .any(|allowed| allowed == name)
 }
 
 fn report(
@@ -58,10 +65,16 @@ fn report(
     out: &mut Sink<'_>,
 ) {
     let name = &cx.expansion.tree.get(id).text;
-    let around = cx.expansion.tree.parent(id).map_or(String::new(), |id| walk::described(cx, id));
+    let around = cx
+        .expansion
+        .tree
+        .parent(id)
+        .map_or(String::new(), |id| walk::described(cx, id));
     let message = format!("unknown element `{name}` in {around}");
     let group = Group::Value(format!("{name} in {}", parent.name).into());
-    let report = out.report(tag_start(cx.expansion, id), message).group(group);
+    let report = out
+        .report(tag_start(cx.expansion, id), message)
+        .group(group);
     let Some((near, sure)) = near else {
         let (severity, help) = unlike_all(name, parent);
         let is_idle = is_identity(cx, id, name) || is_bare(cx, id) || is_zero_pose(cx, id, name);
@@ -76,29 +89,38 @@ fn report(
     let report = report
         .severity(severity)
         .help(Help::did_you_mean(near).and(&format!("Parsers silently ignore `{name}`")));
-    let Some((file, names)) = names(cx, id) else { return report.done() };
+    let Some((file, names)) = names(cx, id) else {
+        return report.done();
+    };
     let safety = if sure { Safety::Safe } else { Safety::Unsafe };
     let edits = names.into_iter().map(|range| (range, near.to_owned()));
-    report.fix(safety, format!("rename to `{near}`"), file, edits).done();
+    report
+        .fix(safety, format!("rename to `{near}`"), file, edits)
+        .done();
 }
 
 /// Whether parsers reject the element around without the one that is meant, which no other finding says then.
 fn is_needed(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec, near: &str) -> bool {
     let tree = &cx.expansion.tree;
     let has_range = |joint| {
-        tree.attr(joint, "type").is_some_and(|kind| matches!(kind.value.as_str(), "revolute" | "prismatic"))
+        tree.attr(joint, "type")
+            .is_some_and(|kind| matches!(kind.value.as_str(), "revolute" | "prismatic"))
     };
-    let Some(around) = tree.parent(id) else { return false };
-    let is_required =
-        parent.required.contains(&near) || parent.name == "joint" && near == "limit" && has_range(around);
-    is_required && !tree.elements(around).any(|child| tree.get(child).text == near)
+    let Some(around) = tree.parent(id) else {
+        return false;
+    };
+    let is_required = parent.required.contains(&near)
+        || parent.name == "joint" && near == "limit" && has_range(around);
+    is_required
+        && !tree
+            .elements(around)
+            .any(|child| tree.get(child).text == near)
 }
 
 /// The severity and the advice for a name that is close to none that may stand there.
 fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
     if name == "pose" && parent.child("origin").is_some() {
-        let help =
-            "write <origin xyz=\"...\" rpy=\"...\"/>; `pose` is SDF, and URDF parsers silently ignore it";
+        let help = "write <origin xyz=\"...\" rpy=\"...\"/>; `pose` is SDF, and URDF parsers silently ignore it";
         return (Severity::Warning, help.to_owned());
     }
     if matches!(name, "link" | "joint") && parent.name != "robot" {
@@ -117,10 +139,20 @@ fn unlike_all(name: &str, parent: &ElementSpec) -> (Severity, String) {
     }
     // an element of URDF in the wrong place has no effect; other names are meant for other programs
     let is_misplaced = schema::is_urdf(name) && !(name == "material" && parent.name == "collision");
-    let severity = if is_misplaced { Severity::Warning } else { Severity::Hint };
-    let children: Vec<String> = parent.children().map(|child| format!("`{}`", child.name)).collect();
+    let severity = if is_misplaced {
+        Severity::Warning
+    } else {
+        Severity::Hint
+    };
+    let children: Vec<String> = parent
+        .children()
+        .map(|child| format!("`{}`", child.name))
+        .collect();
     let help = if children.is_empty() {
-        format!("remove it; `{}` has no child elements, and parsers silently ignore it", parent.name)
+        format!(
+            "remove it; `{}` has no child elements, and parsers silently ignore it",
+            parent.name
+        )
     } else {
         format!(
             "use a child element of `{}`: {}; parsers silently ignore others",
@@ -142,14 +174,21 @@ fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
 /// Whether an element is the pose of SDF and moves nothing.
 fn is_zero_pose(cx: &DocumentCx<'_>, id: XId, name: &str) -> bool {
     let text = Text::content(&cx.expansion.tree, id);
-    name == "pose" && text.is_some_and(|text| text.numbers::<6>().is_some_and(|numbers| numbers == [0.0; 6]))
+    name == "pose"
+        && text.is_some_and(|text| {
+            text.numbers::<6>()
+                .is_some_and(|numbers| numbers == [0.0; 6])
+        })
 }
 
 /// Whether an element is meant as an `origin` that moves nothing: without it, all is the same.
 fn is_identity(cx: &DocumentCx<'_>, id: XId, meant: &str) -> bool {
     let is_zero = |name| {
         let text = Text::attr(&cx.expansion.tree, id, name);
-        text.is_none_or(|text| text.numbers::<3>().is_some_and(|numbers| numbers == [0.0; 3]))
+        text.is_none_or(|text| {
+            text.numbers::<3>()
+                .is_some_and(|numbers| numbers == [0.0; 3])
+        })
     };
     meant == "origin" && is_zero("xyz") && is_zero("rpy")
 }
@@ -157,9 +196,17 @@ fn is_identity(cx: &DocumentCx<'_>, id: XId, meant: &str) -> bool {
 /// Where the name stands in the start tag and in the end tag, when the source spells it.
 fn names(cx: &DocumentCx<'_>, id: XId) -> Option<(FileIdx, Vec<TextRange>)> {
     let node = cx.expansion.tree.get(id);
-    let source = walk::source_node(cx.expansion, node.origin).filter(|source| source.name() == node.text)?;
+    let source =
+        walk::source_node(cx.expansion, node.origin).filter(|source| source.name() == node.text)?;
     let base = cx.expansion.sources.get(node.origin.src.0 as usize)?.base;
     let names = [Some(source.name_range()), source.end_name_range()];
     let file = cx.expansion.place(node.origin)?.file;
-    Some((file, names.into_iter().flatten().map(|range| range.shift(base)).collect()))
+    Some((
+        file,
+        names
+            .into_iter()
+            .flatten()
+            .map(|range| range.shift(base))
+            .collect(),
+    ))
 }

@@ -20,18 +20,23 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
-    let version =
-        Text::attr(&cx.expansion.tree, robot.element, "version").filter(|version| version.is_known());
+    let version = Text::attr(&cx.expansion.tree, robot.element, "version")
+        .filter(|version| version.is_known());
     let Some(version) = version else { return };
     let admitted = &cx.world.config.urdf_version;
     let value = version.value.as_str();
     let read = Version::parse(value);
-    let is_same = |admitted: &String| admitted == value || read.is_some() && read == Version::parse(admitted);
+    let is_same =
+        |admitted: &String| admitted == value || read.is_some() && read == Version::parse(admitted);
     if admitted.iter().any(is_same) {
         return;
     }
-    let Some(at) = cx.expansion.place(version.origin) else { return };
-    let Some(file) = cx.expansion.files.get(at.file.0 as usize) else { return };
+    let Some(at) = cx.expansion.place(version.origin) else {
+        return;
+    };
+    let Some(file) = cx.expansion.files.get(at.file.0 as usize) else {
+        return;
+    };
     let range = place::whole_attribute(&file.source.document, at.range);
     let (severity, message) = judged(value, read, admitted);
     out.report_in(at.file, range, message)
@@ -42,16 +47,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// What there is to say about a version that is not admitted, and how bad it is.
 fn judged(value: &str, read: Option<Version>, admitted: &[String]) -> (Severity, String) {
-    let needs = |reader| format!("URDF version `{value}` needs {reader}; older parsers reject the robot");
+    let needs =
+        |reader| format!("URDF version `{value}` needs {reader}; older parsers reject the robot");
     match read {
         Some(Version::V1_1) => (Severity::Warning, needs("urdfdom 5.1")),
         Some(Version::V1_2) => (Severity::Warning, needs("urdfdom 6.0")),
         Some(_) => {
             let admitted = admitted.join("`, `");
-            (Severity::Error, format!("unsupported URDF version `{value}`; supported: `{admitted}`"))
+            (
+                Severity::Error,
+                format!("unsupported URDF version `{value}`; supported: `{admitted}`"),
+            )
         }
-        None => {
-            (Severity::Error, format!("invalid URDF version `{value}`; expected a version such as `1.0`"))
-        }
+        None => (
+            Severity::Error,
+            format!("invalid URDF version `{value}`; expected a version such as `1.0`"),
+        ),
     }
 }

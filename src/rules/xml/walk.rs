@@ -28,8 +28,11 @@ fn see(cx: &DocumentCx<'_>) -> Vec<Seen> {
     let tree = &cx.expansion.tree;
     let root = tree.get(cx.element);
     let is_robot = root.kind == XKind::Container || root.text == schema::robot().name;
-    let mut open =
-        vec![Seen { id: cx.element, spec: Some(schema::robot()).filter(|_| is_robot), parent: None }];
+    let mut open = vec![Seen {
+        id: cx.element,
+        spec: Some(schema::robot()).filter(|_| is_robot),
+        parent: None,
+    }];
     let mut seen = Vec::new();
     while let Some(element) = open.pop() {
         if let Some(spec) = element.spec.filter(|spec| !is_free_zone(spec.name)) {
@@ -39,12 +42,23 @@ fn see(cx: &DocumentCx<'_>) -> Vec<Seen> {
                 let anywhere = cx.kind == RootKind::Library && element.parent.is_none();
                 let elsewhere = || schema::urdf_element(name).filter(|_| anywhere);
                 let spec_here = spec.child(name).or_else(elsewhere);
-                (Seen { id, spec: spec_here, parent: Some(spec) }, anywhere && is_foreign(cx, id))
+                (
+                    Seen {
+                        id,
+                        spec: spec_here,
+                        parent: Some(spec),
+                    },
+                    anywhere && is_foreign(cx, id),
+                )
             });
-            let children = children.filter(|(_, foreign)| !foreign).map(|(child, _)| child);
+            let children = children
+                .filter(|(_, foreign)| !foreign)
+                .map(|(child, _)| child);
             let start = open.len();
             open.extend(children);
-            open.get_mut(start..).into_iter().for_each(<[Seen]>::reverse);
+            open.get_mut(start..)
+                .into_iter()
+                .for_each(<[Seen]>::reverse);
         }
         seen.push(element);
     }
@@ -69,8 +83,12 @@ fn is_foreign(cx: &DocumentCx<'_>, element: XId) -> bool {
 }
 
 /// Those that the schema knows, without the blocks that are meant for other tools.
-pub(in super::super) fn known(cx: &DocumentCx<'_>) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
-    let known = elements(cx).iter().filter_map(|seen| Some((seen.id, seen.spec?)));
+pub(in super::super) fn known(
+    cx: &DocumentCx<'_>,
+) -> impl Iterator<Item = (XId, &'static ElementSpec)> {
+    let known = elements(cx)
+        .iter()
+        .filter_map(|seen| Some((seen.id, seen.spec?)));
     let is_element = |id: XId| cx.expansion.tree.get(id).kind == XKind::Element;
     known.filter(move |&(id, spec)| is_element(id) && !is_free_zone(spec.name))
 }
@@ -83,9 +101,15 @@ pub(super) fn owner(cx: &DocumentCx<'_>, element: XId) -> String {
         let node = tree.get(id);
         let is_owner = matches!(node.text.as_str(), "link" | "joint" | "material" | "robot");
         let name = Text::attr(tree, id, "name").filter(|_| is_owner)?;
-        Some(name.name().map_or_else(|| format!("a {}", node.text), |name| format!("{} `{name}`", node.text)))
+        Some(name.name().map_or_else(
+            || format!("a {}", node.text),
+            |name| format!("{} `{name}`", node.text),
+        ))
     };
-    around.filter_map(named).next().unwrap_or_else(|| "this file".to_owned())
+    around
+        .filter_map(named)
+        .next()
+        .unwrap_or_else(|| "this file".to_owned())
 }
 
 /// The message's beginning for an element: "`limit` of joint `elbow`".
@@ -94,9 +118,14 @@ pub(in super::super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
     let name = &tree.get(element).text;
     let owner = owner(cx, element);
     let kind = owner.split(" `").next().unwrap_or_default();
-    let own = tree.attr(element, "name").is_some() && kind.trim_start_matches("a ") == name.as_str();
+    let own =
+        tree.attr(element, "name").is_some() && kind.trim_start_matches("a ") == name.as_str();
     // what a macro that nothing calls has at its top is in no element
-    if own || name.is_empty() { owner } else { format!("`{name}` of {owner}") }
+    if own || name.is_empty() {
+        owner
+    } else {
+        format!("`{name}` of {owner}")
+    }
 }
 
 /// Whether xacro may put something into an element that the tree does not show: in a macro that nothing calls,
@@ -104,17 +133,25 @@ pub(in super::super) fn described(cx: &DocumentCx<'_>, element: XId) -> String {
 pub(super) fn may_get_more(cx: &DocumentCx<'_>, element: XId) -> bool {
     let node = source_node(cx.expansion, cx.expansion.tree.get(element).origin);
     let is_probe = cx.expansion.tree.get(cx.element).kind == XKind::Container;
-    is_probe && node.is_none_or(|node| node.child_elements().any(|child| child.name().starts_with("xacro:")))
+    is_probe
+        && node.is_none_or(|node| {
+            node.child_elements()
+                .any(|child| child.name().starts_with("xacro:"))
+        })
 }
 
 /// The element of the source whose start tag is at `origin`.
 pub(super) fn source_node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
     let item = &expansion.sources.get(origin.src.0 as usize)?.item;
-    item.element_at(origin.range.start).filter(|node| node.start_tag_range() == origin.range)
+    item.element_at(origin.range.start)
+        .filter(|node| node.start_tag_range() == origin.range)
 }
 
 /// The candidate that a wrong word is meant to be, and whether that is sure: the only one at distance 1.
-pub(super) fn meant<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<(&'a str, bool)> {
+pub(super) fn meant<'a>(
+    word: &str,
+    candidates: impl Iterator<Item = &'a str>,
+) -> Option<(&'a str, bool)> {
     const LONGEST: usize = 40;
     if word.len() > LONGEST {
         return None;
@@ -134,15 +171,30 @@ fn macros<'a, 'e>(cx: &'a DocumentCx<'e>) -> &'a FastSet<&'e str> {
 }
 
 fn defined_macros(expansion: &Expansion) -> FastSet<&str> {
-    let items = expansion.files.iter().flat_map(|file| file.source.document.parts());
+    let items = expansion
+        .files
+        .iter()
+        .flat_map(|file| file.source.document.parts());
     let is_macro = |node: &Node<'_>| matches!(node.name(), "xacro:macro" | "macro");
-    let macros = items.flat_map(|(_, item)| item.all_nodes()).filter(is_macro);
-    macros.filter_map(|node| Some(node.attr("name")?.raw())).collect()
+    let macros = items
+        .flat_map(|(_, item)| item.all_nodes())
+        .filter(is_macro);
+    macros
+        .filter_map(|node| Some(node.attr("name")?.raw()))
+        .collect()
 }
 
 /// Whether an element is one that a rule about forgotten `xacro:` speaks about.
 pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
-    const TAGS: [&str; 7] = ["arg", "if", "include", "insert_block", "macro", "property", "unless"];
+    const TAGS: [&str; 7] = [
+        "arg",
+        "if",
+        "include",
+        "insert_block",
+        "macro",
+        "property",
+        "unless",
+    ];
     let node = cx.expansion.tree.get(element);
     let declares = || {
         let place = cx.expansion.place(node.origin)?;
@@ -171,6 +223,9 @@ mod tests {
         for (word, expected) in table {
             assert_eq!(meant(word, words.into_iter()), expected, "{word}");
         }
-        assert_eq!(meant("ab12", ["ab13", "ab14"].into_iter()), Some(("ab13", false)));
+        assert_eq!(
+            meant("ab12", ["ab13", "ab14"].into_iter()),
+            Some(("ab13", false))
+        );
     }
 }

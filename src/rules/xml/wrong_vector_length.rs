@@ -19,17 +19,27 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for &Numeric { id, name, count, ref text } in numeric(cx) {
+    for &Numeric {
+        id,
+        name,
+        count,
+        ref text,
+    } in numeric(cx)
+    {
         let found = text.words().count();
         // what is no number is reported as such: it may well be two of them
         if count == 1 || found == count || !bad_words(text, count).is_empty() {
             continue;
         }
         let plural = if found == 1 { "number" } else { "numbers" };
-        let message =
-            format!("`{name}` of {} has {found} {plural} instead of {count}", walk::described(cx, id));
+        let message = format!(
+            "`{name}` of {} has {found} {plural} instead of {count}",
+            walk::described(cx, id)
+        );
         let help = match example(name) {
-            Some(example) => format!("write {count} numbers separated by spaces: {name}=\"{example}\""),
+            Some(example) => {
+                format!("write {count} numbers separated by spaces: {name}=\"{example}\"")
+            }
             None => format!("write {count} numbers separated by spaces"),
         };
         out.report(text.origin, message).help(help).done();

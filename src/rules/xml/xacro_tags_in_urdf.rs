@@ -24,7 +24,10 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     if !cx.is_plain_urdf() {
         return;
     }
-    let Some((base, node)) = cx.elements().find(|(_, node)| node.name().starts_with("xacro:")) else {
+    let Some((base, node)) = cx
+        .elements()
+        .find(|(_, node)| node.name().starts_with("xacro:"))
+    else {
         return expressions(cx, out);
     };
     let name = node.name_range().shift(base);
@@ -42,18 +45,30 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// The first attribute of URDF's own elements with an expression in a file without tags of xacro.
 fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
-    if !cx.source.document.parts().any(|(_, item)| item.text().contains("${")) {
+    if !cx
+        .source
+        .document
+        .parts()
+        .any(|(_, item)| item.text().contains("${"))
+    {
         return;
     }
     let numbers = |node: Node<'_>| {
         let spec = schema::urdf_element(node.name());
-        spec.into_iter().flat_map(|spec| spec.attributes).filter(|attribute| attribute.numbers().is_some())
+        spec.into_iter()
+            .flat_map(|spec| spec.attributes)
+            .filter(|attribute| attribute.numbers().is_some())
     };
     let written = cx.elements().find_map(|(base, node)| {
         let attrs = numbers(node).filter_map(|attribute| node.attr(attribute.name));
-        attrs.into_iter().find(|attr| attr.raw().contains("${")).map(|attr| (base, attr))
+        attrs
+            .into_iter()
+            .find(|attr| attr.raw().contains("${"))
+            .map(|attr| (base, attr))
     });
-    let Some((base, attr)) = written.filter(|_| is_robot(cx)) else { return };
+    let Some((base, attr)) = written.filter(|_| is_robot(cx)) else {
+        return;
+    };
     let is_for_xacro = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
     let severity = match is_for_xacro {
         true if reads_as_it_stands(cx) => Severity::Warning,
@@ -63,7 +78,10 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     out.report_in(
         cx.file,
         attr.value_range().shift(base),
-        format!("expression `{}` in a `.urdf` file, which URDF parsers cannot read", attr.raw()),
+        format!(
+            "expression `{}` in a `.urdf` file, which URDF parsers cannot read",
+            attr.raw()
+        ),
     )
     .severity(severity)
     .help("write the number, or rename the file to `.urdf.xacro` and expand it with xacro")
@@ -72,7 +90,8 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a file stands on its own: others are for files that include them.
 fn is_robot(cx: &FileCx<'_>) -> bool {
-    cx.root_attrs().any(|attr| attr.name() == "name") && cx.elements().any(|(_, node)| node.name() == "link")
+    cx.root_attrs().any(|attr| attr.name() == "name")
+        && cx.elements().any(|(_, node)| node.name() == "link")
 }
 
 /// Whether something is lost when the tags are skipped: properties that no expression reads give nothing.

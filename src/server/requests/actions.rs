@@ -15,9 +15,9 @@ use std::sync::Arc;
 
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams,
-    CodeActionTriggerKind, Command, Diagnostic, DocumentChangeOperation, DocumentChanges, NumberOrString,
-    RenameFile, ResourceOp, TextDocumentPositionParams, TextEdit, Url, WorkDoneProgressOptions,
-    WorkspaceEdit,
+    CodeActionTriggerKind, Command, Diagnostic, DocumentChangeOperation, DocumentChanges,
+    NumberOrString, RenameFile, ResourceOp, TextDocumentPositionParams, TextEdit, Url,
+    WorkDoneProgressOptions, WorkspaceEdit,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -87,17 +87,26 @@ pub fn actions(
     if wants(only, &CodeActionKind::QUICKFIX) {
         found.extend(quick_fixes(state, &params, &path, &source, cancel)?);
     }
-    if ["extract", "inline", "rewrite"].iter().any(|kind| wants(only, &refactor(kind))) {
+    if ["extract", "inline", "rewrite"]
+        .iter()
+        .any(|kind| wants(only, &refactor(kind)))
+    {
         let actions = refactor_actions(state, &params, wants(only, &refactor("inline")), cancel)?;
-        let actions =
-            actions.into_iter().filter(|action| action.kind.as_ref().is_some_and(|k| wants(only, k)));
+        let actions = actions
+            .into_iter()
+            .filter(|action| action.kind.as_ref().is_some_and(|k| wants(only, k)));
         found.extend(actions.collect::<Vec<_>>());
     }
     // asked for by name only: it needs the findings of the whole file
     if only.is_some() && wants(only, &FIX_ALL) {
         found.extend(fix_all(state, &path, &source, cancel)?);
     }
-    Ok(Some(found.into_iter().filter_map(|action| in_its_form(state, action)).collect()))
+    Ok(Some(
+        found
+            .into_iter()
+            .filter_map(|action| in_its_form(state, action))
+            .collect(),
+    ))
 }
 
 /// An action as the client takes it: one that knows commands only has the server make the edits.
@@ -108,15 +117,24 @@ fn in_its_form(state: &State, action: CodeAction) -> Option<CodeActionOrCommand>
     let apply = |edit| Command {
         title: action.title.clone(),
         command: commands::APPLY.to_owned(),
-        arguments: Some(vec![json!(MadeFor { edit, versions: versions(state) })]),
+        arguments: Some(vec![json!(MadeFor {
+            edit,
+            versions: versions(state)
+        })]),
     };
     let edit = action.edit.filter(|_| state.client.applies_edits);
-    edit.map(apply).or(action.command).map(CodeActionOrCommand::Command)
+    edit.map(apply)
+        .or(action.command)
+        .map(CodeActionOrCommand::Command)
 }
 
 /// The versions of all open files.
 fn versions(state: &State) -> BTreeMap<Url, Option<i32>> {
-    state.documents.values().map(|open| (open.uri.clone(), open.version)).collect()
+    state
+        .documents
+        .values()
+        .map(|open| (open.uri.clone(), open.version))
+        .collect()
 }
 
 /// Have the client make edits that it was offered as a command.
@@ -124,7 +142,9 @@ pub fn apply_offered(state: &mut State, offered: MadeFor) -> Result<(), Failure>
     if offered.versions != versions(state) {
         return Err(Failure::Outdated);
     }
-    state.outbox.ask(Question::ApplyEdit(Box::new(offered.edit)));
+    state
+        .outbox
+        .ask(Question::ApplyEdit(Box::new(offered.edit)));
     Ok(())
 }
 
@@ -135,10 +155,15 @@ fn renamed_to_xacro(
     path: &Path,
     shown: &Diagnostic,
 ) -> Option<CodeAction> {
-    let is_urdf = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
+    let is_urdf = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
     let name = path.file_stem().filter(|_| is_urdf)?.to_str()?;
     let new = path.with_file_name(format!("{name}.urdf.xacro"));
-    if !state.client.renames_files || !is_ours(state, path) || state.world.session().vfs.exists(&new) {
+    if !state.client.renames_files
+        || !is_ours(state, path)
+        || state.world.session().vfs.exists(&new)
+    {
         return None;
     }
     let rename = ResourceOp::Rename(RenameFile {
@@ -147,12 +172,17 @@ fn renamed_to_xacro(
         options: None,
         annotation_id: None,
     });
-    let changes = Some(DocumentChanges::Operations(vec![DocumentChangeOperation::Op(rename)]));
+    let changes = Some(DocumentChanges::Operations(vec![
+        DocumentChangeOperation::Op(rename),
+    ]));
     Some(CodeAction {
         title: format!("Rename file to `{name}.urdf.xacro`"),
         kind: Some(CodeActionKind::QUICKFIX),
         diagnostics: Some(vec![shown.clone()]),
-        edit: Some(WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() }),
+        edit: Some(WorkspaceEdit {
+            document_changes: changes,
+            ..WorkspaceEdit::default()
+        }),
         ..CodeAction::default()
     })
 }
@@ -167,23 +197,39 @@ fn quick_fixes(
     cancel: &CancelFlag,
 ) -> Result<Vec<CodeAction>, Failure> {
     let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::AUTOMATIC);
-    let named = params.context.diagnostics.iter().any(|shown| rule(shown).is_some());
+    let named = params
+        .context
+        .diagnostics
+        .iter()
+        .any(|shown| rule(shown).is_some());
     if is_automatic && !named && state.due.is_some() {
         // a sign beside the text is not to wait for a check of the whole robot; findings bring the next question
         return Ok(Vec::new());
     }
-    let report = state.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+    let report = state
+        .world
+        .report(&[path.to_path_buf()], cancel)
+        .ok_or(Failure::Cancelled)?;
     let effort = state.world.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
     let mut found: Vec<CodeAction> = Vec::new();
     for (number, diagnostic) in asked_about_in(state, params, &report, path, source) {
-        let Some(finding) = report.findings.get(number) else { continue };
+        let Some(finding) = report.findings.get(number) else {
+            continue;
+        };
         let (rule, range) = (finding.rule, finding.span.range);
         found.extend(set_argument(state, params, path, finding, &diagnostic));
         let mut actions: Vec<(Action, bool)> = Vec::new();
         if let Some(fix) = &finding.fix {
             let (title, edits) = (fix.message.clone(), fix.edits.clone());
-            let action = Action { title, kind: ActionKind::Fix, edits };
-            let proved = state.world.session().safe_fixes(&report, &[number], &effort);
+            let action = Action {
+                title,
+                kind: ActionKind::Fix,
+                edits,
+            };
+            let proved = state
+                .world
+                .session()
+                .safe_fixes(&report, &[number], &effort);
             actions.push((action, !proved.settles.is_empty()));
         }
         let more = further_fixes(state, params, path, source, finding, cancel)?;
@@ -197,7 +243,10 @@ fn quick_fixes(
         actions.extend(ignored_in_project(state, path, rule.name).map(|action| (action, false)));
         for (action, preferred) in actions {
             let made = code_action(state, action, Some(&diagnostic));
-            found.extend(made.map(|made| CodeAction { is_preferred: preferred.then_some(true), ..made }));
+            found.extend(made.map(|made| CodeAction {
+                is_preferred: preferred.then_some(true),
+                ..made
+            }));
         }
     }
     Ok(found)
@@ -215,14 +264,27 @@ fn asked_about_in(
     let asked = text(params.range);
     let own = |finding: &&Finding| report.path(finding.span.file) == path;
     let is_current = |rule: &str, range| {
-        report.findings.iter().filter(own).any(|it| it.rule.name == rule && it.span.range == range)
+        report
+            .findings
+            .iter()
+            .filter(own)
+            .any(|it| it.rule.name == rule && it.span.range == range)
     };
-    let named = params.context.diagnostics.iter().filter_map(|shown| Some((shown, rule(shown)?)));
+    let named = params
+        .context
+        .diagnostics
+        .iter()
+        .filter_map(|shown| Some((shown, rule(shown)?)));
     let named = named.map(|(shown, rule)| {
         let range = text(shown.range);
         // what is shown may be older than the text: it stands for what is there now
         let is_old = !is_current(rule, range);
-        Named { shown, rule, range, is_old: is_old && touch(range, asked) }
+        Named {
+            shown,
+            rule,
+            range,
+            is_old: is_old && touch(range, asked),
+        }
     });
     let named: Vec<Named<'_>> = named.take(MOST_FINDINGS).collect();
     let mut places = places(state);
@@ -231,8 +293,9 @@ fn asked_about_in(
     for (number, finding) in report.findings.iter().enumerate().filter(|(_, it)| own(it)) {
         let (name, range) = (finding.rule.name, finding.span.range);
         let is_here = touch(range, asked);
-        let is_meant =
-            |named: &&Named<'_>| named.rule == name && (named.range == range || is_here && named.is_old);
+        let is_meant = |named: &&Named<'_>| {
+            named.rule == name && (named.range == range || is_here && named.is_old)
+        };
         let diagnostic = match named.iter().find(is_meant) {
             Some(named) => Some(named.shown.clone()),
             None if named.is_empty() && is_here => diagnostic(&mut places, finding),
@@ -257,17 +320,30 @@ fn further_fixes(
     let range = finding.span.range;
     let mut actions = Vec::new();
     if finding.fix.is_none() {
-        actions.extend(finding.similar.as_deref().and_then(|near| ide::suggested(source, range, near)));
+        actions.extend(
+            finding
+                .similar
+                .as_deref()
+                .and_then(|near| ide::suggested(source, range, near)),
+        );
         let suggestion = finding.suggestion.clone();
-        actions.extend(suggestion.map(|Fix { message: title, edits, .. }| Action {
-            title,
-            kind: ActionKind::Fix,
-            edits,
-        }));
+        actions.extend(suggestion.map(
+            |Fix {
+                 message: title,
+                 edits,
+                 ..
+             }| Action {
+                title,
+                kind: ActionKind::Fix,
+                edits,
+            },
+        ));
     }
     if finding.problem == Some(ProblemKind::UndefinedMacro) {
         state.world.scan(|| cancel.is_cancelled());
-        actions.extend(ide::include_macro(source, range, |name| files_with_macro(state, path, name)));
+        actions.extend(ide::include_macro(source, range, |name| {
+            files_with_macro(state, path, name)
+        }));
     }
     actions.extend(with_meaning(state, params, finding, cancel)?);
     Ok(actions)
@@ -291,7 +367,9 @@ fn mesh_rewritten(
     let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
     let asked = asked(state, &at, cancel)?;
     let mesh = about_files(state, &asked, ide::file_definition).map(|(_, place)| place.path);
-    let uri = mesh.filter(|path| is_ours(state, path)).and_then(|path| state.uri(&path));
+    let uri = mesh
+        .filter(|path| is_ours(state, path))
+        .and_then(|path| state.uri(&path));
     let action = |uri| CodeAction {
         title: title.to_owned(),
         kind: Some(CodeActionKind::QUICKFIX),
@@ -320,9 +398,16 @@ fn with_meaning(
     let at = TextDocumentPositionParams::new(params.text_document.clone(), params.range.start);
     let asked = asked(state, &at, cancel)?;
     if is_shadowed {
-        return Ok(ide::other_name(&asked.cx(), &asked.names(state), finding.span.range));
+        return Ok(ide::other_name(
+            &asked.cx(),
+            &asked.names(state),
+            finding.span.range,
+        ));
     }
-    let given = finding.related.iter().find(|related| related.span.file == finding.span.file);
+    let given = finding
+        .related
+        .iter()
+        .find(|related| related.span.file == finding.span.file);
     Ok(given.and_then(|given| ide::before_use(&asked.cx(), finding.span.range, given.span.range)))
 }
 
@@ -331,8 +416,18 @@ fn ignored_in_project(state: &State, path: &Path, rule: &str) -> Option<Action> 
     let vfs = &state.world.session().vfs;
     let config = find_config(vfs, path.parent()?)?;
     let (range, content) = ide::ignored_in_config(&vfs.text(&config).ok()?.text, rule)?;
-    let edits = vec![Edit { span: Span { file: vfs.file_id(&config), range }, content }];
-    Some(Action { title: format!("disable `{rule}` for this project"), kind: ActionKind::Fix, edits })
+    let edits = vec![Edit {
+        span: Span {
+            file: vfs.file_id(&config),
+            range,
+        },
+        content,
+    }];
+    Some(Action {
+        title: format!("disable `{rule}` for this project"),
+        kind: ActionKind::Fix,
+        edits,
+    })
 }
 
 /// Known files that define a macro, as an include in the file at `path` names them.
@@ -341,13 +436,26 @@ fn files_with_macro(state: &State, path: &Path, name: &str) -> Vec<MacroFile> {
     let defines = |document: &Document| {
         facts(document).any(|(_, facts)| facts.of(FactKind::Macro).any(|fact| fact.name == name))
     };
-    let files = state.world.known_files().into_iter().filter(|file| file != path);
-    let files = files.filter(|file| state.world.document(file).is_some_and(|own| defines(&own.document)));
+    let files = state
+        .world
+        .known_files()
+        .into_iter()
+        .filter(|file| file != path);
+    let files = files.filter(|file| {
+        state
+            .world
+            .document(file)
+            .is_some_and(|own| defines(&own.document))
+    });
     let include = |file: std::path::PathBuf| {
         let beside = file.parent() == path.parent();
         let filename = match packages.containing(&file) {
             Some(package) if !beside => {
-                let inside = file.strip_prefix(&package.folder).ok()?.to_str()?.to_owned();
+                let inside = file
+                    .strip_prefix(&package.folder)
+                    .ok()?
+                    .to_str()?
+                    .to_owned();
                 format!("$(find {})/{inside}", package.name)
             }
             _ if beside => file.file_name()?.to_str()?.to_owned(),
@@ -365,25 +473,50 @@ fn fix_all(
     source: &SourceFile,
     cancel: &CancelFlag,
 ) -> Result<Option<CodeAction>, Failure> {
-    let report = state.world.report(&[path.to_path_buf()], cancel).ok_or(Failure::Cancelled)?;
+    let report = state
+        .world
+        .report(&[path.to_path_buf()], cancel)
+        .ok_or(Failure::Cancelled)?;
     let own = |(_, finding): &(usize, &Finding)| {
-        finding.fix.iter().flat_map(|fix| &fix.edits).all(|edit| edit.span.file == source.id)
+        finding
+            .fix
+            .iter()
+            .flat_map(|fix| &fix.edits)
+            .all(|edit| edit.span.file == source.id)
     };
-    let numbers: Vec<usize> = report.findings.iter().enumerate().filter(own).map(|(n, _)| n).collect();
+    let numbers: Vec<usize> = report
+        .findings
+        .iter()
+        .enumerate()
+        .filter(own)
+        .map(|(n, _)| n)
+        .collect();
     let effort = state.world.effort(path, PROOF_EXPANSIONS, cancel);
     let plan = state.world.session().safe_fixes(&report, &numbers, &effort);
-    let Some(edits) = plan.edits.get(&source.id) else { return Ok(None) };
+    let Some(edits) = plan.edits.get(&source.id) else {
+        return Ok(None);
+    };
     let changed = Document::parse(&apply(&source.document.text(), edits));
     if changed.errors().len() > source.document.errors().len() {
         return Ok(None);
     }
     let edit = |(range, content): &(TextRange, String)| Edit {
-        span: Span { file: source.id, range: *range },
+        span: Span {
+            file: source.id,
+            range: *range,
+        },
         content: content.clone(),
     };
     let title = "apply all safe fixes".to_owned();
-    let action = Action { title, kind: ActionKind::Fix, edits: edits.iter().map(edit).collect() };
-    Ok(code_action(state, action, None).map(|made| CodeAction { kind: Some(FIX_ALL), ..made }))
+    let action = Action {
+        title,
+        kind: ActionKind::Fix,
+        edits: edits.iter().map(edit).collect(),
+    };
+    Ok(code_action(state, action, None).map(|made| CodeAction {
+        kind: Some(FIX_ALL),
+        ..made
+    }))
 }
 
 /// An action for the client; none when it would change a file that is not the user's.
@@ -404,7 +537,9 @@ pub(crate) fn code_action(
 /// A title as editors show them: messages begin with a small letter, titles do not.
 pub(crate) fn sentence_case(title: &str) -> String {
     let mut chars = title.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+    chars.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(chars).collect()
+    })
 }
 
 fn edits_of(state: &State, edits: &[Edit]) -> Option<WorkspaceEdit> {
@@ -412,7 +547,10 @@ fn edits_of(state: &State, edits: &[Edit]) -> Option<WorkspaceEdit> {
     for edit in edits {
         let path = state.world.session().vfs.path(edit.span.file);
         let place = location(state, edit.span).filter(|_| is_ours(state, &path))?;
-        changes.entry(place.uri).or_default().push(TextEdit::new(place.range, edit.content.clone()));
+        changes
+            .entry(place.uri)
+            .or_default()
+            .push(TextEdit::new(place.range, edit.content.clone()));
     }
     (!changes.is_empty()).then(|| workspace_edit(state, changes))
 }
@@ -425,7 +563,9 @@ fn touch(a: TextRange, b: TextRange) -> bool {
 /// The rule of one of our diagnostics.
 fn rule(diagnostic: &Diagnostic) -> Option<&str> {
     match &diagnostic.code {
-        Some(NumberOrString::String(code)) if diagnostic.source.as_deref() == Some("xacro") => Some(code),
+        Some(NumberOrString::String(code)) if diagnostic.source.as_deref() == Some("xacro") => {
+            Some(code)
+        }
         _ => None,
     }
 }
@@ -435,7 +575,8 @@ fn wants(only: Option<&[CodeActionKind]>, kind: &CodeActionKind) -> bool {
     let Some(only) = only else { return true };
     only.iter().any(|wanted| {
         let below = kind.as_str().strip_prefix(wanted.as_str());
-        wanted.as_str().is_empty() || below.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        wanted.as_str().is_empty()
+            || below.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     })
 }
 

@@ -20,13 +20,16 @@ pub(super) fn set_argument(
     finding: &Finding,
     shown: &Diagnostic,
 ) -> Option<CodeAction> {
-    let Some(Outside::Argument(name)) = &finding.outside else { return None };
+    let Some(Outside::Argument(name)) = &finding.outside else {
+        return None;
+    };
     if !state.client.own.lens_commands {
         return None;
     }
     let values = known_values(state, path, name)?;
     let title = format!("Set argument `{name}`…");
-    let argument = json!({ "textDocument": params.text_document, "name": name.as_str(), "values": values });
+    let argument =
+        json!({ "textDocument": params.text_document, "name": name.as_str(), "values": values });
     Some(CodeAction {
         title: title.clone(),
         kind: Some(CodeActionKind::QUICKFIX),
@@ -45,8 +48,11 @@ pub(super) fn set_argument(
 fn known_values(state: &mut State, path: &Path, name: &str) -> Option<Vec<String>> {
     let context = state.world.context(path);
     let root = context.root?;
-    let presets =
-        context.candidates.iter().map(|(choice, _)| choice).filter(|choice| choice.file == root.file);
+    let presets = context
+        .candidates
+        .iter()
+        .map(|(choice, _)| choice)
+        .filter(|choice| choice.file == root.file);
     let calls = state.world.session().launched_roots(&root.file);
     let mut values: Vec<String> = Vec::new();
     for (known, value) in presets.chain(&calls).flat_map(|choice| &choice.args) {

@@ -21,17 +21,31 @@ pub fn names_beside(
     root: &RootChoice,
     cancel: &CancelFlag,
 ) -> Result<Vec<BesideName>, Failure> {
-    let files = state.world.beside(&root.file, cancel).ok_or(Failure::Cancelled)?;
-    Ok(files.iter().flat_map(|file| names_in(state, file)).collect())
+    let files = state
+        .world
+        .beside(&root.file, cancel)
+        .ok_or(Failure::Cancelled)?;
+    Ok(files
+        .iter()
+        .flat_map(|file| names_in(state, file))
+        .collect())
 }
 
 /// The names in a file beside the robot.
 fn names_in(state: &State, beside: &Beside) -> Vec<BesideName> {
     if let Some((analyzed, srdf)) = beside.srdf() {
-        return own_cx(analyzed).map(|cx| ide::names_in_srdf(&cx, srdf)).unwrap_or_default();
+        return own_cx(analyzed)
+            .map(|cx| ide::names_in_srdf(&cx, srdf))
+            .unwrap_or_default();
     }
     let text = state.world.session().vfs.text(&beside.path);
-    let names = |settings| Some(ide::names_in_settings(beside.file, &text.ok()?.text, settings));
+    let names = |settings| {
+        Some(ide::names_in_settings(
+            beside.file,
+            &text.ok()?.text,
+            settings,
+        ))
+    };
     beside.settings().and_then(names).unwrap_or_default()
 }
 
@@ -39,7 +53,14 @@ fn names_in(state: &State, beside: &Beside) -> Vec<BesideName> {
 fn own_cx(analyzed: &Analyzed) -> Option<Cx<'_>> {
     let source = &analyzed.expansion.files.first()?.source;
     let (expansion, robot) = (&analyzed.expansion, analyzed.robot.as_ref());
-    Some(Cx { source, expansion, robot, kinematics: analyzed.kinematics.as_ref(), beside: &[], pinned: None })
+    Some(Cx {
+        source,
+        expansion,
+        robot,
+        kinematics: analyzed.kinematics.as_ref(),
+        beside: &[],
+        pinned: None,
+    })
 }
 
 /// A position in a file beside a robot, under that robot; none where it is at a name of xacro, or at none at all.
@@ -54,20 +75,34 @@ pub fn asked_beside(
         return Ok(None);
     }
     // most places of YAML are at no name: no robot is expanded for them
-    let own = state.world.beside_itself(path, cancel).ok_or(Failure::Cancelled)?;
+    let own = state
+        .world
+        .beside_itself(path, cancel)
+        .ok_or(Failure::Cancelled)?;
     let names = own.map(|own| names_in(state, &own)).unwrap_or_default();
     if !names.iter().any(|name| name.place.range.touches(offset)) {
         return Ok(None);
     }
     for root in roots {
         let beside = names_beside(state, &root, cancel)?;
-        let range = |name: &BesideName| name.place.file == source.id && name.place.range.touches(offset);
+        let range =
+            |name: &BesideName| name.place.file == source.id && name.place.range.touches(offset);
         if !beside.iter().any(range) {
             continue;
         }
-        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        let analyzed = state
+            .world
+            .analyzed(&root, cancel)
+            .ok_or(Failure::Cancelled)?;
         let around = analyzed.clone();
-        return Ok(Some(Asked { source: source.clone(), analyzed, around, offset, beside, pinned: None }));
+        return Ok(Some(Asked {
+            source: source.clone(),
+            analyzed,
+            around,
+            offset,
+            beside,
+            pinned: None,
+        }));
     }
     Ok(None)
 }
@@ -76,7 +111,9 @@ pub fn asked_beside(
 fn is_at_xacro_name(path: &Path, source: &SourceFile, offset: u32) -> bool {
     let place = source.document.item_at(offset.saturating_sub(1));
     let named = |facts: &facts::FactsOf<'_>| {
-        facts.mentions().any(|mention| mention.range.shift(place.start).touches(offset))
+        facts
+            .mentions()
+            .any(|mention| mention.range.shift(place.start).touches(offset))
     };
     !is_not_described(path) && named(&facts::facts_of(place.item))
 }
@@ -89,20 +126,35 @@ pub fn completions(
 ) -> Result<Option<(Arc<SourceFile>, Completions)>, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Ok(text) = state.world.session().vfs.text(&path) else { return Ok(None) };
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let Ok(text) = state.world.session().vfs.text(&path) else {
+        return Ok(None);
+    };
+    let name = path
+        .file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
     if word_at(&name, &text.text, offset).is_none() {
         return Ok(None);
     }
     let robots = robots_named(state, &path, cancel);
     let mut beside: Vec<Beside> = Vec::new();
     for robot in &robots {
-        let files = state.world.beside(&robot.root.file, cancel).ok_or(Failure::Cancelled)?;
+        let files = state
+            .world
+            .beside(&robot.root.file, cancel)
+            .ok_or(Failure::Cancelled)?;
         beside.extend(files.into_iter().filter(|file| file.path != path));
     }
     let sources = BesideSources {
-        robots: robots.iter().filter_map(|known| Some((&known.expansion, known.robot.as_ref()?))).collect(),
-        srdfs: beside.iter().filter_map(|file| Some(file.srdf()?.1)).collect(),
+        robots: robots
+            .iter()
+            .filter_map(|known| Some((&known.expansion, known.robot.as_ref()?)))
+            .collect(),
+        srdfs: beside
+            .iter()
+            .filter_map(|file| Some(file.srdf()?.1))
+            .collect(),
         settings: beside.iter().filter_map(Beside::settings).collect(),
     };
     let found = ide::completions_in_settings((&name, &text.text), offset, &sources);
@@ -125,5 +177,14 @@ pub fn robots_described(
 /// The last expansions of the robots whose names may be used in a file beside robots.
 fn robots_named(state: &mut State, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
     let roots = state.world.robots_to_name(path);
-    roots.iter().flat_map(|root| state.world.while_typing(root, path, cancel).into_iter().next()).collect()
+    roots
+        .iter()
+        .flat_map(|root| {
+            state
+                .world
+                .while_typing(root, path, cancel)
+                .into_iter()
+                .next()
+        })
+        .collect()
 }

@@ -20,15 +20,30 @@ const MOST_ROUNDS: usize = 4;
 
 /// A place in the expansion that takes the conditions on the way to it; none when there are no conditions.
 pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Option<Asked>, Failure> {
-    let at = Span { file: asked.source.id, range: TextRange::new(asked.offset, asked.offset) };
+    let at = Span {
+        file: asked.source.id,
+        range: TextRange::new(asked.offset, asked.offset),
+    };
     let around = &asked.around;
-    let Some(forced) = Ways::of(state, around).and_then(|ways| ways.to(at)) else { return Ok(None) };
-    let analyzed = state.world.forced(&around.root, forced, cancel).ok_or(Failure::Cancelled)?;
+    let Some(forced) = Ways::of(state, around).and_then(|ways| ways.to(at)) else {
+        return Ok(None);
+    };
+    let analyzed = state
+        .world
+        .forced(&around.root, forced, cancel)
+        .ok_or(Failure::Cancelled)?;
     if !analyzed.includes(&asked.source.path) {
         return Ok(None);
     }
     let (source, offset, beside) = (asked.source.clone(), asked.offset, asked.beside.clone());
-    Ok(Some(Asked { source, offset, around: analyzed.clone(), analyzed, beside, pinned: None }))
+    Ok(Some(Asked {
+        source,
+        offset,
+        around: analyzed.clone(),
+        analyzed,
+        beside,
+        pinned: None,
+    }))
 }
 
 /// How one robot comes to its texts.
@@ -44,7 +59,11 @@ impl<'a> Ways<'a> {
         let settings = session.settings(&analyzed.root.file);
         let names = TextNames::of(&analyzed.expansion, session.surroundings(&settings.config));
         let root = analyzed.expansion.files.first()?.source.id;
-        Some(Self { vfs: &session.vfs, names, root })
+        Some(Self {
+            vfs: &session.vfs,
+            names,
+            root,
+        })
     }
 
     fn document(&self, file: FileId) -> Option<Arc<vfs::SourceFile>> {
@@ -55,7 +74,11 @@ impl<'a> Ways<'a> {
     fn to(&self, at: Span) -> Option<Vec<Forced>> {
         let way = self.names.way(&|file| self.document(file), self.root, at)?;
         let path = |span: &Span| self.vfs.path(span.file).to_path_buf();
-        let taken = |span: &Span| Forced { file: path(span), at: span.range.start, taken: true };
+        let taken = |span: &Span| Forced {
+            file: path(span),
+            at: span.range.start,
+            taken: true,
+        };
         (!way.is_empty()).then(|| way.iter().map(taken).collect())
     }
 
@@ -63,7 +86,11 @@ impl<'a> Ways<'a> {
     fn branches(&self, text: &str, known: &[Span]) -> Vec<Vec<Forced>> {
         let mut found: Vec<Vec<Forced>> = Vec::new();
         let places = ide::further_places(&self.names, &|file| self.document(file), text, known);
-        for forced in places.into_iter().take(MOST_WAYS).filter_map(|place| self.to(place)) {
+        for forced in places
+            .into_iter()
+            .take(MOST_WAYS)
+            .filter_map(|place| self.to(place))
+        {
             if !found.contains(&forced) && found.len() < MOST_BRANCHES {
                 found.push(forced);
             }
@@ -84,7 +111,10 @@ pub fn in_all_robots(
     for _ in 0..MOST_ROUNDS {
         let before = spans.len();
         for root in roots(state, asked, spans) {
-            let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+            let analyzed = state
+                .world
+                .analyzed(&root, cancel)
+                .ok_or(Failure::Cancelled)?;
             let beside = names_beside(state, &root, cancel)?;
             spread(&analyzed, &beside, new, spans).map_err(Failure::Refused)?;
             let branches = Ways::of(state, &analyzed).map(|ways| ways.branches(old, spans));
@@ -93,7 +123,10 @@ pub fn in_all_robots(
                 if tried.contains(&key) {
                     continue;
                 }
-                let branch = state.world.forced(&root, key.1.clone(), cancel).ok_or(Failure::Cancelled)?;
+                let branch = state
+                    .world
+                    .forced(&root, key.1.clone(), cancel)
+                    .ok_or(Failure::Cancelled)?;
                 tried.push(key);
                 // conditions that exclude each other make robots that nobody means: what stands in the way there counts for nothing
                 let _ = spread(&branch, &[], new, spans);
@@ -135,12 +168,26 @@ fn spread(
     let (robot, kinematics) = (analyzed.robot.as_ref(), analyzed.kinematics.as_ref());
     let mut covered: Vec<Span> = Vec::new();
     for span in spans.clone() {
-        let file = expansion.files.iter().find(|file| file.source.id == span.file);
-        let Some(source) = file.map(|file| &*file.source).filter(|_| !covered.contains(&span)) else {
+        let file = expansion
+            .files
+            .iter()
+            .find(|file| file.source.id == span.file);
+        let Some(source) = file
+            .map(|file| &*file.source)
+            .filter(|_| !covered.contains(&span))
+        else {
             continue;
         };
-        let cx = Cx { source, expansion, robot, kinematics, beside, pinned: None };
-        if ide::renameable_part(&cx, span.range.start).is_some_and(|(range, _)| range == span.range) {
+        let cx = Cx {
+            source,
+            expansion,
+            robot,
+            kinematics,
+            beside,
+            pinned: None,
+        };
+        if ide::renameable_part(&cx, span.range.start).is_some_and(|(range, _)| range == span.range)
+        {
             covered.extend(ide::rename_part(&cx, span.range.start, new)?);
         }
     }

@@ -4,8 +4,8 @@ use super::navigation::asked;
 use crate::convert::location;
 use lsp_types::{
     CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem,
-    CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams, SymbolKind,
-    TextDocumentIdentifier, TextDocumentPositionParams,
+    CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams,
+    SymbolKind, TextDocumentIdentifier, TextDocumentPositionParams,
 };
 
 use super::navigation::Asked;
@@ -21,7 +21,9 @@ pub fn prepare_calls(
 ) -> Result<Option<Vec<CallHierarchyItem>>, Failure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = ide::macro_at(&asked.cx(), asked.offset);
-    Ok(found.and_then(|id| call_item(state, &asked, &Caller::Macro(id))).map(|item| vec![item]))
+    Ok(found
+        .and_then(|id| call_item(state, &asked, &Caller::Macro(id)))
+        .map(|item| vec![item]))
 }
 
 pub fn incoming_calls(
@@ -30,13 +32,17 @@ pub fn incoming_calls(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Failure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
-    let Some(Caller::Macro(id)) = caller else { return Ok(Some(Vec::new())) };
-    let calls = ide::incoming(&asked.cx(), id).into_iter().filter_map(|calls| {
-        Some(CallHierarchyIncomingCall {
-            from: call_item(state, &asked, &calls.other)?,
-            from_ranges: ranges(state, calls.at),
-        })
-    });
+    let Some(Caller::Macro(id)) = caller else {
+        return Ok(Some(Vec::new()));
+    };
+    let calls = ide::incoming(&asked.cx(), id)
+        .into_iter()
+        .filter_map(|calls| {
+            Some(CallHierarchyIncomingCall {
+                from: call_item(state, &asked, &calls.other)?,
+                from_ranges: ranges(state, calls.at),
+            })
+        });
     Ok(Some(calls.collect()))
 }
 
@@ -46,13 +52,17 @@ pub fn outgoing_calls(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Failure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
-    let Some(caller) = caller else { return Ok(Some(Vec::new())) };
-    let calls = ide::outgoing(&asked.cx(), &caller).into_iter().filter_map(|calls| {
-        Some(CallHierarchyOutgoingCall {
-            to: call_item(state, &asked, &calls.other)?,
-            from_ranges: ranges(state, calls.at),
-        })
-    });
+    let Some(caller) = caller else {
+        return Ok(Some(Vec::new()));
+    };
+    let calls = ide::outgoing(&asked.cx(), &caller)
+        .into_iter()
+        .filter_map(|calls| {
+            Some(CallHierarchyOutgoingCall {
+                to: call_item(state, &asked, &calls.other)?,
+                from_ranges: ranges(state, calls.at),
+            })
+        });
     Ok(Some(calls.collect()))
 }
 
@@ -62,8 +72,13 @@ fn asked_about(
     item: &CallHierarchyItem,
     cancel: &CancelFlag,
 ) -> Result<(Asked, Option<Caller>), Failure> {
-    let text_document = TextDocumentIdentifier { uri: item.uri.clone() };
-    let at = TextDocumentPositionParams { text_document, position: item.selection_range.start };
+    let text_document = TextDocumentIdentifier {
+        uri: item.uri.clone(),
+    };
+    let at = TextDocumentPositionParams {
+        text_document,
+        position: item.selection_range.start,
+    };
     let asked = asked(state, &at, cancel)?;
     let caller = match item.kind {
         SymbolKind::FILE => Some(Caller::File(asked.source.id)),
@@ -75,13 +90,18 @@ fn asked_about(
 fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierarchyItem> {
     let cx = asked.cx();
     let target = ide::caller_target(&cx, caller)?;
-    let (whole, name) = (location(state, target.whole)?, location(state, target.name)?);
+    let (whole, name) = (
+        location(state, target.whole)?,
+        location(state, target.name)?,
+    );
     let path = state.world.session().vfs.path(target.whole.file);
     let file = path.file_name()?.to_string_lossy().into_owned();
     let (name_text, kind, detail) = match caller {
-        Caller::Macro(id) => {
-            (cx.expansion.symbols.get(*id)?.name.to_string(), SymbolKind::FUNCTION, Some(file))
-        }
+        Caller::Macro(id) => (
+            cx.expansion.symbols.get(*id)?.name.to_string(),
+            SymbolKind::FUNCTION,
+            Some(file),
+        ),
         Caller::File(_) => (file, SymbolKind::FILE, None),
     };
     Some(CallHierarchyItem {
@@ -97,5 +117,8 @@ fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierar
 }
 
 fn ranges(state: &State, spans: Vec<Span>) -> Vec<lsp_types::Range> {
-    spans.into_iter().filter_map(|span| Some(location(state, span)?.range)).collect()
+    spans
+        .into_iter()
+        .filter_map(|span| Some(location(state, span)?.range))
+        .collect()
 }

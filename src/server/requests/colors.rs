@@ -2,7 +2,8 @@
 
 use super::navigation::asked;
 use lsp_types::{
-    Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams, TextEdit,
+    Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams,
+    TextEdit,
 };
 
 use super::tokens::start_of;
@@ -21,10 +22,18 @@ pub fn colors(
         let [red, green, blue, alpha] = color.rgba.map(|part| part as f32);
         ColorInformation {
             range: convert::range(&asked.source.document, color.range, state.encoding),
-            color: Color { red, green, blue, alpha },
+            color: Color {
+                red,
+                green,
+                blue,
+                alpha,
+            },
         }
     };
-    Ok(ide::colors(&asked.cx()).into_iter().map(information).collect())
+    Ok(ide::colors(&asked.cx())
+        .into_iter()
+        .map(information)
+        .collect())
 }
 
 /// The text of a color that was picked; none for a color that an expression makes.
@@ -38,8 +47,17 @@ pub fn color_texts(
     if source.document.slice(range).contains('$') {
         return Ok(Vec::new());
     }
-    let Color { red, green, blue, alpha } = params.color;
+    let Color {
+        red,
+        green,
+        blue,
+        alpha,
+    } = params.color;
     let label = ide::color_text([red, green, blue, alpha].map(f64::from));
     let text_edit = Some(TextEdit::new(params.range, label.clone()));
-    Ok(vec![ColorPresentation { label, text_edit, additional_text_edits: None }])
+    Ok(vec![ColorPresentation {
+        label,
+        text_edit,
+        additional_text_edits: None,
+    }])
 }

@@ -50,20 +50,20 @@ pub fn command(
         "xacro.expand" => {
             expand(state, parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
         }
-        "xacro.expandAt" => {
-            expand_at(state, parsed(argument)?, cancel).map(|answer| serde_json::to_value(answer).ok())
-        }
+        "xacro.expandAt" => expand_at(state, parsed(argument)?, cancel)
+            .map(|answer| serde_json::to_value(answer).ok()),
         "xacro.explain" => explain(&parsed::<Explained>(argument)?.rule).map(Some),
         "xacro.rewriteMesh" => rewrite_mesh(state, &parsed(argument)?).map(|()| None),
         "xacro.selectInstance" => set_instance(state, parsed(argument)?, cancel).map(Some),
         "xacro.setArgs" => {
             set_args(state, parsed(argument)?, cancel).map(|roots| serde_json::to_value(roots).ok())
         }
-        "xacro.showReferences" => {
-            calls_of(state, &parsed(argument)?, cancel).map(|(_, places)| serde_json::to_value(places).ok())
-        }
+        "xacro.showReferences" => calls_of(state, &parsed(argument)?, cancel)
+            .map(|(_, places)| serde_json::to_value(places).ok()),
         "xacro.selectRoot" => set_root(state, parsed(argument)?, cancel).map(Some),
-        "xacro.tree" => tree(state, parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok()),
+        "xacro.tree" => {
+            tree(state, parsed(argument)?, cancel).map(|tree| serde_json::to_value(tree).ok())
+        }
         "xacro.preview" => preview_page(state, argument).map(Some),
         "xacro.restartAnalysis" => {
             state.world.reload();

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use lsp_types::{
-    CompletionItem, CompletionItemKind, CompletionItemLabelDetails, CompletionList, CompletionParams,
-    CompletionResponse, CompletionTextEdit, DocumentOnTypeFormattingParams, InsertReplaceEdit,
-    InsertTextFormat, ParameterInformation, ParameterLabel, SignatureHelp, SignatureHelpParams,
-    SignatureInformation, TextEdit, Url,
+    CompletionItem, CompletionItemKind, CompletionItemLabelDetails, CompletionList,
+    CompletionParams, CompletionResponse, CompletionTextEdit, DocumentOnTypeFormattingParams,
+    InsertReplaceEdit, InsertTextFormat, ParameterInformation, ParameterLabel, SignatureHelp,
+    SignatureHelpParams, SignatureInformation, TextEdit, Url,
 };
 use serde::{Deserialize, Serialize};
 
@@ -62,14 +62,26 @@ pub fn completion(
     let offset = convert::offset(document, at.position, state.encoding);
     let trigger = params.context.and_then(|context| context.trigger_character);
     let trigger = trigger.and_then(|text| text.chars().next());
-    let found = scoped(state, &kept, |scope| ide::completions(scope, offset, trigger));
-    Ok(Some(list(state, &kept.source, &found, &at.text_document.uri)))
+    let found = scoped(state, &kept, |scope| {
+        ide::completions(scope, offset, trigger)
+    });
+    Ok(Some(list(
+        state,
+        &kept.source,
+        &found,
+        &at.text_document.uri,
+    )))
 }
 
 fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> CompletionResponse {
-    let item = |(place, item): (usize, &Completion)| completion_item(state, source, found, place, item, uri);
+    let item = |(place, item): (usize, &Completion)| {
+        completion_item(state, source, found, place, item, uri)
+    };
     let items = found.items.iter().enumerate().map(item).collect();
-    CompletionResponse::List(CompletionList { is_incomplete: found.more, items })
+    CompletionResponse::List(CompletionList {
+        is_incomplete: found.more,
+        items,
+    })
 }
 
 /// The file with everything that names in it are taken from.
@@ -81,23 +93,42 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
     if cancel.is_cancelled() {
         return Err(Failure::Cancelled);
     }
-    let mut roots: Vec<PathBuf> = context.candidates.into_iter().map(|(root, _)| root.file).collect();
+    let mut roots: Vec<PathBuf> = context
+        .candidates
+        .into_iter()
+        .map(|(root, _)| root.file)
+        .collect();
     roots.dedup();
     let described = robots_described(state, &path, &source, cancel);
     if !described.is_empty() {
         // its groups are given in the text that is edited
-        let own = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        let own = state
+            .world
+            .analyzed(&root, cancel)
+            .ok_or(Failure::Cancelled)?;
         analyzed.retain(|known| !Arc::ptr_eq(known, &own));
         analyzed.insert(0, own);
     }
-    Ok(Kept { source, root, analyzed, roots, described })
+    Ok(Kept {
+        source,
+        root,
+        analyzed,
+        roots,
+        described,
+    })
 }
 
 fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> T {
-    let expansions: Vec<_> =
-        kept.analyzed.iter().map(|known| (&known.expansion, known.robot.as_ref())).collect();
-    let described: Vec<_> =
-        kept.described.iter().filter_map(|known| Some((&known.expansion, known.robot.as_ref()?))).collect();
+    let expansions: Vec<_> = kept
+        .analyzed
+        .iter()
+        .map(|known| (&known.expansion, known.robot.as_ref()))
+        .collect();
+    let described: Vec<_> = kept
+        .described
+        .iter()
+        .filter_map(|known| Some((&known.expansion, known.robot.as_ref()?)))
+        .collect();
     let session = state.world.session();
     work(&Scope::new(Sources {
         source: &kept.source,
@@ -119,7 +150,10 @@ fn completion_item(
     item: &Completion,
     uri: &Url,
 ) -> CompletionItem {
-    let snippet = item.snippet.as_ref().filter(|_| state.client.snippets && state.snippets);
+    let snippet = item
+        .snippet
+        .as_ref()
+        .filter(|_| state.client.snippets && state.snippets);
     let text = snippet.unwrap_or(&item.text).clone();
     let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
     let edit = match state.client.insert_replace {
@@ -132,9 +166,14 @@ fn completion_item(
     };
     let note = Some(item.note.clone()).filter(|note| !note.is_empty());
     let detail = Some(item.detail.clone()).filter(|detail| !detail.is_empty());
-    let details =
-        note.clone().map(|note| CompletionItemLabelDetails { detail: None, description: Some(note) });
-    let topic = item.topic.clone().map(|topic| Origin { uri: uri.clone(), topic });
+    let details = note.clone().map(|note| CompletionItemLabelDetails {
+        detail: None,
+        description: Some(note),
+    });
+    let topic = item.topic.clone().map(|topic| Origin {
+        uri: uri.clone(),
+        topic,
+    });
     CompletionItem {
         label: item.label.clone(),
         label_details: details.filter(|_| state.client.label_details),
@@ -155,10 +194,19 @@ pub fn resolve_completion(
     mut item: CompletionItem,
     cancel: &CancelFlag,
 ) -> Result<CompletionItem, Failure> {
-    let origin = item.data.clone().and_then(|data| serde_json::from_value::<Origin>(data).ok());
-    let Some(origin) = origin.filter(|_| item.documentation.is_none()) else { return Ok(item) };
-    let Ok(kept) = kept(state, &origin.uri, cancel) else { return Ok(item) };
-    let text = scoped(state, &kept, |scope| ide::documentation(scope, &origin.topic));
+    let origin = item
+        .data
+        .clone()
+        .and_then(|data| serde_json::from_value::<Origin>(data).ok());
+    let Some(origin) = origin.filter(|_| item.documentation.is_none()) else {
+        return Ok(item);
+    };
+    let Ok(kept) = kept(state, &origin.uri, cancel) else {
+        return Ok(item);
+    };
+    let text = scoped(state, &kept, |scope| {
+        ide::documentation(scope, &origin.topic)
+    });
     item.documentation = text.map(|text| state.client.item_docs.documentation(text));
     Ok(item)
 }
@@ -180,7 +228,14 @@ pub fn signature_help(
 }
 
 fn signature(state: &State, found: Signature) -> SignatureInformation {
-    let width = |end: u32| found.label.get(..end as usize).unwrap_or("").encode_utf16().count() as u32;
+    let width = |end: u32| {
+        found
+            .label
+            .get(..end as usize)
+            .unwrap_or("")
+            .encode_utf16()
+            .count() as u32
+    };
     let parameter = |range: &TextRange| ParameterInformation {
         label: match state.client.label_offsets {
             true => ParameterLabel::LabelOffsets([width(range.start), width(range.end)]),
@@ -205,11 +260,18 @@ pub fn on_type(
     let at = params.text_document_position;
     let (_, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(character) = params.ch.chars().next() else { return Ok(None) };
+    let Some(character) = params.ch.chars().next() else {
+        return Ok(None);
+    };
     let unit = indent(&params.options, &source.document).unit;
     let edits = ide::on_type(&source.document, offset, character, &unit).into_iter();
     let edits: Vec<TextEdit> = edits
-        .map(|edit| TextEdit::new(convert::range(&source.document, edit.range, state.encoding), edit.text))
+        .map(|edit| {
+            TextEdit::new(
+                convert::range(&source.document, edit.range, state.encoding),
+                edit.text,
+            )
+        })
         .collect();
     Ok((!edits.is_empty()).then_some(edits))
 }

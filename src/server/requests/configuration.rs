@@ -32,12 +32,17 @@ pub fn completion(
     let range = convert::range(&source.document, found.range, state.encoding);
     let item = |(place, choice): (usize, ConfigChoice)| {
         let is_key = choice.kind == ConfigChoiceKind::Key;
-        let (detail, docs) =
-            if is_key { (String::new(), choice.detail) } else { (choice.detail, String::new()) };
+        let (detail, docs) = if is_key {
+            (String::new(), choice.detail)
+        } else {
+            (choice.detail, String::new())
+        };
         CompletionItem {
             kind: Some(kind(choice.kind)),
             detail: Some(detail).filter(|detail| !detail.is_empty()),
-            documentation: Some(docs).filter(|docs| !docs.is_empty()).map(Documentation::String),
+            documentation: Some(docs)
+                .filter(|docs| !docs.is_empty())
+                .map(Documentation::String),
             sort_text: Some(format!("{place:04}")),
             text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(range, choice.text))),
             // what is typed is the name, with or without quotes
@@ -47,7 +52,10 @@ pub fn completion(
         }
     };
     let items = found.items.into_iter().enumerate().map(item).collect();
-    Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: false, items })))
+    Ok(Some(CompletionResponse::List(CompletionList {
+        is_incomplete: false,
+        items,
+    })))
 }
 
 /// What a key says.

@@ -53,10 +53,22 @@ pub fn expand_at(
     let mut asked = asked(state, &params.at, cancel)?;
     if let Some(root) = params.root {
         let root = chosen(state, root)?;
-        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-        asked = Asked { analyzed, pinned: None, ..asked };
+        let analyzed = state
+            .world
+            .analyzed(&root, cancel)
+            .ok_or(Failure::Cancelled)?;
+        asked = Asked {
+            analyzed,
+            pinned: None,
+            ..asked
+        };
     }
-    let found = ide::expand_at(&asked.cx(), asked.analyzed.written(), asked.offset, params.instance);
+    let found = ide::expand_at(
+        &asked.cx(),
+        asked.analyzed.written(),
+        asked.offset,
+        params.instance,
+    );
     Ok(found.map(|found| ExpandedPlace {
         kind: found.kind,
         title: found.title,
@@ -98,7 +110,11 @@ pub fn pinned_label(
     root: &RootChoice,
     cancel: &CancelFlag,
 ) -> Option<String> {
-    let pin = state.pins.get(&root.file).filter(|pin| pin.file == path)?.clone();
+    let pin = state
+        .pins
+        .get(&root.file)
+        .filter(|pin| pin.file == path)?
+        .clone();
     let analyzed = state.world.analyzed(root, cancel)?;
     let frame = ide::pinned(&analyzed.expansion, &pin)?;
     Some(label(state, &analyzed, frame))

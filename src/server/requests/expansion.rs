@@ -68,12 +68,20 @@ pub(crate) struct StackEntry {
     pub location: Location,
 }
 
-pub fn expand(state: &mut State, params: ExpandParams, cancel: &CancelFlag) -> Result<Expanded, Failure> {
+pub fn expand(
+    state: &mut State,
+    params: ExpandParams,
+    cancel: &CancelFlag,
+) -> Result<Expanded, Failure> {
     let begin = Instant::now();
     let (path, _) = state.source(&params.text_document.uri)?;
     let mut root = match params.root {
         Some(root) => chosen(state, root)?,
-        None => state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path)),
+        None => state
+            .world
+            .context(&path)
+            .root
+            .unwrap_or_else(|| RootChoice::plain(&path)),
     };
     for (name, value) in params.args {
         root.args.retain(|(known, _)| *known != name);
@@ -90,9 +98,17 @@ pub fn expand(state: &mut State, params: ExpandParams, cancel: &CancelFlag) -> R
         ok: !expansion.has_errors() && expansion.root_error.is_none(),
         urdf: analyzed.written().text.clone(),
         root: named(state, &root)?,
-        args: expansion.arguments.iter().map(|(n, v)| (n.to_string(), v.to_string())).collect(),
+        args: expansion
+            .arguments
+            .iter()
+            .map(|(n, v)| (n.to_string(), v.to_string()))
+            .collect(),
         // places in texts that nobody sees lead nowhere
-        errors: if other { Vec::new() } else { errors(state, expansion) },
+        errors: if other {
+            Vec::new()
+        } else {
+            errors(state, expansion)
+        },
         source_map: (params.source_map && !other).then(|| map_of(state, &analyzed)),
         ms: begin.elapsed().as_secs_f64() * 1e3,
     })
@@ -110,20 +126,35 @@ fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
 /// A root that the client names.
 pub fn chosen(state: &State, root: Root) -> Result<RootChoice, Failure> {
     let (file, _) = state.source(&root.uri)?;
-    Ok(RootChoice { file, args: root.args.into_iter().collect(), preset: root.preset })
+    Ok(RootChoice {
+        file,
+        args: root.args.into_iter().collect(),
+        preset: root.preset,
+    })
 }
 
 pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
     let place = |place: Place| {
         let file = expansion.files.get(place.file.0 as usize)?.source.id;
-        location(state, Span { file, range: place.range })
+        location(
+            state,
+            Span {
+                file,
+                range: place.range,
+            },
+        )
     };
-    let problems = expansion.problems.iter().filter(|p| p.severity == Severity::Error && !p.probed);
+    let problems = expansion
+        .problems
+        .iter()
+        .filter(|p| p.severity == Severity::Error && !p.probed);
     let error = problems.filter_map(|problem| {
-        let stack = problem
-            .trace
-            .iter()
-            .filter_map(|step| Some(StackEntry { name: step.message.clone(), location: place(step.place)? }));
+        let stack = problem.trace.iter().filter_map(|step| {
+            Some(StackEntry {
+                name: step.message.clone(),
+                location: place(step.place)?,
+            })
+        });
         let code = rules::rule_of(problem.kind).name;
         Some(ExpandError {
             message: problem.message.clone(),

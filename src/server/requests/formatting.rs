@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use lsp_types::{DocumentFormattingParams, DocumentRangeFormattingParams, FormattingOptions, TextEdit};
+use lsp_types::{
+    DocumentFormattingParams, DocumentRangeFormattingParams, FormattingOptions, TextEdit,
+};
 
 use crate::convert;
 use crate::failure::Failure;
@@ -34,8 +36,12 @@ pub fn format_range(
     let (path, source) = state.source(&params.text_document.uri)?;
     let document = &source.document;
     let range = convert::text_range(document, params.range, state.encoding);
-    let edits =
-        ide::format_range(document, range, &indent(&params.options, document), &format_options(state, &path));
+    let edits = ide::format_range(
+        document,
+        range,
+        &indent(&params.options, document),
+        &format_options(state, &path),
+    );
     Ok(Some(text_edits(state, document, edits)))
 }
 
@@ -43,7 +49,11 @@ fn format_options(state: &State, path: &Path) -> Format {
     state.world.session().settings(path).config.format.clone()
 }
 
-fn text_edits(state: &State, document: &Document, edits: Vec<(TextRange, String)>) -> Vec<TextEdit> {
+fn text_edits(
+    state: &State,
+    document: &Document,
+    edits: Vec<(TextRange, String)>,
+) -> Vec<TextEdit> {
     let edit = |(range, text)| TextEdit::new(convert::range(document, range, state.encoding), text);
     edits.into_iter().map(edit).collect()
 }

@@ -34,7 +34,11 @@ pub fn hints(
     let document = &asked.source.document;
     let range = convert::text_range(document, params.range, state.encoding);
     let hint = |hint: ide::Hint| {
-        let about = About { uri: uri.clone(), offset: hint.about, value: hint.kind == HintKind::Value };
+        let about = About {
+            uri: uri.clone(),
+            offset: hint.about,
+            value: hint.kind == HintKind::Value,
+        };
         InlayHint {
             position: convert::position(document, hint.offset, state.encoding),
             label: InlayHintLabel::String(hint.label),
@@ -49,7 +53,12 @@ pub fn hints(
             data: serde_json::to_value(about).ok(),
         }
     };
-    Ok(Some(ide::hints(&asked.cx(), range, state.hint_settings).into_iter().map(hint).collect()))
+    Ok(Some(
+        ide::hints(&asked.cx(), range, state.hint_settings)
+            .into_iter()
+            .map(hint)
+            .collect(),
+    ))
 }
 
 /// The same hint with all there is to say about its value.
@@ -58,11 +67,28 @@ pub fn resolve_hint(
     mut hint: InlayHint,
     cancel: &CancelFlag,
 ) -> Result<InlayHint, Failure> {
-    let about: Option<About> = hint.data.clone().and_then(|data| serde_json::from_value(data).ok());
-    let Some(About { uri, offset, value: true }) = about else { return Ok(hint) };
+    let about: Option<About> = hint
+        .data
+        .clone()
+        .and_then(|data| serde_json::from_value(data).ok());
+    let Some(About {
+        uri,
+        offset,
+        value: true,
+    }) = about
+    else {
+        return Ok(hint);
+    };
     let position = hint.position;
     let text_document = TextDocumentIdentifier { uri };
-    let asked = asked(state, &TextDocumentPositionParams { text_document, position }, cancel)?;
+    let asked = asked(
+        state,
+        &TextDocumentPositionParams {
+            text_document,
+            position,
+        },
+        cancel,
+    )?;
     // the text may have changed since
     if offset < asked.offset {
         let value = ide::value_of(&asked.cx(), offset);

@@ -24,7 +24,14 @@ pub fn hover(
         let found = launched(state, at, cancel)?;
         return Ok(found.and_then(|found| {
             let hover = hover_at(state, &found.asked, found.asked.offset)?;
-            Some(hover_answer(state, &found.source, Hover { range: found.range, ..hover }))
+            Some(hover_answer(
+                state,
+                &found.source,
+                Hover {
+                    range: found.range,
+                    ..hover
+                },
+            ))
         }));
     }
     if is_about_config(state, at) {
@@ -33,8 +40,13 @@ pub fn hover(
     if let Some(found) = hover_while_typing(state, &params.text_document_position_params)? {
         return Ok(Some(found));
     }
-    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
-    Ok(hover_at(state, &asked, asked.offset).map(|hover| hover_answer(state, &asked.source, hover)))
+    let Some(asked) = asked_for_name(state, at, cancel)? else {
+        return Ok(None);
+    };
+    Ok(
+        hover_at(state, &asked, asked.offset)
+            .map(|hover| hover_answer(state, &asked.source, hover)),
+    )
 }
 
 /// What can be said of a name in a large robot that was edited, without expanding it again.
@@ -43,7 +55,9 @@ fn hover_while_typing(
     at: &TextDocumentPositionParams,
 ) -> Result<Option<lsp_types::Hover>, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
-    let Some(before) = state.world.before_typing(&path) else { return Ok(None) };
+    let Some(before) = state.world.before_typing(&path) else {
+        return Ok(None);
+    };
     let cx = Cx {
         source: &source,
         expansion: &before.expansion,
@@ -59,7 +73,11 @@ fn hover_while_typing(
 
 fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::Hover {
     lsp_types::Hover {
-        range: Some(convert::range(&source.document, hover.range, state.encoding)),
+        range: Some(convert::range(
+            &source.document,
+            hover.range,
+            state.encoding,
+        )),
         contents: HoverContents::Markup(state.client.hover.contents(hover.markdown)),
     }
 }
@@ -85,20 +103,35 @@ fn with_launch_values(state: &State, asked: &Asked, offset: u32, mut hover: Hove
         .symbol_at(offset)
         .and_then(|(id, _)| cx.expansion.symbols.get(id))
         .filter(|definition| definition.kind == SymbolKind::Argument);
-    let (Some(argument), Some(root)) = (argument, cx.expansion.files.first()) else { return hover };
-    let values = state.world.session().launch_values(&root.source.path, &argument.name);
-    let left = MOST_LINES.saturating_sub(hover.markdown.lines().count() + 2).min(MOST_VALUES);
+    let (Some(argument), Some(root)) = (argument, cx.expansion.files.first()) else {
+        return hover;
+    };
+    let values = state
+        .world
+        .session()
+        .launch_values(&root.source.path, &argument.name);
+    let left = MOST_LINES
+        .saturating_sub(hover.markdown.lines().count() + 2)
+        .min(MOST_VALUES);
     if values.is_empty() || left == 0 {
         return hover;
     }
     hover.markdown.push_str("\n\nin launch files:");
     let more = values.len().saturating_sub(left.saturating_sub(1));
-    let shown = if values.len() > left { values.len() - more } else { values.len() };
+    let shown = if values.len() > left {
+        values.len() - more
+    } else {
+        values.len()
+    };
     for (value, files) in values.iter().take(shown) {
-        hover.markdown.push_str(&format!("\n* `{}`: {files}", value.replace('`', "'")));
+        hover
+            .markdown
+            .push_str(&format!("\n* `{}`: {files}", value.replace('`', "'")));
     }
     if values.len() > shown {
-        hover.markdown.push_str(&format!("\n* {} more values", values.len() - shown));
+        hover
+            .markdown
+            .push_str(&format!("\n* {} more values", values.len() - shown));
     }
     hover
 }

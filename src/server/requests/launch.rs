@@ -43,11 +43,27 @@ pub fn launched(
 ) -> Result<Option<Launched>, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(name) = state.world.session().launch_name_at(&path, offset) else { return Ok(None) };
+    let Some(name) = state.world.session().launch_name_at(&path, offset) else {
+        return Ok(None);
+    };
     for robot in &name.robots {
-        let root = state.world.context(robot).root.unwrap_or_else(|| RootChoice::plain(robot));
-        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
-        let Some(first) = analyzed.expansion.files.first().map(|file| file.source.clone()) else { continue };
+        let root = state
+            .world
+            .context(robot)
+            .root
+            .unwrap_or_else(|| RootChoice::plain(robot));
+        let analyzed = state
+            .world
+            .analyzed(&root, cancel)
+            .ok_or(Failure::Cancelled)?;
+        let Some(first) = analyzed
+            .expansion
+            .files
+            .first()
+            .map(|file| file.source.clone())
+        else {
+            continue;
+        };
         let mut asked = Asked {
             source: first,
             around: analyzed.clone(),
@@ -56,11 +72,25 @@ pub fn launched(
             beside: Vec::new(),
             pinned: None,
         };
-        let Some(target) = declaration(&asked.cx(), &name.name) else { continue };
-        let path = state.world.session().vfs.path(target.name.file).to_path_buf();
-        let Some(declaring) = state.world.document(&path) else { continue };
+        let Some(target) = declaration(&asked.cx(), &name.name) else {
+            continue;
+        };
+        let path = state
+            .world
+            .session()
+            .vfs
+            .path(target.name.file)
+            .to_path_buf();
+        let Some(declaring) = state.world.document(&path) else {
+            continue;
+        };
         (asked.source, asked.offset) = (declaring, target.name.range.start);
-        return Ok(Some(Launched { source, range: name.span.range, target, asked }));
+        return Ok(Some(Launched {
+            source,
+            range: name.span.range,
+            target,
+            asked,
+        }));
     }
     Ok(None)
 }
@@ -68,23 +98,31 @@ pub fn launched(
 /// Where a robot declares an argument.
 fn declaration(cx: &Cx<'_>, name: &str) -> Option<Target> {
     let mut symbols = cx.expansion.symbols.iter();
-    let (id, _) = symbols.find(|(_, given)| given.kind == SymbolKind::Argument && given.name == name)?;
+    let (id, _) =
+        symbols.find(|(_, given)| given.kind == SymbolKind::Argument && given.name == name)?;
     definition_of(cx, id)
 }
 
 /// Where launch files spell the argument at a place, with the robots that share its declaration.
 pub fn in_launch_files(state: &mut State, asked: &Asked) -> (Vec<Span>, Vec<PathBuf>) {
     let cx = asked.cx();
-    let definition = cx.symbol_at(asked.offset).and_then(|(id, _)| Some((id, cx.expansion.symbols.get(id)?)));
+    let definition = cx
+        .symbol_at(asked.offset)
+        .and_then(|(id, _)| Some((id, cx.expansion.symbols.get(id)?)));
     let Some((id, argument)) = definition.filter(|(_, it)| it.kind == SymbolKind::Argument) else {
         return Default::default();
     };
-    let Some(target) = definition_of(&cx, id) else { return Default::default() };
+    let Some(target) = definition_of(&cx, id) else {
+        return Default::default();
+    };
     let path = state.world.session().vfs.path(target.name.file);
     let candidates = state.world.context(&path).candidates.into_iter();
     let mut robots: Vec<PathBuf> = candidates.map(|(root, _)| root.file).collect();
     robots.dedup();
-    (state.world.session().launch_places(&robots, &argument.name), robots)
+    (
+        state.world.session().launch_places(&robots, &argument.name),
+        robots,
+    )
 }
 
 /// The arguments that may be given at a place in a launch file.
@@ -94,16 +132,24 @@ pub fn completion(
 ) -> Result<Option<CompletionResponse>, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(found) = state.world.session().launch_choices_at(&path, offset) else { return Ok(None) };
+    let Some(found) = state.world.session().launch_choices_at(&path, offset) else {
+        return Ok(None);
+    };
     let range = convert::range(&source.document, found.range, state.encoding);
     let sign = if found.with_sign { ":=" } else { "" };
     let item = |(name, default): (String, Option<String>)| CompletionItem {
         kind: Some(CompletionItemKind::VARIABLE),
         detail: default.map(|default| format!("default: `{default}`")),
-        text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(range, format!("{name}{sign}")))),
+        text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(
+            range,
+            format!("{name}{sign}"),
+        ))),
         label: name,
         ..CompletionItem::default()
     };
     let items = found.arguments.into_iter().map(item).collect();
-    Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: false, items })))
+    Ok(Some(CompletionResponse::List(CompletionList {
+        is_incomplete: false,
+        items,
+    })))
 }

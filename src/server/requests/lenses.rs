@@ -5,7 +5,8 @@ use crate::convert::location;
 use std::collections::BTreeMap;
 
 use lsp_types::{
-    CodeLens, CodeLensParams, Command, Location, TextDocumentIdentifier, TextDocumentPositionParams, Url,
+    CodeLens, CodeLensParams, Command, Location, TextDocumentIdentifier,
+    TextDocumentPositionParams, Url,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -50,15 +51,28 @@ pub fn lenses(
         && let Some(root) = document.root().filter(|_| asked.analyzed.robot.is_some())
     {
         let range = convert::range(document, root.name_range(), state.encoding);
-        found.extend(root_lenses(state, &text_document, &asked.analyzed.declared_arguments(), range));
+        found.extend(root_lenses(
+            state,
+            &text_document,
+            &asked.analyzed.declared_arguments(),
+            range,
+        ));
     }
     if !state.client.own.lens_commands {
         return Ok(Some(found));
     }
     for (of, name) in macros(&asked) {
         let range = convert::range(document, name, state.encoding);
-        let calls = CallsOf { uri: text_document.uri.clone(), position: range.start, of: Some(of) };
-        found.push(CodeLens { range, command: None, data: serde_json::to_value(&calls).ok() });
+        let calls = CallsOf {
+            uri: text_document.uri.clone(),
+            position: range.start,
+            of: Some(of),
+        };
+        found.push(CodeLens {
+            range,
+            command: None,
+            data: serde_json::to_value(&calls).ok(),
+        });
         let here = json!({ "textDocument": text_document, "position": range.start });
         found.push(lens(range, "expand", "xacro.expandAt", here));
     }
@@ -81,7 +95,12 @@ fn root_lenses(
     let mut found = vec![lens(range, "Preview", "xacro.preview", here.clone())];
     found.push(lens(range, "Expand", "xacro.expand", here.clone()));
     for (name, value) in arguments.iter().take(MOST) {
-        found.push(lens(range, &format!("{name}:={} ▾", shown(value)), "xacro.setArgs", here.clone()));
+        found.push(lens(
+            range,
+            &format!("{name}:={} ▾", shown(value)),
+            "xacro.setArgs",
+            here.clone(),
+        ));
     }
     found
 }
@@ -98,8 +117,15 @@ fn shown(value: &str) -> String {
 }
 
 /// The lens with the number of calls.
-pub fn resolve_lens(state: &mut State, mut lens: CodeLens, cancel: &CancelFlag) -> Result<CodeLens, Failure> {
-    let calls: Option<CallsOf> = lens.data.clone().and_then(|data| serde_json::from_value(data).ok());
+pub fn resolve_lens(
+    state: &mut State,
+    mut lens: CodeLens,
+    cancel: &CancelFlag,
+) -> Result<CodeLens, Failure> {
+    let calls: Option<CallsOf> = lens
+        .data
+        .clone()
+        .and_then(|data| serde_json::from_value(data).ok());
     let Some(calls) = calls else { return Ok(lens) };
     let calls = where_now(state, calls, cancel)?;
     let (root, places) = calls_of(state, &calls, cancel)?;
@@ -117,11 +143,21 @@ pub fn resolve_lens(state: &mut State, mut lens: CodeLens, cancel: &CancelFlag) 
 /// The same macro at the place where it stands now.
 fn where_now(state: &mut State, calls: CallsOf, cancel: &CancelFlag) -> Result<CallsOf, Failure> {
     let Some(of) = calls.of else { return Ok(calls) };
-    let asked = asked(state, &start_of(TextDocumentIdentifier { uri: calls.uri.clone() }), cancel)?;
+    let asked = asked(
+        state,
+        &start_of(TextDocumentIdentifier {
+            uri: calls.uri.clone(),
+        }),
+        cancel,
+    )?;
     let found = macros(&asked).find(|(known, _)| *known == of);
     let (_, name) = found.ok_or(Failure::Outdated)?;
     let position = convert::position(&asked.source.document, name.start, state.encoding);
-    Ok(CallsOf { uri: calls.uri, position, of: None })
+    Ok(CallsOf {
+        uri: calls.uri,
+        position,
+        of: None,
+    })
 }
 
 /// The calls of a macro, and the roots they were looked for in.
@@ -130,17 +166,34 @@ pub fn calls_of(
     of: &CallsOf,
     cancel: &CancelFlag,
 ) -> Result<(String, Vec<Location>), Failure> {
-    let text_document = TextDocumentIdentifier { uri: of.uri.clone() };
-    let at = TextDocumentPositionParams { text_document, position: of.position };
+    let text_document = TextDocumentIdentifier {
+        uri: of.uri.clone(),
+    };
+    let at = TextDocumentPositionParams {
+        text_document,
+        position: of.position,
+    };
     let asked = asked(state, &at, cancel)?;
     let cx = asked.cx();
-    let calls = ide::macro_at(&cx, asked.offset).map(|id| ide::calls_of(&cx, id)).unwrap_or_default();
-    let places = calls.into_iter().filter_map(|span| location(state, span)).collect();
+    let calls = ide::macro_at(&cx, asked.offset)
+        .map(|id| ide::calls_of(&cx, id))
+        .unwrap_or_default();
+    let places = calls
+        .into_iter()
+        .filter_map(|span| location(state, span))
+        .collect();
     let candidates = state.world.context(&asked.source.path).candidates;
     // of several roots, only the active one is counted
     let root = match candidates.len() {
         0 | 1 => "1 root".to_owned(),
-        _ => asked.analyzed.root.file.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        _ => asked
+            .analyzed
+            .root
+            .file
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned(),
     };
     Ok((root, places))
 }
@@ -148,12 +201,14 @@ pub fn calls_of(
 /// The macros of a file, and where their names stand.
 fn macros(asked: &Asked) -> impl Iterator<Item = (Named, TextRange)> {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
-    ide::macros_of(&asked.cx()).into_iter().map(move |(_, range)| {
-        let name = asked.source.document.slice(range);
-        let count = seen.entry(name.clone()).or_default();
-        let before = std::mem::replace(count, *count + 1);
-        (Named { name, before }, range)
-    })
+    ide::macros_of(&asked.cx())
+        .into_iter()
+        .map(move |(_, range)| {
+            let name = asked.source.document.slice(range);
+            let count = seen.entry(name.clone()).or_default();
+            let before = std::mem::replace(count, *count + 1);
+            (Named { name, before }, range)
+        })
 }
 
 /// A lens with a command.

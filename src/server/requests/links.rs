@@ -20,7 +20,9 @@ pub fn links(
     let settings = session.settings(&asked.source.path);
     let names = ide::file_names(&asked.cx(), session.surroundings(&settings.config));
     let link = |FileName { range, target, .. }: FileName| {
-        let FileTarget::Found(path) = target else { return None };
+        let FileTarget::Found(path) = target else {
+            return None;
+        };
         Some(DocumentLink {
             range: convert::range(&asked.source.document, range, state.encoding),
             target: Some(state.uri(&path)?),

@@ -54,7 +54,11 @@ impl Asked {
         let settings = session.settings(&self.source.path);
         let names = |expansion| TextNames::of(expansion, session.surroundings(&settings.config));
         let around = names(&self.around.expansion);
-        if around.knows(self.source.id) { around } else { names(&self.analyzed.expansion) }
+        if around.knows(self.source.id) {
+            around
+        } else {
+            names(&self.analyzed.expansion)
+        }
     }
 }
 
@@ -67,16 +71,33 @@ pub fn asked(
 ) -> Result<Asked, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let root = state.world.context(&path).root.unwrap_or_else(|| RootChoice::plain(&path));
-    let mut analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+    let root = state
+        .world
+        .context(&path)
+        .root
+        .unwrap_or_else(|| RootChoice::plain(&path));
+    let mut analyzed = state
+        .world
+        .analyzed(&root, cancel)
+        .ok_or(Failure::Cancelled)?;
     let around = analyzed.clone();
     if !analyzed.includes(&path) {
         // the root reaches the file on paper only: a condition keeps it out
-        analyzed = state.world.analyzed(&RootChoice::plain(&path), cancel).ok_or(Failure::Cancelled)?;
+        analyzed = state
+            .world
+            .analyzed(&RootChoice::plain(&path), cancel)
+            .ok_or(Failure::Cancelled)?;
     }
     let pin = state.pins.get(&analyzed.root.file);
     let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
-    Ok(Asked { source, analyzed, around, offset, beside: Vec::new(), pinned })
+    Ok(Asked {
+        source,
+        analyzed,
+        around,
+        offset,
+        beside: Vec::new(),
+        pinned,
+    })
 }
 
 /// The same with the names in files beside the robot, for who asks what a name is; also in such a file. None in files that
@@ -107,28 +128,53 @@ pub fn definition(
         let found = launched(state, at, cancel)?;
         return Ok(found.and_then(|found| {
             let origin = convert::range(&found.source.document, found.range, state.encoding);
-            places_of(state, origin, &[found.target], state.client.links.definition)
+            places_of(
+                state,
+                origin,
+                &[found.target],
+                state.client.links.definition,
+            )
         }));
     }
-    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
+    let Some(asked) = asked_for_name(state, at, cancel)? else {
+        return Ok(None);
+    };
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
     let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
     let symbol = match asked.cx().symbol_at(asked.offset) {
         Some(_) => ide::definitions(&asked.cx(), asked.offset),
         None => by_text(),
     };
-    let file = if symbol.is_some() { None } else { about_files(state, &asked, ide::file_definition) };
+    let file = if symbol.is_some() {
+        None
+    } else {
+        about_files(state, &asked, ide::file_definition)
+    };
     if let Some((origin, place)) = file {
-        return Ok(file_target(state, &asked, origin, &place, state.client.links.definition));
+        return Ok(file_target(
+            state,
+            &asked,
+            origin,
+            &place,
+            state.client.links.definition,
+        ));
     }
     let found = symbol.or_else(|| ide::definitions(&asked.cx(), asked.offset));
     let found = match found {
         Some(found) => Some(found),
-        None => inside(state, &asked, cancel)?.and_then(|asked| ide::definitions(&asked.cx(), asked.offset)),
+        None => inside(state, &asked, cancel)?
+            .and_then(|asked| ide::definitions(&asked.cx(), asked.offset)),
     };
-    let Some((origin, targets)) = found else { return Ok(None) };
+    let Some((origin, targets)) = found else {
+        return Ok(None);
+    };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
-    Ok(places_of(state, origin, &targets, state.client.links.definition))
+    Ok(places_of(
+        state,
+        origin,
+        &targets,
+        state.client.links.definition,
+    ))
 }
 
 pub fn declaration(
@@ -138,9 +184,16 @@ pub fn declaration(
 ) -> Result<Option<GotoDefinitionResponse>, Failure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = ide::declaration(&asked.cx(), asked.offset);
-    let Some((origin, target)) = found else { return Ok(None) };
+    let Some((origin, target)) = found else {
+        return Ok(None);
+    };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
-    Ok(places_of(state, origin, &[target], state.client.links.declaration))
+    Ok(places_of(
+        state,
+        origin,
+        &[target],
+        state.client.links.declaration,
+    ))
 }
 
 pub fn type_definition(
@@ -168,7 +221,9 @@ pub fn implementation(
     let Some((origin, found)) = ide::implementations(&asked.cx(), written, asked.offset) else {
         return Ok(None);
     };
-    let Some(uri) = expanded_uri(state, &asked.analyzed.root) else { return Ok(None) };
+    let Some(uri) = expanded_uri(state, &asked.analyzed.root) else {
+        return Ok(None);
+    };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
     let lines = ide::Lines::of(&written.text, state.encoding);
     let links = found.into_iter().map(|range| {
@@ -180,7 +235,10 @@ pub fn implementation(
             target_selection_range: range,
         }
     });
-    Ok(links_or_places(links.collect(), state.client.links.implementation))
+    Ok(links_or_places(
+        links.collect(),
+        state.client.links.implementation,
+    ))
 }
 
 /// The name of the expanded text of a root.
@@ -188,7 +246,8 @@ fn expanded_uri(state: &State, root: &RootChoice) -> Option<Url> {
     let stem = root.file.file_name()?.to_string_lossy().into_owned();
     let stem = stem.split('.').next().unwrap_or("").to_owned();
     let mut uri = Url::parse(&format!("xacro-expanded:/{stem}.urdf")).ok()?;
-    uri.query_pairs_mut().append_pair("root", state.uri(&root.file)?.as_str());
+    uri.query_pairs_mut()
+        .append_pair("root", state.uri(&root.file)?.as_str());
     Some(uri)
 }
 
@@ -200,7 +259,11 @@ pub fn about_files<T>(
 ) -> Option<T> {
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    answer(&asked.cx(), session.surroundings(&settings.config), asked.offset)
+    answer(
+        &asked.cx(),
+        session.surroundings(&settings.config),
+        asked.offset,
+    )
 }
 
 fn file_target(
@@ -214,7 +277,16 @@ fn file_target(
     let file = state.world.session().vfs.file_id(&place.path);
     let range = match place.range == TextRange::default() || !ide::is_text(&place.path) {
         true => Range::default(),
-        false => location(state, Span { file, range: place.range })?.range,
+        false => {
+            location(
+                state,
+                Span {
+                    file,
+                    range: place.range,
+                },
+            )?
+            .range
+        }
     };
     let link = LocationLink {
         origin_selection_range: Some(origin),
@@ -231,7 +303,9 @@ fn places_of(
     targets: &[Target],
     links: bool,
 ) -> Option<GotoDefinitionResponse> {
-    let found = targets.iter().filter_map(|target| link(state, origin, target));
+    let found = targets
+        .iter()
+        .filter_map(|target| link(state, origin, target));
     links_or_places(found.collect(), links)
 }
 
@@ -251,7 +325,9 @@ pub fn highlights(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<DocumentHighlight>>, Failure> {
     let at = &params.text_document_position_params;
-    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
+    let Some(asked) = asked_for_name(state, at, cancel)? else {
+        return Ok(None);
+    };
     let document = &asked.source.document;
     let highlight = |range: TextRange, kind| DocumentHighlight {
         range: convert::range(document, range, state.encoding),
@@ -259,22 +335,29 @@ pub fn highlights(
     };
     if let Some(tags) = ide::matching_tags(document, asked.offset) {
         // conditions come in numbers; their ends are found by folding
-        let name = tags.first().map(|tag| document.slice(*tag)).unwrap_or_default();
+        let name = tags
+            .first()
+            .map(|tag| document.slice(*tag))
+            .unwrap_or_default();
         if matches!(name.as_str(), "xacro:if" | "xacro:unless") {
             return Ok(Some(Vec::new()));
         }
-        let tags = tags.into_iter().map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
+        let tags = tags
+            .into_iter()
+            .map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
         return Ok(Some(tags.collect()));
     }
     let uses = ide::occurrences(&asked.cx(), &asked.names(state), asked.offset).into_iter();
-    let own = uses.filter(|used| used.span.file == asked.source.id).map(|used| {
-        let kind = match used.is_definition {
-            true => DocumentHighlightKind::WRITE,
-            false => DocumentHighlightKind::READ,
-        };
-        let Span { range, .. } = used.span;
-        highlight(range, kind)
-    });
+    let own = uses
+        .filter(|used| used.span.file == asked.source.id)
+        .map(|used| {
+            let kind = match used.is_definition {
+                true => DocumentHighlightKind::WRITE,
+                false => DocumentHighlightKind::READ,
+            };
+            let Span { range, .. } = used.span;
+            highlight(range, kind)
+        });
     Ok(Some(own.collect()))
 }
 
@@ -286,6 +369,8 @@ fn links_or_places(found: Vec<LocationLink>, links: bool) -> Option<GotoDefiniti
     if links {
         return Some(GotoDefinitionResponse::Link(found));
     }
-    let plain = found.into_iter().map(|link| Location::new(link.target_uri, link.target_selection_range));
+    let plain = found
+        .into_iter()
+        .map(|link| Location::new(link.target_uri, link.target_selection_range));
     Some(GotoDefinitionResponse::Array(plain.collect()))
 }

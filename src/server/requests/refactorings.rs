@@ -9,8 +9,8 @@ use std::path::Path;
 
 use lsp_types::{
     CodeAction, CodeActionDisabled, CodeActionParams, CodeActionTriggerKind, CreateFile,
-    DocumentChangeOperation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, Range,
-    ResourceOp, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
+    DocumentChangeOperation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier,
+    Range, ResourceOp, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
 };
 use serde::{Deserialize, Serialize};
 
@@ -61,8 +61,16 @@ pub fn refactor_actions(
 ) -> Result<Vec<CodeAction>, Failure> {
     let (uri, range) = (&params.text_document.uri, params.range);
     let later = state.client.resolves_actions;
-    let version = state.documents.get(&state.path(uri)).and_then(|open| open.version);
-    let data = serde_json::to_value(Offered { uri: uri.clone(), range, version }).ok();
+    let version = state
+        .documents
+        .get(&state.path(uri))
+        .and_then(|open| open.version);
+    let data = serde_json::to_value(Offered {
+        uri: uri.clone(),
+        range,
+        version,
+    })
+    .ok();
     let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::AUTOMATIC);
     let inline = match (inlines, is_automatic) {
         (false, _) => Inline::No,
@@ -70,7 +78,10 @@ pub fn refactor_actions(
         (true, false) => Inline::Yes,
     };
     let mut found = all_refactorings(state, uri, range, inline, cancel)?;
-    for action in found.iter_mut().filter(|action| later && action.edit.is_some()) {
+    for action in found
+        .iter_mut()
+        .filter(|action| later && action.edit.is_some())
+    {
         (action.edit, action.data) = (None, data.clone());
     }
     Ok(found)
@@ -87,11 +98,20 @@ fn all_refactorings(
     let (path, source) = state.source(uri)?;
     let selection = convert::text_range(&source.document, range, state.encoding);
     let document = lsp_types::TextDocumentIdentifier { uri: uri.clone() };
-    let asked = asked(state, &TextDocumentPositionParams::new(document, range.start), cancel)?;
-    let mut found: Vec<CodeAction> =
-        inlined_macro(state, &asked, selection.start, inline, cancel)?.into_iter().collect();
+    let asked = asked(
+        state,
+        &TextDocumentPositionParams::new(document, range.start),
+        cancel,
+    )?;
+    let mut found: Vec<CodeAction> = inlined_macro(state, &asked, selection.start, inline, cancel)?
+        .into_iter()
+        .collect();
     let actions = refactorings(state, &asked, selection, cancel)?;
-    found.extend(actions.into_iter().filter_map(|action| code_action(state, action, None)));
+    found.extend(
+        actions
+            .into_iter()
+            .filter_map(|action| code_action(state, action, None)),
+    );
     found.extend(moved_to_file(state, &path, &source, selection));
     found.extend(refused(state, &asked, selection));
     Ok(found)
@@ -117,7 +137,8 @@ fn inlined_macro(
     if stays_the_same(state, asked, &action, cancel)? {
         return Ok(code_action(state, action, None));
     }
-    let reason = "this would change the robot: the arguments of the call have another meaning there";
+    let reason =
+        "this would change the robot: the arguments of the call have another meaning there";
     Ok(state
         .client
         .disabled_actions
@@ -130,19 +151,39 @@ pub fn resolve_action(
     action: CodeAction,
     cancel: &CancelFlag,
 ) -> Result<CodeAction, Failure> {
-    let offered = action.data.clone().and_then(|data| serde_json::from_value::<Offered>(data).ok());
-    let Some(Offered { uri, range, version }) = offered.filter(|_| action.edit.is_none()) else {
+    let offered = action
+        .data
+        .clone()
+        .and_then(|data| serde_json::from_value::<Offered>(data).ok());
+    let Some(Offered {
+        uri,
+        range,
+        version,
+    }) = offered.filter(|_| action.edit.is_none())
+    else {
         return Ok(action);
     };
-    if state.documents.get(&state.path(&uri)).and_then(|open| open.version) != version {
+    if state
+        .documents
+        .get(&state.path(&uri))
+        .and_then(|open| open.version)
+        != version
+    {
         return Err(Failure::Outdated);
     }
     let inlines = action.kind.as_ref() == Some(&kind(ActionKind::Inline));
     let inline = if inlines { Inline::Yes } else { Inline::No };
     let all = all_refactorings(state, &uri, range, inline, cancel)?;
     let same = |known: &CodeAction| known.title == action.title && known.kind == action.kind;
-    let edit = all.into_iter().find(same).and_then(|known| known.edit).ok_or(Failure::Outdated)?;
-    Ok(CodeAction { edit: Some(edit), ..action })
+    let edit = all
+        .into_iter()
+        .find(same)
+        .and_then(|known| known.edit)
+        .ok_or(Failure::Outdated)?;
+    Ok(CodeAction {
+        edit: Some(edit),
+        ..action
+    })
 }
 
 /// Whether every robot is the same with the edits of an action, which are all in the file that was asked about.
@@ -152,10 +193,23 @@ fn stays_the_same(
     action: &Action,
     cancel: &CancelFlag,
 ) -> Result<bool, Failure> {
-    let edits = action.edits.iter().map(|edit| (edit.span.range, edit.content.clone())).collect();
-    let effort = state.world.effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
-    let is_same = state.world.session().stays_the_same(&asked.source.path, edits, &effort);
-    if cancel.is_cancelled() { Err(Failure::Cancelled) } else { Ok(is_same) }
+    let edits = action
+        .edits
+        .iter()
+        .map(|edit| (edit.span.range, edit.content.clone()))
+        .collect();
+    let effort = state
+        .world
+        .effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
+    let is_same = state
+        .world
+        .session()
+        .stays_the_same(&asked.source.path, edits, &effort);
+    if cancel.is_cancelled() {
+        Err(Failure::Cancelled)
+    } else {
+        Ok(is_same)
+    }
 }
 
 /// What cannot be made, for clients that show it.
@@ -183,9 +237,17 @@ fn refactorings(
     if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
         // files of other robots may read the property
         scan_all(state, cancel)?;
-        let others = state.world.known_files().into_iter().filter(|file| !asked.analyzed.includes(file));
-        let reads =
-            |file: &Path| state.world.document(file).is_some_and(|own| mentions(&own.document, &name));
+        let others = state
+            .world
+            .known_files()
+            .into_iter()
+            .filter(|file| !asked.analyzed.includes(file));
+        let reads = |file: &Path| {
+            state
+                .world
+                .document(file)
+                .is_some_and(|own| mentions(&own.document, &name))
+        };
         if others.into_iter().any(|file| reads(&file)) {
             actions.retain(|action| action.kind != ActionKind::Inline);
         }
@@ -205,7 +267,8 @@ fn moved_to_file(
     }
     let folder = path.parent()?;
     let vfs = &state.world.session().vfs;
-    let (action, file) = ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
+    let (action, file) =
+        ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
     let uri = Url::from_file_path(folder.join(&file.name)).ok()?;
     let mut operations = vec![
         DocumentChangeOperation::Op(ResourceOp::Create(CreateFile {
@@ -223,8 +286,14 @@ fn moved_to_file(
         operations.extend(edits.into_iter().map(DocumentChangeOperation::Edit));
     }
     let changes = Some(DocumentChanges::Operations(operations));
-    let edit = WorkspaceEdit { document_changes: changes, ..WorkspaceEdit::default() };
-    Some(CodeAction { edit: Some(edit), ..made })
+    let edit = WorkspaceEdit {
+        document_changes: changes,
+        ..WorkspaceEdit::default()
+    };
+    Some(CodeAction {
+        edit: Some(edit),
+        ..made
+    })
 }
 
 /// An action that cannot be made, and why.
@@ -239,6 +308,7 @@ fn disabled(title: String, of: ActionKind, reason: String) -> CodeAction {
 
 /// Whether an expression of a document reads a name.
 fn mentions(document: &Document, name: &str) -> bool {
-    let reads = |mention: &facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
+    let reads =
+        |mention: &facts::Mention| mention.kind == MentionKind::Name && mention.name == name;
     facts(document).any(|(_, facts)| facts.mentions().any(reads))
 }

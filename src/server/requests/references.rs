@@ -45,7 +45,9 @@ pub fn references(
     let thing = ide::robot_name_at(&asked.cx(), asked.offset).filter(|_| !is_symbol);
     let mut robots = vec![asked.analyzed.clone()];
     robots.extend(sharing(state, &asked, &mut uses, thing.as_ref(), cancel)?);
-    let uses = uses.into_iter().filter(|used| with_definition || !used.is_definition);
+    let uses = uses
+        .into_iter()
+        .filter(|used| with_definition || !used.is_definition);
     let mut spans: Vec<Span> = uses.map(|used| used.span).collect();
     if let Some(thing) = &thing {
         for place in robots.iter().flat_map(|robot| in_yaml(state, robot, thing)) {
@@ -56,7 +58,12 @@ pub fn references(
     }
     spans.extend(in_launch_files(state, &asked).0);
     let mut places = places(state);
-    Ok(Some(spans.into_iter().filter_map(|span| places.location(span)).collect()))
+    Ok(Some(
+        spans
+            .into_iter()
+            .filter_map(|span| places.location(span))
+            .collect(),
+    ))
 }
 
 /// The other robots that read the text which gives a name; their uses are added.
@@ -67,7 +74,11 @@ fn sharing(
     thing: Option<&RobotThing>,
     cancel: &CancelFlag,
 ) -> Result<Vec<std::sync::Arc<Analyzed>>, Failure> {
-    let given: Vec<Span> = uses.iter().filter(|used| used.is_definition).map(|used| used.span).collect();
+    let given: Vec<Span> = uses
+        .iter()
+        .filter(|used| used.is_definition)
+        .map(|used| used.span)
+        .collect();
     let mut roots = Vec::new();
     for span in &given {
         let path = state.world.session().vfs.path(span.file);
@@ -79,7 +90,10 @@ fn sharing(
     }
     let mut robots = Vec::new();
     for root in roots.into_iter().take(RENAME_ROBOTS) {
-        let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        let analyzed = state
+            .world
+            .analyzed(&root, cancel)
+            .ok_or(Failure::Cancelled)?;
         let found = in_robot(state, &analyzed, &given, thing);
         if !found.is_empty() {
             robots.push(analyzed);
@@ -96,11 +110,16 @@ fn sharing(
 /// The values of the YAML files that a robot reads which are the name.
 fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
     let vfs = &state.world.session().vfs;
-    let is_yaml = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "yaml" || ending == "yml");
+    let is_yaml = |path: &PathBuf| {
+        path.extension()
+            .is_some_and(|ending| ending == "yaml" || ending == "yml")
+    };
     let mut found = Vec::new();
     for read in robot.expansion.record.iter() {
         let Read::File(path, _) = read else { continue };
-        let Some(file) = Some(path).filter(|path| is_yaml(path)).and_then(|path| vfs.yaml(path, "").ok())
+        let Some(file) = Some(path)
+            .filter(|path| is_yaml(path))
+            .and_then(|path| vfs.yaml(path, "").ok())
         else {
             continue;
         };
@@ -115,24 +134,42 @@ fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
 }
 
 /// The uses of a name in another robot, when the text that gives it gives it there too.
-fn in_robot(state: &State, analyzed: &Analyzed, given: &[Span], thing: Option<&RobotThing>) -> Vec<NameUse> {
+fn in_robot(
+    state: &State,
+    analyzed: &Analyzed,
+    given: &[Span],
+    thing: Option<&RobotThing>,
+) -> Vec<NameUse> {
     let expansion = &analyzed.expansion;
     let session = state.world.session();
     let settings = session.settings(&analyzed.root.file);
     let names = TextNames::of(expansion, session.surroundings(&settings.config));
     let source = |span: &Span| -> Option<&SourceFile> {
-        let file = expansion.files.iter().find(|file| file.source.id == span.file)?;
+        let file = expansion
+            .files
+            .iter()
+            .find(|file| file.source.id == span.file)?;
         Some(&file.source)
     };
     for span in given {
         let Some(source) = source(span) else { continue };
         let (kinematics, robot) = (analyzed.kinematics.as_ref(), analyzed.robot.as_ref());
-        let cx = Cx { source, expansion, robot, kinematics, beside: &[], pinned: None };
+        let cx = Cx {
+            source,
+            expansion,
+            robot,
+            kinematics,
+            beside: &[],
+            pinned: None,
+        };
         let found = match thing {
             Some(thing) => ide::uses_of(&cx, thing),
             None => ide::occurrences(&cx, &names, span.range.start),
         };
-        if found.iter().any(|used| used.is_definition && used.span == *span) {
+        if found
+            .iter()
+            .any(|used| used.is_definition && used.span == *span)
+        {
             return found;
         }
     }
@@ -144,7 +181,9 @@ fn values(node: &Node, name: &str, found: &mut Vec<TextRange>) {
     match &node.kind {
         Kind::Str(text) if *text == name => found.push(node.range),
         Kind::List(items) => items.iter().for_each(|item| values(item, name, found)),
-        Kind::Map(entries) => entries.iter().for_each(|(_, value)| values(value, name, found)),
+        Kind::Map(entries) => entries
+            .iter()
+            .for_each(|(_, value)| values(value, name, found)),
         _ => {}
     }
 }

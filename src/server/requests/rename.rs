@@ -8,9 +8,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 
 use lsp_types::{
-    AnnotatedTextEdit, ChangeAnnotation, DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier,
-    PrepareRenameResponse, RenameParams, TextDocumentEdit, TextDocumentPositionParams, TextEdit, Url,
-    WorkspaceEdit,
+    AnnotatedTextEdit, ChangeAnnotation, DocumentChanges, OneOf,
+    OptionalVersionedTextDocumentIdentifier, PrepareRenameResponse, RenameParams, TextDocumentEdit,
+    TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
 };
 
 use super::navigation::Asked;
@@ -34,9 +34,14 @@ pub fn prepare_rename(
     if let Some(found) = launched(state, &params, cancel)? {
         let range = convert::range(&found.source.document, found.range, state.encoding);
         let placeholder = found.source.document.slice(found.range);
-        return Ok(Some(PrepareRenameResponse::RangeWithPlaceholder { range, placeholder }));
+        return Ok(Some(PrepareRenameResponse::RangeWithPlaceholder {
+            range,
+            placeholder,
+        }));
     }
-    let Some(asked) = asked_to_rename(state, &params, cancel)? else { return Ok(None) };
+    let Some(asked) = asked_to_rename(state, &params, cancel)? else {
+        return Ok(None);
+    };
     let found = ide::renameable(&asked.cx(), &asked.names(state), asked.offset);
     Ok(found.map(|(range, placeholder)| {
         let range = convert::range(&asked.source.document, range, state.encoding);
@@ -55,9 +60,12 @@ pub fn rename(
     };
     let new = params.new_name.as_str();
     let names = asked.names(state);
-    let mut spans = ide::rename(&asked.cx(), &names, asked.offset, new).map_err(Failure::Refused)?;
+    let mut spans =
+        ide::rename(&asked.cx(), &names, asked.offset, new).map_err(Failure::Refused)?;
     let kind = ide::kind_at(&asked.cx(), &names, asked.offset);
-    let old = ide::renameable(&asked.cx(), &names, asked.offset).map(|(_, old)| old).unwrap_or_default();
+    let old = ide::renameable(&asked.cx(), &names, asked.offset)
+        .map(|(_, old)| old)
+        .unwrap_or_default();
     let name = match kind {
         None => NewName::Robot { old: &old, new },
         Some(SymbolKind::Argument) => NewName::Argument { old: &old, new },
@@ -79,7 +87,10 @@ pub fn rename(
         let path = state.world.session().vfs.path(span.file);
         admit_edit(state, &path)?;
         if let Some(place) = location(state, span) {
-            edits.entry(place.uri).or_default().push(TextEdit::new(place.range, new.to_owned()));
+            edits
+                .entry(place.uri)
+                .or_default()
+                .push(TextEdit::new(place.range, new.to_owned()));
         }
     }
     Ok(Some(annotated(state, edits)))
@@ -94,7 +105,9 @@ fn asked_to_rename(
     if let Some(found) = launched(state, at, cancel)? {
         return Ok(Some(found.asked));
     }
-    let Some(asked) = asked_for_name(state, at, cancel)? else { return Ok(None) };
+    let Some(asked) = asked_for_name(state, at, cancel)? else {
+        return Ok(None);
+    };
     if ide::renameable(&asked.cx(), &asked.names(state), asked.offset).is_some() {
         return Ok(Some(asked));
     }
@@ -114,31 +127,61 @@ fn admit_new_name(
     let mut replaced: BTreeMap<PathBuf, Vec<(TextRange, String)>> = BTreeMap::new();
     for span in spans {
         let path = vfs.path(span.file).to_path_buf();
-        replaced.entry(path).or_default().push((span.range, new.to_owned()));
+        replaced
+            .entry(path)
+            .or_default()
+            .push((span.range, new.to_owned()));
     }
     let mut roots = vec![asked.analyzed.root.clone()];
     for path in replaced.keys() {
-        let further = state.world.context(path).candidates.into_iter().map(|(root, _)| root);
-        roots.extend(further.filter(|root| !roots.contains(root)).collect::<Vec<_>>());
+        let further = state
+            .world
+            .context(path)
+            .candidates
+            .into_iter()
+            .map(|(root, _)| root);
+        roots.extend(
+            further
+                .filter(|root| !roots.contains(root))
+                .collect::<Vec<_>>(),
+        );
     }
     roots.truncate(QUICK_PROOF_EXPANSIONS);
     let replaced = replaced.into_iter().collect();
-    let changed = state.world.session().changed_robot(replaced, &roots, name, cancel);
+    let changed = state
+        .world
+        .session()
+        .changed_robot(replaced, &roots, name, cancel);
     if cancel.is_cancelled() {
         return Err(Failure::Cancelled);
     }
-    changed.map_or(Ok(()), |obstacle| Err(Failure::Refused(refusal(new, &obstacle))))
+    changed.map_or(Ok(()), |obstacle| {
+        Err(Failure::Refused(refusal(new, &obstacle)))
+    })
 }
 
 /// Why a name is refused: the robot that would be another one.
 fn refusal(new: &str, obstacle: &Obstacle) -> String {
-    let shown = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let shown = |path: &Path| {
+        path.file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned()
+    };
     let condition = obstacle.condition.as_ref().map(|(file, line, taken)| {
-        let how = if *taken { "with the condition taken" } else { "without the condition" };
+        let how = if *taken {
+            "with the condition taken"
+        } else {
+            "without the condition"
+        };
         format!(", {how} at {}:{line}", shown(file))
     });
     let (robot, condition) = (shown(&obstacle.robot), condition.unwrap_or_default());
-    let difference = obstacle.difference.as_ref().map(|what| format!(": {what}")).unwrap_or_default();
+    let difference = obstacle
+        .difference
+        .as_ref()
+        .map(|what| format!(": {what}"))
+        .unwrap_or_default();
     format!("the name `{new}` would change the robot `{robot}`{condition}{difference}")
 }
 
@@ -150,11 +193,15 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
     }
     let shown = vfs::slashed(path);
     if state.world.session().is_installed(path) || path.iter().any(is_built) {
-        return Err(Failure::Refused(format!("`{shown}` is in an install folder and is not changed")));
+        return Err(Failure::Refused(format!(
+            "`{shown}` is in an install folder and is not changed"
+        )));
     }
     match state.client.change_annotations {
         true => Ok(()),
-        false => Err(Failure::Refused(format!("`{shown}` is not in the workspace and is not changed"))),
+        false => Err(Failure::Refused(format!(
+            "`{shown}` is not in the workspace and is not changed"
+        ))),
     }
 }
 
@@ -167,27 +214,44 @@ fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
     let Some((id, argument)) = argument.filter(|(_, it)| it.kind == SymbolKind::Argument) else {
         return Vec::new();
     };
-    let Some(target) = ide::definition_of(&cx, id) else { return Vec::new() };
+    let Some(target) = ide::definition_of(&cx, id) else {
+        return Vec::new();
+    };
     let path = state.world.session().vfs.path(target.name.file);
-    let roots: Vec<PathBuf> =
-        state.world.context(&path).candidates.into_iter().map(|(r, _)| r.file).collect();
+    let roots: Vec<PathBuf> = state
+        .world
+        .context(&path)
+        .candidates
+        .into_iter()
+        .map(|(r, _)| r.file)
+        .collect();
     let session = state.world.session();
-    let configs: BTreeSet<PathBuf> =
-        roots.iter().flat_map(|root| session.settings(root).config.files.clone()).collect();
+    let configs: BTreeSet<PathBuf> = roots
+        .iter()
+        .flat_map(|root| session.settings(root).config.files.clone())
+        .collect();
     let mut found = Vec::new();
     for config in configs {
-        let (Ok(text), Some(folder)) = (session.vfs.text(&config), config.parent()) else { continue };
+        let (Ok(text), Some(folder)) = (session.vfs.text(&config), config.parent()) else {
+            continue;
+        };
         let (id, folder) = (session.vfs.file_id(&config), folder.to_path_buf());
         let reads = |file: &str| {
             let files = files_named(file, &folder, &session.vfs);
-            files.iter().any(|file| roots.contains(&session.vfs.absolute(file)))
+            files
+                .iter()
+                .any(|file| roots.contains(&session.vfs.absolute(file)))
         };
         let places = argument_places(&text.text, &argument.name, reads);
         found.extend(places.into_iter().map(|range| Span { file: id, range }));
     }
     let known = state.world.known_files().into_iter();
     let comments = known.filter_map(|file| state.world.commented_argument(&file, &argument.name));
-    found.extend(comments.filter(|(root, _)| roots.contains(root)).map(|(_, span)| span));
+    found.extend(
+        comments
+            .filter(|(root, _)| roots.contains(root))
+            .map(|(_, span)| span),
+    );
     found
 }
 
@@ -197,9 +261,16 @@ fn in_calls(state: &mut State, asked: &Asked, old: &str) -> Result<Vec<Span>, Fa
     let session = state.world.session();
     for &place in &places {
         if let Some(other) = session.gives_to_another(place, &robots, old) {
-            let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let name = |path: &Path| {
+                path.file_name()
+                    .unwrap_or_default()
+                    .to_string_lossy()
+                    .into_owned()
+            };
             let (caller, other) = (name(&session.vfs.path(place.file)), name(&other));
-            return Err(Failure::Refused(format!("`{caller}` passes `{old}` to `{other}` as well")));
+            return Err(Failure::Refused(format!(
+                "`{caller}` passes `{old}` to `{other}` as well"
+            )));
         }
     }
     Ok(places)
@@ -213,19 +284,31 @@ fn in_other_robots(
     cancel: &CancelFlag,
 ) -> Result<(), Failure> {
     let vfs = state.world.session().vfs.clone();
-    let Some(first) = spans.first().copied() else { return Ok(()) };
-    let document = vfs.document(&vfs.path(first.file)).map_err(|_| Failure::Cancelled)?;
+    let Some(first) = spans.first().copied() else {
+        return Ok(());
+    };
+    let document = vfs
+        .document(&vfs.path(first.file))
+        .map_err(|_| Failure::Cancelled)?;
     let name = document.document.slice(first.range);
     // what one robot adds may concern those that were looked at before
     loop {
         let before = spans.len();
         let mut seen = vec![asked.analyzed.root.clone()];
-        while let Some(root) = unseen_root(state, spans, &seen).filter(|_| seen.len() < RENAME_ROBOTS) {
-            let analyzed = state.world.analyzed(&root, cancel).ok_or(Failure::Cancelled)?;
+        while let Some(root) =
+            unseen_root(state, spans, &seen).filter(|_| seen.len() < RENAME_ROBOTS)
+        {
+            let analyzed = state
+                .world
+                .analyzed(&root, cancel)
+                .ok_or(Failure::Cancelled)?;
             let session = state.world.session();
             let settings = session.settings(&root.file);
             let names = TextNames::of(&analyzed.expansion, session.surroundings(&settings.config));
-            let cx = Cx { expansion: &analyzed.expansion, ..asked.cx() };
+            let cx = Cx {
+                expansion: &analyzed.expansion,
+                ..asked.cx()
+            };
             *spans = ide::places(&cx, &names, spans, &name);
             seen.push(root);
         }
@@ -240,21 +323,32 @@ fn unseen_root(state: &mut State, spans: &[Span], seen: &[RootChoice]) -> Option
     let files: BTreeSet<_> = spans.iter().map(|span| span.file).collect();
     files.into_iter().find_map(|file| {
         let path = state.world.session().vfs.path(file);
-        let mut roots = state.world.context(&path).candidates.into_iter().map(|(root, _)| root);
+        let mut roots = state
+            .world
+            .context(&path)
+            .candidates
+            .into_iter()
+            .map(|(root, _)| root);
         roots.find(|root| !seen.contains(root))
     })
 }
 
 /// Files that may be changed: open ones, and those of the workspace that no tool has built.
 pub fn is_ours(state: &State, path: &Path) -> bool {
-    let inside = state.world.folders().iter().filter_map(|folder| path.strip_prefix(folder).ok());
+    let inside = state
+        .world
+        .folders()
+        .iter()
+        .filter_map(|folder| path.strip_prefix(folder).ok());
     state.documents.contains_key(path) || inside.into_iter().any(|path| !path.iter().any(is_built))
 }
 
 /// Edits that say of files which the user does not see that they are changed too, where the client shows that.
 fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
     let mut edit = workspace_edit(state, edits);
-    let Some(DocumentChanges::Edits(documents)) = &mut edit.document_changes else { return edit };
+    let Some(DocumentChanges::Edits(documents)) = &mut edit.document_changes else {
+        return edit;
+    };
     if !state.client.change_annotations {
         return edit;
     }
@@ -270,12 +364,19 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
             false => ("closed", "in files that are not open"),
         };
         let (annotation_id, label) = (id.to_owned(), label.to_owned());
-        let annotation = ChangeAnnotation { label, needs_confirmation: Some(outside), description: None };
+        let annotation = ChangeAnnotation {
+            label,
+            needs_confirmation: Some(outside),
+            description: None,
+        };
         annotations.insert(annotation_id.clone(), annotation);
         for edit in &mut document.edits {
             if let OneOf::Left(text_edit) = edit.clone() {
                 let annotation_id = annotation_id.clone();
-                *edit = OneOf::Right(AnnotatedTextEdit { text_edit, annotation_id });
+                *edit = OneOf::Right(AnnotatedTextEdit {
+                    text_edit,
+                    annotation_id,
+                });
             }
         }
     }
@@ -287,13 +388,25 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
 pub fn workspace_edit(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
     if !state.client.document_changes {
         let changes: HashMap<Url, Vec<TextEdit>> = edits.into_iter().collect();
-        return WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
+        return WorkspaceEdit {
+            changes: Some(changes),
+            ..WorkspaceEdit::default()
+        };
     }
     let edit = |(uri, edits): (Url, Vec<TextEdit>)| {
-        let version = state.documents.get(&state.path(&uri)).and_then(|open| open.version);
+        let version = state
+            .documents
+            .get(&state.path(&uri))
+            .and_then(|open| open.version);
         let text_document = OptionalVersionedTextDocumentIdentifier { uri, version };
-        TextDocumentEdit { text_document, edits: edits.into_iter().map(OneOf::Left).collect() }
+        TextDocumentEdit {
+            text_document,
+            edits: edits.into_iter().map(OneOf::Left).collect(),
+        }
     };
     let changes = DocumentChanges::Edits(edits.into_iter().map(edit).collect());
-    WorkspaceEdit { document_changes: Some(changes), ..WorkspaceEdit::default() }
+    WorkspaceEdit {
+        document_changes: Some(changes),
+        ..WorkspaceEdit::default()
+    }
 }

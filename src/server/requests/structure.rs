@@ -25,12 +25,19 @@ pub fn symbols(
     let (_, source) = state.source(&params.text_document.uri)?;
     let mut symbols = ide::outline(&source.document);
     symbols.truncate(SYMBOLS);
-    let symbols = symbols.into_iter().map(|symbol| document_symbol(state, &source.document, symbol));
+    let symbols = symbols
+        .into_iter()
+        .map(|symbol| document_symbol(state, &source.document, symbol));
     Ok(Some(match state.client.nested_symbols {
         true => DocumentSymbolResponse::Nested(symbols.collect()),
         false => {
             let mut flat = Vec::new();
-            flatten(symbols.collect(), None, &params.text_document.uri, &mut flat);
+            flatten(
+                symbols.collect(),
+                None,
+                &params.text_document.uri,
+                &mut flat,
+            );
             DocumentSymbolResponse::Flat(flat)
         }
     }))
@@ -38,7 +45,10 @@ pub fn symbols(
 
 #[allow(deprecated)] // the protocol's struct has a deprecated field
 fn document_symbol(state: &State, document: &Document, symbol: Outline) -> DocumentSymbol {
-    let children = symbol.children.into_iter().map(|child| document_symbol(state, document, child));
+    let children = symbol
+        .children
+        .into_iter()
+        .map(|child| document_symbol(state, document, child));
     let children: Vec<_> = children.collect();
     DocumentSymbol {
         name: symbol.name,
@@ -86,9 +96,15 @@ pub fn selections(
         let ranges = ide::selection(document, offset).into_iter().rev();
         let grown = ranges.fold(None, |parent: Option<SelectionRange>, range| {
             let range = convert::range(document, range, state.encoding);
-            Some(SelectionRange { range, parent: parent.map(Box::new) })
+            Some(SelectionRange {
+                range,
+                parent: parent.map(Box::new),
+            })
         });
-        grown.unwrap_or(SelectionRange { range: lsp_types::Range::new(position, position), parent: None })
+        grown.unwrap_or(SelectionRange {
+            range: lsp_types::Range::new(position, position),
+            parent: None,
+        })
     };
     Ok(Some(params.positions.into_iter().map(selection).collect()))
 }
@@ -103,7 +119,10 @@ pub fn linked_editing(
     let document = &source.document;
     let offset = convert::offset(document, at.position, state.encoding);
     let ranges = ide::same_tag_names(document, offset).map(|names| LinkedEditingRanges {
-        ranges: names.iter().map(|name| convert::range(document, *name, state.encoding)).collect(),
+        ranges: names
+            .iter()
+            .map(|name| convert::range(document, *name, state.encoding))
+            .collect(),
         word_pattern: Some(NAME.to_owned()),
     });
     Ok(ranges)
@@ -111,7 +130,12 @@ pub fn linked_editing(
 
 /// Symbols in a row, each with the name of the one that holds it.
 #[allow(deprecated)] // the protocol's struct has a deprecated field
-fn flatten(symbols: Vec<DocumentSymbol>, inside: Option<&str>, uri: &Url, flat: &mut Vec<SymbolInformation>) {
+fn flatten(
+    symbols: Vec<DocumentSymbol>,
+    inside: Option<&str>,
+    uri: &Url,
+    flat: &mut Vec<SymbolInformation>,
+) {
     for symbol in symbols {
         flat.push(SymbolInformation {
             name: symbol.name.clone(),
@@ -121,7 +145,12 @@ fn flatten(symbols: Vec<DocumentSymbol>, inside: Option<&str>, uri: &Url, flat: 
             location: Location::new(uri.clone(), symbol.range),
             container_name: inside.map(str::to_owned),
         });
-        flatten(symbol.children.unwrap_or_default(), Some(&symbol.name), uri, flat);
+        flatten(
+            symbol.children.unwrap_or_default(),
+            Some(&symbol.name),
+            uri,
+            flat,
+        );
     }
 }
 

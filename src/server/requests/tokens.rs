@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use lsp_types::{
     SemanticToken, SemanticTokenModifier, SemanticTokenType, SemanticTokens, SemanticTokensDelta,
-    SemanticTokensDeltaParams, SemanticTokensEdit, SemanticTokensFullDeltaResult, SemanticTokensFullOptions,
-    SemanticTokensLegend, SemanticTokensOptions, SemanticTokensParams, SemanticTokensRangeParams,
-    SemanticTokensRangeResult, SemanticTokensResult, TextDocumentIdentifier, TextDocumentPositionParams,
-    WorkDoneProgressOptions,
+    SemanticTokensDeltaParams, SemanticTokensEdit, SemanticTokensFullDeltaResult,
+    SemanticTokensFullOptions, SemanticTokensLegend, SemanticTokensOptions, SemanticTokensParams,
+    SemanticTokensRangeParams, SemanticTokensRangeResult, SemanticTokensResult,
+    TextDocumentIdentifier, TextDocumentPositionParams, WorkDoneProgressOptions,
 };
 
 use crate::convert;
@@ -70,7 +70,10 @@ pub fn tokens(
 ) -> Result<Option<SemanticTokensResult>, Failure> {
     let (path, data) = token_data(state, params.text_document, cancel)?;
     let result_id = Some(remember(state, &path, &data));
-    Ok(Some(SemanticTokensResult::Tokens(SemanticTokens { result_id, data })))
+    Ok(Some(SemanticTokensResult::Tokens(SemanticTokens {
+        result_id,
+        data,
+    })))
 }
 
 pub fn tokens_delta(
@@ -84,7 +87,9 @@ pub fn tokens_delta(
     let edits = known.map(|sent| difference(&sent.data, &data));
     let result_id = Some(remember(state, &path, &data));
     Ok(Some(match edits {
-        Some(edits) => SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta { result_id, edits }),
+        Some(edits) => {
+            SemanticTokensFullDeltaResult::TokensDelta(SemanticTokensDelta { result_id, edits })
+        }
         None => SemanticTokensFullDeltaResult::Tokens(SemanticTokens { result_id, data }),
     }))
 }
@@ -100,7 +105,10 @@ pub fn tokens_range(
     let mut tokens = ide::tokens(&asked.cx());
     tokens.retain(|token| token.range.start < range.end && range.start < token.range.end);
     let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
-    Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens { result_id: None, data })))
+    Ok(Some(SemanticTokensRangeResult::Tokens(SemanticTokens {
+        result_id: None,
+        data,
+    })))
 }
 
 fn token_data(
@@ -118,7 +126,9 @@ fn token_data(
 fn remember(state: &mut State, path: &Path, data: &[SemanticToken]) -> String {
     // files that are closed are not asked about again
     let documents = &state.documents;
-    state.sent_tokens.retain(|path, _| documents.contains_key(path));
+    state
+        .sent_tokens
+        .retain(|path, _| documents.contains_key(path));
     let sent = state.sent_tokens.entry(path.to_path_buf()).or_default();
     sent.number += 1;
     sent.data = data.to_vec();
@@ -127,7 +137,10 @@ fn remember(state: &mut State, path: &Path, data: &[SemanticToken]) -> String {
 
 /// The start of a document, for questions about all of it.
 pub(crate) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPositionParams {
-    TextDocumentPositionParams { text_document, position: lsp_types::Position::default() }
+    TextDocumentPositionParams {
+        text_document,
+        position: lsp_types::Position::default(),
+    }
 }
 
 /// Pieces as the protocol has them: line by line, each relative to the one in front.
@@ -138,7 +151,10 @@ fn encoded(text: &str, tokens: &[Token], encoding: Encoding) -> Vec<SemanticToke
     // a place on the line and its column: lines may be as long as the file
     let mut known = (0, 0);
     for token in tokens {
-        let kind = KINDS.iter().position(|(kind, _)| *kind == token.kind).unwrap_or(0) as u32;
+        let kind = KINDS
+            .iter()
+            .position(|(kind, _)| *kind == token.kind)
+            .unwrap_or(0) as u32;
         let mut start = token.range.start;
         while start < token.range.end {
             while let Some(next) = next_line.filter(|next| *next <= start) {
@@ -146,18 +162,28 @@ fn encoded(text: &str, tokens: &[Token], encoding: Encoding) -> Vec<SemanticToke
                 known = (line_start, 0);
             }
             let end = next_line.unwrap_or(text.len() as u32).min(token.range.end);
-            let piece = TextRange::new(start, end).slice(text).trim_end_matches(['\r', '\n']);
+            let piece = TextRange::new(start, end)
+                .slice(text)
+                .trim_end_matches(['\r', '\n']);
             let blank = (piece.len() - piece.trim_start().len()) as u32;
             let words = piece.trim();
             if !words.is_empty() {
                 let at = start + blank;
                 // tokens come in order
-                let from = if known.0 <= at { known } else { (line_start, 0) };
+                let from = if known.0 <= at {
+                    known
+                } else {
+                    (line_start, 0)
+                };
                 let col = from.1 + encoding.width(TextRange::new(from.0, at).slice(text));
                 known = (at, col);
                 out.push(SemanticToken {
                     delta_line: line - last_line,
-                    delta_start: if line == last_line { col - last_col } else { col },
+                    delta_start: if line == last_line {
+                        col - last_col
+                    } else {
+                        col
+                    },
                     length: encoding.width(words),
                     token_type: kind,
                     token_modifiers_bitset: token.modifiers.0,
@@ -181,8 +207,16 @@ fn line_end(text: &str, start: u32) -> Option<u32> {
 /// What changed, as one edit; in numbers, five a piece.
 fn difference(old: &[SemanticToken], new: &[SemanticToken]) -> Vec<SemanticTokensEdit> {
     let same = old.iter().zip(new).take_while(|(a, b)| a == b).count();
-    let (old_rest, new_rest) = (old.get(same..).unwrap_or(&[]), new.get(same..).unwrap_or(&[]));
-    let behind = old_rest.iter().rev().zip(new_rest.iter().rev()).take_while(|(a, b)| a == b).count();
+    let (old_rest, new_rest) = (
+        old.get(same..).unwrap_or(&[]),
+        new.get(same..).unwrap_or(&[]),
+    );
+    let behind = old_rest
+        .iter()
+        .rev()
+        .zip(new_rest.iter().rev())
+        .take_while(|(a, b)| a == b)
+        .count();
     let removed = old_rest.len() - behind;
     let added = new_rest.get(..new_rest.len() - behind).unwrap_or(&[]);
     if removed == 0 && added.is_empty() {

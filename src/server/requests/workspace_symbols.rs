@@ -23,8 +23,12 @@ pub fn workspace_symbols(
         if cancel.is_cancelled() {
             return Err(Failure::Cancelled);
         }
-        let (Some(source), Some(uri)) = (state.world.document(&path), state.uri(&path)) else { continue };
-        let container = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        let (Some(source), Some(uri)) = (state.world.document(&path), state.uri(&path)) else {
+            continue;
+        };
+        let container = path
+            .file_name()
+            .map(|name| name.to_string_lossy().into_owned());
         for hit in ide::search(&source.document, &params.query) {
             let range = convert::range(&source.document, hit.range, state.encoding);
             let symbol = SymbolInformation {
@@ -48,8 +52,15 @@ pub fn workspace_symbols(
 #[allow(deprecated)]
 fn packages(state: &State, query: &str) -> Vec<(u32, SymbolInformation)> {
     let folders = state.world.folders();
-    let Some(first) = folders.first() else { return Vec::new() };
-    let entries = state.world.session().packages.all(&first.join("package.xml")).into_iter();
+    let Some(first) = folders.first() else {
+        return Vec::new();
+    };
+    let entries = state
+        .world
+        .session()
+        .packages
+        .all(&first.join("package.xml"))
+        .into_iter();
     let own = entries.filter(|entry| folders.iter().any(|folder| entry.path.starts_with(folder)));
     let symbol = |entry: workspace::Entry| {
         let cost = ide::fit(query, &entry.name)?;

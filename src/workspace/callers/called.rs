@@ -32,7 +32,9 @@ pub(super) struct Called {
 impl Callers {
     /// All calls in the sources around a file, in the order of the paths of the files that call.
     pub fn calls(&self, file: &Path, packages: &Packages) -> Arc<Vec<RobotCall>> {
-        let Some(top) = packages.sources_around(file) else { return Arc::default() };
+        let Some(top) = packages.sources_around(file) else {
+            return Arc::default();
+        };
         self.calls_below(&top, packages)
     }
 
@@ -43,8 +45,11 @@ impl Callers {
 
     /// What the launch files below a folder say.
     pub(super) fn called_below(&self, top: &Path, packages: &Packages) -> Arc<Called> {
-        let uses = self.below.get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
-        self.called.get(top.to_owned(), || Arc::new(all(&uses, packages)))
+        let uses = self
+            .below
+            .get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
+        self.called
+            .get(top.to_owned(), || Arc::new(all(&uses, packages)))
     }
 }
 
@@ -52,7 +57,9 @@ impl Callers {
     /// The arguments of each call of the description `file` whose launch file names it somehow, also through other launch files.
     pub fn given(&self, file: &Path, packages: &Packages) -> Vec<Vec<GivenArg>> {
         let all = self.calls(file, packages);
-        let calls = all.iter().filter(|call| call.target.as_deref() == Some(file));
+        let calls = all
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(file));
         let given = |RobotCall { call, .. }: &RobotCall| {
             let args = call.args.iter().map(|argument| GivenArg {
                 name: argument.name.clone(),
@@ -68,7 +75,10 @@ impl Callers {
 fn all(uses: &Uses, packages: &Packages) -> Called {
     let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
     let files: Vec<LaunchFile> = uses.scripts.iter().filter_map(read).collect();
-    let by_path: FastMap<&Path, &LaunchFile> = files.iter().map(|file| (file.path.as_path(), file)).collect();
+    let by_path: FastMap<&Path, &LaunchFile> = files
+        .iter()
+        .map(|file| (file.path.as_path(), file))
+        .collect();
     let mut found: Vec<Call> = Vec::new();
     for file in &files {
         found.extend(calls_in(file, &Context::default()));
@@ -77,9 +87,17 @@ fn all(uses: &Uses, packages: &Packages) -> Called {
         through(file, &Context::default(), &by_path, packages, &mut found);
     }
     found.truncate(CALLER_CALLS);
-    found.sort_by(|a, b| (&a.caller, a.range.start, &a.through).cmp(&(&b.caller, b.range.start, &b.through)));
-    let calls = found.into_iter().map(|call| RobotCall { target: target(&call, packages), call });
-    Called { calls: Arc::new(calls.collect()), excluded: Arc::new(excluded(&files, &by_path, packages)) }
+    found.sort_by(|a, b| {
+        (&a.caller, a.range.start, &a.through).cmp(&(&b.caller, b.range.start, &b.through))
+    });
+    let calls = found.into_iter().map(|call| RobotCall {
+        target: target(&call, packages),
+        call,
+    });
+    Called {
+        calls: Arc::new(calls.collect()),
+        excluded: Arc::new(excluded(&files, &by_path, packages)),
+    }
 }
 
 /// The calls of the files that a launch file includes.
@@ -94,14 +112,21 @@ fn through(
         return;
     }
     for (name, context) in included(file, context) {
-        let Some(path) = name.path(packages, &file.path) else { continue };
+        let Some(path) = name.path(packages, &file.path) else {
+            continue;
+        };
         let path = packages.present(&path).into_owned();
-        let Some(inner) = by_path.get(path.as_path()).filter(|inner| !context.through.contains(&inner.path))
+        let Some(inner) = by_path
+            .get(path.as_path())
+            .filter(|inner| !context.through.contains(&inner.path))
         else {
             continue;
         };
         for call in calls_in(inner, &context) {
-            if !found.iter().any(|known| known.caller == call.caller && known.is_same(&call)) {
+            if !found
+                .iter()
+                .any(|known| known.caller == call.caller && known.is_same(&call))
+            {
                 found.push(call);
             }
         }
@@ -112,7 +137,10 @@ fn through(
 /// The description that a call names, as it is in the source tree; none for one that the build makes from a template.
 pub(super) fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
     let path = call.file.path(packages, &call.caller)?;
-    match packages.built(&path).filter(|_| !packages.vfs.exists(&path)) {
+    match packages
+        .built(&path)
+        .filter(|_| !packages.vfs.exists(&path))
+    {
         Some(built) if built.is_template => None,
         Some(built) => Some(built.path),
         None => Some(path),
@@ -135,11 +163,17 @@ mod tests {
         tree.write("launch/inner.launch.py", INNER);
         let path = "inner = os.path.join(os.path.dirname(__file__), 'inner.launch.py')\n";
         tree.write("launch/outer.launch.py", &format!("{path}{outer}"));
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+        let packages = Packages::new(
+            tree.vfs().clone(),
+            &tree.environment(&[]),
+            PackageOptions::default(),
+        );
         let calls = Callers::default().calls_below(tree.root(), &packages);
         let through = calls.iter().filter(|call| !call.call.through.is_empty());
-        let sides: Vec<String> =
-            through.flat_map(|call| &call.call.args).map(|argument| argument.value.shown()).collect();
+        let sides: Vec<String> = through
+            .flat_map(|call| &call.call.args)
+            .map(|argument| argument.value.shown())
+            .collect();
         assert_eq!(sides, expected, "{outer}");
     }
 

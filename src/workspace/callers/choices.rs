@@ -34,7 +34,11 @@ impl Callers {
     pub fn choices(&self, file: &Path, packages: &Packages) -> Axes {
         let mut axes = Axes::new();
         let mut launch_files: Vec<PathBuf> = Vec::new();
-        for call in self.calls(file, packages).iter().filter(|call| call.target.as_deref() == Some(file)) {
+        for call in self
+            .calls(file, packages)
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(file))
+        {
             if !launch_files.contains(&call.call.caller) {
                 launch_files.push(call.call.caller.clone());
             }
@@ -43,14 +47,19 @@ impl Callers {
         for launch_file in launch_files.iter().filter_map(read) {
             let mut calls = 0;
             for declared in &launch_file.declared {
-                let Some(choices) = &declared.choices else { continue };
+                let Some(choices) = &declared.choices else {
+                    continue;
+                };
                 for choice in choices {
                     calls += 1;
                     if calls > CALLER_CALLS {
                         return axes;
                     }
                     let value = (declared.name.clone(), Word::plain(choice));
-                    let context = Context { values: vec![value], ..Context::default() };
+                    let context = Context {
+                        values: vec![value],
+                        ..Context::default()
+                    };
                     add_chosen(&mut axes, &launch_file, &declared.name, &context, |call| {
                         target(call, packages).as_deref() == Some(file)
                     });
@@ -76,15 +85,30 @@ pub(super) fn excluded(
     let mut found = Vec::new();
     for file in files {
         for given in values_given(file) {
-            let path = || given.to.as_ref().and_then(|name| name.path(packages, &file.path));
+            let path = || {
+                given
+                    .to
+                    .as_ref()
+                    .and_then(|name| name.path(packages, &file.path))
+            };
             let to = match &given.to {
                 None => Some(file),
-                Some(_) => path().and_then(|path| by_path.get(packages.present(&path).as_ref()).copied()),
+                Some(_) => {
+                    path().and_then(|path| by_path.get(packages.present(&path).as_ref()).copied())
+                }
             };
-            let Some(choices) = to.and_then(|to| to.choices_of(&given.name)) else { continue };
+            let Some(choices) = to.and_then(|to| to.choices_of(&given.name)) else {
+                continue;
+            };
             if !choices.contains(&given.value) {
                 let (giver, range) = (file.path.clone(), given.range);
-                found.push(Excluded { giver, range, name: given.name, value: given.value, choices });
+                found.push(Excluded {
+                    giver,
+                    range,
+                    name: given.name,
+                    value: given.value,
+                    choices,
+                });
             }
         }
     }
@@ -100,14 +124,23 @@ fn add_chosen(
     is_meant: impl Fn(&Call) -> bool,
 ) {
     const OTHER: &str = "\u{fffd}";
-    let other = Context { values: vec![(name.to_owned(), Word::plain(OTHER))], ..Context::default() };
+    let other = Context {
+        values: vec![(name.to_owned(), Word::plain(OTHER))],
+        ..Context::default()
+    };
     let others = calls_in(launch_file, &other);
-    for call in calls_in(launch_file, context).iter().filter(|call| is_meant(call)) {
+    for call in calls_in(launch_file, context)
+        .iter()
+        .filter(|call| is_meant(call))
+    {
         let same = others.iter().find(|other| other.range == call.range);
         for argument in &call.args {
-            let depends = same.and_then(|same| same.args.iter().find(|own| own.name == argument.name));
+            let depends =
+                same.and_then(|same| same.args.iter().find(|own| own.name == argument.name));
             let depends = depends.is_some_and(|own| own.value.shown().contains(OTHER));
-            let Some(value) = argument.value.literal().filter(|_| depends) else { continue };
+            let Some(value) = argument.value.literal().filter(|_| depends) else {
+                continue;
+            };
             match axes.iter_mut().find(|(known, _)| *known == argument.name) {
                 Some((_, values)) if values.contains(&value) => {}
                 Some((_, values)) => values.push(value),

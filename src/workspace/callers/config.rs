@@ -18,7 +18,9 @@ pub(super) fn urdf_params(text: &str) -> Vec<GivenArg> {
         let indent = indentation(line);
         let below = lines.clone().filter(|line| !is_blank(line));
         given.extend(
-            below.take_while(|line| indentation(line) > indent || is_item(line, indent)).filter_map(param),
+            below
+                .take_while(|line| indentation(line) > indent || is_item(line, indent))
+                .filter_map(param),
         );
     }
     given
@@ -26,7 +28,9 @@ pub(super) fn urdf_params(text: &str) -> Vec<GivenArg> {
 
 /// The package whose configuration a file specializes.
 pub(super) fn based_on(text: &str) -> Option<String> {
-    let value = text.lines().find_map(|line| line.strip_prefix("based_on_package:"))?;
+    let value = text
+        .lines()
+        .find_map(|line| line.strip_prefix("based_on_package:"))?;
     scalar(value).filter(|name| !name.is_empty())
 }
 
@@ -34,16 +38,24 @@ pub(super) fn based_on(text: &str) -> Option<String> {
 pub(super) fn inherit(callers: &mut [Caller]) {
     let mut by_package: FastMap<String, usize> = FastMap::default();
     for (number, caller) in callers.iter().enumerate() {
-        let package = caller.path.parent().and_then(|folder| folder.parent()?.file_name()?.to_str());
+        let package = caller
+            .path
+            .parent()
+            .and_then(|folder| folder.parent()?.file_name()?.to_str());
         if let Some(package) = package.filter(|_| caller.path.ends_with("config/config.yaml")) {
             by_package.insert(package.to_owned(), number);
         }
     }
     for number in 0..callers.len() {
         let mut seen = FastSet::from_iter([number]);
-        let mut base = callers.get(number).and_then(|caller| caller.based_on.clone());
+        let mut base = callers
+            .get(number)
+            .and_then(|caller| caller.based_on.clone());
         while let Some(at) = base.and_then(|package| by_package.get(&package).copied()) {
-            let Some(from) = callers.get(at).filter(|_| seen.insert(at) && seen.len() <= MOST_BASES) else {
+            let Some(from) = callers
+                .get(at)
+                .filter(|_| seen.insert(at) && seen.len() <= MOST_BASES)
+            else {
                 break;
             };
             let (descriptions, args) = (from.descriptions.clone(), from.args.clone());
@@ -73,7 +85,10 @@ fn param(line: &str) -> Option<GivenArg> {
     let item = line.trim_start();
     let (name, value) = item.strip_prefix("- ").unwrap_or(item).split_once(':')?;
     let value = scalar(value).filter(|value| !value.contains(['$', '%', '{', '>']));
-    Some(GivenArg { name: scalar(name)?, value })
+    Some(GivenArg {
+        name: scalar(name)?,
+        value,
+    })
 }
 
 /// A scalar without its quotes and the comment behind it.
@@ -94,10 +109,19 @@ mod tests {
     fn parameters() {
         let text = "hardware:\n  urdf_params:\n    # mode\n    - side: left # or right\n\n    - \"mode\": 'a b'\n    \
                     - model: \"%>> share\"\n  other:\n    - more: 1\n";
-        let found: Vec<(String, Option<String>)> =
-            urdf_params(text).into_iter().map(|arg| (arg.name, arg.value)).collect();
-        let expected = [("side", Some("left")), ("mode", Some("a b")), ("model", None)];
-        assert_eq!(found, expected.map(|(name, value)| (name.to_owned(), value.map(str::to_owned))));
+        let found: Vec<(String, Option<String>)> = urdf_params(text)
+            .into_iter()
+            .map(|arg| (arg.name, arg.value))
+            .collect();
+        let expected = [
+            ("side", Some("left")),
+            ("mode", Some("a b")),
+            ("model", None),
+        ];
+        assert_eq!(
+            found,
+            expected.map(|(name, value)| (name.to_owned(), value.map(str::to_owned)))
+        );
         let unindented = "urdf_params:\n- side: left\nother: 1\n";
         assert_eq!(urdf_params(unindented).len(), 1);
         assert!(urdf_params("urdf_params: []\nside: left").is_empty());
@@ -105,7 +129,10 @@ mod tests {
 
     #[test]
     fn bases() {
-        assert_eq!(based_on("a: 1\nbased_on_package: \"arm_base\" # x").as_deref(), Some("arm_base"));
+        assert_eq!(
+            based_on("a: 1\nbased_on_package: \"arm_base\" # x").as_deref(),
+            Some("arm_base")
+        );
         assert_eq!(based_on("# based_on_package: arm\n"), None);
     }
 }

@@ -29,7 +29,9 @@ const MARKS: [&str; 12] = [
 const DRAFTS: [&str; 2] = ["@todo.todo", "<license>TODO"];
 
 /// First words of names of packages that say nothing about whose they are.
-const COMMON: [&str; 10] = ["gazebo", "gz", "ign", "moveit", "my", "nav2", "robot", "ros", "ros2", "simple"];
+const COMMON: [&str; 10] = [
+    "gazebo", "gz", "ign", "moveit", "my", "nav2", "robot", "ros", "ros2", "simple",
+];
 
 /// The folders of the repositories of others below a folder.
 pub(super) type Copies = Vec<PathBuf>;
@@ -76,7 +78,9 @@ impl Callers {
             if around(&copies, &file).is_none() {
                 return false;
             }
-            let Some(users) = self.users(&file, &copies, packages) else { return false };
+            let Some(users) = self.users(&file, &copies, packages) else {
+                return false;
+            };
             let users = users.into_iter().chain(includers(&file));
             open.extend(users.filter(|user| !seen.contains(user)));
             seen.insert(file);
@@ -87,44 +91,73 @@ impl Callers {
     /// The texts that lead to a file of a copy, but for includes; none when something that runs names its package, or not all
     /// texts are known.
     fn users(&self, file: &Path, copies: &Copies, packages: &Packages) -> Option<Vec<PathBuf>> {
-        let mentions = self.mentions(file, packages).filter(|mentions| mentions.is_whole)?;
+        let mentions = self
+            .mentions(file, packages)
+            .filter(|mentions| mentions.is_whole)?;
         let package = packages.containing(file).map(|package| package.name);
-        let is_used = |package: String| mentions.uses(&package).any(|by| around(copies, by).is_none());
+        let is_used = |package: String| {
+            mentions
+                .uses(&package)
+                .any(|by| around(copies, by).is_none())
+        };
         // whoever uses a package does not run its tests
         if !is_of_tests(file, packages) && package.is_some_and(is_used) {
             return None;
         }
         let uses = self.around(file, packages)?;
         let computing = uses.callers.iter().filter(|caller| caller.ends(file));
-        let users = mentions.of(file).chain(computing.map(|caller| &*caller.path));
-        Some(users.filter(|user| packages.may_mean(user, file)).map(Path::to_owned).collect())
+        let users = mentions
+            .of(file)
+            .chain(computing.map(|caller| &*caller.path));
+        Some(
+            users
+                .filter(|user| packages.may_mean(user, file))
+                .map(Path::to_owned)
+                .collect(),
+        )
     }
 
     /// The copies in the sources around a file.
     fn copies(&self, file: &Path, packages: &Packages) -> Arc<Copies> {
-        let Some(top) = packages.sources_around(file) else { return Arc::default() };
+        let Some(top) = packages.sources_around(file) else {
+            return Arc::default();
+        };
         let uses = || self.around(file, packages);
-        self.copies.get(top.clone(), || Arc::new(copied_below(&top, packages, uses)))
+        self.copies
+            .get(top.clone(), || Arc::new(copied_below(&top, packages, uses)))
     }
 }
 
 /// Whether a file belongs to the tests of its package.
 fn is_of_tests(file: &Path, packages: &Packages) -> bool {
-    let Some(package) = packages.containing(file) else { return false };
-    let inside = file.strip_prefix(&package.folder).ok().and_then(Path::parent);
-    let is_test = |name: &std::ffi::OsStr| name.to_string_lossy().to_lowercase().starts_with("test");
+    let Some(package) = packages.containing(file) else {
+        return false;
+    };
+    let inside = file
+        .strip_prefix(&package.folder)
+        .ok()
+        .and_then(Path::parent);
+    let is_test =
+        |name: &std::ffi::OsStr| name.to_string_lossy().to_lowercase().starts_with("test");
     inside.is_some_and(|inside| inside.iter().any(is_test))
 }
 
 /// The folder of the copy that a file lies in.
 fn around<'c>(copies: &'c Copies, file: &Path) -> Option<&'c Path> {
-    copies.iter().map(PathBuf::as_path).find(|folder| file.starts_with(folder))
+    copies
+        .iter()
+        .map(PathBuf::as_path)
+        .find(|folder| file.starts_with(folder))
 }
 
 /// The folders of the repositories that were copied below a folder: they have marks of a repository or are released, and share
 /// neither people nor names with the packages of this one, which are drafts, or have robots. What is cloned, with a `.git` of its
 /// own, may be anybody's.
-fn copied_below(top: &Path, packages: &Packages, uses: impl FnOnce() -> Option<Arc<Uses>>) -> Copies {
+fn copied_below(
+    top: &Path,
+    packages: &Packages,
+    uses: impl FnOnce() -> Option<Arc<Uses>>,
+) -> Copies {
     let member = |(name, folder): (String, PathBuf)| {
         let manifest = packages.vfs.text(&folder.join(MANIFEST));
         let manifest = manifest.as_ref().map_or("", |file| &*file.text);
@@ -134,7 +167,10 @@ fn copied_below(top: &Path, packages: &Packages, uses: impl FnOnce() -> Option<A
             folder,
             is_draft: DRAFTS.iter().any(|draft| manifest.contains(draft)),
             people: people(manifest),
-            needs: needs(manifest).filter_map(family).map(str::to_owned).collect(),
+            needs: needs(manifest)
+                .filter_map(family)
+                .map(str::to_owned)
+                .collect(),
         }
     };
     let mut members: Vec<Member> = packages.below(top).into_iter().map(member).collect();
@@ -143,7 +179,9 @@ fn copied_below(top: &Path, packages: &Packages, uses: impl FnOnce() -> Option<A
     }
     // whoever shares people or names with packages of this repository is no other
     while let Some(folder) = related(&members) {
-        let own = members.iter_mut().filter(|one| one.copied.as_ref() == Some(&folder));
+        let own = members
+            .iter_mut()
+            .filter(|one| one.copied.as_ref() == Some(&folder));
         own.for_each(|one| one.copied = None);
     }
     let has_drafts = members.iter().any(Member::is_own_draft);
@@ -158,7 +196,12 @@ fn copied_below(top: &Path, packages: &Packages, uses: impl FnOnce() -> Option<A
     folders.dedup();
     let has_robots = |uses: Arc<Uses>| {
         let mut own = members.iter().filter(|one| one.copied.is_none());
-        let files = || uses.files.values().flatten().chain(uses.callers.iter().map(|caller| &caller.path));
+        let files = || {
+            uses.files
+                .values()
+                .flatten()
+                .chain(uses.callers.iter().map(|caller| &caller.path))
+        };
         own.any(|one| files().any(|file| file.starts_with(&one.folder)))
     };
     let is_workspace = !folders.is_empty() && (has_drafts || uses().is_some_and(has_robots));
@@ -173,37 +216,59 @@ impl Member {
 
 /// The folder of the repository that a package was copied with below a folder.
 fn copied_with(top: &Path, package: &Path, vfs: &Vfs) -> Option<PathBuf> {
-    let folders = || package.ancestors().take_while(|folder| folder.starts_with(top) && *folder != top);
+    let folders = || {
+        package
+            .ancestors()
+            .take_while(|folder| folder.starts_with(top) && *folder != top)
+    };
     if folders().any(|folder| vfs.exists(&folder.join(".git"))) {
         return None;
     }
     let marked = folders().filter(|folder| has_mark(vfs, folder)).last();
     let is_released = || vfs.is_file(&package.join("CHANGELOG.rst"));
-    marked.or_else(|| is_released().then_some(package)).map(Path::to_owned)
+    marked
+        .or_else(|| is_released().then_some(package))
+        .map(Path::to_owned)
 }
 
 fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
-    vfs.list_dir(folder).iter().any(|entry| MARKS.contains(&entry.name.as_str()))
+    vfs.list_dir(folder)
+        .iter()
+        .any(|entry| MARKS.contains(&entry.name.as_str()))
 }
 
 /// A copy one of whose packages shares people or the first word of its name with one of this repository, or one that it needs: with
 /// the drafts, where there are some.
 fn related(members: &[Member]) -> Option<PathBuf> {
     let has_drafts = members.iter().any(Member::is_own_draft);
-    let own = || members.iter().filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts));
+    let own = || {
+        members
+            .iter()
+            .filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts))
+    };
     let known: FastSet<&String> = own().flat_map(|one| &one.people).collect();
     let needed = own().flat_map(|one| one.needs.iter().map(String::as_str));
-    let families: FastSet<&str> = own().filter_map(|one| family(&one.name)).chain(needed).collect();
+    let families: FastSet<&str> = own()
+        .filter_map(|one| family(&one.name))
+        .chain(needed)
+        .collect();
     let is_related = |one: &&Member| {
         one.people.iter().any(|person| known.contains(person))
             || family(&one.name).is_some_and(|family| families.contains(family))
     };
-    members.iter().filter(|one| one.copied.is_some()).find(is_related)?.copied.clone()
+    members
+        .iter()
+        .filter(|one| one.copied.is_some())
+        .find(is_related)?
+        .copied
+        .clone()
 }
 
 /// The first word of the name of a package, where it says something.
 fn family(name: &str) -> Option<&str> {
-    name.split(['_', '-']).next().filter(|word| !COMMON.contains(word))
+    name.split(['_', '-'])
+        .next()
+        .filter(|word| !COMMON.contains(word))
 }
 
 /// The packages that a manifest says it needs.
@@ -222,7 +287,15 @@ fn people(manifest: &str) -> Vec<String> {
         let quote = part.chars().next().filter(|c| matches!(c, '"' | '\''))?;
         part.get(1..)?.split(quote).next().map(str::to_lowercase)
     };
-    let is_example =
-        |address: &String| ["@example.com", "@todo.com"].iter().any(|end| address.ends_with(end));
-    manifest.split("email=").skip(1).filter_map(address).filter(|address| !is_example(address)).collect()
+    let is_example = |address: &String| {
+        ["@example.com", "@todo.com"]
+            .iter()
+            .any(|end| address.ends_with(end))
+    };
+    manifest
+        .split("email=")
+        .skip(1)
+        .filter_map(address)
+        .filter(|address| !is_example(address))
+        .collect()
 }

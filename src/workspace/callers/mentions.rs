@@ -8,12 +8,14 @@ use crate::Packages;
 use base::{FastMap, FastSet};
 
 /// Distributions whose xacro takes tags without their prefix, by the first part of their name.
-const OLD: [&str; 8] = ["fuerte", "groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic"];
+const OLD: [&str; 8] = [
+    "fuerte", "groovy", "hydro", "indigo", "jade", "kinetic", "lunar", "melodic",
+];
 
 /// The others.
 const NEW: [&str; 13] = [
-    "noetic", "ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy", "galactic", "humble", "iron",
-    "jazzy", "kilted", "ros2",
+    "noetic", "ardent", "bouncy", "crystal", "dashing", "eloquent", "foxy", "galactic", "humble",
+    "iron", "jazzy", "kilted", "ros2",
 ];
 
 /// Words of texts that start controllers by their names.
@@ -41,7 +43,8 @@ pub(super) struct Mentions {
 impl Callers {
     /// Whether a text in the sources around a file holds its name; also where not all texts are known.
     pub fn mention_file(&self, file: &Path, packages: &Packages) -> bool {
-        let is_it = |mentions: Arc<Mentions>| !mentions.is_whole || mentions.of(file).next().is_some();
+        let is_it =
+            |mentions: Arc<Mentions>| !mentions.is_whole || mentions.of(file).next().is_some();
         self.mentions(file, packages).is_none_or(is_it)
     }
 
@@ -51,31 +54,41 @@ impl Callers {
         if self.around(file, packages).is_none_or(simulates) {
             return false;
         }
-        let is_it = |mentions: Arc<Mentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
+        let is_it =
+            |mentions: Arc<Mentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
         self.mentions(file, packages).is_some_and(is_it)
     }
 
     /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix.
     pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
-        self.mentions(file, packages).is_some_and(|mentions| mentions.distributions == (true, false))
+        self.mentions(file, packages)
+            .is_some_and(|mentions| mentions.distributions == (true, false))
     }
 
     /// The texts around a file that start controllers.
     pub fn starters(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
-        self.mentions(file, packages).map_or_else(Vec::new, |mentions| mentions.starters.clone())
+        self.mentions(file, packages)
+            .map_or_else(Vec::new, |mentions| mentions.starters.clone())
     }
 
     /// What the texts in the sources around a file say.
     pub(super) fn mentions(&self, file: &Path, packages: &Packages) -> Option<Arc<Mentions>> {
         let top = packages.sources_around(file)?;
-        Some(self.mentions.get(top.clone(), || Arc::new(Mentions::below(&top, packages))))
+        Some(
+            self.mentions
+                .get(top.clone(), || Arc::new(Mentions::below(&top, packages))),
+        )
     }
 }
 
 impl Mentions {
     fn below(top: &Path, packages: &Packages) -> Self {
         let mut found = Self::default();
-        let names: FastSet<String> = packages.below(top).into_iter().map(|(name, _)| name).collect();
+        let names: FastSet<String> = packages
+            .below(top)
+            .into_iter()
+            .map(|(name, _)| name)
+            .collect();
         found.is_whole = walk(&packages.vfs, top, &mut |path, name, is_small| {
             let is_read = (read::is_description(name) || read::may_call(name)) && is_small();
             if let Some(text) = is_read.then(|| packages.vfs.text(path).ok()).flatten() {
@@ -91,13 +104,17 @@ impl Mentions {
         let is_description = read::is_description(name_of(path));
         let is_page = read::is_page(path);
         self.simulates |= read::simulates(text);
-        self.runs |= !is_description && (name_of(path).contains("launch") || read::is_program(path));
+        self.runs |=
+            !is_description && (name_of(path).contains("launch") || read::is_program(path));
         if !is_description && !is_page && STARTERS.iter().any(|word| text.contains(word)) {
             self.starters.push(path.to_owned());
         }
         let is_use = !is_description && !path.ends_with("CMakeLists.txt");
         let mut seen: FastSet<&str> = FastSet::default();
-        for word in text.split(|c| !read::is_name(c)).map(|word| word.trim_matches(['.', '-'])) {
+        for word in text
+            .split(|c| !read::is_name(c))
+            .map(|word| word.trim_matches(['.', '-']))
+        {
             let is_package = is_use && names.contains(word);
             let is_file = word.contains('.') && word.contains(char::is_alphabetic);
             if is_page {
@@ -107,10 +124,16 @@ impl Mentions {
                 continue;
             }
             if is_package {
-                self.packages.entry(word.to_owned()).or_default().push(path.to_owned());
+                self.packages
+                    .entry(word.to_owned())
+                    .or_default()
+                    .push(path.to_owned());
             }
             if is_file {
-                self.files.entry(word.to_owned()).or_default().push(path.to_owned());
+                self.files
+                    .entry(word.to_owned())
+                    .or_default()
+                    .push(path.to_owned());
             }
         }
     }
@@ -119,7 +142,8 @@ impl Mentions {
         let is = |names: &[&str]| names.iter().any(|name| word.eq_ignore_ascii_case(name));
         let parts = || word.split(['-', '_', '.']);
         let has = |names: &[&str]| {
-            is(names) || parts().any(|part| names.iter().any(|name| part.eq_ignore_ascii_case(name)))
+            is(names)
+                || parts().any(|part| names.iter().any(|name| part.eq_ignore_ascii_case(name)))
         };
         self.distributions.0 |= has(&OLD);
         self.distributions.1 |= has(&NEW);
@@ -127,13 +151,22 @@ impl Mentions {
 
     /// The texts other than a file itself that hold its name.
     pub fn of(&self, file: &Path) -> impl Iterator<Item = &Path> {
-        let all = self.files.get(name_of(file)).into_iter().flatten().map(PathBuf::as_path);
+        let all = self
+            .files
+            .get(name_of(file))
+            .into_iter()
+            .flatten()
+            .map(PathBuf::as_path);
         let own = file.to_owned();
         all.filter(move |path| *path != own)
     }
 
     /// The texts that hold the name of a package, but for descriptions and what is built.
     pub fn uses(&self, package: &str) -> impl Iterator<Item = &Path> {
-        self.packages.get(package).into_iter().flatten().map(PathBuf::as_path)
+        self.packages
+            .get(package)
+            .into_iter()
+            .flatten()
+            .map(PathBuf::as_path)
     }
 }

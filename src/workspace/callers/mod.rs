@@ -116,7 +116,9 @@ impl Uses {
     /// in the package and folders that it writes.
     fn names(&self, caller: &Caller, file: &Path, packages: &Packages, is_near: bool) -> bool {
         let name = name_of(file);
-        let Some(written) = caller.descriptions.get(name) else { return false };
+        let Some(written) = caller.descriptions.get(name) else {
+            return false;
+        };
         let own = || packages.containing(file).map(|package| package.name);
         // a text that says another package means no file of this one
         let may_be = |written: &&Written| {
@@ -125,16 +127,25 @@ impl Uses {
         };
         let namesakes = self.files.get(name).into_iter().flatten();
         let may_mean = |other: &&PathBuf| !is_near || packages.may_mean(&caller.path, other);
-        let others: Vec<&PathBuf> = namesakes.filter(|other| *other != file).filter(may_mean).collect();
+        let others: Vec<&PathBuf> = namesakes
+            .filter(|other| *other != file)
+            .filter(may_mean)
+            .collect();
         written.iter().filter(may_be).any(|written| {
             let fit = written.fit(file, packages);
-            others.iter().all(|other| written.fit(other, packages) <= fit)
+            others
+                .iter()
+                .all(|other| written.fit(other, packages) <= fit)
         })
     }
 
     /// Whether a caller names a description that is there, other than `file`.
     fn has_another(&self, caller: &Caller, file: &Path, packages: &Packages) -> bool {
-        let mut others = caller.descriptions.keys().filter_map(|name| self.files.get(name)).flatten();
+        let mut others = caller
+            .descriptions
+            .keys()
+            .filter_map(|name| self.files.get(name))
+            .flatten();
         others.any(|other| other != file && self.names(caller, other, packages, false))
     }
 }
@@ -144,34 +155,48 @@ impl Callers {
     /// name; each in the order of their paths.
     pub fn of(&self, file: &Path, packages: &Packages) -> Vec<Caller> {
         let name = name_of(file);
-        let Some(all) = self.around(file, packages).filter(|_| !name.is_empty()) else { return Vec::new() };
+        let Some(all) = self.around(file, packages).filter(|_| !name.is_empty()) else {
+            return Vec::new();
+        };
         let is_named = |caller: &&Caller| all.names(caller, file, packages, true);
         let named = all.callers.iter().filter(is_named);
         let may_name = |caller: &&Caller| {
             !caller.descriptions.contains_key(name)
-                && caller.endings.iter().any(|ending| name.ends_with(ending.as_str()))
+                && caller
+                    .endings
+                    .iter()
+                    .any(|ending| name.ends_with(ending.as_str()))
         };
         let computed = all.callers.iter().filter(may_name);
-        let may_mean = |caller: &&Caller| caller.computes_the_file() || packages.may_mean(&caller.path, file);
+        let may_mean =
+            |caller: &&Caller| caller.computes_the_file() || packages.may_mean(&caller.path, file);
         named.chain(computed).filter(may_mean).cloned().collect()
     }
 
     /// What is known of the sources around a file.
     fn around(&self, file: &Path, packages: &Packages) -> Option<Arc<Uses>> {
         let top = packages.sources_around(file)?;
-        Some(self.below.get(top.clone(), || Arc::new(search(&packages.vfs, &top))))
+        Some(
+            self.below
+                .get(top.clone(), || Arc::new(search(&packages.vfs, &top))),
+        )
     }
 
     /// The files around `file` that may belong to robots, by their names: SRDF, YAML, what MoveIt's setup assistant wrote.
     pub fn beside(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
-        self.around(file, packages).map_or_else(Vec::new, |all| all.beside.clone())
+        self.around(file, packages)
+            .map_or_else(Vec::new, |all| all.beside.clone())
     }
 
     /// The descriptions around `file`, in the order of their paths.
     pub fn descriptions(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
         let all = self.around(file, packages);
-        let mut found: Vec<PathBuf> =
-            all.iter().flat_map(|all| all.files.values()).flatten().cloned().collect();
+        let mut found: Vec<PathBuf> = all
+            .iter()
+            .flat_map(|all| all.files.values())
+            .flatten()
+            .cloned()
+            .collect();
         found.sort();
         found
     }
@@ -179,26 +204,37 @@ impl Callers {
     /// Whether a file that names the description `file` also says `word`.
     pub fn mention(&self, file: &Path, word: &str, packages: &Packages) -> bool {
         let says = |caller: &Caller| {
-            packages.vfs.text(&caller.path).is_ok_and(|text| read::has_name(&text.text, word))
+            packages
+                .vfs
+                .text(&caller.path)
+                .is_ok_and(|text| read::has_name(&text.text, word))
         };
         self.of(file, packages).iter().any(says)
     }
 
     /// Whether a file that names the description `file` also holds `text`, letter for letter.
     pub fn quote(&self, file: &Path, text: &str, packages: &Packages) -> bool {
-        let holds =
-            |caller: &Caller| packages.vfs.text(&caller.path).is_ok_and(|file| file.text.contains(text));
+        let holds = |caller: &Caller| {
+            packages
+                .vfs
+                .text(&caller.path)
+                .is_ok_and(|file| file.text.contains(text))
+        };
         self.of(file, packages).iter().any(holds)
     }
 
     /// Whether a file names the description `file`.
     pub fn name(&self, file: &Path, packages: &Packages) -> bool {
-        self.of(file, packages).iter().any(|caller| caller.descriptions.contains_key(name_of(file)))
+        self.of(file, packages)
+            .iter()
+            .any(|caller| caller.descriptions.contains_key(name_of(file)))
     }
 
     /// Whether something that runs names the description `file`, in part at least; a page does not run.
     pub fn load(&self, file: &Path, packages: &Packages) -> bool {
-        self.of(file, packages).iter().any(|caller| !caller.is_page() && caller.says(file))
+        self.of(file, packages)
+            .iter()
+            .any(|caller| !caller.is_page() && caller.says(file))
     }
 
     /// Whether launch files load the description `file` to show it in RViz and for nothing else, while others simulate or plan
@@ -210,11 +246,16 @@ impl Callers {
             .filter(|caller| caller.is_launch() && caller.says(file))
             .collect();
         let simulates_another = |all: Arc<Uses>| {
-            let mut others = all.callers.iter().filter(|caller| caller.is_launch() && caller.simulates);
+            let mut others = all
+                .callers
+                .iter()
+                .filter(|caller| caller.is_launch() && caller.simulates);
             others.any(|caller| all.has_another(caller, file, packages))
         };
         !launches.is_empty()
-            && launches.iter().all(|caller| caller.shows && !caller.simulates)
+            && launches
+                .iter()
+                .all(|caller| caller.shows && !caller.simulates)
             && self.around(file, packages).is_some_and(simulates_another)
     }
 
@@ -222,13 +263,20 @@ impl Callers {
     pub fn era(&self, file: &Path, packages: &Packages) -> Era {
         let all = self.of(file, packages);
         let era = |caller: &Caller| if caller.is_launch() { caller.era } else { None };
-        let own = all.iter().filter(|caller| caller.says(file)).filter_map(era).max();
+        let own = all
+            .iter()
+            .filter(|caller| caller.says(file))
+            .filter_map(era)
+            .max();
         // a file that no launch file names is for the xacro that those around it run, in its package before others
         let package = packages.containing(file).map(|package| package.folder);
         let around = || {
             let all = self.around(file, packages)?;
-            let is_near =
-                |caller: &&Caller| package.as_ref().is_some_and(|folder| caller.path.starts_with(folder));
+            let is_near = |caller: &&Caller| {
+                package
+                    .as_ref()
+                    .is_some_and(|folder| caller.path.starts_with(folder))
+            };
             let near = all.callers.iter().filter(is_near).filter_map(era).max();
             near.or_else(|| all.callers.iter().filter_map(era).max())
         };
@@ -239,7 +287,8 @@ impl Callers {
     /// that belongs to no package, those around it count that load others.
     pub fn load_in_bullet(&self, file: &Path, packages: &Packages) -> bool {
         let all = self.of(file, packages);
-        let is_free = |caller: &Caller| !caller.says(file) || !caller.is_launch() && !caller.is_program();
+        let is_free =
+            |caller: &Caller| !caller.says(file) || !caller.is_launch() && !caller.is_program();
         if all.iter().all(is_free) && packages.containing(file).is_none() {
             return self
                 .around(file, packages)
@@ -261,27 +310,43 @@ impl Callers {
     pub fn launch_any(&self, file: &Path, packages: &Packages) -> bool {
         self.around(file, packages).is_some_and(|all| {
             let launches = all.callers.iter().filter(|caller| caller.is_launch());
-            launches.flat_map(|caller| caller.descriptions.keys()).any(|name| all.files.contains_key(name))
+            launches
+                .flat_map(|caller| caller.descriptions.keys())
+                .any(|name| all.files.contains_key(name))
         })
     }
 
     /// The names of the descriptions in the package of `file` that launch files load instead: none where the file itself
     /// is named somewhere, or the launch files take the name of any and it `may_be_given`.
-    pub fn launched_instead(&self, file: &Path, packages: &Packages, may_be_given: bool) -> FastSet<String> {
+    pub fn launched_instead(
+        &self,
+        file: &Path,
+        packages: &Packages,
+        may_be_given: bool,
+    ) -> FastSet<String> {
         let takes = |caller: &Caller| may_be_given && caller.is_open && caller.is_launch();
         let may_mean = |caller: &Caller| caller.says(file) || takes(caller);
         let is_free = || !self.of(file, packages).iter().any(may_mean);
-        let all = packages.containing(file).and_then(|_| self.around(file, packages));
-        let Some(all) = all.filter(|_| is_free()) else { return FastSet::default() };
-        let is_launch = |caller: &&Caller| caller.is_launch() && packages.may_mean(&caller.path, file);
+        let all = packages
+            .containing(file)
+            .and_then(|_| self.around(file, packages));
+        let Some(all) = all.filter(|_| is_free()) else {
+            return FastSet::default();
+        };
+        let is_launch =
+            |caller: &&Caller| caller.is_launch() && packages.may_mean(&caller.path, file);
         let launches = all.callers.iter().filter(is_launch);
-        launches.flat_map(|caller| caller.descriptions.keys().cloned()).collect()
+        launches
+            .flat_map(|caller| caller.descriptions.keys().cloned())
+            .collect()
     }
 
     /// Whether `file` lies in no package and no text of the workspace may mean it, while launch files load other
     /// descriptions that are there: a copy of something, or what another program has left.
     pub fn pass_over(&self, file: &Path, packages: &Packages) -> bool {
-        let all = self.around(file, packages).filter(|_| packages.containing(file).is_none());
+        let all = self
+            .around(file, packages)
+            .filter(|_| packages.containing(file).is_none());
         let Some(all) = all else { return false };
         let may_mean = |caller: &Caller| {
             all.names(caller, file, packages, false)
@@ -290,7 +355,10 @@ impl Callers {
         };
         let loads_another = |caller: &&Caller| all.has_another(caller, file, packages);
         let has = |is_loader: fn(&Caller) -> bool| {
-            all.callers.iter().filter(|caller| is_loader(caller)).any(|caller| loads_another(&caller))
+            all.callers
+                .iter()
+                .filter(|caller| is_loader(caller))
+                .any(|caller| loads_another(&caller))
         };
         // without launch files, programs load robots
         !all.callers.iter().any(may_mean)
@@ -315,7 +383,8 @@ impl Caller {
 
     /// Whether the text names the end of the name of a description.
     fn ends(&self, file: &Path) -> bool {
-        let is_end = |ending: &String| !ending.is_empty() && name_of(file).ends_with(ending.as_str());
+        let is_end =
+            |ending: &String| !ending.is_empty() && name_of(file).ends_with(ending.as_str());
         self.endings.iter().any(is_end)
     }
 
@@ -331,9 +400,14 @@ impl Caller {
 
     /// Whether this is a launch file, by its name or folder.
     fn is_launch(&self) -> bool {
-        let name = self.path.file_name().and_then(|name| name.to_str()).unwrap_or("");
+        let name = self
+            .path
+            .file_name()
+            .and_then(|name| name.to_str())
+            .unwrap_or("");
         let folder = self.path.parent().and_then(Path::file_name);
-        name.contains("launch") || folder.is_some_and(|folder| folder == "launch") && !self.is_page()
+        name.contains("launch")
+            || folder.is_some_and(|folder| folder == "launch") && !self.is_page()
     }
 
     /// Whether the text says nothing of the file, so that its package may be computed as well.
@@ -347,10 +421,16 @@ impl Packages {
     /// is in the same package or names it; without a package, it is in the folder above or below that.
     fn may_mean(&self, caller: &Path, file: &Path) -> bool {
         let Some(package) = self.containing(file) else {
-            let near = file.parent().map(|folder| folder.parent().unwrap_or(folder));
+            let near = file
+                .parent()
+                .map(|folder| folder.parent().unwrap_or(folder));
             return near.is_some_and(|near| caller.starts_with(near));
         };
-        let names_it = || self.vfs.text(caller).is_ok_and(|text| read::has_name(&text.text, &package.name));
+        let names_it = || {
+            self.vfs
+                .text(caller)
+                .is_ok_and(|text| read::has_name(&text.text, &package.name))
+        };
         caller.starts_with(&package.folder) || names_it()
     }
 
@@ -360,14 +440,20 @@ impl Packages {
         let file = without_parents(&self.vfs.absolute(file));
         let mut sources = self.source_folders(&file);
         sources.retain(|folder| file.starts_with(folder) && self.vfs.is_dir(folder));
-        let widest = sources.into_iter().min_by_key(|folder| folder.components().count());
+        let widest = sources
+            .into_iter()
+            .min_by_key(|folder| folder.components().count());
         let package = || self.containing(&file).map(|package| package.folder);
-        widest.or_else(package).or_else(|| file.parent().map(Path::to_owned))
+        widest
+            .or_else(package)
+            .or_else(|| file.parent().map(Path::to_owned))
     }
 }
 
 fn name_of(file: &Path) -> &str {
-    file.file_name().and_then(|name| name.to_str()).unwrap_or_default()
+    file.file_name()
+        .and_then(|name| name.to_str())
+        .unwrap_or_default()
 }
 
 /// All callers and descriptions below a folder.
@@ -388,7 +474,10 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
                 }
             }
         } else if read::is_description(name) {
-            uses.files.entry(name.to_owned()).or_default().push(path.to_owned());
+            uses.files
+                .entry(name.to_owned())
+                .or_default()
+                .push(path.to_owned());
         }
     });
     uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
@@ -404,13 +493,21 @@ type Visit<'v> = dyn FnMut(&Path, &str, &dyn Fn() -> bool) + 'v;
 /// Visit the files below a folder, each with its name and whether it is small enough to be read; whether that were all.
 fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
     // a link that leads up does not make what lies beside the folder a part of it
-    let mut seen: FastSet<u128> = top.ancestors().skip(1).filter_map(|folder| vfs.identity(folder)).collect();
+    let mut seen: FastSet<u128> = top
+        .ancestors()
+        .skip(1)
+        .filter_map(|folder| vfs.identity(folder))
+        .collect();
     let above = seen.len();
     let mut open = vec![(top.to_owned(), 0)];
     let mut is_whole = true;
     while let Some((folder, depth)) = open.pop() {
         is_whole &= seen.len() - above <= CALLER_FOLDERS;
-        if !is_whole || !vfs.identity(&folder).is_some_and(|identity| seen.insert(identity)) {
+        if !is_whole
+            || !vfs
+                .identity(&folder)
+                .is_some_and(|identity| seen.insert(identity))
+        {
             continue;
         }
         let entries = vfs.list_dir(&folder);
@@ -420,8 +517,9 @@ fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
         }
         for entry in entries.iter() {
             let path = folder.join(&entry.name);
-            let passed_over =
-                entry.name.starts_with('.') || is_built(&entry.name) || entry.name == "node_modules";
+            let passed_over = entry.name.starts_with('.')
+                || is_built(&entry.name)
+                || entry.name == "node_modules";
             match entry.is_dir {
                 true if passed_over || depth >= CALLER_DEPTH => {}
                 true => open.push((path, depth + 1)),
@@ -436,56 +534,4 @@ fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::Callers;
-    use crate::{PackageOptions, Packages};
-    use vfs::testing::Tree;
-
-    #[test]
-    fn launch_files_of_other_packages_count() {
-        let tree = Tree::new();
-        tree.write("ws/src/arm/package.xml", "<package><name>arm</name></package>");
-        tree.write("ws/src/arm/urdf/arm.urdf.xacro", "<robot/>");
-        tree.write(
-            "ws/src/bringup/launch/arm.launch.py",
-            "Command(['xacro ', share('arm') / 'arm.urdf.xacro', ' side:=', 'left'])",
-        );
-        tree.write("ws/src/leg/launch/leg.launch.py", "find('leg'), 'arm.urdf.xacro leg:=1'");
-        tree.write("ws/src/leg/package.xml", "<package><name>leg</name></package>");
-        tree.write("ws/build/arm.launch.py", "'arm.urdf.xacro built:=1'");
-        tree.write("ws/src/arm/CHANGELOG.rst", "arm.urdf.xacro log:=1");
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
-        let callers = Callers::default();
-        let found = callers.of(&tree.path("ws/src/arm/urdf/arm.urdf.xacro"), &packages);
-        let args: Vec<_> = found.iter().flat_map(|caller| &caller.args).collect();
-        assert_eq!(args.len(), 1);
-        assert_eq!((args[0].name.as_str(), args[0].value.as_deref()), ("side", Some("left")));
-        assert!(callers.of(&tree.path("ws/src/arm/urdf/hand.urdf.xacro"), &packages).is_empty());
-    }
-
-    #[test]
-    fn configurations_give_arguments_and_pass_them_on() {
-        let tree = Tree::new();
-        for package in ["arm_base", "arm_site", "other"] {
-            tree.write(
-                &format!("ws/src/{package}/package.xml"),
-                &format!("<package><name>{package}</name></package>"),
-            );
-        }
-        tree.write("ws/src/arm_base/urdf/arm.xacro", "<robot/>");
-        tree.write(
-            "ws/src/arm_base/config/config.yaml",
-            "urdf:\n  path: urdf/arm.xacro\nurdf_params:\n  - side: left\n",
-        );
-        tree.write(
-            "ws/src/arm_site/config/config.yaml",
-            "based_on_package: \"arm_base\"\nurdf_params:\n  - mode: fast\n",
-        );
-        tree.write("ws/src/other/config/config.yaml", "urdf_params:\n  - leg: 1\n");
-        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
-        let found = Callers::default().of(&tree.path("ws/src/arm_base/urdf/arm.xacro"), &packages);
-        let given =
-            found.iter().map(|caller| caller.args.iter().map(|arg| arg.name.as_str()).collect::<Vec<_>>());
-        assert_eq!(given.collect::<Vec<_>>(), [vec!["side"], vec!["mode", "side"]]);
-    }
-}
+mod tests;

@@ -15,15 +15,28 @@ fn era(text: &str) -> Option<Era> {
         (false, true) => Some(Era::Melodic),
         // the name of a file does not run it
         (false, false) => {
-            let mut names = text.match_indices("xacro").map(|(at, _)| text.get(..at).unwrap_or(""));
-            names.any(|before| !before.ends_with('.')).then_some(Era::Any)
+            let mut names = text
+                .match_indices("xacro")
+                .map(|(at, _)| text.get(..at).unwrap_or(""));
+            names
+                .any(|before| !before.ends_with('.'))
+                .then_some(Era::Any)
         }
     }
 }
 
 /// Words in launch files that run something that needs masses and collisions.
-const SIMULATES: [&str; 9] =
-    ["gazebo", "ros_gz", "ros_ign", "mujoco", "pybullet", "isaac", "webots", "controller_manager", "moveit"];
+const SIMULATES: [&str; 9] = [
+    "gazebo",
+    "ros_gz",
+    "ros_ign",
+    "mujoco",
+    "pybullet",
+    "isaac",
+    "webots",
+    "controller_manager",
+    "moveit",
+];
 
 /// Whether a text runs something that needs masses and collisions.
 pub(super) fn simulates(text: &str) -> bool {
@@ -32,7 +45,10 @@ pub(super) fn simulates(text: &str) -> bool {
 
 /// Whether a file is a program, and no test of one.
 pub(super) fn is_program(path: &Path) -> bool {
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    let ending = path
+        .extension()
+        .and_then(|ending| ending.to_str())
+        .unwrap_or("");
     let folder = path.parent().and_then(Path::file_name);
     let mut names = path.file_name().into_iter().chain(folder);
     let is_test = names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"));
@@ -42,8 +58,8 @@ pub(super) fn is_program(path: &Path) -> bool {
 /// Whether a file of that name may call a robot.
 pub(super) fn may_call(name: &str) -> bool {
     const ENDINGS: [&str; 17] = [
-        "launch", "xml", "py", "sh", "bash", "md", "rst", "txt", "yaml", "yml", "cmake", "test", "in", "cpp",
-        "toml", "ipynb", "m",
+        "launch", "xml", "py", "sh", "bash", "md", "rst", "txt", "yaml", "yml", "cmake", "test",
+        "in", "cpp", "toml", "ipynb", "m",
     ];
     // these say what is installed, what depends on what, and what was; not what is used
     let tells_nothing =
@@ -54,7 +70,10 @@ pub(super) fn may_call(name: &str) -> bool {
 
 /// Whether a file is there to be read, not run.
 pub(super) fn is_page(path: &Path) -> bool {
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("");
+    let ending = path
+        .extension()
+        .and_then(|ending| ending.to_str())
+        .unwrap_or("");
     ["md", "rst", "txt", "ipynb"].contains(&ending) && !path.ends_with("CMakeLists.txt")
 }
 
@@ -78,7 +97,10 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     let text = &*without_comments(name, text);
     let descriptions = descriptions(name, text);
     let mut endings = computed(text);
-    if ["py", "sh", "cpp"].iter().any(|ending| name.ends_with(ending)) {
+    if ["py", "sh", "cpp"]
+        .iter()
+        .any(|ending| name.ends_with(ending))
+    {
         endings.extend(searched(text));
     }
     let is_yaml = name.ends_with(".yaml") || name.ends_with(".yml");
@@ -86,11 +108,21 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
     if descriptions.is_empty() && endings.is_empty() && based_on.is_none() {
         return None;
     }
-    let calls = launch::read(path, whole).as_ref().map(launch::calls).unwrap_or_default();
+    let calls = launch::read(path, whole)
+        .as_ref()
+        .map(launch::calls)
+        .unwrap_or_default();
     let given = calls.iter().flat_map(|call| &call.args);
-    let given = given.map(|arg| GivenArg { name: arg.name.clone(), value: arg.value.literal() });
+    let given = given.map(|arg| GivenArg {
+        name: arg.name.clone(),
+        value: arg.value.literal(),
+    });
     // of a text that no reader understands, only what it spells out
-    let mut args: Vec<GivenArg> = if calls.is_empty() { spelled(text) } else { given.collect() };
+    let mut args: Vec<GivenArg> = if calls.is_empty() {
+        spelled(text)
+    } else {
+        given.collect()
+    };
     if is_yaml {
         args.extend(config::urdf_params(text));
     }
@@ -100,7 +132,9 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         endings,
         is_open: takes_any(text),
         era: era(text),
-        is_bullet: ["loadURDF(", "Bullet", "pybullet"].iter().any(|word| text.contains(word)),
+        is_bullet: ["loadURDF(", "Bullet", "pybullet"]
+            .iter()
+            .any(|word| text.contains(word)),
         simulates: simulates(text),
         shows: text.contains("rviz"),
         args,
@@ -117,9 +151,11 @@ pub(super) fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
             let behind = parts.filter_map(|part| Some(part.split_once("-->")?.1));
             Cow::Owned(behind.fold(first, |kept, part| kept + part))
         }
-        "py" | "sh" | "bash" | "yaml" | "yml" if text.contains('#') => {
-            Cow::Owned(text.split_inclusive('\n').map(without_line_comment).collect())
-        }
+        "py" | "sh" | "bash" | "yaml" | "yml" if text.contains('#') => Cow::Owned(
+            text.split_inclusive('\n')
+                .map(without_line_comment)
+                .collect(),
+        ),
         _ => Cow::Borrowed(text),
     }
 }
@@ -152,12 +188,15 @@ fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
             let (before, after) = text.split_at(at + ending.len());
             let goes_on = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && after.len() > 1;
             let sentence_ends = after.starts_with('.')
-                && !after.get(1..).is_some_and(|rest| rest.starts_with(char::is_alphanumeric));
+                && !after
+                    .get(1..)
+                    .is_some_and(|rest| rest.starts_with(char::is_alphanumeric));
             if after.starts_with(goes_on) && !sentence_ends {
                 continue;
             }
-            let word =
-                before.rfind(|c: char| !is_name(c)).map_or(before, |at| before.get(at..).unwrap_or(""));
+            let word = before
+                .rfind(|c: char| !is_name(c))
+                .map_or(before, |at| before.get(at..).unwrap_or(""));
             let word = word.trim_start_matches(|c: char| !is_name(c));
             let lead = before.strip_suffix(word).unwrap_or("");
             if word.len() > ending.len()
@@ -165,7 +204,10 @@ fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
                 && !is_included(lead)
                 && !is_listed(lead)
             {
-                found.entry(word.to_owned()).or_default().push(folders_before(lead));
+                found
+                    .entry(word.to_owned())
+                    .or_default()
+                    .push(folders_before(lead));
             }
         }
     }
@@ -185,16 +227,29 @@ fn folders_before(lead: &str) -> Written {
         names.push(name);
         rest = before.strip_suffix(name).unwrap_or("");
     }
-    Written { package: package_before(rest).map(str::to_owned), folders: names.into_iter().rev().collect() }
+    Written {
+        package: package_before(rest).map(str::to_owned),
+        folders: names.into_iter().rev().collect(),
+    }
 }
 
 /// The package that a text ends with: `arm` of `$(find arm)/`, `package://arm/` and `FindPackageShare('arm'), `.
 fn package_before(lead: &str) -> Option<&str> {
-    let call = lead.trim_end_matches(['"', '\'', ' ', ',', '/', '\n', '\t']).strip_suffix(')')?;
+    let call = lead
+        .trim_end_matches(['"', '\'', ' ', ',', '/', '\n', '\t'])
+        .strip_suffix(')')?;
     let name = last_name(call.trim_end_matches(['"', '\'']));
     let before = call.trim_end_matches(['"', '\'']).strip_suffix(name)?;
-    let finds = ["$(find ", "FindPackageShare(", "get_package_share_directory(", "get_package_share_path("];
-    finds.iter().any(|find| before.trim_end_matches(['"', '\'']).ends_with(find)).then_some(name)
+    let finds = [
+        "$(find ",
+        "FindPackageShare(",
+        "get_package_share_directory(",
+        "get_package_share_path(",
+    ];
+    finds
+        .iter()
+        .any(|find| before.trim_end_matches(['"', '\'']).ends_with(find))
+        .then_some(name)
 }
 
 /// The name at the end of a text.
@@ -208,7 +263,9 @@ fn last_name(text: &str) -> &str {
 fn before_joined(lead: &str) -> Option<&str> {
     const QUOTES: [char; 2] = ['"', '\''];
     let lead = lead.strip_suffix(QUOTES)?.trim_end();
-    lead.strip_suffix([',', '/'])?.trim_end().strip_suffix(QUOTES)
+    lead.strip_suffix([',', '/'])?
+        .trim_end()
+        .strip_suffix(QUOTES)
 }
 
 fn first_len(text: &str) -> usize {
@@ -219,7 +276,10 @@ fn first_len(text: &str) -> usize {
 pub fn has_name(text: &str, name: &str) -> bool {
     text.match_indices(name).any(|(at, _)| {
         let (before, after) = text.split_at(at);
-        !before.ends_with(is_name) && !after.get(name.len()..).is_some_and(|rest| rest.starts_with(is_name))
+        !before.ends_with(is_name)
+            && !after
+                .get(name.len()..)
+                .is_some_and(|rest| rest.starts_with(is_name))
     })
 }
 
@@ -234,7 +294,11 @@ fn computed(text: &str) -> Vec<String> {
             found.push(ending.to_owned());
         }
     }
-    if takes_any(text) || ["xacro.process", "xacro.parse("].iter().any(|call| text.contains(call)) {
+    if takes_any(text)
+        || ["xacro.process", "xacro.parse("]
+            .iter()
+            .any(|call| text.contains(call))
+    {
         found.push(String::new());
     }
     found
@@ -243,17 +307,30 @@ fn computed(text: &str) -> Vec<String> {
 /// The endings of the files that a program takes, whatever their names are.
 fn searched(text: &str) -> impl Iterator<Item = String> {
     let takes = move |ending: &&&str| {
-        let ways = ["*", "endswith('", "endswith(\"", "suffix == '", "suffix == \""];
-        ways.iter().any(|way| text.contains(&format!("{way}{ending}")))
+        let ways = [
+            "*",
+            "endswith('",
+            "endswith(\"",
+            "suffix == '",
+            "suffix == \"",
+        ];
+        ways.iter()
+            .any(|way| text.contains(&format!("{way}{ending}")))
     };
-    [".urdf", ".xacro"].iter().filter(takes).map(|ending| (*ending).to_owned())
+    [".urdf", ".xacro"]
+        .iter()
+        .filter(takes)
+        .map(|ending| (*ending).to_owned())
 }
 
 /// Whether the name of the description is an argument of the call.
 fn takes_any(text: &str) -> bool {
     const ARGUMENTS: [&str; 3] = ["$(arg ", "$(var ", "LaunchConfiguration("];
-    let calls = text.match_indices("xacro").filter_map(|(at, word)| text.get(at + word.len()..));
-    let mut names = calls.map(|after| after.trim_start_matches([' ', '\'', '"', ',', '.', 'p', 'y']));
+    let calls = text
+        .match_indices("xacro")
+        .filter_map(|(at, word)| text.get(at + word.len()..));
+    let mut names =
+        calls.map(|after| after.trim_start_matches([' ', '\'', '"', ',', '.', 'p', 'y']));
     names.any(|name| ARGUMENTS.iter().any(|argument| name.starts_with(argument)))
 }
 
@@ -271,14 +348,22 @@ fn end_of(lead: &str) -> &str {
 /// Whether a name behind this text stands in an `install(...)` of CMake.
 fn is_installed(name: &str, lead: &str) -> bool {
     let lead = end_of(lead);
-    let command = lead.rfind('(').map_or("", |at| last_word(lead.get(..at).unwrap_or("")));
+    let command = lead
+        .rfind('(')
+        .map_or("", |at| last_word(lead.get(..at).unwrap_or("")));
     let is_cmake = name == "CMakeLists.txt" || name.ends_with(".cmake");
-    is_cmake && (command.eq_ignore_ascii_case("install") || command.eq_ignore_ascii_case("configure_file"))
+    is_cmake
+        && (command.eq_ignore_ascii_case("install")
+            || command.eq_ignore_ascii_case("configure_file"))
 }
 
 /// Whether a name behind this text is part of a drawn tree of folders.
 fn is_listed(lead: &str) -> bool {
-    end_of(lead).rsplit('\n').next().unwrap_or("").contains(['├', '└', '│'])
+    end_of(lead)
+        .rsplit('\n')
+        .next()
+        .unwrap_or("")
+        .contains(['├', '└', '│'])
 }
 
 /// Whether a name behind this text is that of an include.
@@ -292,8 +377,12 @@ fn is_included(lead: &str) -> bool {
 fn last_word(text: &str) -> &str {
     let text = text.trim_end_matches(' ');
     let start = text.rfind(|c: char| !(c.is_alphanumeric() || c == '_'));
-    let start = start
-        .map_or(0, |at| at + text.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8));
+    let start = start.map_or(0, |at| {
+        at + text
+            .get(at..)
+            .and_then(|rest| rest.chars().next())
+            .map_or(1, char::len_utf8)
+    });
     text.get(start..).unwrap_or("")
 }
 
@@ -304,7 +393,10 @@ fn spelled(text: &str) -> Vec<GivenArg> {
         let (before, after) = text.split_at(at);
         let own = last_word(before);
         if !own.is_empty() && !own.starts_with(|c: char| c == '_' || c.is_ascii_digit()) {
-            args.push(GivenArg { name: own.to_owned(), value: given(after.get(2..).unwrap_or("")) });
+            args.push(GivenArg {
+                name: own.to_owned(),
+                value: given(after.get(2..).unwrap_or("")),
+            });
         }
     }
     args
@@ -349,11 +441,26 @@ mod tests {
         let found = called(name, text).map(|caller| {
             let mut names: Vec<String> = caller.descriptions.into_keys().collect();
             names.sort_unstable();
-            (names, caller.args.into_iter().map(|arg| (arg.name, arg.value)).collect::<Vec<_>>())
+            (
+                names,
+                caller
+                    .args
+                    .into_iter()
+                    .map(|arg| (arg.name, arg.value))
+                    .collect::<Vec<_>>(),
+            )
         });
         let expected = expected.map(|(names, args)| {
-            let args = args.iter().map(|(name, value)| ((*name).to_owned(), value.map(str::to_owned)));
-            (names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>(), args.collect::<Vec<_>>())
+            let args = args
+                .iter()
+                .map(|(name, value)| ((*name).to_owned(), value.map(str::to_owned)));
+            (
+                names
+                    .iter()
+                    .map(|name| (*name).to_owned())
+                    .collect::<Vec<_>>(),
+                args.collect::<Vec<_>>(),
+            )
         });
         assert_eq!(found, expected, "{text}");
     }
@@ -386,14 +493,38 @@ mod tests {
     #[test]
     fn pages_and_scripts() {
         let text = "Run `xacro urdf/arm.xacro side:=left`. See arm.urdf.";
-        check_caller("README.md", text, Some((&["arm.urdf", "arm.xacro"], &[("side", Some("left"))])));
-        check_caller("README.md", "<xacro:include filename=\"$(find arm)/urdf/arm.xacro\"/>", None);
-        check_caller("README.md", "├── urdf\n│   └── arm.xacro  # the arm\n", None);
-        check_caller("CMakeLists.txt", "install(FILES urdf/arm.xacro DESTINATION share)", None);
-        check_caller("CMakeLists.txt", "xacro_add_files(urdf/arm.xacro)", Some((&["arm.xacro"], &[])));
+        check_caller(
+            "README.md",
+            text,
+            Some((&["arm.urdf", "arm.xacro"], &[("side", Some("left"))])),
+        );
+        check_caller(
+            "README.md",
+            "<xacro:include filename=\"$(find arm)/urdf/arm.xacro\"/>",
+            None,
+        );
+        check_caller(
+            "README.md",
+            "├── urdf\n│   └── arm.xacro  # the arm\n",
+            None,
+        );
+        check_caller(
+            "CMakeLists.txt",
+            "install(FILES urdf/arm.xacro DESTINATION share)",
+            None,
+        );
+        check_caller(
+            "CMakeLists.txt",
+            "xacro_add_files(urdf/arm.xacro)",
+            Some((&["arm.xacro"], &[])),
+        );
         check_caller("a.py", "'.xacro' x:=1", None);
         check_caller("a.py", "arm.urdf_old", None);
-        check_caller("ä.md", "ä:=ö ä.urdf", Some((&["ä.urdf"], &[("ä", Some("ö"))])));
+        check_caller(
+            "ä.md",
+            "ä:=ö ä.urdf",
+            Some((&["ä.urdf"], &[("ä", Some("ö"))])),
+        );
     }
 
     #[test]
@@ -405,25 +536,40 @@ mod tests {
             ("share / 'urdf' / 'arm.urdf'", "urdf", None),
             ("['xacro ', 'arm.urdf']", "", None),
             ("../urdf/arm.urdf", "urdf", None),
-            ("[FindPackageShare('arm'), 'urdf', 'arm.urdf']", "urdf", Some("arm")),
-            ("join(get_package_share_directory(\"arm\"),\n 'arm.urdf')", "", Some("arm")),
+            (
+                "[FindPackageShare('arm'), 'urdf', 'arm.urdf']",
+                "urdf",
+                Some("arm"),
+            ),
+            (
+                "join(get_package_share_directory(\"arm\"),\n 'arm.urdf')",
+                "",
+                Some("arm"),
+            ),
             ("join(get('arm'), 'arm.urdf')", "", None),
         ] {
             let found = called("a.launch.py", text).unwrap();
             let written = &found.descriptions["arm.urdf"][0];
             let package = package.map(str::to_owned);
-            assert_eq!((&*written.folders, &written.package), (Path::new(folders), &package), "{text}");
+            assert_eq!(
+                (&*written.folders, &written.package),
+                (Path::new(folders), &package),
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn comments_call_nothing() {
-        let text =
-            "<launch><!-- xacro old.urdf.xacro --><param command='xacro arm.xacro'/><!-- a:=1 --></launch>";
+        let text = "<launch><!-- xacro old.urdf.xacro --><param command='xacro arm.xacro'/><!-- a:=1 --></launch>";
         check_caller("a.launch", text, Some((&["arm.xacro"], &[])));
         let text = "# xacro old.urdf.xacro a:=1\nrun('arm.xacro', 'b#:=2')  # or hand.xacro\n";
         check_caller("a.launch.py", text, Some((&["arm.xacro"], &[])));
-        check_caller("a.sh", "xacro 'it#s.xacro' # x.xacro", Some((&["s.xacro"], &[])));
+        check_caller(
+            "a.sh",
+            "xacro 'it#s.xacro' # x.xacro",
+            Some((&["s.xacro"], &[])),
+        );
         check_caller("a.launch.py", "# only arm.xacro", None);
     }
 

@@ -8,7 +8,8 @@ use super::keys::{CONSUMERS, FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILE
 use super::pattern::Pattern;
 use super::value::{Entry, Value, ValueKind};
 use super::{
-    AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, MentionKind, Place, Profile,
+    AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, MentionKind, Place,
+    Profile,
 };
 use crate::{Target, nearest};
 use base::{TextRange, count_line_ends, last_line_start};
@@ -26,7 +27,13 @@ pub(super) struct Applier {
 impl Applier {
     /// For the file `path` with text `text`, whose relative paths start at `folder`.
     pub(super) fn new(path: PathBuf, text: String, folder: PathBuf) -> Self {
-        Self { path, text, folder, passes_unknown: false, warnings: Vec::new() }
+        Self {
+            path,
+            text,
+            folder,
+            passes_unknown: false,
+            warnings: Vec::new(),
+        }
     }
 
     pub(super) fn place(&self, range: TextRange) -> Place {
@@ -34,14 +41,23 @@ impl Applier {
         let line_start = last_line_start(before).unwrap_or(0);
         let column = before.get(line_start..).unwrap_or("").chars().count();
         let column = u32::try_from(column).unwrap_or(u32::MAX - 1) + 1;
-        Place { path: self.path.clone(), range, line: count_line_ends(before) + 1, column }
+        Place {
+            path: self.path.clone(),
+            range,
+            line: count_line_ends(before) + 1,
+            column,
+        }
     }
 
     pub(super) fn warn(&mut self, range: TextRange, message: String, nearest: Option<&str>) {
         let (place, nearest) = (self.place(range), nearest.map(str::to_owned));
         // keys may have line ends in them
         let message = message.replace(['\n', '\r'], " ");
-        self.warnings.push(ConfigWarning { place, message, nearest });
+        self.warnings.push(ConfigWarning {
+            place,
+            message,
+            nearest,
+        });
     }
 
     /// Apply all entries to `config`.
@@ -55,12 +71,17 @@ impl Applier {
                 "urdf-version" => config.urdf_version = self.texts(entry),
                 "consumers" => {
                     for value in self.values(entry) {
-                        let name = self.choice(&entry.key, value, CONSUMERS, CONSUMERS).map(str::to_owned);
-                        config.consumers.extend(name.filter(|name| !config.consumers.contains(name)));
+                        let name = self
+                            .choice(&entry.key, value, CONSUMERS, CONSUMERS)
+                            .map(str::to_owned);
+                        config
+                            .consumers
+                            .extend(name.filter(|name| !config.consumers.contains(name)));
                     }
                 }
                 "oldest-reader" => {
-                    let is_version = |text: &&str| text.split('.').all(|part| part.parse::<u32>().is_ok());
+                    let is_version =
+                        |text: &&str| text.split('.').all(|part| part.parse::<u32>().is_ok());
                     let version = self.text(entry);
                     config.oldest_reader = version.filter(is_version).map(str::to_owned);
                     if let Some(text) = version.filter(|text| !is_version(text)) {
@@ -72,22 +93,33 @@ impl Applier {
                     }
                 }
                 "profile" => {
-                    let all = [Profile::RosIndustrial, Profile::Mobile, Profile::Gazebo, Profile::Pedantic];
+                    let all = [
+                        Profile::RosIndustrial,
+                        Profile::Mobile,
+                        Profile::Gazebo,
+                        Profile::Pedantic,
+                    ];
                     for value in self.values(entry) {
                         let profile = self.choice(&entry.key, value, PROFILES, &all);
-                        config.profiles.extend(profile.filter(|profile| !config.profiles.contains(profile)));
+                        config
+                            .profiles
+                            .extend(profile.filter(|profile| !config.profiles.contains(profile)));
                     }
                 }
                 "severity" => self.severity(config, entry),
                 "per-file-ignores" => self.per_file_ignores(config, entry),
                 "exclude" => {
                     let patterns = self.texts(entry);
-                    config.exclude.extend(patterns.iter().map(|text| Pattern::new(text, &self.folder)));
+                    config
+                        .exclude
+                        .extend(patterns.iter().map(|text| Pattern::new(text, &self.folder)));
                 }
                 "package-path" => {
                     let folders = self.named(config, entry, MentionKind::Folder);
                     let folders = folders.into_iter().map(|folder| self.folder.join(folder));
-                    config.package_path.splice(0..0, folders.collect::<Vec<_>>());
+                    config
+                        .package_path
+                        .splice(0..0, folders.collect::<Vec<_>>());
                 }
                 "use-environment" => {
                     config.use_environment = self.flag(entry).unwrap_or(config.use_environment)
@@ -134,11 +166,21 @@ impl Applier {
 
     fn mention(&self, config: &mut Config, text: &str, range: TextRange, kind: MentionKind) {
         let place = self.place(range);
-        config.mentions.push(Mention { kind, text: text.to_owned(), place });
+        config.mentions.push(Mention {
+            kind,
+            text: text.to_owned(),
+            place,
+        });
     }
 
     fn severity(&mut self, config: &mut Config, entry: &Entry) {
-        let levels = [Level::Error, Level::Warning, Level::Info, Level::Hint, Level::Off];
+        let levels = [
+            Level::Error,
+            Level::Warning,
+            Level::Info,
+            Level::Hint,
+            Level::Off,
+        ];
         for field in self.table(entry) {
             self.mention(config, &field.key, field.key_range, MentionKind::Rule);
             if let Some(level) = self.choice(&field.key, &field.value, LEVELS, &levels) {
@@ -150,7 +192,9 @@ impl Applier {
     fn per_file_ignores(&mut self, config: &mut Config, entry: &Entry) {
         for field in self.table(entry) {
             let rules = self.named(config, field, MentionKind::Rule);
-            config.per_file_ignores.push((Pattern::new(&field.key, &self.folder), rules));
+            config
+                .per_file_ignores
+                .push((Pattern::new(&field.key, &self.folder), rules));
         }
     }
 
@@ -174,7 +218,9 @@ impl Applier {
         for field in self.known(fields, FORMAT, "format") {
             match field.key.as_str() {
                 "line-width" => {
-                    let width = self.count(field, FORMAT).and_then(|width| u32::try_from(width).ok());
+                    let width = self
+                        .count(field, FORMAT)
+                        .and_then(|width| u32::try_from(width).ok());
                     format.line_width = width.unwrap_or(format.line_width);
                 }
                 "self-close" => format.self_close = self.flag(field).unwrap_or(format.self_close),
@@ -189,7 +235,9 @@ impl Applier {
     fn limits(&mut self, limits: &mut Limits, entry: &Entry) {
         let fields = self.table(entry);
         for field in self.known(fields, LIMITS, "limits") {
-            let Some(value) = self.count(field, LIMITS) else { continue };
+            let Some(value) = self.count(field, LIMITS) else {
+                continue;
+            };
             let depth = u32::try_from(value).unwrap_or(u32::MAX);
             match field.key.as_str() {
                 "eval-steps" => limits.eval_steps = value,
@@ -205,20 +253,42 @@ impl Applier {
     // Types.
 
     /// The entries with a known key; the others give a warning.
-    pub(super) fn known<'e>(&mut self, entries: &'e [Entry], keys: &[Key], table: &str) -> Vec<&'e Entry> {
-        let (known, unknown): (Vec<&Entry>, Vec<&Entry>) =
-            entries.iter().partition(|entry| keys.iter().any(|key| key.name == entry.key));
-        let unknown = if self.passes_unknown { Vec::new() } else { unknown };
+    pub(super) fn known<'e>(
+        &mut self,
+        entries: &'e [Entry],
+        keys: &[Key],
+        table: &str,
+    ) -> Vec<&'e Entry> {
+        let (known, unknown): (Vec<&Entry>, Vec<&Entry>) = entries
+            .iter()
+            .partition(|entry| keys.iter().any(|key| key.name == entry.key));
+        let unknown = if self.passes_unknown {
+            Vec::new()
+        } else {
+            unknown
+        };
         for entry in unknown {
             let near = nearest(&entry.key, keys.iter().map(|key| key.name));
-            let place = if table.is_empty() { String::new() } else { format!(" in `{table}`") };
-            self.warn(entry.key_range, format!("unknown key `{}`{place}", entry.key), near);
+            let place = if table.is_empty() {
+                String::new()
+            } else {
+                format!(" in `{table}`")
+            };
+            self.warn(
+                entry.key_range,
+                format!("unknown key `{}`{place}", entry.key),
+                near,
+            );
         }
         known
     }
 
     pub(super) fn wrong(&mut self, key: &str, value: &Value, wanted: &str) {
-        self.warn(value.range, format!("`{key}` must be {wanted}, not {}", value.what()), None);
+        self.warn(
+            value.range,
+            format!("`{key}` must be {wanted}, not {}", value.what()),
+            None,
+        );
     }
 
     /// The text of a string.
@@ -279,8 +349,16 @@ impl Applier {
         let value = value.and_then(|value| u64::try_from(value).ok());
         let fits = value.filter(|value| (1..=most).contains(value));
         if fits.is_none() {
-            let bounds = if most == u64::MAX { "at least 1".to_owned() } else { format!("from 1 to {most}") };
-            self.warn(entry.value.range, format!("`{}` must be {bounds}", entry.key), None);
+            let bounds = if most == u64::MAX {
+                "at least 1".to_owned()
+            } else {
+                format!("from 1 to {most}")
+            };
+            self.warn(
+                entry.value.range,
+                format!("`{}` must be {bounds}", entry.key),
+                None,
+            );
         }
         fits
     }
@@ -296,7 +374,10 @@ impl Applier {
             self.wrong(key, value, "a string");
             return None;
         };
-        let found = names.iter().position(|name| name == text).and_then(|at| values.get(at).copied());
+        let found = names
+            .iter()
+            .position(|name| name == text)
+            .and_then(|at| values.get(at).copied());
         if found.is_none() {
             let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
             let message = format!("invalid value `{text}` for `{key}`; use {}", all.join(", "));
@@ -307,6 +388,8 @@ impl Applier {
 
     /// Set `slot` if the entry has one of the values.
     fn set<T: Copy>(&mut self, slot: &mut T, entry: &Entry, names: &[&str], values: &[T]) {
-        *slot = self.choice(&entry.key, &entry.value, names, values).unwrap_or(*slot);
+        *slot = self
+            .choice(&entry.key, &entry.value, names, values)
+            .unwrap_or(*slot);
     }
 }

@@ -30,14 +30,20 @@ impl Applier {
         let mut args_at = range;
         for field in self.known(fields, ROOTS, "roots") {
             match field.key.as_str() {
-                "file" => file = self.text(field).map(|text| (text.to_owned(), field.value.range)),
+                "file" => {
+                    file = self
+                        .text(field)
+                        .map(|text| (text.to_owned(), field.value.range))
+                }
                 "args" => {
                     root.args = self.axes(field, &mut root.given);
                     args_at = field.value.range;
                 }
                 "exclude" => root.exclude = self.excluded(field, &mut root.given),
                 "choices" => {
-                    root.launch_choices = self.choice(&field.key, &field.value, CHOICES, &[true]).is_some();
+                    root.launch_choices = self
+                        .choice(&field.key, &field.value, CHOICES, &[true])
+                        .is_some();
                 }
                 "expect" => root.expect = self.expectations(field, &mut root.given),
                 _ => {
@@ -58,7 +64,11 @@ impl Applier {
         }
         let has_file_key = fields.iter().any(|field| field.key == "file");
         match file {
-            Some((file, range)) => Some(Root { file, place: self.place(range), ..root }),
+            Some((file, range)) => Some(Root {
+                file,
+                place: self.place(range),
+                ..root
+            }),
             None if has_file_key => None,
             None => {
                 self.warn(range, "an entry of `roots` has no `file`".to_owned(), None);
@@ -93,7 +103,11 @@ impl Applier {
         for field in fields {
             let values = match &field.value.kind {
                 ValueKind::List(items) if items.is_empty() => {
-                    self.warn(field.value.range, format!("`{}` has no values", field.key), None);
+                    self.warn(
+                        field.value.range,
+                        format!("`{}` has no values", field.key),
+                        None,
+                    );
                     continue;
                 }
                 ValueKind::List(items) => items.iter().map(argument).collect(),
@@ -131,7 +145,9 @@ impl Applier {
         let mut expectations = Vec::new();
         for value in self.values(entry) {
             match &value.kind {
-                ValueKind::Table(fields) => expectations.push(self.expectation(fields, value, given)),
+                ValueKind::Table(fields) => {
+                    expectations.push(self.expectation(fields, value, given))
+                }
                 _ => self.wrong("expect", value, "a list of tables"),
             }
         }
@@ -156,7 +172,8 @@ impl Applier {
                 "chains" => expected.chains = self.chains(field),
                 "mass" => expected.mass = self.number(field),
                 "mass-tolerance" => {
-                    expected.mass_tolerance = self.tolerance(field).unwrap_or(expected.mass_tolerance);
+                    expected.mass_tolerance =
+                        self.tolerance(field).unwrap_or(expected.mass_tolerance);
                 }
                 "joint" => expected.joint = self.joints(field),
                 "command-interfaces" => expected.command_interfaces = self.lists(field),
@@ -209,7 +226,9 @@ impl Applier {
 
     fn lists(&mut self, entry: &Entry) -> Vec<(String, Vec<String>)> {
         let fields = self.table(entry).iter();
-        fields.map(|field| (field.key.clone(), self.texts(field))).collect()
+        fields
+            .map(|field| (field.key.clone(), self.texts(field)))
+            .collect()
     }
 
     fn number(&mut self, entry: &Entry) -> Option<f64> {
@@ -228,7 +247,11 @@ impl Applier {
     fn tolerance(&mut self, entry: &Entry) -> Option<f64> {
         let number = self.number(entry)?;
         if number < 0.0 {
-            self.warn(entry.value.range, format!("`{}` must not be negative", entry.key), None);
+            self.warn(
+                entry.value.range,
+                format!("`{}` must not be negative", entry.key),
+                None,
+            );
         }
         (number >= 0.0).then_some(number)
     }
@@ -240,7 +263,11 @@ impl Applier {
         };
         let count = value.and_then(|value| usize::try_from(value).ok());
         if count.is_none() {
-            self.warn(entry.value.range, format!("`{}` must not be negative", entry.key), None);
+            self.warn(
+                entry.value.range,
+                format!("`{}` must not be negative", entry.key),
+                None,
+            );
         }
         count
     }

@@ -22,7 +22,12 @@ pub struct Setting {
 }
 
 impl Profile {
-    const ALL: [Profile; 4] = [Profile::RosIndustrial, Profile::Mobile, Profile::Gazebo, Profile::Pedantic];
+    const ALL: [Profile; 4] = [
+        Profile::RosIndustrial,
+        Profile::Mobile,
+        Profile::Gazebo,
+        Profile::Pedantic,
+    ];
 
     /// The profile of that name.
     pub fn named(name: &str) -> Option<Profile> {
@@ -39,7 +44,12 @@ impl Level {
     /// Its name.
     pub fn name(self) -> &'static str {
         // the names are listed from the worst on
-        LEVELS.iter().rev().nth(self as usize).copied().unwrap_or_default()
+        LEVELS
+            .iter()
+            .rev()
+            .nth(self as usize)
+            .copied()
+            .unwrap_or_default()
     }
 }
 
@@ -51,7 +61,8 @@ impl Config {
             match key.of {
                 Type::Keys(keys) => {
                     settings.extend(
-                        keys.iter().map(|inner| self.setting(&format!("{}.{}", key.name, inner.name))),
+                        keys.iter()
+                            .map(|inner| self.setting(&format!("{}.{}", key.name, inner.name))),
                     );
                 }
                 _ => settings.push(self.setting(key.name)),
@@ -62,30 +73,47 @@ impl Config {
 
     fn setting(&self, key: &str) -> Setting {
         let origins = self.origins.get(key).cloned().unwrap_or_default();
-        Setting { key: key.to_owned(), value: self.value_of(key), origins }
+        Setting {
+            key: key.to_owned(),
+            value: self.value_of(key),
+            origins,
+        }
     }
 
     fn value_of(&self, key: &str) -> Value {
-        let texts = |patterns: &[Pattern]| patterns.iter().map(|p| json!(p.text())).collect::<Value>();
+        let texts =
+            |patterns: &[Pattern]| patterns.iter().map(|p| json!(p.text())).collect::<Value>();
         match key {
             "target" => json!(TARGETS.get(usize::from(self.target == Target::Ros1))),
             "urdf-version" => json!(self.urdf_version),
             "consumers" => json!(self.consumers),
             "oldest-reader" => json!(self.oldest_reader),
-            "profile" => self.profiles.iter().map(|profile| json!(profile.name())).collect(),
+            "profile" => self
+                .profiles
+                .iter()
+                .map(|profile| json!(profile.name()))
+                .collect(),
             "select" => json!(self.select),
             "extend-select" => json!(self.extend_select),
             "ignore" => json!(self.ignore),
-            "severity" => {
-                object(self.severity.iter().map(|(rule, level)| (rule.clone(), json!(level.name()))))
-            }
-            "per-file-ignores" => {
-                object(self.per_file_ignores.iter().map(|(p, rules)| (p.text().to_owned(), json!(rules))))
-            }
+            "severity" => object(
+                self.severity
+                    .iter()
+                    .map(|(rule, level)| (rule.clone(), json!(level.name()))),
+            ),
+            "per-file-ignores" => object(
+                self.per_file_ignores
+                    .iter()
+                    .map(|(p, rules)| (p.text().to_owned(), json!(rules))),
+            ),
             "exclude" => texts(&self.exclude),
             "package-path" => self.package_path.iter().map(|path| shown(path)).collect(),
             "use-environment" => json!(self.use_environment),
-            "thresholds" => object(self.thresholds.iter().map(|(name, &value)| (name.clone(), json!(value)))),
+            "thresholds" => object(
+                self.thresholds
+                    .iter()
+                    .map(|(name, &value)| (name.clone(), json!(value))),
+            ),
             "allow-elements" => json!(self.allow_elements),
             "allow-attributes" => json!(self.allow_attributes),
             "roots" => self.roots.iter().map(root).collect(),
@@ -120,10 +148,14 @@ impl Config {
                     origins.push(path.to_owned());
                 }
             };
-            let inner = [("format", FORMAT), ("limits", LIMITS)].iter().any(|(name, _)| *name == entry.key);
+            let inner = [("format", FORMAT), ("limits", LIMITS)]
+                .iter()
+                .any(|(name, _)| *name == entry.key);
             match &entry.value.kind {
                 ValueKind::Table(fields) if inner => {
-                    fields.iter().for_each(|field| note(format!("{}.{}", entry.key, field.key)));
+                    fields
+                        .iter()
+                        .for_each(|field| note(format!("{}.{}", entry.key, field.key)));
                 }
                 _ => note(entry.key.clone()),
             }
@@ -140,26 +172,40 @@ fn shown(path: &Path) -> Value {
 }
 
 fn root(root: &Root) -> Value {
-    let args = |args: &Args| object(args.iter().map(|(name, value)| (name.clone(), json!(value))));
+    let args = |args: &Args| {
+        object(
+            args.iter()
+                .map(|(name, value)| (name.clone(), json!(value))),
+        )
+    };
     let mut fields = Map::new();
     fields.insert("file".to_owned(), json!(root.file));
     if !root.args.is_empty() {
         fields.insert("args".to_owned(), axes(&root.args));
     }
     if !root.exclude.is_empty() {
-        fields.insert("exclude".to_owned(), root.exclude.iter().map(axes).collect());
+        fields.insert(
+            "exclude".to_owned(),
+            root.exclude.iter().map(axes).collect(),
+        );
     }
     if root.launch_choices {
         fields.insert("choices".to_owned(), json!("launch"));
     }
     if !root.presets.is_empty() {
-        let presets = root.presets.iter().map(|(name, preset)| (name.clone(), args(preset)));
+        let presets = root
+            .presets
+            .iter()
+            .map(|(name, preset)| (name.clone(), args(preset)));
         fields.insert("presets".to_owned(), object(presets));
     }
     if !root.expect.is_empty() {
         fields.insert(
             "expect".to_owned(),
-            root.expect.iter().map(|expected| expected.written.clone()).collect(),
+            root.expect
+                .iter()
+                .map(|expected| expected.written.clone())
+                .collect(),
         );
     }
     Value::Object(fields)
@@ -180,21 +226,39 @@ mod tests {
 
     #[test]
     fn names() {
-        let levels = [Level::Off, Level::Hint, Level::Info, Level::Warning, Level::Error];
-        assert_eq!(levels.map(Level::name), ["off", "hint", "info", "warning", "error"]);
-        assert_eq!(Profile::ALL.map(Profile::name), ["ros-industrial", "mobile", "gazebo", "pedantic"]);
+        let levels = [
+            Level::Off,
+            Level::Hint,
+            Level::Info,
+            Level::Warning,
+            Level::Error,
+        ];
+        assert_eq!(
+            levels.map(Level::name),
+            ["off", "hint", "info", "warning", "error"]
+        );
+        assert_eq!(
+            Profile::ALL.map(Profile::name),
+            ["ros-industrial", "mobile", "gazebo", "pedantic"]
+        );
     }
 
     #[test]
     fn values_and_where_they_come_from() {
         let tree = Tree::new();
         tree.write("base.toml", "ignore = ['STR']\nlimits.file-mb = 5\n");
-        tree.write("xacro-lint.toml", "extend = 'base.toml'\nignore = ['XAC']\ntarget = 'ros1'\n");
+        tree.write(
+            "xacro-lint.toml",
+            "extend = 'base.toml'\nignore = ['XAC']\ntarget = 'ros1'\n",
+        );
         let loaded = Config::load(tree.vfs(), &tree.path("xacro-lint.toml")).unwrap();
         let settings = loaded.config.settings();
         let of = |key: &str| {
             let setting = settings.iter().find(|setting| setting.key == key).unwrap();
-            let names = setting.origins.iter().map(|path| path.file_name().unwrap().to_string_lossy());
+            let names = setting
+                .origins
+                .iter()
+                .map(|path| path.file_name().unwrap().to_string_lossy());
             format!("{} {}", setting.value, names.collect::<Vec<_>>().join(" "))
         };
         assert_eq!(of("ignore"), "[\"STR\",\"XAC\"] base.toml xacro-lint.toml");
@@ -203,6 +267,10 @@ mod tests {
         assert_eq!(of("limits.macro-depth"), "1000 ");
         assert_eq!(of("select"), "null ");
         let may_be_unset = |key: &str| ["select", "oldest-reader"].contains(&key);
-        assert!(settings.iter().all(|setting| may_be_unset(&setting.key) || !setting.value.is_null()));
+        assert!(
+            settings
+                .iter()
+                .all(|setting| may_be_unset(&setting.key) || !setting.value.is_null())
+        );
     }
 }

@@ -74,13 +74,21 @@ pub(super) const LAYOUTS: &[&str] = &["keep", "auto"];
 
 /// Keys of `[format]`.
 pub(super) const FORMAT: &[Key] = &[
-    key("line-width", Type::Count(10_000), "Maximum line length for wrapping; default 120."),
+    key(
+        "line-width",
+        Type::Count(10_000),
+        "Maximum line length for wrapping; default 120.",
+    ),
     key(
         "attributes",
         Type::Choice(LAYOUTS),
         "Keep (`keep`) or re-wrap (`auto`) line breaks between attributes.",
     ),
-    key("self-close", Type::Bool, "Write `<a></a>` as `<a/>`; default false."),
+    key(
+        "self-close",
+        Type::Bool,
+        "Write `<a></a>` as `<a/>`; default false.",
+    ),
 ];
 
 /// Keys of `[limits]`.
@@ -95,10 +103,26 @@ pub(super) const LIMITS: &[Key] = &[
         Type::Count(u64::MAX),
         "Maximum number of nodes of the expanded robot; default 500000.",
     ),
-    key("expand-ms", Type::Count(u64::MAX), "Maximum time for one expansion in milliseconds; default 5000."),
-    key("file-mb", Type::Count(FILE_MB_MOST), "Maximum file size in megabytes; default 20."),
-    key("macro-depth", Type::Count(10_000), "Maximum nesting depth of macro calls; default 1000."),
-    key("include-depth", Type::Count(10_000), "Maximum nesting depth of includes; default 500."),
+    key(
+        "expand-ms",
+        Type::Count(u64::MAX),
+        "Maximum time for one expansion in milliseconds; default 5000.",
+    ),
+    key(
+        "file-mb",
+        Type::Count(FILE_MB_MOST),
+        "Maximum file size in megabytes; default 20.",
+    ),
+    key(
+        "macro-depth",
+        Type::Count(10_000),
+        "Maximum nesting depth of macro calls; default 1000.",
+    ),
+    key(
+        "include-depth",
+        Type::Count(10_000),
+        "Maximum nesting depth of includes; default 500.",
+    ),
 ];
 
 const ARGS: Type = Type::Map(&Type::Argument);
@@ -109,26 +133,46 @@ pub(super) const CHOICES: &[&str] = &["launch"];
 
 /// Keys of `[[roots]]`.
 pub(super) const ROOTS: &[Key] = &[
-    key("file", Type::Text, "Path or glob of root files, relative to this file."),
+    key(
+        "file",
+        Type::Text,
+        "Path or glob of root files, relative to this file.",
+    ),
     key(
         "args",
         AXES,
         "Arguments by name, passed in every check; each combination of lists is checked separately.",
     ),
-    key("exclude", Type::List(&AXES), "Combinations of arguments that are left out."),
+    key(
+        "exclude",
+        Type::List(&AXES),
+        "Combinations of arguments that are left out.",
+    ),
     key(
         "choices",
         Type::Choice(CHOICES),
         "Further values of arguments: `launch` takes those that launch files declare as `choices`.",
     ),
-    key("presets", Type::Map(&ARGS), "Named sets of arguments; each set is checked separately."),
-    key("expect", Type::Tables(EXPECT), "What `xacro-lint test` expects of the robots."),
+    key(
+        "presets",
+        Type::Map(&ARGS),
+        "Named sets of arguments; each set is checked separately.",
+    ),
+    key(
+        "expect",
+        Type::Tables(EXPECT),
+        "What `xacro-lint test` expects of the robots.",
+    ),
 ];
 
 /// Keys of `[[roots.expect]]`. In names and paths, `$(arg NAME)` is the value of an argument.
 pub(super) const EXPECT: &[Key] = &[
     key("name", Type::Text, "Name in the output."),
-    key("when", AXES, "Values of arguments; the expectation applies only to these robots."),
+    key(
+        "when",
+        AXES,
+        "Values of arguments; the expectation applies only to these robots.",
+    ),
     key("root", Type::Text, "Name of the root link."),
     key("links", Type::Texts, "Links that exist."),
     key("no-links", Type::Texts, "Links that do not exist."),
@@ -136,15 +180,27 @@ pub(super) const EXPECT: &[Key] = &[
     key("no-joints", Type::Texts, "Joints that do not exist."),
     key("link-count", Type::Whole, "Number of links."),
     key("joint-count", Type::Whole, "Number of joints."),
-    key("moving-joint-count", Type::Whole, "Number of joints that are not fixed."),
+    key(
+        "moving-joint-count",
+        Type::Whole,
+        "Number of joints that are not fixed.",
+    ),
     key(
         "chains",
         Type::List(&Type::Texts),
         "Lists of links from top to bottom; each link is below the previous one.",
     ),
     key("mass", Type::Number, "Total mass in kg."),
-    key("mass-tolerance", Type::Number, "Tolerance of `mass` in kg; default 0.001."),
-    key("joint", Type::Map(&Type::Keys(JOINT)), "Properties of joints by name."),
+    key(
+        "mass-tolerance",
+        Type::Number,
+        "Tolerance of `mass` in kg; default 0.001.",
+    ),
+    key(
+        "joint",
+        Type::Map(&Type::Keys(JOINT)),
+        "Properties of joints by name.",
+    ),
     key(
         "command-interfaces",
         Type::Map(&Type::Texts),
@@ -172,37 +228,101 @@ pub(super) const JOINT: &[Key] = &[
     key("upper", Type::Number, "Upper limit in radians or meters."),
     key("effort", Type::Number, "Effort limit in N m or N."),
     key("velocity", Type::Number, "Velocity limit in rad/s or m/s."),
-    key("tolerance", Type::Number, "Tolerance of the limits; default 0.001."),
+    key(
+        "tolerance",
+        Type::Number,
+        "Tolerance of the limits; default 0.001.",
+    ),
 ];
 
 /// All keys.
 pub(super) const KEYS: &[Key] = &[
-    key("extend", Type::Text, "Configuration file to extend; settings in this file take precedence."),
-    key("target", Type::Choice(TARGETS), "Dialect of xacro and package conventions; default `ros2`."),
-    key("urdf-version", Type::Texts, "Supported URDF versions; default `1.0`."),
-    key("consumers", Type::Choices(CONSUMERS), "Programs that have to load the robots."),
+    key(
+        "extend",
+        Type::Text,
+        "Configuration file to extend; settings in this file take precedence.",
+    ),
+    key(
+        "target",
+        Type::Choice(TARGETS),
+        "Dialect of xacro and package conventions; default `ros2`.",
+    ),
+    key(
+        "urdf-version",
+        Type::Texts,
+        "Supported URDF versions; default `1.0`.",
+    ),
+    key(
+        "consumers",
+        Type::Choices(CONSUMERS),
+        "Programs that have to load the robots.",
+    ),
     key(
         "oldest-reader",
         Type::Text,
         "Oldest version of urdfdom that has to load the robots, such as `3.0`; default: the newest.",
     ),
-    key("profile", Type::Choices(PROFILES), "Profiles whose rules are enabled."),
-    key("select", Type::Texts, "Run only these rules (codes, code prefixes or names)."),
-    key("extend-select", Type::Texts, "Run these rules in addition (codes, code prefixes or names)."),
-    key("ignore", Type::Texts, "Do not run these rules (codes, code prefixes or names)."),
-    key("severity", Type::Map(&Type::Choice(LEVELS)), "Severity per rule."),
-    key("per-file-ignores", Type::Map(&Type::Texts), "Rules not to run, per file glob."),
-    key("exclude", Type::Texts, "Globs of files and folders to exclude from checks."),
-    key("package-path", Type::Texts, "Folders to search for packages first."),
+    key(
+        "profile",
+        Type::Choices(PROFILES),
+        "Profiles whose rules are enabled.",
+    ),
+    key(
+        "select",
+        Type::Texts,
+        "Run only these rules (codes, code prefixes or names).",
+    ),
+    key(
+        "extend-select",
+        Type::Texts,
+        "Run these rules in addition (codes, code prefixes or names).",
+    ),
+    key(
+        "ignore",
+        Type::Texts,
+        "Do not run these rules (codes, code prefixes or names).",
+    ),
+    key(
+        "severity",
+        Type::Map(&Type::Choice(LEVELS)),
+        "Severity per rule.",
+    ),
+    key(
+        "per-file-ignores",
+        Type::Map(&Type::Texts),
+        "Rules not to run, per file glob.",
+    ),
+    key(
+        "exclude",
+        Type::Texts,
+        "Globs of files and folders to exclude from checks.",
+    ),
+    key(
+        "package-path",
+        Type::Texts,
+        "Folders to search for packages first.",
+    ),
     key(
         "use-environment",
         Type::Bool,
         "Use AMENT_PREFIX_PATH, COLCON_PREFIX_PATH and ROS_PACKAGE_PATH; default true.",
     ),
-    key("thresholds", Type::Map(&Type::Number), "Thresholds of rules; the unit is in the name."),
+    key(
+        "thresholds",
+        Type::Map(&Type::Number),
+        "Thresholds of rules; the unit is in the name.",
+    ),
     key("allow-elements", Type::Texts, "Additional known elements."),
-    key("allow-attributes", Type::Texts, "Additional known attributes."),
-    key("roots", Type::Tables(ROOTS), "Root files and their arguments."),
+    key(
+        "allow-attributes",
+        Type::Texts,
+        "Additional known attributes.",
+    ),
+    key(
+        "roots",
+        Type::Tables(ROOTS),
+        "Root files and their arguments.",
+    ),
     key("format", Type::Keys(FORMAT), "Formatting."),
     key("limits", Type::Keys(LIMITS), "Limits for one expansion."),
 ];

@@ -24,12 +24,18 @@ pub struct Loaded {
 /// The configuration file for what lies in or below `folder`; it may be one that cannot be read.
 pub fn find_config(vfs: &Vfs, folder: &Path) -> Option<PathBuf> {
     let mut folder = vfs.absolute(folder);
-    if folder.components().any(|part| part == std::path::Component::ParentDir) {
+    if folder
+        .components()
+        .any(|part| part == std::path::Component::ParentDir)
+    {
         // what lies above `a/../b` is not `a`
         folder = vfs.canonical(&folder);
     }
     folder.ancestors().find_map(|folder| {
-        CONFIG_NAMES.iter().map(|name| folder.join(name)).find(|path| vfs.is_present(path))
+        CONFIG_NAMES
+            .iter()
+            .map(|name| folder.join(name))
+            .find(|path| vfs.is_present(path))
     })
 }
 
@@ -37,7 +43,9 @@ impl Config {
     /// The configuration for `file`: the nearest one upward, else the defaults.
     pub fn for_file(vfs: &Vfs, file: &Path) -> Loaded {
         let found = file.parent().and_then(|folder| find_config(vfs, folder));
-        found.and_then(|path| Self::load(vfs, &path).ok()).unwrap_or_default()
+        found
+            .and_then(|path| Self::load(vfs, &path).ok())
+            .unwrap_or_default()
     }
 
     /// Read a configuration file and those it extends.
@@ -55,8 +63,15 @@ impl Config {
 
     /// Lay the settings of an editor (what stands below `xacro.`) over this configuration. Relative paths
     /// start at `folder`. Keys that only an editor has are passed over.
-    pub fn apply_settings(&mut self, settings: &serde_json::Value, folder: &Path) -> Vec<ConfigWarning> {
-        let mut entries = from_settings(settings, &["roots", "severity", "per-file-ignores", "diagnostics"]);
+    pub fn apply_settings(
+        &mut self,
+        settings: &serde_json::Value,
+        folder: &Path,
+    ) -> Vec<ConfigWarning> {
+        let mut entries = from_settings(
+            settings,
+            &["roots", "severity", "per-file-ignores", "diagnostics"],
+        );
         rename(&mut entries);
         let mut applier = Applier::new(PathBuf::new(), String::new(), folder.to_owned());
         applier.passes_unknown = true;
@@ -75,13 +90,26 @@ pub fn argument_places(text: &str, name: &str, admits: impl Fn(&str) -> bool) ->
         let file = root.iter().find(is_file).map(|entry| &entry.value.kind);
         if matches!(file, Some(ValueKind::Text(file)) if admits(file)) {
             let presets = root.iter().filter(|entry| entry.key == "presets");
-            let presets = presets.flat_map(|presets| fields(&presets.value)).map(|preset| &preset.value);
-            let args = root.iter().filter(|entry| entry.key == "args").map(|args| &args.value);
-            let expected = tables(root, "expect").into_iter().flatten().filter(|entry| entry.key == "when");
+            let presets = presets
+                .flat_map(|presets| fields(&presets.value))
+                .map(|preset| &preset.value);
+            let args = root
+                .iter()
+                .filter(|entry| entry.key == "args")
+                .map(|args| &args.value);
+            let expected = tables(root, "expect")
+                .into_iter()
+                .flatten()
+                .filter(|entry| entry.key == "when");
             let excluded = tables(root, "exclude").into_iter().flatten();
-            let expected = expected.flat_map(|when| fields(&when.value)).chain(excluded);
-            let given =
-                args.chain(presets).flat_map(fields).chain(expected).filter(|entry| entry.key == name);
+            let expected = expected
+                .flat_map(|when| fields(&when.value))
+                .chain(excluded);
+            let given = args
+                .chain(presets)
+                .flat_map(fields)
+                .chain(expected)
+                .filter(|entry| entry.key == name);
             found.extend(given.map(|entry| bare(text, entry.key_range)));
         }
     }
@@ -97,32 +125,52 @@ fn fields(value: &Value) -> &[Entry] {
 
 /// The tables of a list.
 fn tables<'a>(entries: &'a [Entry], key: &str) -> Vec<&'a [Entry]> {
-    let listed = entries.iter().filter(|entry| entry.key == key).flat_map(|entry| match &entry.value.kind {
-        ValueKind::List(items) => items.as_slice(),
-        _ => &[],
-    });
+    let listed = entries
+        .iter()
+        .filter(|entry| entry.key == key)
+        .flat_map(|entry| match &entry.value.kind {
+            ValueKind::List(items) => items.as_slice(),
+            _ => &[],
+        });
     listed.map(fields).collect()
 }
 
 /// A key without its quotes.
 fn bare(text: &str, range: TextRange) -> TextRange {
     let quoted = range.len() > 1 && range.slice(text).starts_with(['"', '\'']);
-    if quoted { TextRange::new(range.start + 1, range.end - 1) } else { range }
+    if quoted {
+        TextRange::new(range.start + 1, range.end - 1)
+    } else {
+        range
+    }
 }
 
 /// Settings that only editors have.
-const EDITOR_ONLY: [&str; 7] =
-    ["completion", "diagnostics", "inlay-hints", "preview", "server", "trace", "use-environment"];
+const EDITOR_ONLY: [&str; 7] = [
+    "completion",
+    "diagnostics",
+    "inlay-hints",
+    "preview",
+    "server",
+    "trace",
+    "use-environment",
+];
 
 /// What nobody knows among the settings of an editor.
 pub fn unknown_settings(settings: &serde_json::Value) -> Vec<String> {
-    let mut entries = from_settings(settings, &["roots", "severity", "per-file-ignores", "diagnostics"]);
+    let mut entries = from_settings(
+        settings,
+        &["roots", "severity", "per-file-ignores", "diagnostics"],
+    );
     rename(&mut entries);
     let group = |key: &str| key.split('.').next().unwrap_or("").to_owned();
     entries.retain(|entry| !EDITOR_ONLY.contains(&group(&entry.key).as_str()));
     let mut applier = Applier::new(PathBuf::new(), String::new(), PathBuf::new());
     applier.config(&mut Config::default(), &entries);
-    let unknown = applier.warnings.iter().filter(|warning| warning.message.starts_with("unknown key"));
+    let unknown = applier
+        .warnings
+        .iter()
+        .filter(|warning| warning.message.starts_with("unknown key"));
     unknown.map(ToString::to_string).collect()
 }
 
@@ -160,7 +208,9 @@ fn load_over(
     }
     chain.push(vfs.canonical(path));
     for entry in entries.iter().filter(|entry| entry.key == "extend") {
-        let Some(base) = applier.text(entry) else { continue };
+        let Some(base) = applier.text(entry) else {
+            continue;
+        };
         let base = folder.join(base);
         if chain.contains(&vfs.canonical(&base)) {
             applier.warn(entry.value.range, "circular `extend`".to_owned(), None);
@@ -171,7 +221,11 @@ fn load_over(
                 None,
             );
         } else if let Err(error) = load_over(vfs, &base, home, chain, loaded) {
-            let message = format!("cannot read `{}`: {}", vfs::slashed(&error.path), error.reason());
+            let message = format!(
+                "cannot read `{}`: {}",
+                vfs::slashed(&error.path),
+                error.reason()
+            );
             applier.warn(entry.value.range, message, None);
         }
     }
@@ -188,7 +242,9 @@ fn load_over(
             warning.nearest = None;
         }
     }
-    applier.warnings.sort_by_key(|warning| warning.place.range.start);
+    applier
+        .warnings
+        .sort_by_key(|warning| warning.place.range.start);
     loaded.warnings.append(&mut applier.warnings);
     Ok(())
 }

@@ -7,6 +7,8 @@ mod apply;
 mod apply_roots;
 mod effective;
 mod expect;
+#[cfg(test)]
+mod files_tests;
 mod keys;
 mod load;
 mod pattern;
@@ -147,7 +149,11 @@ pub struct Format {
 
 impl Default for Format {
     fn default() -> Self {
-        Self { line_width: 120, attributes: AttributeLayout::Keep, self_close: false }
+        Self {
+            line_width: 120,
+            attributes: AttributeLayout::Keep,
+            self_close: false,
+        }
     }
 }
 
@@ -245,7 +251,9 @@ pub struct ConfigWarning {
 
 impl fmt::Display for ConfigWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Place { path, line, column, .. } = &self.place;
+        let Place {
+            path, line, column, ..
+        } = &self.place;
         if !path.as_os_str().is_empty() {
             write!(f, "{}:{line}:{column}: ", vfs::slashed(path))?;
         }

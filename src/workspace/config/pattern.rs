@@ -60,8 +60,15 @@ impl Pattern {
         let is_anchored = rest.len() < text.len();
         let mut alternatives = Vec::new();
         expand_braces(rest, &mut alternatives);
-        let alternatives = alternatives.iter().map(|text| segments(text, is_anchored)).collect();
-        Self { text: text.to_owned(), folder, alternatives }
+        let alternatives = alternatives
+            .iter()
+            .map(|text| segments(text, is_anchored))
+            .collect();
+        Self {
+            text: text.to_owned(),
+            folder,
+            alternatives,
+        }
     }
 
     /// As it is written.
@@ -72,13 +79,17 @@ impl Pattern {
     /// Whether `path` (absolute), or a folder it lies in, matches.
     pub fn matches(&self, path: &Path) -> bool {
         let names = self.names(path);
-        self.alternatives.iter().any(|segments| covers_folder(segments, &names))
+        self.alternatives
+            .iter()
+            .any(|segments| covers_folder(segments, &names))
     }
 
     /// The longest path that everything that matches begins with, and whether it is the only one that does.
     pub fn start(&self) -> (PathBuf, bool) {
         let mut start = self.folder.clone();
-        let [segments] = self.alternatives.as_slice() else { return (start, false) };
+        let [segments] = self.alternatives.as_slice() else {
+            return (start, false);
+        };
         for segment in segments {
             match segment {
                 Segment::Name(name) if name.literal().is_some() => start.extend(name.literal()),
@@ -124,22 +135,36 @@ impl Pattern {
 
     /// The names on the way from the folder to `path`; none when it lies elsewhere.
     fn names<'p>(&self, path: &'p Path) -> Vec<Cow<'p, str>> {
-        let Ok(relative) = path.strip_prefix(&self.folder) else { return Vec::new() };
-        let names = relative.components().filter_map(|component| match component {
-            Component::Normal(name) => Some(name.to_string_lossy()),
-            _ => None,
-        });
+        let Ok(relative) = path.strip_prefix(&self.folder) else {
+            return Vec::new();
+        };
+        let names = relative
+            .components()
+            .filter_map(|component| match component {
+                Component::Normal(name) => Some(name.to_string_lossy()),
+                _ => None,
+            });
         names.collect()
     }
 
     fn covers(&self, names: &[Cow<'_, str>]) -> bool {
-        self.alternatives.iter().any(|segments| covers_all(segments, names))
+        self.alternatives
+            .iter()
+            .any(|segments| covers_all(segments, names))
     }
 }
 
 /// Add the files below a folder that segments lead to, while folders may still be listed.
-fn reach(vfs: &Vfs, folder: &Path, segments: &[Segment], left: &mut usize, found: &mut Vec<PathBuf>) {
-    let Some((first, rest)) = segments.split_first() else { return };
+fn reach(
+    vfs: &Vfs,
+    folder: &Path,
+    segments: &[Segment],
+    left: &mut usize,
+    found: &mut Vec<PathBuf>,
+) {
+    let Some((first, rest)) = segments.split_first() else {
+        return;
+    };
     let literal = match first {
         Segment::Name(name) => name.literal(),
         Segment::AnyDepth => None,
@@ -165,7 +190,13 @@ fn reach(vfs: &Vfs, folder: &Path, segments: &[Segment], left: &mut usize, found
         match entry.is_dir {
             _ if skipped || !first.takes(&entry.name) => {}
             true if is_link(vfs, &path) => {}
-            true => reach(vfs, &path, if first.is_any_depth() { segments } else { rest }, left, found),
+            true => reach(
+                vfs,
+                &path,
+                if first.is_any_depth() { segments } else { rest },
+                left,
+                found,
+            ),
             false if rest.is_empty() => found.push(path),
             false => {}
         }
@@ -174,34 +205,47 @@ fn reach(vfs: &Vfs, folder: &Path, segments: &[Segment], left: &mut usize, found
 
 /// Whether segments cover the names of a path, none left.
 fn covers_all(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
-    !names.is_empty() && covers(segments, names, Segment::is_any_depth, |segment, name| segment.takes(name))
+    !names.is_empty()
+        && covers(segments, names, Segment::is_any_depth, |segment, name| {
+            segment.takes(name)
+        })
 }
 
 /// Whether segments cover the names of a path, or those of a folder it lies in.
 fn covers_folder(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
     if segments.iter().any(Segment::is_any_depth) {
-        return (1..=names.len())
-            .any(|count| names.get(..count).is_some_and(|names| covers_all(segments, names)));
+        return (1..=names.len()).any(|count| {
+            names
+                .get(..count)
+                .is_some_and(|names| covers_all(segments, names))
+        });
     }
     // as many names as segments, so there is nothing to try
-    names.get(..segments.len()).is_some_and(|names| covers_all(segments, names))
+    names
+        .get(..segments.len())
+        .is_some_and(|names| covers_all(segments, names))
 }
 
 /// Whether a folder is reached through a link: its content has another home.
 fn is_link(vfs: &Vfs, path: &Path) -> bool {
     path.parent().is_some_and(|parent| {
         let home = vfs.canonical(parent);
-        path.file_name().is_some_and(|name| vfs.canonical(path) != home.join(name))
+        path.file_name()
+            .is_some_and(|name| vfs.canonical(path) != home.join(name))
     })
 }
 
 fn segments(text: &str, is_anchored: bool) -> Vec<Segment> {
     let text = text.trim_end_matches('/');
-    let anywhere = (!is_anchored && !text.is_empty() && !text.contains('/')).then_some(Segment::AnyDepth);
-    let named = text.split('/').filter(|name| !name.is_empty() && *name != ".").map(|name| match name {
-        "**" => Segment::AnyDepth,
-        name => Segment::Name(Wildcard::new(name)),
-    });
+    let anywhere =
+        (!is_anchored && !text.is_empty() && !text.contains('/')).then_some(Segment::AnyDepth);
+    let named = text
+        .split('/')
+        .filter(|name| !name.is_empty() && *name != ".")
+        .map(|name| match name {
+            "**" => Segment::AnyDepth,
+            name => Segment::Name(Wildcard::new(name)),
+        });
     anywhere.into_iter().chain(named).collect()
 }
 
@@ -210,7 +254,9 @@ fn expand_braces(text: &str, out: &mut Vec<String>) {
     let group = text.find('{').and_then(|open| {
         let close = open + text.get(open..)?.find('}')?;
         let inner = text.get(open + 1..close)?;
-        inner.contains(',').then_some((text.get(..open)?, inner, text.get(close + 1..)?))
+        inner
+            .contains(',')
+            .then_some((text.get(..open)?, inner, text.get(close + 1..)?))
     });
     match group {
         Some((before, inner, behind)) => {
@@ -270,7 +316,12 @@ mod tests {
         ];
         for (pattern, path, expected) in table {
             let pattern = Pattern::new(pattern, Path::new("/ws"));
-            assert_eq!(pattern.matches(&Path::new("/ws").join(path)), expected, "{} {path}", pattern.text());
+            assert_eq!(
+                pattern.matches(&Path::new("/ws").join(path)),
+                expected,
+                "{} {path}",
+                pattern.text()
+            );
         }
         assert!(Pattern::new("../other/*.x", Path::new("/ws")).matches(Path::new("/other/a.x")));
         assert!(!Pattern::new("*", Path::new("/ws")).matches(Path::new("/elsewhere/a.x")));
@@ -297,7 +348,13 @@ mod tests {
     #[test]
     fn files() {
         let tree = Tree::new();
-        for file in ["a.xacro", "sub/b.xacro", "sub/c.urdf", "build/d.xacro", ".git/e.xacro"] {
+        for file in [
+            "a.xacro",
+            "sub/b.xacro",
+            "sub/c.urdf",
+            "build/d.xacro",
+            ".git/e.xacro",
+        ] {
             tree.write(file, "");
         }
         let found = Pattern::new("**/*.xacro", tree.root()).files(tree.vfs());
@@ -316,12 +373,22 @@ mod tests {
         ] {
             tree.write(file, "");
         }
-        let reached = |pattern: &str, most| Pattern::new(pattern, tree.root()).reached(tree.vfs(), most);
-        let both = [tree.path("arm/g6/urdf/a.xacro"), tree.path("arm/g7/urdf/a.xacro")];
+        let reached =
+            |pattern: &str, most| Pattern::new(pattern, tree.root()).reached(tree.vfs(), most);
+        let both = [
+            tree.path("arm/g6/urdf/a.xacro"),
+            tree.path("arm/g7/urdf/a.xacro"),
+        ];
         assert_eq!(reached("./arm/*/urdf/a.xacro", 10), both);
         assert_eq!(reached("./arm/**/urdf/*.xacro", 20), both);
-        assert_eq!(reached("./arm/g7/*.xacro", 2), [tree.path("arm/g7/b.xacro")]);
+        assert_eq!(
+            reached("./arm/g7/*.xacro", 2),
+            [tree.path("arm/g7/b.xacro")]
+        );
         // more than one folder would have to be listed
-        assert_eq!(reached("./arm/*/*/a.xacro", 2), Vec::<std::path::PathBuf>::new());
+        assert_eq!(
+            reached("./arm/*/*/a.xacro", 2),
+            Vec::<std::path::PathBuf>::new()
+        );
     }
 }

@@ -51,20 +51,34 @@ pub fn place_at(text: &str, offset: u32) -> Option<ConfigPlace> {
     let head = before.get(..start)?;
     let mut reader = Reader::read(head);
     let (path, kind) = reader.place()?;
-    let mut file =
-        reader.files.pop().filter(|_| path.first().is_some_and(|first| first == "roots")).flatten();
+    let mut file = reader
+        .files
+        .pop()
+        .filter(|_| path.first().is_some_and(|first| first == "roots"))
+        .flatten();
     if file.is_none() && reader.header == ["roots"] {
         file = file_below(after);
     }
     let range = TextRange::new((start + lead) as u32, end as u32);
-    Some(ConfigPlace { path, kind, range, quote, file })
+    Some(ConfigPlace {
+        path,
+        kind,
+        range,
+        quote,
+        file,
+    })
 }
 
 /// Where the word at the end of a text begins, and the quote that it begins with.
 fn word(before: &str) -> Option<(usize, Option<char>)> {
     let tokens = Source::new(before).lex().into_vec();
-    let last = tokens.iter().rev().find(|token| token.kind() != TokenKind::Eof);
-    let Some(last) = last else { return Some((before.len(), None)) };
+    let last = tokens
+        .iter()
+        .rev()
+        .find(|token| token.kind() != TokenKind::Eof);
+    let Some(last) = last else {
+        return Some((before.len(), None));
+    };
     let (start, end) = (last.span().start(), last.span().end());
     let quoted = |quote: char| {
         let is_open = end - start < 2 || !before.ends_with(quote);
@@ -97,8 +111,11 @@ pub fn is_bare(c: char) -> bool {
 fn file_below(after: &str) -> Option<String> {
     let lines = after.get(after.find('\n')?..)?;
     let end = lines.find("\n[").unwrap_or(lines.len());
-    let mut reader =
-        Reader { header: vec!["roots".to_owned()], files: vec![None], ..Reader::new(lines.get(..end)?) };
+    let mut reader = Reader {
+        header: vec!["roots".to_owned()],
+        files: vec![None],
+        ..Reader::new(lines.get(..end)?)
+    };
     reader.run();
     reader.files.pop().flatten()
 }
@@ -126,7 +143,13 @@ struct Reader<'t> {
 impl<'t> Reader<'t> {
     fn new(text: &'t str) -> Self {
         let levels = vec![Level::default()];
-        Self { text, header: Vec::new(), open_header: None, levels, files: Vec::new() }
+        Self {
+            text,
+            header: Vec::new(),
+            open_header: None,
+            levels,
+            files: Vec::new(),
+        }
     }
 
     fn read(text: &'t str) -> Self {
@@ -138,7 +161,11 @@ impl<'t> Reader<'t> {
     fn run(&mut self) {
         let tokens: Vec<Token> = Source::new(self.text).lex().into_vec();
         let mut events: Vec<Event> = Vec::new();
-        parse_document(&tokens, &mut RecursionGuard::new(&mut events, DEPTH), &mut ());
+        parse_document(
+            &tokens,
+            &mut RecursionGuard::new(&mut events, DEPTH),
+            &mut (),
+        );
         for event in &events {
             self.follow(event);
         }
@@ -167,7 +194,11 @@ impl<'t> Reader<'t> {
                 self.levels.push(Level::default());
             }
             EventKind::ArrayOpen => {
-                self.levels.push(Level { is_list: true, in_value: true, ..Level::default() });
+                self.levels.push(Level {
+                    is_list: true,
+                    in_value: true,
+                    ..Level::default()
+                });
             }
             EventKind::InlineTableClose | EventKind::ArrayClose if self.levels.len() > 1 => {
                 self.levels.pop();
@@ -265,7 +296,14 @@ impl<'t> Reader<'t> {
             return None;
         }
         let in_list = level.is_list;
-        Some((path, if level.in_value { PlaceKind::Value { in_list } } else { PlaceKind::Key }))
+        Some((
+            path,
+            if level.in_value {
+                PlaceKind::Value { in_list }
+            } else {
+                PlaceKind::Key
+            },
+        ))
     }
 }
 
@@ -276,7 +314,9 @@ mod tests {
     /// The place at `|`, in short.
     fn place(text: &str) -> String {
         let offset = text.find('|').unwrap();
-        let Some(place) = place_at(&text.replace('|', ""), offset as u32) else { return "none".to_owned() };
+        let Some(place) = place_at(&text.replace('|', ""), offset as u32) else {
+            return "none".to_owned();
+        };
         let kind = match place.kind {
             PlaceKind::Key => "key",
             PlaceKind::Header { is_list: false } => "table",
@@ -289,7 +329,10 @@ mod tests {
             "" => String::new(),
             word => format!(" {word}"),
         };
-        let file = place.file.map(|file| format!(" of {file}")).unwrap_or_default();
+        let file = place
+            .file
+            .map(|file| format!(" of {file}"))
+            .unwrap_or_default();
         format!("{kind} `{}`{word}{file}", place.path.join("."))
     }
 
@@ -307,13 +350,34 @@ mod tests {
             ("[format]\nline|", "key `format` line"),
             ("[format] li|", "none"),
             ("[[roots]]\nfile = 'a'\nargs = { |", "key `roots.args` of a"),
-            ("[[roots]]\nfile = 'a'\nargs = { x = '1', si|", "key `roots.args` si of a"),
-            ("[[roots]]\nfile = 'a'\nargs = { x = [1, 2], \"si|\"", "key `roots.args` si of a"),
-            ("[[roots]]\nargs = { si| }\nfile = 'b'\n[[roots]]\nfile = 'c'", "key `roots.args` si of b"),
-            ("[[roots]]\nargs.s|\nfile = 'b'\n", "key `roots.args` s of b"),
-            ("[[roots]]\nfile = 'a'\n[roots.presets.left]\n|", "key `roots.presets.left` of a"),
-            ("[[roots]]\nfile = 'a'\n[[roots.expect]]\nwhen = { |", "key `roots.expect.when` of a"),
-            ("roots = [{ file = 'a' }, { file = 'b', exclude = [{ | }] }]", "key `roots.exclude` of b"),
+            (
+                "[[roots]]\nfile = 'a'\nargs = { x = '1', si|",
+                "key `roots.args` si of a",
+            ),
+            (
+                "[[roots]]\nfile = 'a'\nargs = { x = [1, 2], \"si|\"",
+                "key `roots.args` si of a",
+            ),
+            (
+                "[[roots]]\nargs = { si| }\nfile = 'b'\n[[roots]]\nfile = 'c'",
+                "key `roots.args` si of b",
+            ),
+            (
+                "[[roots]]\nargs.s|\nfile = 'b'\n",
+                "key `roots.args` s of b",
+            ),
+            (
+                "[[roots]]\nfile = 'a'\n[roots.presets.left]\n|",
+                "key `roots.presets.left` of a",
+            ),
+            (
+                "[[roots]]\nfile = 'a'\n[[roots.expect]]\nwhen = { |",
+                "key `roots.expect.when` of a",
+            ),
+            (
+                "roots = [{ file = 'a' }, { file = 'b', exclude = [{ | }] }]",
+                "key `roots.exclude` of b",
+            ),
             ("[[roots]]\nfile = 'a'\n[format]\n|", "key `format`"),
             ("a = 1 |", "none"),
             ("# |", "none"),
@@ -331,9 +395,18 @@ mod tests {
             ("select = [\"a\", |", "item `select`"),
             ("select = ['a'|, 'b']", "none"),
             ("[[roots]]\nfile = 'urdf/|'", "value `roots.file` urdf/"),
-            ("[[roots]]\nfile = 'a'\nargs = { side = \"l|", "value `roots.args.side` l of a"),
-            ("[[roots]]\nfile = 'a'\nargs = { side = [\"left\", \"|", "item `roots.args.side` of a"),
-            ("[[roots]]\nfile = 'a'\nargs.side = |\n", "value `roots.args.side` of a"),
+            (
+                "[[roots]]\nfile = 'a'\nargs = { side = \"l|",
+                "value `roots.args.side` l of a",
+            ),
+            (
+                "[[roots]]\nfile = 'a'\nargs = { side = [\"left\", \"|",
+                "item `roots.args.side` of a",
+            ),
+            (
+                "[[roots]]\nfile = 'a'\nargs.side = |\n",
+                "value `roots.args.side` of a",
+            ),
             ("a = '''|", "none"),
         ] {
             assert_eq!(place(text), expected, "{text}");
@@ -342,8 +415,12 @@ mod tests {
 
     #[test]
     fn deep_and_broken_texts() {
-        for text in ["[".repeat(5000), "a = [".repeat(2000), "{ a = ".repeat(2000), "a = { b = [".repeat(900)]
-        {
+        for text in [
+            "[".repeat(5000),
+            "a = [".repeat(2000),
+            "{ a = ".repeat(2000),
+            "a = { b = [".repeat(900),
+        ] {
             place_at(&text, text.len() as u32);
         }
         assert_eq!(place_at("ä", 1), None);

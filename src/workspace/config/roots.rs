@@ -50,7 +50,9 @@ impl Variant {
     /// Whether each argument of `axes` is given one of its values.
     fn is_among(&self, axes: &Axes) -> bool {
         let has = |(name, values): &(String, Vec<String>)| {
-            self.args.iter().any(|(own, value)| own == name && values.contains(value))
+            self.args
+                .iter()
+                .any(|(own, value)| own == name && values.contains(value))
         };
         axes.iter().all(has)
     }
@@ -62,7 +64,11 @@ pub fn files_named(name: &str, folder: &Path, vfs: &Vfs) -> Vec<PathBuf> {
         return Pattern::new(&format!("./{name}"), folder).files(vfs);
     }
     let file = folder.join(name);
-    if vfs.is_file(&file) { vec![file] } else { Vec::new() }
+    if vfs.is_file(&file) {
+        vec![file]
+    } else {
+        Vec::new()
+    }
 }
 
 impl Root {
@@ -90,21 +96,33 @@ impl Root {
     /// presets; then the same per preset, whose arguments go over the others. `choices` are further arguments
     /// that the entry does not name.
     pub fn variants(&self, choices: &Axes) -> Vec<Variant> {
-        let variants = self.sets(choices).into_iter().flat_map(|(preset, args, axes)| {
-            let with = move |mut combined: Args| {
-                combined.extend(args.iter().cloned());
-                Variant { preset: preset.clone(), args: combined }
-            };
-            products(axes).map(with).collect::<Vec<_>>()
-        });
-        let is_left_out = |variant: &Variant| self.exclude.iter().any(|axes| variant.is_among(axes));
-        variants.take(MATRIX_RUNS).filter(|variant| !is_left_out(variant)).collect()
+        let variants = self
+            .sets(choices)
+            .into_iter()
+            .flat_map(|(preset, args, axes)| {
+                let with = move |mut combined: Args| {
+                    combined.extend(args.iter().cloned());
+                    Variant {
+                        preset: preset.clone(),
+                        args: combined,
+                    }
+                };
+                products(axes).map(with).collect::<Vec<_>>()
+            });
+        let is_left_out =
+            |variant: &Variant| self.exclude.iter().any(|axes| variant.is_among(axes));
+        variants
+            .take(MATRIX_RUNS)
+            .filter(|variant| !is_left_out(variant))
+            .collect()
     }
 
     /// How many runs there would be without a limit, those left out counted.
     pub fn combinations(&self, choices: &Axes) -> u64 {
         let counts = self.sets(choices).into_iter().map(|(_, _, axes)| {
-            axes.iter().fold(1, |count: u64, (_, values)| count.saturating_mul(values.len() as u64))
+            axes.iter().fold(1, |count: u64, (_, values)| {
+                count.saturating_mul(values.len() as u64)
+            })
         });
         counts.fold(0, u64::saturating_add)
     }
@@ -129,12 +147,17 @@ impl Root {
 
 /// The first combinations of values; the last argument changes fastest.
 fn products(axes: Axes) -> impl Iterator<Item = Args> {
-    let total = axes.iter().fold(1, |count: usize, (_, values)| count.saturating_mul(values.len()));
+    let total = axes.iter().fold(1, |count: usize, (_, values)| {
+        count.saturating_mul(values.len())
+    });
     (0..total.min(MATRIX_RUNS)).map(move |number| {
         let mut rest = number;
         let mut args: Args = Vec::with_capacity(axes.len());
         for (name, values) in axes.iter().rev() {
-            let value = values.get(rest % values.len().max(1)).cloned().unwrap_or_default();
+            let value = values
+                .get(rest % values.len().max(1))
+                .cloned()
+                .unwrap_or_default();
             args.push((name.clone(), value));
             rest /= values.len().max(1);
         }

@@ -8,7 +8,10 @@ use super::keys::{KEYS, Key, Type};
 pub fn schema() -> Value {
     let mut schema = table(KEYS);
     if let Some(fields) = schema.as_object_mut() {
-        fields.insert("$schema".to_owned(), json!("http://json-schema.org/draft-07/schema#"));
+        fields.insert(
+            "$schema".to_owned(),
+            json!("http://json-schema.org/draft-07/schema#"),
+        );
         fields.insert("title".to_owned(), json!("xacro-lint.toml"));
     }
     schema
@@ -33,7 +36,9 @@ fn type_schema(of: Type) -> Value {
         Type::Text => json!({ "type": "string" }),
         Type::Choice(choices) => json!({ "type": "string", "enum": choices }),
         Type::Texts => json!({ "type": "array", "items": { "type": "string" } }),
-        Type::Choices(choices) => json!({ "type": "array", "items": { "type": "string", "enum": choices } }),
+        Type::Choices(choices) => {
+            json!({ "type": "array", "items": { "type": "string", "enum": choices } })
+        }
         Type::Bool => json!({ "type": "boolean" }),
         Type::Count(u64::MAX) => json!({ "type": "integer", "minimum": 1 }),
         Type::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),

@@ -1,16 +1,20 @@
 use std::path::PathBuf;
 
-use super::{AttributeLayout, Config, Level, Limits, Loaded, MentionKind, Profile, find_config, schema};
+use super::{AttributeLayout, Config, Level, Limits, Loaded, MentionKind, Profile};
 use crate::Target;
 use vfs::testing::Tree;
 
 /// The configuration of `text`, and its warnings without the folder.
-fn load(text: &str) -> (Tree, Config, Vec<String>) {
+pub(super) fn load(text: &str) -> (Tree, Config, Vec<String>) {
     let tree = Tree::new();
     tree.write("xacro-lint.toml", text);
-    let Loaded { config, warnings } = Config::load(tree.vfs(), &tree.path("xacro-lint.toml")).unwrap();
+    let Loaded { config, warnings } =
+        Config::load(tree.vfs(), &tree.path("xacro-lint.toml")).unwrap();
     let prefix = format!("{}/", tree.root().display());
-    let warnings = warnings.iter().map(|warning| warning.to_string().replace(&prefix, "")).collect();
+    let warnings = warnings
+        .iter()
+        .map(|warning| warning.to_string().replace(&prefix, ""))
+        .collect();
     (tree, config, warnings)
 }
 
@@ -71,31 +75,82 @@ include-depth = 6
     assert_eq!(config.target, Target::Ros1);
     assert_eq!(config.urdf_version, ["1.0", "1.1"]);
     assert_eq!(config.profiles, [Profile::Mobile, Profile::Pedantic]);
-    assert_eq!(config.select.as_deref(), Some(["XML".to_owned(), "JNT006".to_owned()].as_slice()));
+    assert_eq!(
+        config.select.as_deref(),
+        Some(["XML".to_owned(), "JNT006".to_owned()].as_slice())
+    );
     assert_eq!((config.extend_select.len(), config.ignore.len()), (1, 1));
     assert!(config.exclude[0].matches(&tree.path("vendor/a/b.xacro")));
-    assert_eq!(config.package_path, [tree.path("../other"), PathBuf::from("/abs")]);
+    assert_eq!(
+        config.package_path,
+        [tree.path("../other"), PathBuf::from("/abs")]
+    );
     assert!(!config.use_environment);
     assert_eq!(
-        (config.allow_elements[0].as_str(), config.allow_attributes[0].as_str()),
+        (
+            config.allow_elements[0].as_str(),
+            config.allow_attributes[0].as_str()
+        ),
         ("my_sensor", "my_unit")
     );
     assert_eq!(config.severity["GEO007"], Level::Off);
     assert_eq!(config.severity["unused-property"], Level::Hint);
-    assert!(config.per_file_ignores[0].0.matches(&tree.path("test/a.xacro")));
+    assert!(
+        config.per_file_ignores[0]
+            .0
+            .matches(&tree.path("test/a.xacro"))
+    );
     assert_eq!(config.per_file_ignores[0].1, ["STR"]);
-    assert_eq!((config.thresholds["max-extent-m"], config.thresholds["other"]), (25.0, 0.5));
-    assert_eq!((config.format.line_width, config.format.self_close), (100, true));
+    assert_eq!(
+        (
+            config.thresholds["max-extent-m"],
+            config.thresholds["other"]
+        ),
+        (25.0, 0.5)
+    );
+    assert_eq!(
+        (config.format.line_width, config.format.self_close),
+        (100, true)
+    );
     assert_eq!(config.format.attributes, AttributeLayout::Auto);
-    let limits =
-        Limits { eval_steps: 1, expand_nodes: 2, expand_ms: 3, file_mb: 4, macro_depth: 5, include_depth: 6 };
+    let limits = Limits {
+        eval_steps: 1,
+        expand_nodes: 2,
+        expand_ms: 3,
+        file_mb: 4,
+        macro_depth: 5,
+        include_depth: 6,
+    };
     assert_eq!(config.limits, limits);
     assert_eq!(config.limits.file_bytes(), 4_000_000);
-    let mentions: Vec<&str> = config.mentions.iter().map(|mention| mention.text.as_str()).collect();
-    let rules =
-        ["XML", "JNT006", "STR013", "unused-macro", "../other", "/abs", "GEO007", "unused-property", "STR"];
-    assert_eq!(mentions, [rules.as_slice(), &["max-extent-m", "other"]].concat());
-    assert_eq!(config.mentions.iter().filter(|mention| mention.kind == MentionKind::Threshold).count(), 2);
+    let mentions: Vec<&str> = config
+        .mentions
+        .iter()
+        .map(|mention| mention.text.as_str())
+        .collect();
+    let rules = [
+        "XML",
+        "JNT006",
+        "STR013",
+        "unused-macro",
+        "../other",
+        "/abs",
+        "GEO007",
+        "unused-property",
+        "STR",
+    ];
+    assert_eq!(
+        mentions,
+        [rules.as_slice(), &["max-extent-m", "other"]].concat()
+    );
+    assert_eq!(
+        config
+            .mentions
+            .iter()
+            .filter(|mention| mention.kind == MentionKind::Threshold)
+            .count(),
+        2
+    );
 }
 
 /// The runs of the first root, without its file.
@@ -103,17 +158,30 @@ fn runs(text: &str, choices: &[(&str, &[&str])]) -> Vec<String> {
     let (_, config, warnings) = load(&format!("[[roots]]\nfile = 'a'\n{text}"));
     assert!(warnings.is_empty(), "{warnings:?}");
     let values = |values: &[&str]| values.iter().map(|value| (*value).to_owned()).collect();
-    let choices = choices.iter().map(|(name, own)| ((*name).to_owned(), values(own))).collect();
+    let choices = choices
+        .iter()
+        .map(|(name, own)| ((*name).to_owned(), values(own)))
+        .collect();
     let args = |args: &[(String, String)]| {
-        args.iter().map(|(name, value)| format!("{name}:={value}")).collect::<Vec<_>>().join(" ")
+        args.iter()
+            .map(|(name, value)| format!("{name}:={value}"))
+            .collect::<Vec<_>>()
+            .join(" ")
     };
-    config.roots[0].variants(&choices).iter().map(|run| args(&run.args)).collect()
+    config.roots[0]
+        .variants(&choices)
+        .iter()
+        .map(|run| args(&run.args))
+        .collect()
 }
 
 #[test]
 fn combinations_of_arguments() {
     assert_eq!(
-        runs("args = { kind = ['a', 'b'], sim = true, size = [1, 2] }", &[]),
+        runs(
+            "args = { kind = ['a', 'b'], sim = true, size = [1, 2] }",
+            &[]
+        ),
         [
             "kind:=a sim:=true size:=1",
             "kind:=a sim:=true size:=2",
@@ -127,14 +195,22 @@ fn combinations_of_arguments() {
     assert_eq!(runs(excluded, &[]), ["kind:=b size:=1", "kind:=b size:=2"]);
     // a preset goes over the lists
     assert_eq!(
-        runs("args = { kind = ['a', 'b'] }\npresets.p = { kind = 'c', sim = true }", &[]),
+        runs(
+            "args = { kind = ['a', 'b'] }\npresets.p = { kind = 'c', sim = true }",
+            &[]
+        ),
         ["kind:=a", "kind:=b", "kind:=c sim:=true"]
     );
     // what launch files offer comes last, and not where the entry says something else
     let choices: [(&str, &[&str]); 2] = [("kind", &["x", "y"]), ("size", &["1", "2"])];
     assert_eq!(
         runs("args = { kind = ['a', 'b'] }", &choices),
-        ["kind:=a size:=1", "kind:=a size:=2", "kind:=b size:=1", "kind:=b size:=2"]
+        [
+            "kind:=a size:=1",
+            "kind:=a size:=2",
+            "kind:=b size:=1",
+            "kind:=b size:=2"
+        ]
     );
 }
 
@@ -151,7 +227,10 @@ fn places_that_name_an_argument() {
 fn a_matrix_without_end() {
     let digits = "[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]";
     let args: Vec<String> = (0..30).map(|n| format!("a{n} = {digits}")).collect();
-    let (_, config, warnings) = load(&format!("[[roots]]\nfile = 'a'\nargs = {{ {} }}", args.join(", ")));
+    let (_, config, warnings) = load(&format!(
+        "[[roots]]\nfile = 'a'\nargs = {{ {} }}",
+        args.join(", ")
+    ));
     assert_eq!(config.roots[0].variants(&Vec::new()).len(), 1_000);
     let message = format!("{} combinations of arguments; only 1000 are used", u64::MAX);
     assert!(warnings[0].ends_with(&message), "{warnings:?}");
@@ -178,17 +257,35 @@ expands-to = "arm.urdf"
 "#,
     );
     assert!(warnings.is_empty(), "{warnings:?}");
-    let [arm, empty] = config.roots[0].expect.as_slice() else { panic!() };
-    assert_eq!((arm.link_count, arm.mass, arm.mass_tolerance), (Some(0), Some(3.0), 0.001));
+    let [arm, empty] = config.roots[0].expect.as_slice() else {
+        panic!()
+    };
+    assert_eq!(
+        (arm.link_count, arm.mass, arm.mass_tolerance),
+        (Some(0), Some(3.0), 0.001)
+    );
     assert_eq!(arm.when[0].1, ["a", "b"]);
     let joint = &arm.joint[0].1;
     assert_eq!(
-        (joint.kind.as_deref(), joint.lower, joint.upper, joint.tolerance),
+        (
+            joint.kind.as_deref(),
+            joint.lower,
+            joint.upper,
+            joint.tolerance
+        ),
         (Some("revolute"), Some(-1.0), None, 0.0)
     );
     assert_eq!((arm.place.line, empty.place.line), (4, 15));
-    let roots = &config.settings().into_iter().find(|setting| setting.key == "roots").unwrap().value;
-    assert_eq!(roots[0]["expect"][0]["joint"]["shoulder"]["type"], "revolute");
+    let roots = &config
+        .settings()
+        .into_iter()
+        .find(|setting| setting.key == "roots")
+        .unwrap()
+        .value;
+    assert_eq!(
+        roots[0]["expect"][0]["joint"]["shoulder"]["type"],
+        "revolute"
+    );
 }
 
 #[test]
@@ -214,8 +311,16 @@ presets.only = { a = "1" }
         .variants(&Vec::new())
         .iter()
         .map(|run| {
-            let args: Vec<String> = run.args.iter().map(|(name, value)| format!("{name}:={value}")).collect();
-            format!("{}: {}", run.preset.as_deref().unwrap_or("-"), args.join(" "))
+            let args: Vec<String> = run
+                .args
+                .iter()
+                .map(|(name, value)| format!("{name}:={value}"))
+                .collect();
+            format!(
+                "{}: {}",
+                run.preset.as_deref().unwrap_or("-"),
+                args.join(" ")
+            )
         })
         .collect();
     assert_eq!(
@@ -226,22 +331,40 @@ presets.only = { a = "1" }
             "alpha: side:=left sim:=true count:=3 length:=0.10 extra:=1",
         ]
     );
-    assert_eq!(config.roots[0].files(tree.vfs()), [tree.path("urdf/robot.urdf.xacro")]);
-    assert_eq!(config.roots[1].files(tree.vfs()), [tree.path("a.urdf"), tree.path("sub/b.urdf")]);
+    assert_eq!(
+        config.roots[0].files(tree.vfs()),
+        [tree.path("urdf/robot.urdf.xacro")]
+    );
+    assert_eq!(
+        config.roots[1].files(tree.vfs()),
+        [tree.path("a.urdf"), tree.path("sub/b.urdf")]
+    );
     assert!(config.roots[2].files(tree.vfs()).is_empty());
     assert_eq!(config.roots[1].variants(&Vec::new()).len(), 1);
-    let only: Vec<Option<String>> =
-        config.roots[2].variants(&Vec::new()).into_iter().map(|run| run.preset).collect();
+    let only: Vec<Option<String>> = config.roots[2]
+        .variants(&Vec::new())
+        .into_iter()
+        .map(|run| run.preset)
+        .collect();
     assert_eq!(only, [Some("only".to_owned())]);
-    assert_eq!((config.roots[1].place.line, config.roots[1].place.column), (8, 8));
+    assert_eq!(
+        (config.roots[1].place.line, config.roots[1].place.column),
+        (8, 8)
+    );
 }
 
 #[test]
 fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
     let table = [
-        ("taget = 'ros1'", "1:1: unknown key `taget`; did you mean `target`?"),
+        (
+            "taget = 'ros1'",
+            "1:1: unknown key `taget`; did you mean `target`?",
+        ),
         ("\n\n  whatever = 1", "3:3: unknown key `whatever`"),
-        ("target = 1", "1:10: `target` must be a string, not an integer"),
+        (
+            "target = 1",
+            "1:10: `target` must be a string, not an integer",
+        ),
         (
             "target = 'ros3'",
             "1:10: invalid value `ros3` for `target`; use `ros2`, `ros1`; did you mean `ros2`?",
@@ -250,38 +373,86 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
             "oldest-reader = 'newest'",
             "1:17: invalid value `newest` for `oldest-reader`; use a version of urdfdom, such as `4.0`",
         ),
-        ("profile = 'mobile'", "1:11: `profile` must be a list, not a string"),
+        (
+            "profile = 'mobile'",
+            "1:11: `profile` must be a list, not a string",
+        ),
         (
             "profile = ['moblie']",
             "1:12: invalid value `moblie` for `profile`; use `ros-industrial`, `mobile`, `gazebo`, `pedantic`; did you mean `mobile`?",
         ),
-        ("select = [1]", "1:11: `select` must be a list of strings, not an integer"),
-        ("urdf-version = [1.0]", "1:17: `urdf-version` must be a list of strings, not a number"),
-        ("severity = []", "1:12: `severity` must be a table, not a list"),
+        (
+            "select = [1]",
+            "1:11: `select` must be a list of strings, not an integer",
+        ),
+        (
+            "urdf-version = [1.0]",
+            "1:17: `urdf-version` must be a list of strings, not a number",
+        ),
+        (
+            "severity = []",
+            "1:12: `severity` must be a table, not a list",
+        ),
         (
             "severity.X = 'fatal'",
             "1:14: invalid value `fatal` for `X`; use `error`, `warning`, `info`, `hint`, `off`",
         ),
-        ("use-environment = 'yes'", "1:19: `use-environment` must be a boolean, not a string"),
-        ("thresholds.x = nan", "1:16: `x` must be a number, not a number"),
-        ("thresholds.x = 2000-01-01", "1:16: `x` must be a number, not a date"),
-        ("[limits]\nfile-mb = 0", "2:11: `file-mb` must be from 1 to 1000"),
-        ("[limits]\neval-steps = -1", "2:14: `eval-steps` must be at least 1"),
-        ("[limits]\nexpand-ms = 1.5", "2:13: `expand-ms` must be an integer, not a number"),
+        (
+            "use-environment = 'yes'",
+            "1:19: `use-environment` must be a boolean, not a string",
+        ),
+        (
+            "thresholds.x = nan",
+            "1:16: `x` must be a number, not a number",
+        ),
+        (
+            "thresholds.x = 2000-01-01",
+            "1:16: `x` must be a number, not a date",
+        ),
+        (
+            "[limits]\nfile-mb = 0",
+            "2:11: `file-mb` must be from 1 to 1000",
+        ),
+        (
+            "[limits]\neval-steps = -1",
+            "2:14: `eval-steps` must be at least 1",
+        ),
+        (
+            "[limits]\nexpand-ms = 1.5",
+            "2:13: `expand-ms` must be an integer, not a number",
+        ),
         (
             "[limits]\nmacro-dept = 1",
             "2:1: unknown key `macro-dept` in `limits`; did you mean `macro-depth`?",
         ),
-        ("[format]\nwidth = 1", "2:1: unknown key `width` in `format`"),
-        ("[[roots]]\nargs = {}", "1:1: an entry of `roots` has no `file`"),
-        ("[[roots]]\nfile = 1", "2:8: `file` must be a string, not an integer"),
-        ("[[roots]]\nfile = 'a'\nargs.x = []", "3:10: `x` has no values"),
+        (
+            "[format]\nwidth = 1",
+            "2:1: unknown key `width` in `format`",
+        ),
+        (
+            "[[roots]]\nargs = {}",
+            "1:1: an entry of `roots` has no `file`",
+        ),
+        (
+            "[[roots]]\nfile = 1",
+            "2:8: `file` must be a string, not an integer",
+        ),
+        (
+            "[[roots]]\nfile = 'a'\nargs.x = []",
+            "3:10: `x` has no values",
+        ),
         (
             "[[roots]]\nfile = 'a'\nargs.x = [[]]",
             "3:10: `x` must be a string, number or boolean, or a list of these, not a list",
         ),
-        ("[[roots]]\nfile = 'a'\nexclude = {}", "3:11: `exclude` must be a list, not a table"),
-        ("[[roots]]\nfile = 'a'\nchoices = 'all'", "3:11: invalid value `all` for `choices`; use `launch`"),
+        (
+            "[[roots]]\nfile = 'a'\nexclude = {}",
+            "3:11: `exclude` must be a list, not a table",
+        ),
+        (
+            "[[roots]]\nfile = 'a'\nchoices = 'all'",
+            "3:11: invalid value `all` for `choices`; use `launch`",
+        ),
         (
             "[[roots]]\nfile = 'a'\n[[roots.expect]]\nlnks = []",
             "4:1: unknown key `lnks` in `expect`; did you mean `links`?",
@@ -302,9 +473,18 @@ fn what_does_not_fit_is_a_warning_and_the_rest_holds() {
             "[[roots]]\nfile = 'a'\n[[roots.expect]]\njoint.a.uper = 1",
             "4:9: unknown key `uper` in `joint.a`; did you mean `upper`?",
         ),
-        ("[[roots]]\nfile = 'a'\npresets = 1", "3:11: `presets` must be a table, not an integer"),
-        ("roots = ['a']", "1:10: `roots` must be a list of tables, not a string"),
-        ("extend = 'gone.toml'", "1:10: cannot read `gone.toml`: No such file or directory"),
+        (
+            "[[roots]]\nfile = 'a'\npresets = 1",
+            "3:11: `presets` must be a table, not an integer",
+        ),
+        (
+            "roots = ['a']",
+            "1:10: `roots` must be a list of tables, not a string",
+        ),
+        (
+            "extend = 'gone.toml'",
+            "1:10: cannot read `gone.toml`: No such file or directory",
+        ),
         ("extend = 'xacro-lint.toml'", "1:10: circular `extend`"),
     ];
     for (text, expected) in table {
@@ -319,111 +499,11 @@ fn a_syntax_error_does_not_lose_the_rest() {
     let (_tree, config, warnings) =
         load("target = \"ros1\"\nselect = [\"A\"\nignore = ]\n[limits]\nfile-mb = 7\n");
     assert!(!warnings.is_empty());
-    assert!(warnings.iter().all(|warning| warning.starts_with("xacro-lint.toml:")), "{warnings:?}");
+    assert!(
+        warnings
+            .iter()
+            .all(|warning| warning.starts_with("xacro-lint.toml:")),
+        "{warnings:?}"
+    );
     assert_eq!((config.target, config.limits.file_mb), (Target::Ros1, 7));
-}
-
-#[test]
-fn files_extend_each_other() {
-    let tree = Tree::new();
-    tree.write(
-        "base/lint.toml",
-        "target = 'ros1'\nselect = ['A']\nignore = ['B']\npackage-path = ['p']\nurdf-version = ['2']\n\
-         thresholds = { x = 1, y = 1 }\n[[roots]]\nfile = 'base.xacro'\n",
-    );
-    tree.write(
-        "ws/xacro-lint.toml",
-        "extend = '../base/lint.toml'\nselect = ['C']\nignore = ['D']\npackage-path = ['q']\n\
-         thresholds = { y = 2 }\n[[roots]]\nfile = 'near.xacro'\n",
-    );
-    let Loaded { config, warnings } = Config::for_file(tree.vfs(), &tree.path("ws/src/a/b.xacro"));
-    assert!(warnings.is_empty());
-    assert_eq!(config.files, [tree.path("ws/xacro-lint.toml"), tree.path("ws/../base/lint.toml")]);
-    assert_eq!(config.target, Target::Ros1);
-    assert_eq!(config.select, Some(vec!["C".to_owned()]));
-    assert_eq!(config.ignore, ["B", "D"]);
-    assert_eq!(config.urdf_version, ["2"]);
-    assert_eq!(config.package_path, [tree.path("ws/q"), tree.path("ws/../base/p")]);
-    assert_eq!((config.thresholds["x"], config.thresholds["y"]), (1.0, 2.0));
-    let roots: Vec<&str> = config.roots.iter().map(|root| root.file.as_str()).collect();
-    assert_eq!(roots, ["near.xacro", "base.xacro"]);
-}
-
-#[test]
-fn circles_end() {
-    let tree = Tree::new();
-    tree.write("a.toml", "extend = 'b.toml'\nignore = ['A']");
-    tree.write("b.toml", "extend = 'a.toml'\nignore = ['B']");
-    let Loaded { config, warnings } = Config::load(tree.vfs(), &tree.path("a.toml")).unwrap();
-    assert_eq!(config.ignore, ["B", "A"]);
-    assert_eq!(warnings.len(), 1);
-    for number in 0..30 {
-        tree.write(&format!("c{number}.toml"), &format!("extend = 'c{}.toml'", number + 1));
-    }
-    let Loaded { warnings, .. } = Config::load(tree.vfs(), &tree.path("c0.toml")).unwrap();
-    assert_eq!(warnings.len(), 1);
-}
-
-#[test]
-fn the_nearest_file_counts() {
-    let tree = Tree::new();
-    for file in ["xacro-lint.toml", "a/.xacro-lint.toml", "a/b/xacro-lint.toml", "a/b/.xacro-lint.toml"] {
-        tree.write(file, "");
-    }
-    let table = [
-        ("", "xacro-lint.toml"),
-        ("a/x", "a/.xacro-lint.toml"),
-        ("a/b", "a/b/xacro-lint.toml"),
-        ("c/d", "xacro-lint.toml"),
-    ];
-    for (folder, expected) in table {
-        assert_eq!(find_config(tree.vfs(), &tree.path(folder)), Some(tree.path(expected)), "{folder}");
-    }
-    assert!(Config::load(tree.vfs(), &tree.path("none.toml")).is_err());
-}
-
-#[test]
-fn settings_of_an_editor_win() {
-    let (tree, mut config, _) =
-        load("target = 'ros1'\nseverity.a = 'off'\n[limits]\nfile-mb = 7\nexpand-ms = 8\n");
-    let settings = serde_json::json!({
-        "target": "ros2",
-        "packagePaths": ["../other"],
-        "useEnvironment": false,
-        "diagnostics.rules": { "unused-property": "off" },
-        "diagnostics": { "delay": 100, "rules": { "a": "error" } },
-        "format.lineWidth": 90,
-        "format": { "selfClose": true },
-        "limits": { "fileMB": 9 },
-        "limits.evalSteps": 5,
-        "thresholds": { "max-extent-m": 3 },
-        "roots": [{ "file": "a.xacro", "args": { "someArg": "x" } }],
-        "inlayHints.values": true,
-        "preview": { "fps": 60 },
-        "trace.server": "off",
-        "ignore": 5,
-    });
-    let warnings = config.apply_settings(&settings, tree.root());
-    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    assert_eq!(warnings, ["`ignore` must be a list, not an integer"]);
-    assert_eq!((config.target, config.use_environment), (Target::Ros2, false));
-    assert_eq!(config.package_path, [tree.path("../other")]);
-    assert_eq!((config.severity["unused-property"], config.severity["a"]), (Level::Off, Level::Error));
-    assert_eq!((config.format.line_width, config.format.self_close), (90, true));
-    assert_eq!((config.limits.file_mb, config.limits.expand_ms, config.limits.eval_steps), (9, 8, 5));
-    assert_eq!(config.thresholds["max-extent-m"], 3.0);
-    assert_eq!(config.roots[0].args, [("someArg".to_owned(), vec!["x".to_owned()])]);
-}
-
-#[test]
-fn the_schema_has_every_key() {
-    let schema = schema();
-    let properties = schema["properties"].as_object().unwrap();
-    assert_eq!(properties.len(), super::keys::KEYS.len());
-    assert_eq!(properties["limits"]["properties"]["file-mb"]["maximum"], 1000);
-    assert_eq!(
-        properties["roots"]["items"]["properties"]["presets"]["additionalProperties"]["type"],
-        "object"
-    );
-    assert_eq!(properties["target"]["enum"][1], "ros1");
 }

@@ -60,7 +60,9 @@ impl Value {
             ValueKind::Bool(value) => (*value).into(),
             ValueKind::List(items) => items.iter().map(Self::json).collect(),
             ValueKind::Table(entries) => {
-                let fields = entries.iter().map(|entry| (entry.key.clone(), entry.value.json()));
+                let fields = entries
+                    .iter()
+                    .map(|entry| (entry.key.clone(), entry.value.json()));
                 serde_json::Value::Object(fields.collect())
             }
             ValueKind::Other(_) => serde_json::Value::Null,
@@ -78,7 +80,10 @@ pub(super) fn from_toml(text: &str) -> (Vec<Entry>, Vec<(String, TextRange)>) {
     let (table, errors) = DeTable::parse_recoverable(text);
     let errors = errors.iter().map(|error| {
         let range = error.span().map(text_range).unwrap_or_default();
-        (error.message().lines().collect::<Vec<_>>().join(", "), range)
+        (
+            error.message().lines().collect::<Vec<_>>().join(", "),
+            range,
+        )
     });
     (entries(table.get_ref()), errors.collect())
 }
@@ -100,16 +105,22 @@ fn entries(table: &DeTable<'_>) -> Vec<Entry> {
 fn toml_value(value: &Spanned<DeValue<'_>>) -> Value {
     let kind = match value.get_ref() {
         DeValue::String(text) => ValueKind::Text(text.to_string()),
-        DeValue::Integer(digits) => ValueKind::Int(i64::from_str_radix(digits.as_str(), digits.radix()).ok()),
-        DeValue::Float(digits) => {
-            ValueKind::Float(digits.as_str().parse().unwrap_or(f64::NAN), digits.as_str().to_owned())
+        DeValue::Integer(digits) => {
+            ValueKind::Int(i64::from_str_radix(digits.as_str(), digits.radix()).ok())
         }
+        DeValue::Float(digits) => ValueKind::Float(
+            digits.as_str().parse().unwrap_or(f64::NAN),
+            digits.as_str().to_owned(),
+        ),
         DeValue::Boolean(value) => ValueKind::Bool(*value),
         DeValue::Datetime(_) => ValueKind::Other("a date"),
         DeValue::Array(items) => ValueKind::List(items.iter().map(toml_value).collect()),
         DeValue::Table(table) => ValueKind::Table(entries(table)),
     };
-    Value { kind, range: text_range(value.span()) }
+    Value {
+        kind,
+        range: text_range(value.span()),
+    }
 }
 
 /// The settings of an editor in the form of the file: `format.lineWidth` and `{format: {lineWidth}}`
@@ -123,7 +134,10 @@ pub(super) fn from_settings(settings: &serde_json::Value, free: &[&str]) -> Vec<
         let is_free = free.contains(&first.as_str());
         let mut value = json_value(value, is_free);
         for key in rest.into_iter().rev() {
-            value = Value { kind: ValueKind::Table(vec![entry(key, value)]), range: TextRange::default() };
+            value = Value {
+                kind: ValueKind::Table(vec![entry(key, value)]),
+                range: TextRange::default(),
+            };
         }
         insert(&mut entries, entry(first, value));
     }
@@ -131,7 +145,11 @@ pub(super) fn from_settings(settings: &serde_json::Value, free: &[&str]) -> Vec<
 }
 
 fn entry(key: String, value: Value) -> Entry {
-    Entry { key, key_range: TextRange::default(), value }
+    Entry {
+        key,
+        key_range: TextRange::default(),
+        value,
+    }
 }
 
 /// Add an entry; the tables of equal keys become one.
@@ -144,7 +162,10 @@ fn insert(entries: &mut Vec<Entry>, new: Entry) {
             }
         }
         (Some(old), kind) => *old = kind,
-        (None, kind) => entries.push(Entry { value: Value { kind, ..new.value }, ..new }),
+        (None, kind) => entries.push(Entry {
+            value: Value { kind, ..new.value },
+            ..new
+        }),
     }
 }
 
@@ -159,14 +180,30 @@ fn json_value(value: &serde_json::Value, keep_keys: bool) -> Value {
             None => ValueKind::Float(number.as_f64().unwrap_or(f64::NAN), number.to_string()),
         },
         Json::String(text) => ValueKind::Text(text.clone()),
-        Json::Array(items) => ValueKind::List(items.iter().map(|item| json_value(item, keep_keys)).collect()),
+        Json::Array(items) => ValueKind::List(
+            items
+                .iter()
+                .map(|item| json_value(item, keep_keys))
+                .collect(),
+        ),
         Json::Object(fields) => {
-            let key = |key: &String| if keep_keys { key.clone() } else { kebab_case(key) };
-            let fields = fields.iter().map(|(name, value)| entry(key(name), json_value(value, keep_keys)));
+            let key = |key: &String| {
+                if keep_keys {
+                    key.clone()
+                } else {
+                    kebab_case(key)
+                }
+            };
+            let fields = fields
+                .iter()
+                .map(|(name, value)| entry(key(name), json_value(value, keep_keys)));
             ValueKind::Table(fields.collect())
         }
     };
-    Value { kind, range: TextRange::default() }
+    Value {
+        kind,
+        range: TextRange::default(),
+    }
 }
 
 /// `lineWidth` as `line-width`, `fileMB` as `file-mb`.

@@ -31,10 +31,17 @@ pub fn wanted(place: &ConfigPlace) -> Option<Wanted> {
                 PlaceKind::Header { is_list } => has_header(key.of, is_list),
                 _ => true,
             };
-            Some(Wanted::Keys(keys.iter().filter(is_header).map(|key| (key.name, key.doc)).collect()))
+            Some(Wanted::Keys(
+                keys.iter()
+                    .filter(is_header)
+                    .map(|key| (key.name, key.doc))
+                    .collect(),
+            ))
         }
         PlaceKind::Value { in_list } => match (of, in_list) {
-            (Type::Choice(words), false) | (Type::Choices(words), true) => Some(Wanted::Words(words)),
+            (Type::Choice(words), false) | (Type::Choices(words), true) => {
+                Some(Wanted::Words(words))
+            }
             (Type::Bool, false) => Some(Wanted::Bool),
             (Type::Text | Type::Argument | Type::Arguments, false) => Some(Wanted::Free),
             (Type::Texts | Type::Arguments | Type::List(Type::Texts), true) => Some(Wanted::Free),

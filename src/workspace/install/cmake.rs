@@ -40,7 +40,13 @@ const KEYWORDS: [&str; 18] = [
 /// Read the build file of a folder into `build`.
 pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
     let (left, entries) = (BUILD_BYTES, GLOB_ENTRIES);
-    let mut reader = Reader { vfs, build, variables: FastMap::default(), left, entries };
+    let mut reader = Reader {
+        vfs,
+        build,
+        variables: FastMap::default(),
+        left,
+        entries,
+    };
     for (name, value) in [
         ("CMAKE_INSTALL_DATADIR", "share"),
         ("CMAKE_INSTALL_DATAROOTDIR", "share"),
@@ -62,8 +68,14 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
 
 /// The name that the build file of a folder gives its project.
 pub(super) fn project(text: &str) -> Option<String> {
-    let project = commands(text).into_iter().find(|command| command.name == "project")?;
-    project.arguments.into_iter().next().map(|argument| argument.text)
+    let project = commands(text)
+        .into_iter()
+        .find(|command| command.name == "project")?;
+    project
+        .arguments
+        .into_iter()
+        .next()
+        .map(|argument| argument.text)
 }
 
 /// An argument with its variables replaced; none when one of them is not known.
@@ -93,7 +105,10 @@ impl Reader<'_> {
 
     /// The build file of a folder.
     fn folder(&mut self, folder: &Path, depth: u32) {
-        let outer = (self.variables.get("CMAKE_CURRENT_SOURCE_DIR").cloned(), self.current_build_folder());
+        let outer = (
+            self.variables.get("CMAKE_CURRENT_SOURCE_DIR").cloned(),
+            self.current_build_folder(),
+        );
         self.set("CMAKE_CURRENT_SOURCE_DIR", text(folder));
         self.set("CMAKE_CURRENT_LIST_DIR", text(folder));
         self.set("CMAKE_CURRENT_BINARY_DIR", text(&build_folder(folder)));
@@ -137,7 +152,9 @@ impl Reader<'_> {
                     self.repeat(command, body, here);
                     behind
                 }
-                "function" | "macro" => block(behind, &command.name, &format!("end{}", command.name)).1,
+                "function" | "macro" => {
+                    block(behind, &command.name, &format!("end{}", command.name)).1
+                }
                 _ => {
                     self.command(command, here);
                     behind
@@ -148,11 +165,17 @@ impl Reader<'_> {
 
     fn repeat(&mut self, command: &Command, body: &[Command], here: Here<'_>) {
         let words = self.words(&command.arguments);
-        let here = Here { depth: here.depth + 1, ..here };
-        let Some((Some(name), values)) = words.split_first().filter(|_| here.depth <= BUILD_DEPTH) else {
+        let here = Here {
+            depth: here.depth + 1,
+            ..here
+        };
+        let Some((Some(name), values)) = words.split_first().filter(|_| here.depth <= BUILD_DEPTH)
+        else {
             return;
         };
-        let is_in = values.first().is_some_and(|word| word.as_deref() == Some("IN"));
+        let is_in = values
+            .first()
+            .is_some_and(|word| word.as_deref() == Some("IN"));
         let mut lists = false;
         for value in values.iter().skip(usize::from(is_in)).flatten() {
             match value.as_str() {
@@ -202,33 +225,53 @@ impl Reader<'_> {
                 }
             }
             "include" => {
-                if let Some(Some(file)) =
-                    words.first().filter(|w| matches!(w, Some(w) if w.ends_with(".cmake")))
+                if let Some(Some(file)) = words
+                    .first()
+                    .filter(|w| matches!(w, Some(w) if w.ends_with(".cmake")))
                 {
                     let path = tidy(&here.folder.join(file));
-                    self.file(&path, Here { depth: here.depth + 1, ..here });
+                    self.file(
+                        &path,
+                        Here {
+                            depth: here.depth + 1,
+                            ..here
+                        },
+                    );
                 }
             }
             // what it installs is written elsewhere
-            name if name.contains("install") && !name.contains("python") => self.build.is_opaque = true,
+            name if name.contains("install") && !name.contains("python") => {
+                self.build.is_opaque = true
+            }
             _ => {}
         }
     }
 
     /// Remember the files that a command names which may make them: it installs and tests nothing.
     fn names(&mut self, command: &Command) {
-        if ["install", "configure_file", "test"].iter().any(|word| command.name.contains(word)) {
+        if ["install", "configure_file", "test"]
+            .iter()
+            .any(|word| command.name.contains(word))
+        {
             return;
         }
-        let files = command.arguments.iter().map(|argument| argument.text.rsplit('/').next().unwrap_or(""));
+        let files = command
+            .arguments
+            .iter()
+            .map(|argument| argument.text.rsplit('/').next().unwrap_or(""));
         self.build.named.extend(files.filter_map(stem));
     }
 
     fn project(&mut self, words: &[Word]) {
-        let Some(Some(name)) = words.first() else { return };
-        let current = |reader: &Self, of: &str| reader.variables.get(of).cloned().unwrap_or_default();
-        let (source, build) =
-            (current(self, "CMAKE_CURRENT_SOURCE_DIR"), current(self, "CMAKE_CURRENT_BINARY_DIR"));
+        let Some(Some(name)) = words.first() else {
+            return;
+        };
+        let current =
+            |reader: &Self, of: &str| reader.variables.get(of).cloned().unwrap_or_default();
+        let (source, build) = (
+            current(self, "CMAKE_CURRENT_SOURCE_DIR"),
+            current(self, "CMAKE_CURRENT_BINARY_DIR"),
+        );
         for (place, value) in [("SOURCE_DIR", source), ("BINARY_DIR", build)] {
             self.set(&format!("PROJECT_{place}"), value.clone());
             self.set(&format!("{name}_{place}"), value);
@@ -240,7 +283,9 @@ impl Reader<'_> {
     }
 
     fn assign(&mut self, words: &[Word]) {
-        let Some((Some(name), values)) = words.split_first() else { return };
+        let Some((Some(name), values)) = words.split_first() else {
+            return;
+        };
         let is_value = |word: &&Word| !matches!(word.as_deref(), Some("CACHE" | "PARENT_SCOPE"));
         let values: Option<Vec<String>> = values.iter().take_while(is_value).cloned().collect();
         match values {
@@ -250,7 +295,9 @@ impl Reader<'_> {
     }
 
     fn append(&mut self, words: &[Word]) {
-        let [Some(mode), Some(name), values @ ..] = words else { return };
+        let [Some(mode), Some(name), values @ ..] = words else {
+            return;
+        };
         let values: Vec<&str> = values.iter().flatten().map(String::as_str).collect();
         if mode == "APPEND" {
             let old = self.variables.get(name).filter(|old| !old.is_empty());
@@ -262,7 +309,9 @@ impl Reader<'_> {
 
     fn file_command(&mut self, words: &[Word], here: Here<'_>) {
         match words {
-            [Some(mode), rest @ ..] if mode == "COPY" || mode == "INSTALL" => self.placed(rest, here, false),
+            [Some(mode), rest @ ..] if mode == "COPY" || mode == "INSTALL" => {
+                self.placed(rest, here, false)
+            }
             [Some(mode), Some(name), rest @ ..] if mode == "GLOB" => {
                 let found = self.globbed(rest, here);
                 self.set(name, found.join(";"));
@@ -281,7 +330,11 @@ impl Reader<'_> {
                 "CONFIGURE_DEPENDS" => {}
                 pattern => {
                     let pattern = text(&here.folder.join(pattern));
-                    found.extend(self.vfs.glob(&pattern, here.folder, &mut self.entries).unwrap_or_default());
+                    found.extend(
+                        self.vfs
+                            .glob(&pattern, here.folder, &mut self.entries)
+                            .unwrap_or_default(),
+                    );
                 }
             }
         }
@@ -294,14 +347,17 @@ impl Reader<'_> {
 
     /// `configure_file(template target)`
     fn configured(&mut self, words: &[Word], here: Here<'_>) {
-        let [Some(template), Some(target), ..] = words else { return };
+        let [Some(template), Some(target), ..] = words else {
+            return;
+        };
         let target = in_tree(&build_folder(here.folder), target);
         self.add(target, Source::Template(in_tree(here.folder, template)));
     }
 
     /// `xacro_add_files([TARGET t] a.urdf.xacro [OUTPUT name] [INSTALL [DESTINATION folder]])`
     fn expanded(&mut self, words: &[Word], here: Here<'_>) {
-        let (mut sources, mut output, mut destination, mut is_installed) = (Vec::new(), None, None, false);
+        let (mut sources, mut output, mut destination, mut is_installed) =
+            (Vec::new(), None, None, false);
         let mut words = words.iter().flatten().map(String::as_str).peekable();
         while let Some(word) = words.next() {
             match word {
@@ -318,21 +374,32 @@ impl Reader<'_> {
             }
         }
         for source in sources {
-            let output =
-                PathBuf::from(output.unwrap_or_else(|| source.strip_suffix(".xacro").unwrap_or(source)));
+            let output = PathBuf::from(
+                output.unwrap_or_else(|| source.strip_suffix(".xacro").unwrap_or(source)),
+            );
             let made = tidy(&build_folder(here.folder).join(&output));
             self.add(made.clone(), Source::Template(in_tree(here.folder, source)));
-            let Some(project) = self.variables.get("PROJECT_NAME").filter(|_| is_installed) else { continue };
-            let folder = destination.map(Path::new).or_else(|| output.parent()).unwrap_or(Path::new(""));
+            let Some(project) = self.variables.get("PROJECT_NAME").filter(|_| is_installed) else {
+                continue;
+            };
+            let folder = destination
+                .map(Path::new)
+                .or_else(|| output.parent())
+                .unwrap_or(Path::new(""));
             let to = Path::new("share").join(project).join(folder);
-            self.add(tidy(&to.join(output.file_name().unwrap_or_default())), Source::Path(made));
+            self.add(
+                tidy(&to.join(output.file_name().unwrap_or_default())),
+                Source::Path(made),
+            );
         }
     }
 
     /// `a b/ DESTINATION d`
     fn placed(&mut self, words: &[Word], here: Here<'_>, is_install: bool) {
         let after = |keyword: &str| {
-            let at = words.iter().position(|word| word.as_deref() == Some(keyword))?;
+            let at = words
+                .iter()
+                .position(|word| word.as_deref() == Some(keyword))?;
             words.get(at + 1)
         };
         let Some(Some(destination)) = after("DESTINATION") else {
@@ -344,7 +411,8 @@ impl Reader<'_> {
             false => in_tree(&build_folder(here.folder), destination),
         };
         let renamed = after("RENAME").cloned().flatten();
-        let is_source = |word: &&Word| !word.as_deref().is_some_and(|word| KEYWORDS.contains(&word));
+        let is_source =
+            |word: &&Word| !word.as_deref().is_some_and(|word| KEYWORDS.contains(&word));
         for word in words.iter().take_while(is_source) {
             let Some(source) = word else {
                 self.build.is_opaque = true;
@@ -362,18 +430,29 @@ impl Reader<'_> {
 
     /// `ament_auto_package(INSTALL_TO_SHARE a b)`
     fn auto_package(&mut self, words: &[Word], here: Here<'_>) {
-        let Some(project) = self.variables.get("PROJECT_NAME").cloned() else { return };
-        let is_list = |word: &Word| matches!(word.as_deref(), Some("INSTALL_TO_SHARE" | "INSTALL_TO_PATH"));
+        let Some(project) = self.variables.get("PROJECT_NAME").cloned() else {
+            return;
+        };
+        let is_list = |word: &Word| {
+            matches!(
+                word.as_deref(),
+                Some("INSTALL_TO_SHARE" | "INSTALL_TO_PATH")
+            )
+        };
         let mut is_share = false;
         for word in words {
             if is_list(word) {
                 is_share = word.as_deref() == Some("INSTALL_TO_SHARE");
                 continue;
             }
-            let Some(source) = word.as_ref().filter(|_| is_share) else { continue };
+            let Some(source) = word.as_ref().filter(|_| is_share) else {
+                continue;
+            };
             let path = in_tree(here.folder, source);
             let to = Path::new("share").join(&project);
-            let to = path.file_name().map_or_else(|| to.clone(), |name| to.join(name));
+            let to = path
+                .file_name()
+                .map_or_else(|| to.clone(), |name| to.join(name));
             self.add(to, Source::Path(path));
         }
     }
@@ -437,7 +516,11 @@ fn build_folder(source: &Path) -> PathBuf {
 /// A path of the sources or of the folder of the build.
 fn in_tree(folder: &Path, path: &str) -> PathBuf {
     let path = Path::new(path);
-    tidy(&if path.starts_with(BUILD_TREE) { path.to_owned() } else { folder.join(path) })
+    tidy(&if path.starts_with(BUILD_TREE) {
+        path.to_owned()
+    } else {
+        folder.join(path)
+    })
 }
 
 fn text(path: &Path) -> String {

@@ -30,7 +30,10 @@ pub(super) fn commands(text: &str) -> Vec<Command> {
         if reader.rest.starts_with('(') {
             reader.skip_char();
             let arguments = reader.arguments();
-            found.push(Command { name: name.to_lowercase(), arguments });
+            found.push(Command {
+                name: name.to_lowercase(),
+                arguments,
+            });
         }
     }
     found
@@ -58,7 +61,9 @@ impl<'t> Reader<'t> {
     fn skip_blanks(&mut self) {
         loop {
             self.take(char::is_whitespace);
-            let Some(comment) = self.rest.strip_prefix('#') else { return };
+            let Some(comment) = self.rest.strip_prefix('#') else {
+                return;
+            };
             self.rest = comment;
             if self.bracket().is_none() {
                 self.take(|c| c != '\n');
@@ -72,7 +77,9 @@ impl<'t> Reader<'t> {
         let mut depth = 0_u32;
         loop {
             self.skip_blanks();
-            let Some(next) = self.rest.chars().next() else { return found };
+            let Some(next) = self.rest.chars().next() else {
+                return found;
+            };
             match next {
                 ')' if depth == 0 => {
                     self.skip_char();
@@ -82,12 +89,24 @@ impl<'t> Reader<'t> {
                     depth = if next == '(' { depth + 1 } else { depth - 1 };
                     self.skip_char();
                 }
-                '"' => found.push(Argument { text: self.quoted(), is_quoted: true }),
+                '"' => found.push(Argument {
+                    text: self.quoted(),
+                    is_quoted: true,
+                }),
                 '[' => match self.bracket() {
-                    Some(text) => found.push(Argument { text, is_quoted: true }),
-                    None => found.push(Argument { text: self.plain(), is_quoted: false }),
+                    Some(text) => found.push(Argument {
+                        text,
+                        is_quoted: true,
+                    }),
+                    None => found.push(Argument {
+                        text: self.plain(),
+                        is_quoted: false,
+                    }),
                 },
-                _ => found.push(Argument { text: self.plain(), is_quoted: false }),
+                _ => found.push(Argument {
+                    text: self.plain(),
+                    is_quoted: false,
+                }),
             }
         }
     }
@@ -110,7 +129,9 @@ impl<'t> Reader<'t> {
     fn plain(&mut self) -> String {
         let mut text = String::new();
         loop {
-            text.push_str(self.take(|c| !c.is_whitespace() && !matches!(c, '(' | ')' | '#' | '"' | '\\')));
+            text.push_str(
+                self.take(|c| !c.is_whitespace() && !matches!(c, '(' | ')' | '#' | '"' | '\\')),
+            );
             if !self.rest.starts_with('\\') {
                 break;
             }
@@ -143,14 +164,23 @@ mod tests {
     #[test]
     fn texts() {
         let table = [
-            ("install(DIRECTORY a b\n  DESTINATION c)", "install: DIRECTORY|a|b|DESTINATION|c"),
-            ("INSTALL ( FILES \"a b\" # c)\n d)", "install: FILES|'a b'|d"),
+            (
+                "install(DIRECTORY a b\n  DESTINATION c)",
+                "install: DIRECTORY|a|b|DESTINATION|c",
+            ),
+            (
+                "INSTALL ( FILES \"a b\" # c)\n d)",
+                "install: FILES|'a b'|d",
+            ),
             ("#[[ install(x) ]] project(p)", "project: p"),
             ("# install(x)\nproject(p)", "project: p"),
             ("if(NOT (A OR B)) endif()", "if: NOT|A|OR|B; endif: "),
             ("set(a \"x\\\"y\" [=[z]]=])", "set: a|'x\"y'|'z]'"),
             ("set(a [0-9])", "set: a|[0-9]"),
-            ("list(APPEND a \\\"b\\\") project(p)", "list: APPEND|a|\"b\"; project: p"),
+            (
+                "list(APPEND a \\\"b\\\") project(p)",
+                "list: APPEND|a|\"b\"; project: p",
+            ),
             ("set(a \"open", "set: a|'open'"),
             ("half(a", "half: a"),
             ("+ x y(z)", "y: z"),
@@ -159,11 +189,19 @@ mod tests {
             let found: Vec<String> = commands(text)
                 .iter()
                 .map(|command| {
-                    let arguments = command.arguments.iter().map(|argument| match argument.is_quoted {
-                        true => format!("'{}'", argument.text),
-                        false => argument.text.clone(),
-                    });
-                    format!("{}: {}", command.name, arguments.collect::<Vec<_>>().join("|"))
+                    let arguments =
+                        command
+                            .arguments
+                            .iter()
+                            .map(|argument| match argument.is_quoted {
+                                true => format!("'{}'", argument.text),
+                                false => argument.text.clone(),
+                            });
+                    format!(
+                        "{}: {}",
+                        command.name,
+                        arguments.collect::<Vec<_>>().join("|")
+                    )
                 })
                 .collect();
             assert_eq!(found.join("; "), expected, "{text}");

@@ -63,7 +63,9 @@ enum Source {
 
 /// The name of a file up to its first dot; none without one.
 fn stem(name: &str) -> Option<String> {
-    name.split_once('.').map(|(stem, _)| stem.to_owned()).filter(|stem| !stem.is_empty())
+    name.split_once('.')
+        .map(|(stem, _)| stem.to_owned())
+        .filter(|stem| !stem.is_empty())
 }
 
 impl Packages {
@@ -73,19 +75,31 @@ impl Packages {
         let missing = without_parents(&self.vfs.absolute(missing));
         let beside = template_of(&missing);
         if self.vfs.is_file(&beside) {
-            return Some(Built { path: beside, is_template: true });
+            return Some(Built {
+                path: beside,
+                is_template: true,
+            });
         }
         let (name, folder) = self.package_around(&missing)?;
         let build = self.build(&folder);
-        let share = Path::new("share").join(name).join(missing.strip_prefix(&folder).ok()?);
-        build.find(&self.vfs, &share, 0).or_else(|| build.find(&self.vfs, &missing, 0))
+        let share = Path::new("share")
+            .join(name)
+            .join(missing.strip_prefix(&folder).ok()?);
+        build
+            .find(&self.vfs, &share, 0)
+            .or_else(|| build.find(&self.vfs, &missing, 0))
     }
 
     /// Whether the build of its package names a file that does not exist, or one of the same stem: it may download it, or
     /// generate it from the other.
     pub fn may_be_made(&self, missing: &Path) -> bool {
-        let stem = missing.file_name().and_then(|name| stem(&name.to_string_lossy()));
-        stem.is_some_and(|stem| self.build_around(missing).is_some_and(|build| build.named.contains(&stem)))
+        let stem = missing
+            .file_name()
+            .and_then(|name| stem(&name.to_string_lossy()));
+        stem.is_some_and(|stem| {
+            self.build_around(missing)
+                .is_some_and(|build| build.named.contains(&stem))
+        })
     }
 
     /// The path to open for `path`: itself where it exists, else what the build puts there, else itself.
@@ -93,7 +107,8 @@ impl Packages {
         if self.vfs.exists(path) {
             return path.into();
         }
-        self.built(path).map_or(path.into(), |built| built.path.into())
+        self.built(path)
+            .map_or(path.into(), |built| built.path.into())
     }
 
     /// The build of the package that a path lies in.
@@ -135,11 +150,12 @@ impl Packages {
     pub(super) fn unlisted_name(&self, folder: &Path) -> Option<String> {
         self.unlisted.get(folder.to_owned(), || {
             let text = |name: &str| self.vfs.text(&folder.join(name)).ok();
-            let project = || cmake::project(&text(CMAKE_LISTS)?.text).filter(|name| !name.contains('$'));
+            let project =
+                || cmake::project(&text(CMAKE_LISTS)?.text).filter(|name| !name.contains('$'));
             let name = match text(&format!("{MANIFEST}{TEMPLATE}")) {
-                Some(manifest) => {
-                    name_in(&manifest.text).filter(|name| !name.contains(['@', '$'])).or_else(project)
-                }
+                Some(manifest) => name_in(&manifest.text)
+                    .filter(|name| !name.contains(['@', '$']))
+                    .or_else(project),
                 None => project().filter(|name| self.build(folder).installs(name)),
             };
             name.filter(|name| is_package_name(name))
@@ -161,9 +177,9 @@ impl Build {
     /// Whether anything is installed at, above or below a folder of a package.
     pub fn covers(&self, package: &str, folder: &str) -> bool {
         let folder = tidy(&Path::new("share").join(package).join(folder));
-        self.rules
-            .iter()
-            .any(|(to, _)| to.starts_with("share") && (folder.starts_with(to) || to.starts_with(&folder)))
+        self.rules.iter().any(|(to, _)| {
+            to.starts_with("share") && (folder.starts_with(to) || to.starts_with(&folder))
+        })
     }
 
     /// What is put at `place`.
@@ -174,31 +190,61 @@ impl Build {
             return None;
         }
         let below = |(to, source)| Some((place.strip_prefix::<&PathBuf>(to).ok()?, source));
-        let rules = self.rules.iter().map(|(to, source)| (to, source)).filter_map(below);
-        rules.into_iter().find_map(|(rest, source)| self.taken(vfs, source, rest, depth))
+        let rules = self
+            .rules
+            .iter()
+            .map(|(to, source)| (to, source))
+            .filter_map(below);
+        rules
+            .into_iter()
+            .find_map(|(rest, source)| self.taken(vfs, source, rest, depth))
     }
 
     fn taken(&self, vfs: &Vfs, source: &Source, rest: &Path, depth: u32) -> Option<Built> {
-        let whole = |path: &Path| if rest.as_os_str().is_empty() { path.to_owned() } else { path.join(rest) };
+        let whole = |path: &Path| {
+            if rest.as_os_str().is_empty() {
+                path.to_owned()
+            } else {
+                path.join(rest)
+            }
+        };
         match source {
             Source::Path(path) => {
                 let path = whole(path);
                 if vfs.exists(&path) {
-                    return Some(Built { path, is_template: false });
+                    return Some(Built {
+                        path,
+                        is_template: false,
+                    });
                 }
                 let template = template_of(&path);
-                let template = vfs.is_file(&template).then_some(Built { path: template, is_template: true });
+                let template = vfs.is_file(&template).then_some(Built {
+                    path: template,
+                    is_template: true,
+                });
                 template.or_else(|| self.find(vfs, &path, depth + 1))
             }
             Source::Files(pattern) => {
-                let name = rest.file_name().filter(|_| rest.components().count() == 1)?;
+                let name = rest
+                    .file_name()
+                    .filter(|_| rest.components().count() == 1)?;
                 let mut left = GLOB_ENTRIES;
-                let found = vfs.glob(pattern.to_str()?, Path::new("/"), &mut left).ok()?;
-                let path = found.into_iter().find(|path| path.file_name() == Some(name))?;
-                Some(Built { path, is_template: false })
+                let found = vfs
+                    .glob(pattern.to_str()?, Path::new("/"), &mut left)
+                    .ok()?;
+                let path = found
+                    .into_iter()
+                    .find(|path| path.file_name() == Some(name))?;
+                Some(Built {
+                    path,
+                    is_template: false,
+                })
             }
             Source::Template(path) if rest.as_os_str().is_empty() && vfs.is_file(path) => {
-                Some(Built { path: path.clone(), is_template: true })
+                Some(Built {
+                    path: path.clone(),
+                    is_template: true,
+                })
             }
             Source::Template(_) => None,
         }
@@ -213,7 +259,10 @@ fn template_of(path: &Path) -> PathBuf {
 
 /// The path without `.` and `folder/..`, by its text alone.
 fn tidy(path: &Path) -> PathBuf {
-    without_parents(path).components().filter(|part| *part != Component::CurDir).collect()
+    without_parents(path)
+        .components()
+        .filter(|part| *part != Component::CurDir)
+        .collect()
 }
 
 #[cfg(test)]

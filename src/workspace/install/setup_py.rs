@@ -18,7 +18,9 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
     build.files.push(path.clone());
     let Ok(file) = vfs.text(&path) else { return };
     let (found, is_all) = data_files(&file.text);
-    let walks = ["walk(", "rglob", "**", "listdir", "for "].iter().any(|word| file.text.contains(word));
+    let walks = ["walk(", "rglob", "**", "listdir", "for "]
+        .iter()
+        .any(|word| file.text.contains(word));
     build.is_opaque |= walks || !is_all;
     for (destination, files) in found {
         for file in files {
@@ -40,7 +42,13 @@ fn data_files(text: &str) -> (Vec<(String, Vec<String>)>, bool) {
     let mut found = Vec::new();
     let (mut is_all, left) = (true, Cell::new(BUILD_BYTES as usize));
     for at in 0..tokens.len() {
-        let mut reader = Reader { tokens: &tokens, at, names: &names, left: &left, depth: 0 };
+        let mut reader = Reader {
+            tokens: &tokens,
+            at,
+            names: &names,
+            left: &left,
+            depth: 0,
+        };
         match (tokens.get(at), tokens.get(at + 1)) {
             (Some(Token::Name(name)), Some(Token::Sign('='))) => {
                 reader.at += 2;
@@ -50,7 +58,9 @@ fn data_files(text: &str) -> (Vec<(String, Vec<String>)>, bool) {
             }
             (Some(Token::Sign('(' | '[')), _) => {
                 reader.at += 1;
-                let Some(Value::Text(to)) = reader.value().filter(|_| !reader.is_at(')')) else { continue };
+                let Some(Value::Text(to)) = reader.value().filter(|_| !reader.is_at(')')) else {
+                    continue;
+                };
                 if !(to.starts_with("share/") && reader.skip(',')) {
                     continue;
                 }
@@ -85,15 +95,23 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
     while let Some(first) = rest.chars().next() {
         let behind = rest.get(first.len_utf8()..).unwrap_or_default();
         if first == '#' {
-            rest = behind.get(behind.find('\n').unwrap_or(behind.len())..).unwrap_or_default();
+            rest = behind
+                .get(behind.find('\n').unwrap_or(behind.len())..)
+                .unwrap_or_default();
         } else if first == '\'' || first == '"' {
-            let quote = if rest.starts_with("'''") || rest.starts_with("\"\"\"") { 3 } else { 1 };
+            let quote = if rest.starts_with("'''") || rest.starts_with("\"\"\"") {
+                3
+            } else {
+                1
+            };
             let (mark, body) = rest.split_at(quote);
             let (inner, after) = body.split_once(mark).unwrap_or((body, ""));
             found.push(Token::Text(inner.to_owned()));
             rest = after;
         } else if first.is_alphanumeric() || first == '_' {
-            let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+            let end = rest
+                .find(|c: char| !c.is_alphanumeric() && c != '_')
+                .unwrap_or(rest.len());
             let (name, after) = rest.split_at(end);
             found.push(Token::Name(name));
             rest = after;
@@ -166,14 +184,18 @@ impl<'t> Reader<'_, 't> {
 
     /// A variable, a text with variables in it, or a call.
     fn named(&mut self, first: &'t str) -> Option<Value> {
-        if let (true, Some(Token::Text(text))) = (first.eq_ignore_ascii_case("f"), self.tokens.get(self.at)) {
+        if let (true, Some(Token::Text(text))) =
+            (first.eq_ignore_ascii_case("f"), self.tokens.get(self.at))
+        {
             self.at += 1;
             return self.formatted(text).map(Value::Text);
         }
         let mut name = first;
         while self.is_at('.') {
             self.at += 1;
-            let Some(Token::Name(member)) = self.tokens.get(self.at) else { return None };
+            let Some(Token::Name(member)) = self.tokens.get(self.at) else {
+                return None;
+            };
             name = member;
             self.at += 1;
         }
@@ -222,7 +244,9 @@ impl<'t> Reader<'_, 't> {
         let mut rest = text;
         while let Some((before, behind)) = rest.split_once('{') {
             let (name, after) = behind.split_once('}')?;
-            let Value::Text(value) = self.names.get(name.trim())? else { return None };
+            let Value::Text(value) = self.names.get(name.trim())? else {
+                return None;
+            };
             out.push_str(before);
             out.push_str(value);
             rest = after;
@@ -239,16 +263,34 @@ mod tests {
     #[test]
     fn destinations_and_files() {
         let table = [
-            ("data_files=[('share/p', ['package.xml'])]", "share/p: package.xml"),
-            ("n = 'p'\nx=[(os.path.join('share', n, 'urdf'), glob('urdf/*'))]", "share/p/urdf: urdf/*"),
+            (
+                "data_files=[('share/p', ['package.xml'])]",
+                "share/p: package.xml",
+            ),
+            (
+                "n = 'p'\nx=[(os.path.join('share', n, 'urdf'), glob('urdf/*'))]",
+                "share/p/urdf: urdf/*",
+            ),
             (
                 "n = 'p'\nx=[('share/' + n + '/urdf', glob.glob('d/urdf/*.xacro'))]",
                 "share/p/urdf: d/urdf/*.xacro",
             ),
-            ("n = 'p'\nx.append((f'share/{n}/m', ['a.stl', 'b.stl']))", "share/p/m: a.stl b.stl"),
-            ("x=[('share/p/a', glob('a/*') + ['b/c']),]", "share/p/a: a/* b/c"),
-            ("x=[('share/p/a', glob(join('a', '*'), recursive=True))]", "share/p/a: a/*"),
-            ("x=[('share/' 'p', [\"package.xml\",])]", "share/p: package.xml"),
+            (
+                "n = 'p'\nx.append((f'share/{n}/m', ['a.stl', 'b.stl']))",
+                "share/p/m: a.stl b.stl",
+            ),
+            (
+                "x=[('share/p/a', glob('a/*') + ['b/c']),]",
+                "share/p/a: a/* b/c",
+            ),
+            (
+                "x=[('share/p/a', glob(join('a', '*'), recursive=True))]",
+                "share/p/a: a/*",
+            ),
+            (
+                "x=[('share/' 'p', [\"package.xml\",])]",
+                "share/p: package.xml",
+            ),
             ("x=[('share/' + unknown, ['a'])]", ""),
             ("x=[('share/p', files())]", ""),
             ("x=[('lib/p', ['a'])]", ""),
@@ -257,8 +299,11 @@ mod tests {
             ("x = '", ""),
         ];
         for (text, expected) in table {
-            let found: Vec<String> =
-                data_files(text).0.iter().map(|(to, files)| format!("{to}: {}", files.join(" "))).collect();
+            let found: Vec<String> = data_files(text)
+                .0
+                .iter()
+                .map(|(to, files)| format!("{to}: {}", files.join(" ")))
+                .collect();
             assert_eq!(found.join("; "), expected, "{text}");
         }
     }

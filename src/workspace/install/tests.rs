@@ -7,18 +7,36 @@ use vfs::testing::Tree;
 fn built(files: &[(&str, &str)], missing: &str) -> String {
     let tree = Tree::new();
     if !files.iter().any(|(name, _)| name.ends_with("package.xml")) {
-        tree.write("ws/src/demo/package.xml", "<package><name>demo</name></package>");
+        tree.write(
+            "ws/src/demo/package.xml",
+            "<package><name>demo</name></package>",
+        );
     }
     for (name, text) in files {
         tree.write(&format!("ws/src/{name}"), text);
     }
-    let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), PackageOptions::default());
+    let packages = Packages::new(
+        tree.vfs().clone(),
+        &tree.environment(&[]),
+        PackageOptions::default(),
+    );
     let from = tree.path("ws/src/demo/r.urdf");
-    let Ok(package) = packages.find("demo", &from) else { return "unknown package".to_owned() };
+    let Ok(package) = packages.find("demo", &from) else {
+        return "unknown package".to_owned();
+    };
     let found = packages.built(&package.path.join(missing));
     let shown = found.map(|built| {
-        let path = built.path.strip_prefix(tree.path("ws/src")).unwrap_or(&built.path).display().to_string();
-        if built.is_template { format!("template {path}") } else { path }
+        let path = built
+            .path
+            .strip_prefix(tree.path("ws/src"))
+            .unwrap_or(&built.path)
+            .display()
+            .to_string();
+        if built.is_template {
+            format!("template {path}")
+        } else {
+            path
+        }
     });
     shown.unwrap_or_default()
 }
@@ -28,11 +46,26 @@ const MESH: (&str, &str) = ("demo/description/meshes/a.stl", "");
 #[test]
 fn cmake_install() {
     let table = [
-        ("install(DIRECTORY description/meshes DESTINATION share/demo)", "meshes/a.stl"),
-        ("install(DIRECTORY description/ DESTINATION share/demo)", "meshes/a.stl"),
-        ("install(DIRECTORY description DESTINATION share/demo/x)", "x/description/meshes/a.stl"),
-        ("install(DIRECTORY description/meshes/ DESTINATION share/demo)", "a.stl"),
-        ("install(DIRECTORY ./description/meshes DESTINATION ./share/demo/)", "meshes/a.stl"),
+        (
+            "install(DIRECTORY description/meshes DESTINATION share/demo)",
+            "meshes/a.stl",
+        ),
+        (
+            "install(DIRECTORY description/ DESTINATION share/demo)",
+            "meshes/a.stl",
+        ),
+        (
+            "install(DIRECTORY description DESTINATION share/demo/x)",
+            "x/description/meshes/a.stl",
+        ),
+        (
+            "install(DIRECTORY description/meshes/ DESTINATION share/demo)",
+            "a.stl",
+        ),
+        (
+            "install(DIRECTORY ./description/meshes DESTINATION ./share/demo/)",
+            "meshes/a.stl",
+        ),
         (
             "project(demo)\ninstall(DIRECTORY description/meshes DESTINATION share/${PROJECT_NAME})",
             "meshes/a.stl",
@@ -46,9 +79,18 @@ fn cmake_install() {
              ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME} FILES_MATCHING PATTERN \"*.stl\")",
             "meshes/a.stl",
         ),
-        ("install(FILES description/meshes/a.stl DESTINATION share/demo/b)", "b/a.stl"),
-        ("install(FILES description/meshes/a.stl DESTINATION share/demo RENAME b.stl)", "b.stl"),
-        ("file(GLOB all description/meshes/*)\ninstall(FILES ${all} DESTINATION share/demo)", "a.stl"),
+        (
+            "install(FILES description/meshes/a.stl DESTINATION share/demo/b)",
+            "b/a.stl",
+        ),
+        (
+            "install(FILES description/meshes/a.stl DESTINATION share/demo RENAME b.stl)",
+            "b.stl",
+        ),
+        (
+            "file(GLOB all description/meshes/*)\ninstall(FILES ${all} DESTINATION share/demo)",
+            "a.stl",
+        ),
         (
             "set(to share/demo)\nset(from description/meshes)\ninstall(DIRECTORY ${from} DESTINATION ${to})",
             "meshes/a.stl",
@@ -61,8 +103,14 @@ fn cmake_install() {
             "set(l meshes)\nforeach(d IN LISTS l)\ninstall(DIRECTORY description/${d} DESTINATION share/demo)\nendforeach()",
             "meshes/a.stl",
         ),
-        ("project(demo)\nament_auto_package(INSTALL_TO_SHARE launch description/meshes)", "meshes/a.stl"),
-        ("if(X)\ninstall(DIRECTORY description/meshes DESTINATION share/demo)\nendif()", "meshes/a.stl"),
+        (
+            "project(demo)\nament_auto_package(INSTALL_TO_SHARE launch description/meshes)",
+            "meshes/a.stl",
+        ),
+        (
+            "if(X)\ninstall(DIRECTORY description/meshes DESTINATION share/demo)\nendif()",
+            "meshes/a.stl",
+        ),
         (
             "file(COPY description DESTINATION ${CMAKE_CURRENT_BINARY_DIR}/all)\n\
              install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/all/description/ DESTINATION share/demo)",
@@ -89,7 +137,11 @@ fn what_is_installed_elsewhere_or_cannot_be_told() {
         "install(DIRECTORY",
         "",
     ] {
-        assert_eq!(built(&[MESH, ("demo/CMakeLists.txt", text)], "meshes/a.stl"), "", "{text}");
+        assert_eq!(
+            built(&[MESH, ("demo/CMakeLists.txt", text)], "meshes/a.stl"),
+            "",
+            "{text}"
+        );
     }
 }
 
@@ -97,17 +149,35 @@ fn what_is_installed_elsewhere_or_cannot_be_told() {
 fn folders_below_and_above() {
     let nested = [
         MESH,
-        ("demo/CMakeLists.txt", "project(demo)\nadd_subdirectory(description)"),
-        ("demo/description/CMakeLists.txt", "install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})"),
+        (
+            "demo/CMakeLists.txt",
+            "project(demo)\nadd_subdirectory(description)",
+        ),
+        (
+            "demo/description/CMakeLists.txt",
+            "install(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})",
+        ),
     ];
     assert_eq!(built(&nested, "meshes/a.stl"), MESH.0);
     let above = [
-        ("demo/manual/package.xml", "<package><name>demo</name></package>"),
-        ("demo/CMakeLists.txt", "install(DIRECTORY generated/ DESTINATION share/demo)"),
+        (
+            "demo/manual/package.xml",
+            "<package><name>demo</name></package>",
+        ),
+        (
+            "demo/CMakeLists.txt",
+            "install(DIRECTORY generated/ DESTINATION share/demo)",
+        ),
         ("demo/generated/meshes/a.stl", ""),
     ];
     assert_eq!(built(&above, "meshes/a.stl"), "demo/generated/meshes/a.stl");
-    let endless = [MESH, ("demo/CMakeLists.txt", "add_subdirectory(.)\nadd_subdirectory(.)")];
+    let endless = [
+        MESH,
+        (
+            "demo/CMakeLists.txt",
+            "add_subdirectory(.)\nadd_subdirectory(.)",
+        ),
+    ];
     assert_eq!(built(&endless, "meshes/a.stl"), "");
 }
 
@@ -115,19 +185,32 @@ fn folders_below_and_above() {
 fn setup_py() {
     let text = "package_name = 'demo'\nsetup(data_files=[\n ('share/' + package_name, ['package.xml']),\n \
                 (os.path.join('share', package_name, 'meshes'), glob('description/meshes/*.stl')),\n])";
-    let files = [MESH, ("demo/description/meshes/b.dae", ""), ("demo/setup.py", text)];
+    let files = [
+        MESH,
+        ("demo/description/meshes/b.dae", ""),
+        ("demo/setup.py", text),
+    ];
     assert_eq!(built(&files, "meshes/a.stl"), MESH.0);
-    assert_eq!((built(&files, "meshes/b.dae"), built(&files, "urdf/a.stl")), (String::new(), String::new()));
+    assert_eq!(
+        (built(&files, "meshes/b.dae"), built(&files, "urdf/a.stl")),
+        (String::new(), String::new())
+    );
 }
 
 #[test]
 fn templates() {
     let beside = [("demo/urdf/r.xacro.in", "")];
-    assert_eq!(built(&beside, "urdf/r.xacro"), "template demo/urdf/r.xacro.in");
+    assert_eq!(
+        built(&beside, "urdf/r.xacro"),
+        "template demo/urdf/r.xacro.in"
+    );
     let text = "configure_file(in/r.xacro.in urdf/r.xacro)\n\
                 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/urdf/r.xacro DESTINATION share/demo/robots)";
     let configured = [("demo/in/r.xacro.in", ""), ("demo/CMakeLists.txt", text)];
-    assert_eq!(built(&configured, "robots/r.xacro"), "template demo/in/r.xacro.in");
+    assert_eq!(
+        built(&configured, "robots/r.xacro"),
+        "template demo/in/r.xacro.in"
+    );
     assert_eq!(built(&configured, "urdf/r.xacro"), "");
 }
 
@@ -135,18 +218,29 @@ fn templates() {
 fn files_that_xacro_makes() {
     let check = |arguments: &str, missing: &str, expected: &str| {
         let text = format!("project(demo)\nset(a b)\nxacro_add_files({arguments})");
-        let files = [("demo/urdf/r.urdf.xacro", ""), ("demo/CMakeLists.txt", &text)];
+        let files = [
+            ("demo/urdf/r.urdf.xacro", ""),
+            ("demo/CMakeLists.txt", &text),
+        ];
         assert_eq!(built(&files, missing), expected, "{arguments}");
     };
     let source = "template demo/urdf/r.urdf.xacro";
     check("urdf/r.urdf.xacro INSTALL", "urdf/r.urdf", source);
-    check("TARGET all INORDER urdf/r.urdf.xacro INSTALL DESTINATION made", "made/r.urdf", source);
+    check(
+        "TARGET all INORDER urdf/r.urdf.xacro INSTALL DESTINATION made",
+        "made/r.urdf",
+        source,
+    );
     check(
         "urdf/r.urdf.xacro REMAP side:=${a} OUTPUT ${a}.urdf INSTALL DESTINATION made",
         "made/b.urdf",
         source,
     );
-    check("urdf/r.urdf.xacro OUTPUT b.urdf INSTALL DESTINATION made", "made/r.urdf", "");
+    check(
+        "urdf/r.urdf.xacro OUTPUT b.urdf INSTALL DESTINATION made",
+        "made/r.urdf",
+        "",
+    );
     check("urdf/r.urdf.xacro", "urdf/r.urdf", "");
     check("urdf/gone.urdf.xacro INSTALL", "urdf/gone.urdf", "");
 }
@@ -155,16 +249,28 @@ fn files_that_xacro_makes() {
 fn packages_without_a_manifest() {
     let install = "project(demo)\ninstall(DIRECTORY meshes DESTINATION share/${PROJECT_NAME})";
     let other = ("other/package.xml", "<package><name>other</name></package>");
-    let files =
-        [other, ("tree/CMakeLists.txt", install), ("tree/meshes/a.stl", ""), ("tree/x/package.xml.in", "")];
+    let files = [
+        other,
+        ("tree/CMakeLists.txt", install),
+        ("tree/meshes/a.stl", ""),
+        ("tree/x/package.xml.in", ""),
+    ];
     assert_eq!(built(&files, "meshes/b.stl"), "");
-    let files = [other, ("tree/CMakeLists.txt", "project(demo)\ninstall(TARGETS x)")];
+    let files = [
+        other,
+        ("tree/CMakeLists.txt", "project(demo)\ninstall(TARGETS x)"),
+    ];
     assert_eq!(built(&files, "meshes/a.stl"), "unknown package");
-    for manifest in ["<package><name>demo</name></package>", "<package><name>@PROJECT_NAME@</name></package>"]
-    {
+    for manifest in [
+        "<package><name>demo</name></package>",
+        "<package><name>@PROJECT_NAME@</name></package>",
+    ] {
         let files = [
             other,
-            ("tree/CMakeLists.txt", "project(demo)\ninstall(DIRECTORY d/ DESTINATION share/demo)"),
+            (
+                "tree/CMakeLists.txt",
+                "project(demo)\ninstall(DIRECTORY d/ DESTINATION share/demo)",
+            ),
             ("tree/package.xml.in", manifest),
             ("tree/d/a.stl", ""),
         ];

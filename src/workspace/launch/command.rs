@@ -66,7 +66,9 @@ impl Splitter {
 
     fn settle(&mut self, at: Option<base::TextRange>) {
         if !self.text.is_empty() {
-            self.word.0.push(Bit::Text(std::mem::take(&mut self.text), at));
+            self.word
+                .0
+                .push(Bit::Text(std::mem::take(&mut self.text), at));
         }
     }
 
@@ -90,16 +92,26 @@ const WITH_VALUE: [&str; 4] = ["-o", "--output", "--root-dir", "--verbosity"];
 pub(super) fn of_words(words: Vec<Word>) -> Option<Found> {
     let mut words = words.into_iter().peekable();
     let mut program = words.next()?.shown();
-    if matches!(base_name(&program), "rosrun" | "ros2" | "python3" | "python" | "sudo") {
+    if matches!(
+        base_name(&program),
+        "rosrun" | "ros2" | "python3" | "python" | "sudo"
+    ) {
         let mut is_xacro = false;
         while let Some(word) = words.peek().map(Word::shown) {
-            if !matches!(word.as_str(), "run" | "xacro" | "xacro.py" | "--prefix" | "-m") {
+            if !matches!(
+                word.as_str(),
+                "run" | "xacro" | "xacro.py" | "--prefix" | "-m"
+            ) {
                 break;
             }
             is_xacro |= word.starts_with("xacro");
             words.next();
         }
-        program = if is_xacro { "xacro".to_owned() } else { program };
+        program = if is_xacro {
+            "xacro".to_owned()
+        } else {
+            program
+        };
     }
     if !matches!(base_name(&program), "xacro" | "xacro.py") {
         return None;
@@ -126,7 +138,11 @@ pub(super) fn of_words(words: Vec<Word>) -> Option<Found> {
             open = true;
         }
     }
-    Some(Found { file: file?, args, open })
+    Some(Found {
+        file: file?,
+        args,
+        open,
+    })
 }
 
 fn base_name(program: &str) -> &str {
@@ -135,7 +151,10 @@ fn base_name(program: &str) -> &str {
 
 /// Whether a word of a shell ends a command.
 fn ends_command(word: &str) -> bool {
-    matches!(word, ">" | ">>" | "|" | "||" | "&&" | "&" | ";" | "2>" | "2>&1" | "<") || word.starts_with('>')
+    matches!(
+        word,
+        ">" | ">>" | "|" | "||" | "&&" | "&" | ";" | "2>" | "2>&1" | "<"
+    ) || word.starts_with('>')
 }
 
 type Assignment = (Option<String>, Option<base::TextRange>, Word);

@@ -8,11 +8,22 @@ use super::text::{Piece, Text};
 const MOST_NESTED: usize = 8;
 
 /// The text of an attribute, and the commands that it runs: `$(command 'xacro ...')`.
-pub(super) fn text(value: &str, at: Option<TextRange>, folder: &str, commands: &mut Vec<Text>) -> Text {
+pub(super) fn text(
+    value: &str,
+    at: Option<TextRange>,
+    folder: &str,
+    commands: &mut Vec<Text>,
+) -> Text {
     nested(value, at, folder, commands, 0)
 }
 
-fn nested(value: &str, at: Option<TextRange>, folder: &str, commands: &mut Vec<Text>, depth: usize) -> Text {
+fn nested(
+    value: &str,
+    at: Option<TextRange>,
+    folder: &str,
+    commands: &mut Vec<Text>,
+    depth: usize,
+) -> Text {
     let mut text = Text::default();
     let mut rest = value;
     while let Some((before, inner)) = rest.split_once("$(") {
@@ -84,9 +95,13 @@ fn substitution(
 /// A command without the word behind it that says what becomes of its errors.
 fn without_mode(text: &str) -> &str {
     let bare = text.trim_end_matches(['"', '\'']);
-    let before = ["warn", "ignore", "strict", "capture"].iter().find_map(|mode| bare.strip_suffix(mode));
+    let before = ["warn", "ignore", "strict", "capture"]
+        .iter()
+        .find_map(|mode| bare.strip_suffix(mode));
     let before = before.map(|before| before.trim_end_matches(['"', '\'']).trim_end());
-    before.filter(|before| before.ends_with(['"', '\''])).unwrap_or(text)
+    before
+        .filter(|before| before.ends_with(['"', '\'']))
+        .unwrap_or(text)
 }
 
 fn unquoted(text: &str) -> &str {

@@ -31,11 +31,15 @@ fn shown(call: &Call) -> String {
 /// Check what is known of the calls in a file.
 fn check(form: &str, name: &str, text: &str, expected: &[&str]) {
     let file = read(Path::new(name), text);
-    let found: Vec<String> = file.iter().flat_map(calls).map(|call| shown(&call)).collect();
+    let found: Vec<String> = file
+        .iter()
+        .flat_map(calls)
+        .map(|call| shown(&call))
+        .collect();
     assert_eq!(found, expected, "{form}\n{text}");
 }
 
-fn check_python(forms: &[(&str, &str, &[&str])]) {
+pub(super) fn check_python(forms: &[(&str, &str, &[&str])]) {
     for (form, text, expected) in forms {
         check(form, "/ws/arm_bringup/launch/arm.launch.py", text, expected);
     }
@@ -52,8 +56,16 @@ fn python_commands() {
             "Command(['xacro ', '/r/arm.urdf.xacro', ' side:=', 'left', ' n:=2'])",
             &["/r/arm.urdf.xacro side=left n=2"],
         ),
-        ("one text", "Command('xacro /r/arm.urdf.xacro side:=left')", &["/r/arm.urdf.xacro side=left"]),
-        ("keyword", "Command(command=['xacro ', '/r/a.xacro'])", &["/r/a.xacro"]),
+        (
+            "one text",
+            "Command('xacro /r/arm.urdf.xacro side:=left')",
+            &["/r/arm.urdf.xacro side=left"],
+        ),
+        (
+            "keyword",
+            "Command(command=['xacro ', '/r/a.xacro'])",
+            &["/r/a.xacro"],
+        ),
         (
             "list with a constant variable",
             "path = '/r/a.xacro'\nx = Command(['xacro ', path])",
@@ -180,17 +192,42 @@ fn python_paths() {
             "str(Path(get_package_share_directory('arm')) / 'urdf/arm.urdf.xacro')",
             ARM,
         ),
-        ("path of a package", "", "get_package_share_path('arm') / 'urdf' / 'arm.urdf.xacro'", ARM),
+        (
+            "path of a package",
+            "",
+            "get_package_share_path('arm') / 'urdf' / 'arm.urdf.xacro'",
+            ARM,
+        ),
         (
             "path substitution",
             "",
             "PathSubstitution(FindPackageShare('arm')) / 'urdf' / 'arm.urdf.xacro'",
             ARM,
         ),
-        ("joined texts", "p = get_package_share_directory('arm')", "p + '/urdf/arm.urdf.xacro'", ARM),
-        ("f-string", "p = get_package_share_directory('arm')", "f'{p}/urdf/arm.urdf.xacro'", ARM),
-        ("format", "p = get_package_share_directory('arm')", "'{}/urdf/{}'.format(p, 'arm.urdf.xacro')", ARM),
-        ("percent", "p = get_package_share_directory('arm')", "'%s/urdf/%s' % (p, 'arm.urdf.xacro')", ARM),
+        (
+            "joined texts",
+            "p = get_package_share_directory('arm')",
+            "p + '/urdf/arm.urdf.xacro'",
+            ARM,
+        ),
+        (
+            "f-string",
+            "p = get_package_share_directory('arm')",
+            "f'{p}/urdf/arm.urdf.xacro'",
+            ARM,
+        ),
+        (
+            "format",
+            "p = get_package_share_directory('arm')",
+            "'{}/urdf/{}'.format(p, 'arm.urdf.xacro')",
+            ARM,
+        ),
+        (
+            "percent",
+            "p = get_package_share_directory('arm')",
+            "'%s/urdf/%s' % (p, 'arm.urdf.xacro')",
+            ARM,
+        ),
         (
             "beside the launch file",
             "import os",
@@ -215,11 +252,26 @@ fn python_paths() {
             "[FindPackageShare('arm'), '/urdf/', LaunchConfiguration('kind'), '.xacro']",
             "$(find arm)/urdf/big.xacro",
         ),
-        ("function that is not known", "from helpers import where", "where('arm.urdf.xacro')", "?"),
-        ("format that changes the value", "n = 1.5", "f'/r/{n:.3f}.xacro'", "/r/?.xacro"),
+        (
+            "function that is not known",
+            "from helpers import where",
+            "where('arm.urdf.xacro')",
+            "?",
+        ),
+        (
+            "format that changes the value",
+            "n = 1.5",
+            "f'/r/{n:.3f}.xacro'",
+            "/r/?.xacro",
+        ),
     ] {
         let text = format!("{before}\n{}", command(path));
-        check(form, "/ws/arm_bringup/launch/arm.launch.py", &text, &[expected]);
+        check(
+            form,
+            "/ws/arm_bringup/launch/arm.launch.py",
+            &text,
+            &[expected],
+        );
     }
 }
 
@@ -231,7 +283,11 @@ fn python_calls_of_xacro() {
             "import xacro\ndoc = xacro.process_file('/r/a.xacro', mappings={'side': 'left', 'n': 2, 'sim': True}).toxml()",
             &["/r/a.xacro side=left n=2 sim=True"],
         ),
-        ("imported function", "from xacro import process_file\nprocess_file('/r/a.xacro')", &["/r/a.xacro"]),
+        (
+            "imported function",
+            "from xacro import process_file\nprocess_file('/r/a.xacro')",
+            &["/r/a.xacro"],
+        ),
         (
             "module under another name",
             "import xacro as x\nx.process_file('/r/a.xacro', mappings={'a': b})",
@@ -247,13 +303,21 @@ fn python_calls_of_xacro() {
             "with open('/r/a.xacro') as f:\n    doc = xacro.parse(f)\nxacro.process_doc(doc)",
             &["/r/a.xacro"],
         ),
-        ("description from somewhere", "xacro.process_doc(doc, mappings={'a': '1'})", &["? a=1"]),
+        (
+            "description from somewhere",
+            "xacro.process_doc(doc, mappings={'a': '1'})",
+            &["? a=1"],
+        ),
         (
             "mappings in a variable that grows",
             "m = {'a': '1'}\nm['b'] = '2'\nm.update({'c': '3'})\nxacro.process_file('/r/a.xacro', mappings=m)",
             &["/r/a.xacro a=1 b=2 c=3"],
         ),
-        ("mappings from somewhere", "xacro.process_file('/r/a.xacro', mappings=get())", &["/r/a.xacro ..."]),
+        (
+            "mappings from somewhere",
+            "xacro.process_file('/r/a.xacro', mappings=get())",
+            &["/r/a.xacro ..."],
+        ),
         (
             "mappings over others",
             "xacro.process_file('/r/a.xacro', mappings={'a': '1', **more, 'b': '2'})",
@@ -264,7 +328,11 @@ fn python_calls_of_xacro() {
             "xacro.process_file('/r/a.xacro', mappings=dict(a='1'))",
             &["/r/a.xacro a=1"],
         ),
-        ("another process_file", "other.process_file('/r/a.xacro')", &[]),
+        (
+            "another process_file",
+            "other.process_file('/r/a.xacro')",
+            &[],
+        ),
         (
             "MoveItConfigsBuilder",
             "MoveItConfigsBuilder('arm', package_name='arm_moveit').robot_description(\
@@ -282,7 +350,11 @@ fn python_calls_of_xacro() {
              Path('srdf') / 'arm.srdf.xacro', {'name': 'left'})",
             &["$(find arm_moveit)/srdf/arm.srdf.xacro name=left"],
         ),
-        ("subprocess with words", "subprocess.run(['xacro', '/r/a.xacro', 'a:=x y'])", &["/r/a.xacro a=x y"]),
+        (
+            "subprocess with words",
+            "subprocess.run(['xacro', '/r/a.xacro', 'a:=x y'])",
+            &["/r/a.xacro a=x y"],
+        ),
         (
             "process of the launch system",
             "ExecuteProcess(cmd=['xacro', '/r/a.xacro', ['a:=', 'b']])",
@@ -293,124 +365,6 @@ fn python_calls_of_xacro() {
             "os.system('rosrun xacro xacro /r/a.xacro a:=1 > /tmp/a.urdf')",
             &["/r/a.xacro a=1"],
         ),
-    ]);
-}
-
-#[test]
-fn python_programs() {
-    check_python(&[
-        (
-            "in generate_launch_description",
-            "def generate_launch_description():\n    side = LaunchConfiguration('side')\n    return LaunchDescription([\n        \
-             DeclareLaunchArgument('side', default_value='left'),\n        Node(package='p', parameters=[{'robot_description': \
-             ParameterValue(Command(['xacro /r/a.xacro side:=', side]), value_type=str)}])])\n",
-            &["/r/a.xacro side=left"],
-        ),
-        (
-            "OpaqueFunction with perform",
-            "def setup(context, *args, **kwargs):\n    side = LaunchConfiguration('side').perform(context)\n    \
-             x = xacro.process_file('/r/a.xacro', mappings={'side': side})\n    return []\n\
-             def generate_launch_description():\n    return LaunchDescription([\n        \
-             DeclareLaunchArgument('side', default_value='left'), OpaqueFunction(function=setup)])\n",
-            &["/r/a.xacro side=left"],
-        ),
-        (
-            "OpaqueFunction with perform_substitution",
-            "DeclareLaunchArgument('side', default_value='left')\nDeclareLaunchArgument('n', default_value='2')\n\
-             def robot(context, side):\n    side = context.perform_substitution(side)\n    \
-             n = perform_substitutions(context, normalize_to_list_of_substitutions(['n', LaunchConfiguration('n')]))\n    \
-             return xacro.process_file('/r/a.xacro', mappings={'side': side, 'n': n})\n\
-             def setup(context, side):\n    return [robot(context, side)]\n\
-             OpaqueFunction(function=setup, args=[LaunchConfiguration('side')])\n",
-            &["/r/a.xacro side=left n=n2"],
-        ),
-        (
-            "OpaqueFunction with arguments",
-            "def setup(context, path):\n    return xacro.process_file(path)\n\
-             OpaqueFunction(function=setup, args=['/r/a.xacro'])\n",
-            &["/r/a.xacro"],
-        ),
-        (
-            "values of the context",
-            "DeclareLaunchArgument('side', default_value='left')\ndef setup(context):\n    \
-             s = context.launch_configurations['side']\n    xacro.process_file('/r/a.xacro', mappings={'side': s})\n",
-            &["/r/a.xacro side=left"],
-        ),
-        (
-            "helper function, called twice",
-            "def robot(side, n='1'):\n    return Command(['xacro /r/a.xacro side:=', side, ' n:=' + n])\n\
-             a = robot('left')\nb = robot('right', n='2')\n",
-            &["/r/a.xacro side=left n=1", "/r/a.xacro side=right n=2"],
-        ),
-        (
-            "helper function that is never called",
-            "def robot(side, n='1'):\n    return Command(['xacro /r/a.xacro side:=', side, ' n:=', n])\n",
-            &["/r/a.xacro side=? n=?"],
-        ),
-        (
-            "function that gives a path",
-            "def where(name: str) -> str:\n    return '/r/' + name\nCommand(['xacro ', where('a.xacro')])",
-            &["/r/a.xacro"],
-        ),
-        (
-            "variable set in two branches",
-            "if x:\n    a = '1'\nelse:\n    a = '2'\nb = '3'\nCommand(['xacro /r/a.xacro a:=', a, ' b:=', b])",
-            &["/r/a.xacro a=? b=3"],
-        ),
-        ("choice", "a = 'l' if x else 'r'\nCommand(['xacro /r/a.xacro a:=', a])", &["/r/a.xacro a=?"]),
-        (
-            "branch that a condition decides",
-            "DeclareLaunchArgument('sim', default_value='false')\nsim = LaunchConfiguration('sim').perform(context)\n\
-             if sim == 'true':\n    Command(['xacro /r/a.xacro sim:=', sim])\n",
-            &["/r/a.xacro sim=?if sim"],
-        ),
-        (
-            "condition of a node",
-            "DeclareLaunchArgument('sim', default_value='false')\nsim = LaunchConfiguration('sim')\n\
-             Node(condition=IfCondition(sim), parameters=[{'d': Command(['xacro /r/a.xacro sim:=', sim])}])\n",
-            &["/r/a.xacro sim=?if sim"],
-        ),
-        (
-            "loop",
-            "for side in ['left', 'right']:\n    path = '/r/' + side\n    Command(['xacro /r/a.xacro n:=1 side:=', side])\n",
-            &["/r/a.xacro n=1 side=?"],
-        ),
-        (
-            "error that is caught in a loop",
-            "for n in ['1', '2']:\n    try:\n        xacro.process_file('/r/a.xacro', mappings={'n': '1'})\n    \
-             except xacro.XacroException as error:\n        print(error)\n",
-            &["/r/a.xacro n=1"],
-        ),
-        (
-            "folder that is opened in a loop",
-            "for n in ['1', '2']:\n    with os.scandir('/r') as found:\n        pass\n    \
-             xacro.process_file(os.path.join('/r', 'a.xacro'))\n",
-            &["/r/a.xacro"],
-        ),
-        (
-            "list that grows in a branch",
-            "c = ['xacro /r/a.xacro']\nif x:\n    c += [' a:=1']\nCommand(c)\n",
-            &[],
-        ),
-        ("list under two names", "c = ['xacro /r/a.xacro']\nd = c\nd.append(' a:=1')\nCommand(c)\n", &[]),
-        (
-            "global that a function sets",
-            "side = 'left'\ndef f():\n    global side\n    side = 'right'\nf()\nCommand(['xacro /r/a.xacro side:=', side])\n",
-            &["/r/a.xacro side=?"],
-        ),
-        (
-            "unpacked names",
-            "a, b = '1', '2'\nCommand(['xacro /r/a.xacro a:=', a, ' b:=', b])",
-            &["/r/a.xacro a=1 b=2"],
-        ),
-        ("sum of numbers", "n = 1 + 2\nCommand(['xacro /r/a.xacro n:=', str(n)])", &["/r/a.xacro n=?"]),
-        (
-            "attribute of an object",
-            "self.a = '1'\nCommand(['xacro /r/a.xacro a:=', self.a])",
-            &["/r/a.xacro a=?"],
-        ),
-        ("comment", "# Command(['xacro /r/a.xacro'])\n", &[]),
-        ("text that is not a program", "Command(['xacro /r/a.xacro' 'b':])\n", &[]),
     ]);
 }
 
@@ -468,8 +422,18 @@ fn launch_files_in_xml() {
     ] {
         check(form, "/ws/launch/a.launch.xml", text, &[expected]);
     }
-    check("no launch file", "/ws/a.xml", r#"<root><param name="d" command="xacro a.xacro"/></root>"#, &[]);
-    check("broken", "/ws/a.launch", r#"<launch><param name="d" command="xacro a.xacro"/>"#, &[]);
+    check(
+        "no launch file",
+        "/ws/a.xml",
+        r#"<root><param name="d" command="xacro a.xacro"/></root>"#,
+        &[],
+    );
+    check(
+        "broken",
+        "/ws/a.launch",
+        r#"<launch><param name="d" command="xacro a.xacro"/>"#,
+        &[],
+    );
 }
 
 #[test]
@@ -481,18 +445,66 @@ fn scripts_and_jobs() {
             "#!/bin/sh\nxacro urdf/a.xacro side:=left n:='1 2' > /tmp/a.urdf\n",
             "urdf/a.xacro side=left n=1 2",
         ),
-        ("variables", "a.sh", "xacro \"$DIR/a.xacro\" side:=$1 n:=${N:-2} m:=3", "?/a.xacro side=? n=? m=3"),
-        ("package of ROS 1", "a.bash", "rosrun xacro xacro --inorder a.xacro a:=1 -o a.urdf", "a.xacro a=1"),
-        ("package of ROS 2", "a.bash", "ros2 run xacro xacro a.xacro a:=1 && echo done:=1", "a.xacro a=1"),
-        ("inside of another command", "a.sh", "check_urdf <(xacro a.xacro a:=1) b:=2", ""),
-        ("value of a variable", "a.sh", "D=$(xacro a.xacro a:=1) b:=2", "a.xacro a=1"),
-        ("two lines", "a.sh", "xacro a.xacro \\\n  a:=1 \\\n  b:=2\n", "a.xacro a=1 b=2"),
-        ("job", ".gitlab-ci.yml", "job:\n  script:\n    - xacro a.xacro a:=1\n", "a.xacro a=1"),
-        ("step", "ci.yaml", "steps:\n  - run: xacro a.xacro a:=1\n", "a.xacro a=1"),
+        (
+            "variables",
+            "a.sh",
+            "xacro \"$DIR/a.xacro\" side:=$1 n:=${N:-2} m:=3",
+            "?/a.xacro side=? n=? m=3",
+        ),
+        (
+            "package of ROS 1",
+            "a.bash",
+            "rosrun xacro xacro --inorder a.xacro a:=1 -o a.urdf",
+            "a.xacro a=1",
+        ),
+        (
+            "package of ROS 2",
+            "a.bash",
+            "ros2 run xacro xacro a.xacro a:=1 && echo done:=1",
+            "a.xacro a=1",
+        ),
+        (
+            "inside of another command",
+            "a.sh",
+            "check_urdf <(xacro a.xacro a:=1) b:=2",
+            "",
+        ),
+        (
+            "value of a variable",
+            "a.sh",
+            "D=$(xacro a.xacro a:=1) b:=2",
+            "a.xacro a=1",
+        ),
+        (
+            "two lines",
+            "a.sh",
+            "xacro a.xacro \\\n  a:=1 \\\n  b:=2\n",
+            "a.xacro a=1 b=2",
+        ),
+        (
+            "job",
+            ".gitlab-ci.yml",
+            "job:\n  script:\n    - xacro a.xacro a:=1\n",
+            "a.xacro a=1",
+        ),
+        (
+            "step",
+            "ci.yaml",
+            "steps:\n  - run: xacro a.xacro a:=1\n",
+            "a.xacro a=1",
+        ),
         ("comment", "a.sh", "# xacro a.xacro a:=1\n", ""),
-        ("package that is installed", "a.sh", "apt install xacro a.xacro", ""),
+        (
+            "package that is installed",
+            "a.sh",
+            "apt install xacro a.xacro",
+            "",
+        ),
     ] {
-        let expected: Vec<&str> = Some(expected).filter(|text| !text.is_empty()).into_iter().collect();
+        let expected: Vec<&str> = Some(expected)
+            .filter(|text| !text.is_empty())
+            .into_iter()
+            .collect();
         check(form, &format!("/ws/{name}"), text, &expected);
     }
 }

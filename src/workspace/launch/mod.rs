@@ -13,6 +13,8 @@ mod xml;
 
 #[cfg(test)]
 mod forms;
+#[cfg(test)]
+mod forms_of_programs;
 
 use std::path::{Path, PathBuf};
 
@@ -43,12 +45,20 @@ pub struct LaunchFile {
 
 impl LaunchFile {
     fn of(path: &Path) -> Self {
-        Self { path: path.to_owned(), shares: true, ..Self::default() }
+        Self {
+            path: path.to_owned(),
+            shares: true,
+            ..Self::default()
+        }
     }
 
     /// The values that an argument may have: those of all its declarations; none where it may have any.
     pub(crate) fn choices_of(&self, name: &str) -> Option<Vec<String>> {
-        let mut own = self.declared.iter().filter(|declared| declared.name == name).peekable();
+        let mut own = self
+            .declared
+            .iter()
+            .filter(|declared| declared.name == name)
+            .peekable();
         own.peek()?;
         let all: Option<Vec<_>> = own.map(|declared| declared.choices.clone()).collect();
         Some(all?.concat())
@@ -131,7 +141,12 @@ pub struct Include {
 
 /// Whether a text may hold a call of xacro, or include a file that does.
 pub(super) fn may_call(text: &str) -> bool {
-    const WORDS: [&str; 4] = ["xacro", "IncludeLaunchDescription", "<include", "MoveItConfigsBuilder"];
+    const WORDS: [&str; 4] = [
+        "xacro",
+        "IncludeLaunchDescription",
+        "<include",
+        "MoveItConfigsBuilder",
+    ];
     WORDS.iter().any(|word| text.contains(word))
 }
 

@@ -80,7 +80,9 @@ pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
     let mut found: Vec<Call> = Vec::new();
     for command in &file.commands {
         let resolver = Resolver::new(file, context, &command.assumed);
-        let Some(called) = resolver.called(command) else { continue };
+        let Some(called) = resolver.called(command) else {
+            continue;
+        };
         let call = Call {
             caller: file.path.clone(),
             through: context.through.clone(),
@@ -89,7 +91,10 @@ pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
             args: called.args,
             open: called.open,
         };
-        if !found.iter().any(|known| known.range == call.range && known.is_same(&call)) {
+        if !found
+            .iter()
+            .any(|known| known.range == call.range && known.is_same(&call))
+        {
             found.push(call);
         }
     }
@@ -99,8 +104,11 @@ pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
 
 /// The files that a launch file includes, each with what it is given.
 pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Context)> {
-    let passed: Vec<Vec<(String, Word)>> =
-        file.includes.iter().map(|one| passed(file, context, one)).collect();
+    let passed: Vec<Vec<(String, Word)>> = file
+        .includes
+        .iter()
+        .map(|one| passed(file, context, one))
+        .collect();
     let given = |(number, include): (usize, &Include)| {
         let resolver = Resolver::new(file, context, &include.assumed);
         let mut values: Vec<(String, Word)> = Vec::new();
@@ -113,14 +121,22 @@ pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Conte
             }));
         }
         if file.shares {
-            let others = passed.iter().enumerate().filter(|(other, _)| *other != number);
+            let others = passed
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != number);
             forget(&mut values, others.flat_map(|(_, passed)| passed));
         }
         for (name, value) in passed.get(number).into_iter().flatten() {
             values.retain(|(known, _)| known != name);
             values.push((name.clone(), value.clone()));
         }
-        let through = context.through.iter().cloned().chain([file.path.clone()]).collect();
+        let through = context
+            .through
+            .iter()
+            .cloned()
+            .chain([file.path.clone()])
+            .collect();
         (resolver.word(&include.file), Context { values, through })
     };
     file.includes.iter().enumerate().map(given).collect()
@@ -129,7 +145,11 @@ pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Conte
 /// The arguments that an include gives.
 fn passed(file: &LaunchFile, context: &Context, include: &Include) -> Vec<(String, Word)> {
     let resolver = Resolver::new(file, context, &include.assumed);
-    include.args.iter().map(|(name, value)| (name.clone(), resolver.word(value))).collect()
+    include
+        .args
+        .iter()
+        .map(|(name, value)| (name.clone(), resolver.word(value)))
+        .collect()
 }
 
 /// What one include is given stays set for those behind it in ROS 2, unless a group is around it: which of the values they
@@ -160,14 +180,24 @@ pub(crate) fn values_given(file: &LaunchFile) -> Vec<GivenValue> {
     let own = Resolver::new(file, &context, &[]);
     let defaults = file.declared.iter().filter_map(|declared| {
         let value = own.word(declared.default.as_ref()?).literal()?;
-        Some(GivenValue { to: None, name: declared.name.clone(), value, range: declared.range })
+        Some(GivenValue {
+            to: None,
+            name: declared.name.clone(),
+            value,
+            range: declared.range,
+        })
     });
     let included = file.includes.iter().flat_map(|include| {
         let resolver = Resolver::new(file, &context, &include.assumed);
         let to = resolver.word(&include.file);
         let given = |(name, value): &(String, Text)| {
             let value = resolver.word(value).literal()?;
-            Some(GivenValue { to: Some(to.clone()), name: name.clone(), value, range: include.range })
+            Some(GivenValue {
+                to: Some(to.clone()),
+                name: name.clone(),
+                value,
+                range: include.range,
+            })
         };
         include.args.iter().filter_map(given).collect::<Vec<_>>()
     });
@@ -178,12 +208,17 @@ impl Call {
     /// Whether another call gives the same robot the same.
     pub fn is_same(&self, other: &Self) -> bool {
         let args = |call: &Self| -> Vec<(String, String)> {
-            let mut args: Vec<_> =
-                call.args.iter().map(|arg| (arg.name.clone(), arg.value.shown())).collect();
+            let mut args: Vec<_> = call
+                .args
+                .iter()
+                .map(|arg| (arg.name.clone(), arg.value.shown()))
+                .collect();
             args.sort();
             args
         };
-        self.file.shown() == other.file.shown() && self.open == other.open && args(self) == args(other)
+        self.file.shown() == other.file.shown()
+            && self.open == other.open
+            && args(self) == args(other)
     }
 
     /// How many values of arguments are known.
@@ -229,7 +264,13 @@ impl Word {
 
     /// The text, where all of it is written down or a default.
     pub fn literal(&self) -> Option<String> {
-        let plain = |bit: &Bit| if let Bit::Text(text, _) = bit { Some(text.clone()) } else { None };
+        let plain = |bit: &Bit| {
+            if let Bit::Text(text, _) = bit {
+                Some(text.clone())
+            } else {
+                None
+            }
+        };
         self.0.iter().map(plain).collect()
     }
 
@@ -261,7 +302,10 @@ impl Word {
 
     /// Where a share folder follows the steps of another path: it takes their place.
     fn joined_share(&self) -> Option<usize> {
-        let at = self.0.iter().rposition(|bit| matches!(bit, Bit::Share(_)))?;
+        let at = self
+            .0
+            .iter()
+            .rposition(|bit| matches!(bit, Bit::Share(_)))?;
         let (first, before) = (self.0.first()?, self.0.get(..at)?.last()?);
         let is_path = match first {
             Bit::Share(_) => true,
@@ -276,7 +320,10 @@ impl Word {
     pub fn path(&self, packages: &Packages, from: &Path) -> Option<PathBuf> {
         let text = self.value(packages, from)?;
         // an absolute step replaces those before
-        let text = text.rfind("//").and_then(|at| text.get(at + 1..)).unwrap_or(&text);
+        let text = text
+            .rfind("//")
+            .and_then(|at| text.get(at + 1..))
+            .unwrap_or(&text);
         let text = text.strip_prefix("file:/").unwrap_or(text);
         let folder = from.parent().unwrap_or(from);
         (!text.is_empty()).then(|| vfs::without_parents(&folder.join(text)))
@@ -292,18 +339,37 @@ impl Word {
 
     /// The name of the file that a path ends with, where it is known.
     pub fn file_name(&self) -> Option<&str> {
-        let Some(Bit::Text(text, _)) = self.0.last() else { return None };
+        let Some(Bit::Text(text, _)) = self.0.last() else {
+            return None;
+        };
         let is_whole = text.contains('/') || self.0.len() == 1;
-        is_whole.then(|| text.rsplit('/').next().unwrap_or(text)).filter(|name| !name.is_empty())
+        is_whole
+            .then(|| text.rsplit('/').next().unwrap_or(text))
+            .filter(|name| !name.is_empty())
     }
 
     /// Where the first of its texts stands.
     pub fn place(&self) -> Option<TextRange> {
-        self.0.iter().find_map(|bit| if let Bit::Text(_, at) = bit { *at } else { None })
+        self.0.iter().find_map(|bit| {
+            if let Bit::Text(_, at) = bit {
+                *at
+            } else {
+                None
+            }
+        })
     }
 
     fn plain_len(&self) -> usize {
-        self.0.iter().map(|bit| if let Bit::Text(text, _) = bit { text.len() } else { 1 }).sum()
+        self.0
+            .iter()
+            .map(|bit| {
+                if let Bit::Text(text, _) = bit {
+                    text.len()
+                } else {
+                    1
+                }
+            })
+            .sum()
     }
 }
 
@@ -331,14 +397,24 @@ impl<'a> Resolver<'a> {
         }
         unclear.extend(file.set.iter().map(String::as_str));
         // a default that is written where the value is read counts where nothing declares the argument
-        for (name, default) in file.defaults.iter().filter(|(name, _)| !file.is_declared(name)) {
+        for (name, default) in file
+            .defaults
+            .iter()
+            .filter(|(name, _)| !file.is_declared(name))
+        {
             if let Some(known) = declared.insert(name, Some(default))
                 && known != Some(default)
             {
                 unclear.push(name);
             }
         }
-        Self { file, context, assumed, declared, unclear }
+        Self {
+            file,
+            context,
+            assumed,
+            declared,
+            unclear,
+        }
     }
 
     fn word(&self, text: &Text) -> Word {
@@ -373,7 +449,12 @@ impl<'a> Resolver<'a> {
         if self.assumed.iter().any(|assumed| assumed == name) {
             return word.push(Bit::Opaque(Why::Decided(name.to_owned())));
         }
-        let is_fixed = || self.file.declared.iter().any(|own| own.name == name && own.is_fixed);
+        let is_fixed = || {
+            self.file
+                .declared
+                .iter()
+                .any(|own| own.name == name && own.is_fixed)
+        };
         let given = self.context.values.iter().find(|(given, _)| given == name);
         if let Some((_, value)) = given.filter(|_| !is_fixed()) {
             let bare = |bit: &Bit| match bit {
@@ -382,7 +463,11 @@ impl<'a> Resolver<'a> {
             };
             return word.0.extend(value.0.iter().map(bare));
         }
-        match self.declared.get(name).filter(|_| !self.unclear.contains(&name)) {
+        match self
+            .declared
+            .get(name)
+            .filter(|_| !self.unclear.contains(&name))
+        {
             Some(Some(default)) if depth < MOST_DEFAULTS => {
                 let mut inner = Word::default();
                 self.resolve(default, depth + 1, &mut inner);
@@ -400,14 +485,24 @@ impl<'a> Resolver<'a> {
     fn called(&self, command: &Command) -> Option<Found> {
         match &command.what {
             What::Line(line) => command::of_words(command::split(&self.word(line))?),
-            What::Words(words) => command::of_words(words.iter().map(|word| self.word(word)).collect()),
-            What::Process { file, mappings, open } => {
+            What::Words(words) => {
+                command::of_words(words.iter().map(|word| self.word(word)).collect())
+            }
+            What::Process {
+                file,
+                mappings,
+                open,
+            } => {
                 let args = mappings.iter().map(|given| Argument {
                     name: given.name.clone(),
                     range: given.range,
                     value: self.word(&given.value),
                 });
-                Some(Found { file: self.word(file), args: args.collect(), open: *open })
+                Some(Found {
+                    file: self.word(file),
+                    args: args.collect(),
+                    open: *open,
+                })
             }
         }
     }

@@ -10,7 +10,10 @@ use super::{Command, LaunchFile, What};
 
 /// A shell script.
 pub(super) fn script(path: &Path, text: &str) -> LaunchFile {
-    let mut file = LaunchFile { shares: false, ..LaunchFile::of(path) };
+    let mut file = LaunchFile {
+        shares: false,
+        ..LaunchFile::of(path)
+    };
     commands(text, &mut file);
     file
 }
@@ -36,9 +39,16 @@ fn commands(text: &str, file: &mut LaunchFile) {
         at += len.max(1);
         let line = text.get(start..start + len).unwrap_or("");
         if let Some(from) = call_start(line) {
-            let range = TextRange::new((start + from) as u32, (start + line.trim_end().len()) as u32);
+            let range = TextRange::new(
+                (start + from) as u32,
+                (start + line.trim_end().len()) as u32,
+            );
             let command = line_of(range.slice(text), range);
-            file.commands.push(Command { range, what: What::Line(command), assumed: Vec::new() });
+            file.commands.push(Command {
+                range,
+                what: What::Line(command),
+                assumed: Vec::new(),
+            });
         }
     }
 }
@@ -67,12 +77,20 @@ fn call_start(line: &str) -> Option<usize> {
 fn starts_command(before: &str) -> bool {
     let lead = before.trim_end();
     // a key of YAML, an item of a list, a substitution, another command
-    let lead =
-        lead.strip_suffix("rosrun xacro").or_else(|| lead.strip_suffix("ros2 run xacro")).unwrap_or(lead);
-    let word = lead.rsplit([' ', '\t', '"', '\'', '=']).next().unwrap_or("");
+    let lead = lead
+        .strip_suffix("rosrun xacro")
+        .or_else(|| lead.strip_suffix("ros2 run xacro"))
+        .unwrap_or(lead);
+    let word = lead
+        .rsplit([' ', '\t', '"', '\'', '='])
+        .next()
+        .unwrap_or("");
     let folders = before.ends_with('/') && !word.contains('.');
-    let ends = ["", "|", "&&", "||", ";", "$(", "`", "-", "if", "!", "then", "do", "run:", "script:"];
-    let is_start = ends.contains(&word) || word.ends_with("$(") || word.ends_with('`') || word.ends_with(';');
+    let ends = [
+        "", "|", "&&", "||", ";", "$(", "`", "-", "if", "!", "then", "do", "run:", "script:",
+    ];
+    let is_start =
+        ends.contains(&word) || word.ends_with("$(") || word.ends_with('`') || word.ends_with(';');
     is_start && !folders || folders && before.trim_start().starts_with('/')
 }
 
@@ -117,7 +135,11 @@ fn line_of(line: &str, range: TextRange) -> Text {
     if quote.is_some() {
         // a quote that was opened before the command ends it
         let end = plain.trim_end().trim_end_matches(['"', '\'']).to_owned();
-        plain = if end.contains(['"', '\'']) { plain } else { end };
+        plain = if end.contains(['"', '\'']) {
+            plain
+        } else {
+            end
+        };
     }
     text.push(Text::plain(plain, at));
     text
@@ -128,10 +150,13 @@ pub(super) fn in_text(line: Text) -> Text {
     let pieces = line.0.into_iter().map(|piece| match piece {
         Piece::Plain(text, at) if text.contains(['$', '`', ';', '|', '&', '*', '>']) => {
             let range = at.unwrap_or_default();
-            let pieces = line_of(&text, range).0.into_iter().map(|piece| match piece {
-                Piece::Plain(text, _) => Piece::Plain(text, at),
-                other => other,
-            });
+            let pieces = line_of(&text, range)
+                .0
+                .into_iter()
+                .map(|piece| match piece {
+                    Piece::Plain(text, _) => Piece::Plain(text, at),
+                    other => other,
+                });
             Text(pieces.collect())
         }
         other => Text(vec![other]),
@@ -144,7 +169,11 @@ fn variable(text: &str) -> usize {
     let close = match text.chars().next() {
         Some('{') => '}',
         Some('(') => ')',
-        _ => return text.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(text.len()),
+        _ => {
+            return text
+                .find(|c: char| !(c.is_alphanumeric() || c == '_'))
+                .unwrap_or(text.len());
+        }
     };
     let open = if close == ')' { '(' } else { '{' };
     let mut depth = 0usize;

@@ -23,7 +23,9 @@ pub enum Piece {
 impl PartialEq for Piece {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (Piece::Plain(a, _), Piece::Plain(b, _)) | (Piece::Argument(a), Piece::Argument(b)) => a == b,
+            (Piece::Plain(a, _), Piece::Plain(b, _)) | (Piece::Argument(a), Piece::Argument(b)) => {
+                a == b
+            }
             (Piece::Share(a), Piece::Share(b)) => a == b,
             // two values that are not known may differ
             _ => false,
@@ -56,7 +58,11 @@ impl Text {
 
     /// The share folder of a package.
     pub fn share(package: Text) -> Self {
-        if package.depth() > 4 { Self::opaque() } else { Self(vec![Piece::Share(package)]) }
+        if package.depth() > 4 {
+            Self::opaque()
+        } else {
+            Self(vec![Piece::Share(package)])
+        }
     }
 
     /// The text, where all of it is written down.
@@ -91,8 +97,10 @@ impl Text {
     pub fn joined(steps: impl IntoIterator<Item = Text>) -> Self {
         let mut path = Self::default();
         for step in steps {
-            let is_absolute = matches!(step.0.first(), Some(Piece::Plain(text, _)) if text.starts_with('/'));
-            let ends_folder = matches!(path.0.last(), Some(Piece::Plain(text, _)) if text.ends_with('/'));
+            let is_absolute =
+                matches!(step.0.first(), Some(Piece::Plain(text, _)) if text.starts_with('/'));
+            let ends_folder =
+                matches!(path.0.last(), Some(Piece::Plain(text, _)) if text.ends_with('/'));
             if is_absolute || matches!(step.0.first(), Some(Piece::Share(_))) {
                 path = Self::default();
             } else if !path.0.is_empty() && !ends_folder {
@@ -123,7 +131,13 @@ impl Text {
     }
 
     fn depth(&self) -> usize {
-        let depth = |piece: &Piece| if let Piece::Share(inner) = piece { inner.depth() + 1 } else { 0 };
+        let depth = |piece: &Piece| {
+            if let Piece::Share(inner) = piece {
+                inner.depth() + 1
+            } else {
+                0
+            }
+        };
         self.0.iter().map(depth).max().unwrap_or(0)
     }
 

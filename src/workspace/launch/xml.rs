@@ -13,8 +13,13 @@ use super::{Command, Declared, Include, LaunchFile, What};
 /// What a launch file calls; nothing of text that is no XML.
 pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
     let mut file = LaunchFile::of(path);
-    let options = ParsingOptions { nodes_limit: MANIFEST_NODES, ..ParsingOptions::default() };
-    let Ok(document) = Document::parse_with_options(text, options) else { return file };
+    let options = ParsingOptions {
+        nodes_limit: MANIFEST_NODES,
+        ..ParsingOptions::default()
+    };
+    let Ok(document) = Document::parse_with_options(text, options) else {
+        return file;
+    };
     if document.root_element().tag_name().name() != "launch" {
         return file;
     }
@@ -22,7 +27,11 @@ pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
     let old = ["$(find ", "$(arg ", "<rosparam"];
     file.shares = !old.iter().any(|word| text.contains(word)) || text.contains("$(var ");
     let folder = vfs::slashed(path.parent().unwrap_or(path));
-    let mut reader = Reader { file, folder, assumed: Vec::new() };
+    let mut reader = Reader {
+        file,
+        folder,
+        assumed: Vec::new(),
+    };
     reader.children(document.root_element(), 0);
     reader.file
 }
@@ -56,7 +65,8 @@ impl Reader {
                 // an expression may name them in its own way: `$(eval arg('name'))`, `$(eval name == 1)`
                 if value.contains("eval") {
                     let words = value.split(|c: char| !(c.is_alphanumeric() || c == '_'));
-                    self.assumed.extend(words.filter(|word| !word.is_empty()).map(str::to_owned));
+                    self.assumed
+                        .extend(words.filter(|word| !word.is_empty()).map(str::to_owned));
                 }
             }
         }
@@ -84,17 +94,29 @@ impl Reader {
     fn command(&mut self, range: TextRange, line: Text) {
         if self.file.commands.len() < LAUNCH_CALLS {
             let assumed = self.assumed.clone();
-            self.file.commands.push(Command { range, what: What::Line(line), assumed });
+            self.file.commands.push(Command {
+                range,
+                what: What::Line(line),
+                assumed,
+            });
         }
     }
 
     fn argument(&mut self, node: Node<'_, '_>) {
-        let Some(name) = node.attribute("name") else { return };
+        let Some(name) = node.attribute("name") else {
+            return;
+        };
         let fixed = node.attribute("value");
         let is_conditional = node.has_attribute("if") || node.has_attribute("unless");
-        let default = fixed.or_else(|| node.attribute("default")).map(|value| self.text(value, None));
+        let default = fixed
+            .or_else(|| node.attribute("default"))
+            .map(|value| self.text(value, None));
         // of two that conditions choose from, none is certain
-        let default = if is_conditional { Some(Text::opaque()) } else { default };
+        let default = if is_conditional {
+            Some(Text::opaque())
+        } else {
+            default
+        };
         let choices: Vec<String> = node
             .children()
             .filter(|child| child.has_tag_name("choice"))
@@ -111,24 +133,53 @@ impl Reader {
     }
 
     fn include(&mut self, node: Node<'_, '_>) {
-        let Some(file) = node.attribute("file").map(|file| self.text(file, None)) else { return };
+        let Some(file) = node.attribute("file").map(|file| self.text(file, None)) else {
+            return;
+        };
         let mut args = Vec::new();
-        for child in node.children().filter(|child| child.has_tag_name("arg") || child.has_tag_name("let")) {
-            let value = child.attribute("value").or_else(|| child.attribute("default"));
+        for child in node
+            .children()
+            .filter(|child| child.has_tag_name("arg") || child.has_tag_name("let"))
+        {
+            let value = child
+                .attribute("value")
+                .or_else(|| child.attribute("default"));
             if let (Some(name), Some(value)) = (child.attribute("name"), value) {
                 let is_conditional = child.has_attribute("if") || child.has_attribute("unless");
-                let value = if is_conditional { Text::opaque() } else { self.text(value, None) };
+                let value = if is_conditional {
+                    Text::opaque()
+                } else {
+                    self.text(value, None)
+                };
                 args.push((name.to_owned(), value));
             }
         }
-        if node.attribute("pass_all_args").is_some_and(|all| all != "false") {
-            let own: Vec<String> = self.file.declared.iter().map(|own| own.name.clone()).collect();
-            let own = own.into_iter().filter(|name| !args.iter().any(|(known, _)| known == name));
-            let own: Vec<_> = own.map(|name| (name.clone(), Text::argument(&name))).collect();
+        if node
+            .attribute("pass_all_args")
+            .is_some_and(|all| all != "false")
+        {
+            let own: Vec<String> = self
+                .file
+                .declared
+                .iter()
+                .map(|own| own.name.clone())
+                .collect();
+            let own = own
+                .into_iter()
+                .filter(|name| !args.iter().any(|(known, _)| known == name));
+            let own: Vec<_> = own
+                .map(|name| (name.clone(), Text::argument(&name)))
+                .collect();
             args.extend(own);
         }
         let (range, assumed) = (range(node.range()), self.assumed.clone());
-        self.file.includes.push(Include { file, args, open: false, range, assumed });
+        self.file.includes.push(Include {
+            file,
+            args,
+            open: false,
+            range,
+            assumed,
+        });
     }
 
     fn text(&self, value: &str, at: Option<TextRange>) -> Text {

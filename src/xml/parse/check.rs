@@ -35,7 +35,9 @@ impl<'t> Parser<'t> {
             let name = self.attr_name(&attr);
             let twice = match &mut seen {
                 Some(seen) => !seen.insert(name),
-                None => self.attrs[first..at].iter().any(|other| self.attr_name(other) == name),
+                None => self.attrs[first..at]
+                    .iter()
+                    .any(|other| self.attr_name(other) == name),
             };
             if twice {
                 self.duplicate(first, at, name);
@@ -62,7 +64,10 @@ impl<'t> Parser<'t> {
         if self.errors.len() >= ITEM_ERRORS {
             return;
         }
-        let before = self.attrs[first..at].iter().find(|other| self.attr_name(other) == name).copied();
+        let before = self.attrs[first..at]
+            .iter()
+            .find(|other| self.attr_name(other) == name)
+            .copied();
         let attr = self.attrs[at];
         let range = base::TextRange::new(attr.name, attr.name + attr.name_len);
         let error = SyntaxError {
@@ -86,7 +91,9 @@ impl<'t> Parser<'t> {
             match reference {
                 Reference::Bad(_) | Reference::Char(Some(_), _) => {}
                 Reference::Char(None, end) => self.bad_character_reference(at, start + end, at),
-                Reference::Entity { name, end } => self.entity_use(name, (at, start + end), tag, true),
+                Reference::Entity { name, end } => {
+                    self.entity_use(name, (at, start + end), tag, true)
+                }
             }
         }
     }
@@ -115,7 +122,9 @@ impl<'t> Parser<'t> {
 
     /// `name`, at `start` inside the tag at `tag`, has a prefix that must be bound.
     fn check_prefix(&mut self, tag: usize, start: usize, name: &'t str) {
-        let Some((prefix, _)) = name.split_once(':') else { return };
+        let Some((prefix, _)) = name.split_once(':') else {
+            return;
+        };
         if prefix == "xml" || self.scopes.lookup(prefix).is_some() || self.scopes.is_outer(prefix) {
             return;
         }
@@ -138,7 +147,9 @@ impl<'t> Parser<'t> {
         for at in first..self.attrs.len() {
             let attr = self.attrs[at];
             let name = self.attr_name(&attr);
-            let Some((prefix, local)) = name.split_once(':') else { continue };
+            let Some((prefix, local)) = name.split_once(':') else {
+                continue;
+            };
             if attr.flags & PREFIXED == 0 || prefix == "xmlns" {
                 continue;
             }
@@ -151,7 +162,9 @@ impl<'t> Parser<'t> {
         // Same local name under two prefixes: a duplicate if both mean the same namespace.
         prefixed.sort_by_key(|&(local, _, attr)| (local, attr.name));
         for pair in prefixed.windows(2) {
-            let [(local, before, _), (other, prefix, attr)] = pair else { continue };
+            let [(local, before, _), (other, prefix, attr)] = pair else {
+                continue;
+            };
             if local == other && before != prefix {
                 self.same_namespace(tag, attr, (before, prefix), local);
             }
@@ -189,21 +202,27 @@ fn declaration_fault(prefix: &str, uri: &str) -> Option<(&'static str, String)> 
         ("", "") => return None,
         (_, "") => (
             expat::UNDECLARED,
-            format!("empty namespace for prefix `{prefix}`\nwrite xmlns:{prefix}=\"...\" with a URI"),
+            format!(
+                "empty namespace for prefix `{prefix}`\nwrite xmlns:{prefix}=\"...\" with a URI"
+            ),
         ),
-        ("xmlns", _) => {
-            (expat::RESERVED_XMLNS, "prefix `xmlns` must not be declared\nremove the declaration".to_owned())
-        }
-        _ if uri.contains(' ') => {
-            (expat::SYNTAX, "namespace contains whitespace\nremove the whitespace".to_owned())
-        }
+        ("xmlns", _) => (
+            expat::RESERVED_XMLNS,
+            "prefix `xmlns` must not be declared\nremove the declaration".to_owned(),
+        ),
+        _ if uri.contains(' ') => (
+            expat::SYNTAX,
+            "namespace contains whitespace\nremove the whitespace".to_owned(),
+        ),
         ("xml", XML_URI) => return None,
-        ("xml", _) => {
-            (expat::RESERVED_XML, format!("prefix `xml` is reserved for `{XML_URI}`\nremove the declaration"))
-        }
-        (_, XML_URI | XMLNS_URI) => {
-            (expat::RESERVED_URI, format!("namespace `{uri}` is reserved\nuse another namespace"))
-        }
+        ("xml", _) => (
+            expat::RESERVED_XML,
+            format!("prefix `xml` is reserved for `{XML_URI}`\nremove the declaration"),
+        ),
+        (_, XML_URI | XMLNS_URI) => (
+            expat::RESERVED_URI,
+            format!("namespace `{uri}` is reserved\nuse another namespace"),
+        ),
         _ => return None,
     })
 }

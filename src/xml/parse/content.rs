@@ -57,14 +57,23 @@ impl Parser<'_> {
         self.pos += 1;
         if self.peek().is_none() {
             self.push_node(NodeKind::Junk, start, 0);
-            let message =
-                "missing element name after `<`\nwrite an element name, or `&lt;` for a literal `<`";
-            self.error(Kind::StrayLt, (start, self.pos), (expat::UNCLOSED_TOKEN, start), message);
+            let message = "missing element name after `<`\nwrite an element name, or `&lt;` for a literal `<`";
+            self.error(
+                Kind::StrayLt,
+                (start, self.pos),
+                (expat::UNCLOSED_TOKEN, start),
+                message,
+            );
             return;
         }
         self.push_node(NodeKind::Junk, start, 0);
         let message = "unexpected `<`\nwrite `&lt;` for a literal `<`";
-        self.error(Kind::StrayLt, (start, self.pos), (expat::INVALID, self.pos), message);
+        self.error(
+            Kind::StrayLt,
+            (start, self.pos),
+            (expat::INVALID, self.pos),
+            message,
+        );
     }
 
     /// A `<<<<<<<` line.
@@ -74,8 +83,12 @@ impl Parser<'_> {
             .unwrap_or(self.bytes.len() - start);
         self.hit_end |= self.pos == self.bytes.len();
         self.push_node(NodeKind::Junk, start, 0);
-        let message =
-            "unresolved merge conflict\nkeep one of the two versions and remove the conflict markers";
-        self.error(Kind::MergeConflict, (start, self.pos), (expat::INVALID, start + 1), message);
+        let message = "unresolved merge conflict\nkeep one of the two versions and remove the conflict markers";
+        self.error(
+            Kind::MergeConflict,
+            (start, self.pos),
+            (expat::INVALID, start + 1),
+            message,
+        );
     }
 }

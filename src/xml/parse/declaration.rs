@@ -51,8 +51,8 @@ fn pair(text: &str, start: usize) -> Result<(Option<Pair<'_>>, usize), usize> {
     if name == start {
         return Err(start);
     }
-    let name_end =
-        (name..text.len()).find(|&at| byte(at).is_none_or(|b| b == b'=' || is_space(b) || b >= 0x80));
+    let name_end = (name..text.len())
+        .find(|&at| byte(at).is_none_or(|b| b == b'=' || is_space(b) || b >= 0x80));
     let name_end = name_end.unwrap_or(text.len());
     let equals = skip(name_end);
     if byte(equals) != Some(b'=') {
@@ -62,7 +62,9 @@ fn pair(text: &str, start: usize) -> Result<(Option<Pair<'_>>, usize), usize> {
         return Err(name);
     }
     let quote = skip(equals + 1);
-    let Some(open @ (b'"' | b'\'')) = byte(quote) else { return Err(quote) };
+    let Some(open @ (b'"' | b'\'')) = byte(quote) else {
+        return Err(quote);
+    };
     let allowed = |b: u8| b.is_ascii_alphanumeric() || b".-_".contains(&b);
     let mut end = quote + 1;
     while byte(end).is_some_and(allowed) {
@@ -72,7 +74,10 @@ fn pair(text: &str, start: usize) -> Result<(Option<Pair<'_>>, usize), usize> {
         return Err(end);
     }
     let (name_text, value) = (text.get(name..name_end), text.get(quote + 1..end));
-    Ok((name_text.zip(value).map(|(n, v)| (n, name, v, quote + 1)), end + 1))
+    Ok((
+        name_text.zip(value).map(|(n, v)| (n, name, v, quote + 1)),
+        end + 1,
+    ))
 }
 
 #[cfg(test)]
@@ -96,6 +101,9 @@ mod tests {
         ] {
             assert_eq!(check_declaration(text, 0).err(), expected, "{text}");
         }
-        assert_eq!(check_declaration(" version='1.0' standalone='yes'", 0), Ok(true));
+        assert_eq!(
+            check_declaration(" version='1.0' standalone='yes'", 0),
+            Ok(true)
+        );
     }
 }

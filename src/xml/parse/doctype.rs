@@ -10,8 +10,9 @@ use crate::node::{CLOSED, NodeKind};
 type Checked<T = ()> = Result<T, Verdict>;
 
 /// Types of attributes that are one word.
-const ATTRIBUTE_TYPES: [&str; 8] =
-    ["CDATA", "ID", "IDREF", "IDREFS", "ENTITY", "ENTITIES", "NMTOKEN", "NMTOKENS"];
+const ATTRIBUTE_TYPES: [&str; 8] = [
+    "CDATA", "ID", "IDREF", "IDREFS", "ENTITY", "ENTITIES", "NMTOKEN", "NMTOKENS",
+];
 
 impl<'t> Parser<'t> {
     /// Read a DOCTYPE.
@@ -29,8 +30,7 @@ impl<'t> Parser<'t> {
                 let closed = self.skip_doctype();
                 self.push_node(NodeKind::Doctype, start, if closed { CLOSED } else { 0 });
                 if self.errors.len() == first_error {
-                    let message =
-                        "malformed DOCTYPE\nremove the DOCTYPE; a robot description does not need one";
+                    let message = "malformed DOCTYPE\nremove the DOCTYPE; a robot description does not need one";
                     self.error(Kind::BadDoctype, (start, start + 9), verdict, message);
                 }
                 self.mark_divergence();
@@ -89,7 +89,11 @@ impl<'t> Parser<'t> {
 
     fn expect(&mut self, wanted: &[Token]) -> Checked<(Token, usize, &'t str)> {
         let found = self.next_token()?;
-        if wanted.contains(&found.0) { Ok(found) } else { Err(unexpected(found)) }
+        if wanted.contains(&found.0) {
+            Ok(found)
+        } else {
+            Err(unexpected(found))
+        }
     }
 
     /// The `>` of a declaration.
@@ -174,7 +178,10 @@ impl<'t> Parser<'t> {
         }
         self.nodes.truncate(nodes);
         match self.errors.get(errors) {
-            Some(found) => Err((found.error.expat, self.base + found.error.expat_offset as usize)),
+            Some(found) => Err((
+                found.error.expat,
+                self.base + found.error.expat_offset as usize,
+            )),
             None => Ok(()),
         }
     }
@@ -188,7 +195,11 @@ impl<'t> Parser<'t> {
         let name = found.2;
         found = self.expect(&[Token::Name, Token::Literal])?;
         if found.0 == Token::Literal {
-            let value = if counts { self.entity_value(found.1 + 1)? } else { String::new() };
+            let value = if counts {
+                self.entity_value(found.1 + 1)?
+            } else {
+                String::new()
+            };
             self.declaration_close()?;
             return Ok(general.then_some((name, Entity::Internal(value.into()))));
         }
@@ -216,7 +227,9 @@ impl<'t> Parser<'t> {
                 b'%' => {
                     let (token, stop) = self.token(start + at);
                     return Err(match token {
-                        Token::ParameterReference if stop <= end => (expat::PARAMETER_REFERENCE, start + at),
+                        Token::ParameterReference if stop <= end => {
+                            (expat::PARAMETER_REFERENCE, start + at)
+                        }
                         _ if stop >= end => (expat::INVALID, start + at),
                         _ => (expat::INVALID, stop),
                     });
@@ -273,13 +286,24 @@ impl<'t> Parser<'t> {
             self.expect(&[open])?;
         } else if token == Token::Name {
             let is_known = ATTRIBUTE_TYPES.contains(&text);
-            return if is_known { Ok(text != "CDATA") } else { Err((expat::SYNTAX, start)) };
+            return if is_known {
+                Ok(text != "CDATA")
+            } else {
+                Err((expat::SYNTAX, start))
+            };
         }
-        let values: &[Token] =
-            if notation { &[Token::Name] } else { &[Token::Name, Token::PrefixedName, Token::NameToken] };
+        let values: &[Token] = if notation {
+            &[Token::Name]
+        } else {
+            &[Token::Name, Token::PrefixedName, Token::NameToken]
+        };
         loop {
             self.expect(values)?;
-            if self.expect(&[Token::CloseParen, Token::Punctuation(b'|')])?.0 == Token::CloseParen {
+            if self
+                .expect(&[Token::CloseParen, Token::Punctuation(b'|')])?
+                .0
+                == Token::CloseParen
+            {
                 return Ok(true);
             }
         }
@@ -398,7 +422,9 @@ fn unexpected((token, start, _): (Token, usize, &str)) -> Verdict {
 
 /// The characters a public identifier may hold.
 fn check_public_id(start: usize, literal: &str) -> Checked {
-    let inner = literal.get(1..literal.len().saturating_sub(1)).unwrap_or("");
+    let inner = literal
+        .get(1..literal.len().saturating_sub(1))
+        .unwrap_or("");
     let allowed = |c: char| c.is_ascii_alphanumeric() || " \r\n-'()+,./:=?;!*#@$_%".contains(c);
     match inner.char_indices().find(|&(_, c)| !allowed(c)) {
         Some((at, _)) => Err((expat::PUBLIC_ID, start + 1 + at)),

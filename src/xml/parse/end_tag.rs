@@ -12,7 +12,9 @@ const MAX_UNCLOSED: usize = 8;
 
 impl Parser<'_> {
     pub(super) fn name_of(&self, id: u32) -> &str {
-        let Some(node) = self.nodes.get(id as usize) else { return "" };
+        let Some(node) = self.nodes.get(id as usize) else {
+            return "";
+        };
         let start = self.base + node.start as usize + 1;
         self.slice(start, start + node.name_len as usize)
     }
@@ -24,7 +26,12 @@ impl Parser<'_> {
         let complete = self.bytes.get(self.pos - 1) == Some(&b'>');
         let name = self.slice(start + 2, name_end);
         let mismatch = verdict.unwrap_or((expat::MISMATCH, start + 2));
-        let found = self.open.iter().rev().take(MAX_LOOK).position(|&id| self.name_of(id) == name);
+        let found = self
+            .open
+            .iter()
+            .rev()
+            .take(MAX_LOOK)
+            .position(|&id| self.name_of(id) == name);
         if let Some(above) = found {
             self.report_end_tag(start, verdict);
             let depth = self.open.len() - above;
@@ -51,14 +58,17 @@ impl Parser<'_> {
             return self.open.is_empty().then_some(Stop::Element);
         }
         self.push_node(NodeKind::Junk, start, 0);
-        let message = format!("unmatched end tag `</{name}>`\nremove it, or add the start tag `<{name}>`");
+        let message =
+            format!("unmatched end tag `</{name}>`\nremove it, or add the start tag `<{name}>`");
         self.error(Kind::MismatchedEndTag, (start, self.pos), mismatch, message);
         None
     }
 
     /// An end tag of another name, taken for that of the innermost element.
     fn report_renamed(&mut self, start: usize, name_end: usize, verdict: Verdict) {
-        let Some(node) = self.open.last().and_then(|&id| self.nodes.get(id as usize)) else { return };
+        let Some(node) = self.open.last().and_then(|&id| self.nodes.get(id as usize)) else {
+            return;
+        };
         let open = self.base + node.start as usize + 1;
         let open_end = open + node.name_len as usize;
         let (name, own) = (self.slice(start + 2, name_end), self.slice(open, open_end));
@@ -81,8 +91,11 @@ impl Parser<'_> {
         self.pos += 2;
         if name_char(self.text, self.pos, true) == 0 {
             let at = self.pos;
-            let verdict =
-                if self.peek().is_none() { (expat::UNCLOSED_TOKEN, start) } else { (expat::INVALID, at) };
+            let verdict = if self.peek().is_none() {
+                (expat::UNCLOSED_TOKEN, start)
+            } else {
+                (expat::INVALID, at)
+            };
             return (at, Some(verdict));
         }
         self.pos = skip_ascii_name(self.bytes, self.pos);
@@ -112,13 +125,21 @@ impl Parser<'_> {
 
     pub(super) fn report_end_tag(&mut self, start: usize, verdict: Option<Verdict>) {
         if let Some(verdict) = verdict {
-            let message = format!("end tag `{}` has no `>`\nadd `>`", self.slice(start, self.pos));
+            let message = format!(
+                "end tag `{}` has no `>`\nadd `>`",
+                self.slice(start, self.pos)
+            );
             self.error(Kind::UnclosedTag, (start, self.pos), verdict, message);
         }
     }
 
     /// Close the elements above `depth` here, without end tags of their own.
-    pub(super) fn close_unclosed(&mut self, depth: usize, end_tag: Option<(usize, usize)>, verdict: Verdict) {
+    pub(super) fn close_unclosed(
+        &mut self,
+        depth: usize,
+        end_tag: Option<(usize, usize)>,
+        verdict: Verdict,
+    ) {
         let mut reported = 0;
         while self.open.len() > depth {
             let Some(&id) = self.open.last() else { return };
@@ -131,20 +152,26 @@ impl Parser<'_> {
     }
 
     fn report_unclosed(&mut self, id: u32, end_tag: Option<(usize, usize)>, verdict: Verdict) {
-        let Some(node) = self.nodes.get(id as usize) else { return };
+        let Some(node) = self.nodes.get(id as usize) else {
+            return;
+        };
         let start = self.base + node.start as usize;
         let end = start + 1 + node.name_len as usize;
         let name = self.slice(start + 1, end);
         let message = match end_tag {
             Some((from, _)) => {
-                format!("unclosed element `<{name}>` before `{}`\nadd `</{name}>`", self.tag_name_text(from))
+                format!(
+                    "unclosed element `<{name}>` before `{}`\nadd `</{name}>`",
+                    self.tag_name_text(from)
+                )
             }
             None => format!("unclosed element `<{name}>`\nadd `</{name}>`"),
         };
         let error = SyntaxError {
             kind: Kind::UnclosedElement,
             range: self.range(start, end),
-            related: end_tag.map(|(from, to)| (self.range(from, to), "expected the end tag before this")),
+            related: end_tag
+                .map(|(from, to)| (self.range(from, to), "expected the end tag before this")),
             message,
             expat: verdict.0,
             expat_offset: self.rel(verdict.1),
@@ -162,7 +189,13 @@ impl Parser<'_> {
         let end = self.rel(self.pos);
         let subtree_end = self.nodes.len() as u32;
         let tag = end_tag.map(|at| self.rel(at));
-        let Some(node) = self.open.pop().and_then(|id| self.nodes.get_mut(id as usize)) else { return };
+        let Some(node) = self
+            .open
+            .pop()
+            .and_then(|id| self.nodes.get_mut(id as usize))
+        else {
+            return;
+        };
         node.end = end;
         node.subtree_end = subtree_end;
         if let Some(tag) = tag {

@@ -13,9 +13,24 @@ struct Shape {
     what: &'static str,
 }
 
-const COMMENT: Shape = Shape { kind: NodeKind::Comment, open: 4, close: "-->", what: "comment" };
-const CDATA: Shape = Shape { kind: NodeKind::CData, open: 9, close: "]]>", what: "CDATA section" };
-const INSTRUCTION: Shape = Shape { kind: NodeKind::Pi, open: 2, close: "?>", what: "instruction" };
+const COMMENT: Shape = Shape {
+    kind: NodeKind::Comment,
+    open: 4,
+    close: "-->",
+    what: "comment",
+};
+const CDATA: Shape = Shape {
+    kind: NodeKind::CData,
+    open: 9,
+    close: "]]>",
+    what: "CDATA section",
+};
+const INSTRUCTION: Shape = Shape {
+    kind: NodeKind::Pi,
+    open: 2,
+    close: "?>",
+    what: "instruction",
+};
 
 impl Parser<'_> {
     /// Read what begins with `<!` inside the root.
@@ -34,7 +49,11 @@ impl Parser<'_> {
     /// Where `needle` occurs from `from` on. What is nowhere is looked for once only: each piece of unclosed
     /// markup would look through all the rest.
     fn find(&mut self, from: usize, needle: &'static str) -> Option<usize> {
-        if self.absent.iter().any(|&(absent, since)| absent == needle && since <= from) {
+        if self
+            .absent
+            .iter()
+            .any(|&(absent, since)| absent == needle && since <= from)
+        {
             return None;
         }
         let found = memchr::memmem::find(self.bytes.get(from..)?, needle.as_bytes());
@@ -49,7 +68,10 @@ impl Parser<'_> {
         if self.clean {
             return None;
         }
-        if !self.illegal.is_some_and(|(since, at)| since <= from && at.is_none_or(|at| from <= at)) {
+        if !self
+            .illegal
+            .is_some_and(|(since, at)| since <= from && at.is_none_or(|at| from <= at))
+        {
             let found = first_illegal(self.slice(from, self.bytes.len()));
             self.illegal = Some((from, found.map(|at| from + at)));
         }
@@ -62,8 +84,12 @@ impl Parser<'_> {
         let (mut from, mut searched) = (start + 4, start + 4);
         let first_error = self.errors.len();
         loop {
-            let dashes = self.find(from, "--").filter(|dashes| dashes + 2 < self.bytes.len());
-            let Some(dashes) = dashes else { return self.unclosed_markup(&COMMENT, start, first_error) };
+            let dashes = self
+                .find(from, "--")
+                .filter(|dashes| dashes + 2 < self.bytes.len());
+            let Some(dashes) = dashes else {
+                return self.unclosed_markup(&COMMENT, start, first_error);
+            };
             self.check_characters(from, dashes);
             if self.bytes.get(dashes + 2) == Some(&b'>') {
                 self.pos = dashes + 3;
@@ -71,7 +97,10 @@ impl Parser<'_> {
                 return;
             }
             // A second `<!--` says that the first one was never closed, if markup stands between them.
-            let opens = self.bytes.get(..dashes).is_some_and(|before| before.ends_with(b"<!"));
+            let opens = self
+                .bytes
+                .get(..dashes)
+                .is_some_and(|before| before.ends_with(b"<!"));
             if opens {
                 if let Some(next) = self.next_line_markup(searched, dashes + 2) {
                     let verdict = (expat::INVALID, dashes + 2);
@@ -87,7 +116,12 @@ impl Parser<'_> {
                     }
                     false => "`--` is not allowed in a comment\nwrite `- -`",
                 };
-                self.error(Kind::BadComment, (dashes, dashes + 2), (expat::INVALID, dashes + 2), message);
+                self.error(
+                    Kind::BadComment,
+                    (dashes, dashes + 2),
+                    (expat::INVALID, dashes + 2),
+                    message,
+                );
             }
             from = dashes + 1;
         }
@@ -111,7 +145,9 @@ impl Parser<'_> {
         let (inner, end) = (start + shape.open, self.bytes.len());
         let verdict = match self.next_illegal(inner) {
             Some(at) => (expat::INVALID, at),
-            None if shape.kind == NodeKind::CData => (expat::UNCLOSED_CDATA, self.cdata_stop(inner)),
+            None if shape.kind == NodeKind::CData => {
+                (expat::UNCLOSED_CDATA, self.cdata_stop(inner))
+            }
             None => (expat::UNCLOSED_TOKEN, start),
         };
         if let Some(next) = self.next_line_markup(inner, end) {
@@ -139,7 +175,9 @@ impl Parser<'_> {
     fn resume_at(&mut self, shape: &Shape, start: usize, next: (usize, usize), verdict: Verdict) {
         let (next, first_error) = next;
         let found = self.errors.get(first_error);
-        let verdict = found.map_or(verdict, |e| (e.error.expat, self.base + e.error.expat_offset as usize));
+        let verdict = found.map_or(verdict, |e| {
+            (e.error.expat, self.base + e.error.expat_offset as usize)
+        });
         self.errors.truncate(first_error);
         self.floor = Some(0);
         self.pos = self.trimmed(next).max(start + shape.open);
@@ -150,9 +188,15 @@ impl Parser<'_> {
 
     fn report_unclosed_markup(&mut self, shape: &Shape, start: usize, verdict: Verdict) {
         let (what, close) = (shape.what, shape.close);
-        let line = self.slice(start + shape.open, self.pos).split('\n').next().unwrap_or_default();
+        let line = self
+            .slice(start + shape.open, self.pos)
+            .split('\n')
+            .next()
+            .unwrap_or_default();
         let message = match shape.kind == NodeKind::Comment && line.contains("->") {
-            true => format!("unclosed {what}: `{close}` is missing\nwrite `{close}` instead of `->`"),
+            true => {
+                format!("unclosed {what}: `{close}` is missing\nwrite `{close}` instead of `->`")
+            }
             false => format!("unclosed {what}: `{close}` is missing\nadd `{close}`"),
         };
         let end = (start + shape.open).min(self.pos);
@@ -174,21 +218,32 @@ impl Parser<'_> {
                 "missing name after `<?`\nwrite the name of the processing instruction directly after `<?`",
             )),
             Some(b)
-                if (is_space(b) || b == b'?') && target != "xml" && target.eq_ignore_ascii_case("xml") =>
+                if (is_space(b) || b == b'?')
+                    && target != "xml"
+                    && target.eq_ignore_ascii_case("xml") =>
             {
-                Some((name_end, "`xml` is reserved in upper and lower case\nuse another name"))
+                Some((
+                    name_end,
+                    "`xml` is reserved in upper and lower case\nuse another name",
+                ))
             }
             Some(b'?') if self.bytes.get(name_end + 1).is_some_and(|&b| b != b'>') => Some((
                 name_end + 1,
                 "missing space after the name of the processing instruction\nadd a space",
             )),
             Some(b) if is_space(b) || b == b'?' => None,
-            Some(_) => {
-                Some((name_end, "missing space after the name of the processing instruction\nadd a space"))
-            }
+            Some(_) => Some((
+                name_end,
+                "missing space after the name of the processing instruction\nadd a space",
+            )),
         };
         if let Some((at, message)) = fault {
-            self.error(Kind::BadName, (start, name_end), (expat::INVALID, at), message);
+            self.error(
+                Kind::BadName,
+                (start, name_end),
+                (expat::INVALID, at),
+                message,
+            );
         }
         match self.find(name_end, "?>") {
             Some(end) => {
@@ -202,7 +257,8 @@ impl Parser<'_> {
             node.name_len = (name_end - start - 2) as u32;
         }
         if target == "xml" && self.starts_declaration(start) {
-            let message = "XML declaration is not at the start of the file\nmove it to the start of the file";
+            let message =
+                "XML declaration is not at the start of the file\nmove it to the start of the file";
             self.error(
                 Kind::BadDeclaration,
                 (start, self.pos),
@@ -214,8 +270,13 @@ impl Parser<'_> {
     }
 
     fn starts_declaration(&self, start: usize) -> bool {
-        self.nodes.last().is_some_and(|node| node.flags & CLOSED != 0)
-            && self.bytes.get(start + 5).is_some_and(|&b| is_space(b) || b == b'?')
+        self.nodes
+            .last()
+            .is_some_and(|node| node.flags & CLOSED != 0)
+            && self
+                .bytes
+                .get(start + 5)
+                .is_some_and(|&b| is_space(b) || b == b'?')
     }
 
     fn instruction_target(&self) -> usize {
@@ -239,8 +300,18 @@ impl Parser<'_> {
             _ => b"<!",
         };
         let text = self.bytes.get(start..).unwrap_or(&[]);
-        let at = start + expected.iter().zip(text).take_while(|(a, b)| a == b).count();
-        let stop = self.bytes.get(at..).unwrap_or(&[]).iter().position(|b| b"<>\r\n".contains(b));
+        let at = start
+            + expected
+                .iter()
+                .zip(text)
+                .take_while(|(a, b)| a == b)
+                .count();
+        let stop = self
+            .bytes
+            .get(at..)
+            .unwrap_or(&[])
+            .iter()
+            .position(|b| b"<>\r\n".contains(b));
         self.pos = stop.map_or(self.bytes.len(), |n| at + n);
         if self.peek() == Some(b'>') {
             self.pos += 1;

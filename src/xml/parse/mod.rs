@@ -151,7 +151,11 @@ impl<'t> Parser<'t> {
 
     fn finish_item(&mut self) -> Item {
         let text = self.text.get(self.base..self.pos).unwrap_or("");
-        let reach = if self.hit_end { u32::MAX } else { (self.reach.max(self.pos) - self.base) as u32 };
+        let reach = if self.hit_end {
+            u32::MAX
+        } else {
+            (self.reach.max(self.pos) - self.base) as u32
+        };
         let plain = self.errors.is_empty()
             && self.entity_uses.is_empty()
             && !self.needs_root_name
@@ -159,7 +163,11 @@ impl<'t> Parser<'t> {
         let extra = (!plain).then(|| Extra {
             errors: self.errors.drain(..).collect(),
             entity_uses: self.take_entity_uses(),
-            reach: if reach as usize == text.len() { 0 } else { reach },
+            reach: if reach as usize == text.len() {
+                0
+            } else {
+                reach
+            },
             needs_root_name: self.needs_root_name,
         });
         Item::new(text, count_line_ends(text), &self.nodes, &self.attrs, extra)
@@ -167,8 +175,11 @@ impl<'t> Parser<'t> {
 
     fn take_entity_uses(&mut self) -> Vec<EntityUse> {
         let uses = self.entity_uses.drain();
-        let uses =
-            uses.map(|((name, in_attribute), count)| EntityUse { name: name.into(), in_attribute, count });
+        let uses = uses.map(|((name, in_attribute), count)| EntityUse {
+            name: name.into(),
+            in_attribute,
+            count,
+        });
         let mut uses: Vec<EntityUse> = uses.collect();
         uses.sort_by(|a, b| (&a.name, a.in_attribute).cmp(&(&b.name, b.in_attribute)));
         uses
@@ -187,11 +198,17 @@ impl<'t> Parser<'t> {
     }
 
     fn starts_with(&self, prefix: &[u8]) -> bool {
-        self.bytes.get(self.pos..).is_some_and(|rest| rest.starts_with(prefix))
+        self.bytes
+            .get(self.pos..)
+            .is_some_and(|rest| rest.starts_with(prefix))
     }
 
     fn skip_space(&mut self) {
-        while self.bytes.get(self.pos).is_some_and(|&b| super::chars::is_space(b)) {
+        while self
+            .bytes
+            .get(self.pos)
+            .is_some_and(|&b| super::chars::is_space(b))
+        {
             self.pos += 1;
         }
     }
@@ -236,7 +253,11 @@ impl<'t> Parser<'t> {
             }
         }
         if self.errors.len() < ITEM_ERRORS {
-            self.errors.push(ItemError { error, condition, diverges: false });
+            self.errors.push(ItemError {
+                error,
+                condition,
+                diverges: false,
+            });
         }
     }
 
@@ -268,7 +289,11 @@ impl<'t> Parser<'t> {
 
     /// The end of the character at `at`.
     fn char_end(&self, at: usize) -> usize {
-        let len = self.text.get(at..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+        let len = self
+            .text
+            .get(at..)
+            .and_then(|rest| rest.chars().next())
+            .map_or(0, char::len_utf8);
         at + len
     }
 }

@@ -20,8 +20,17 @@ impl Parser<'_> {
     pub(super) fn qname(&self, start: usize) -> QName {
         // nearly all names end here
         let plain = skip_ascii_name(self.bytes, start);
-        if plain > start && self.bytes.get(plain).is_some_and(|&b| b != b':' && b < 0x80) {
-            return QName { end: plain, prefixed: false, bad: None };
+        if plain > start
+            && self
+                .bytes
+                .get(plain)
+                .is_some_and(|&b| b != b':' && b < 0x80)
+        {
+            return QName {
+                end: plain,
+                prefixed: false,
+                bad: None,
+            };
         }
         let mut end = start;
         let mut prefixed = false;
@@ -49,7 +58,11 @@ impl Parser<'_> {
             break;
         }
         if bad.is_some() {
-            while self.bytes.get(end).is_some_and(|&b| !is_space(b) && !b"/><=\"'&{}$?".contains(&b)) {
+            while self
+                .bytes
+                .get(end)
+                .is_some_and(|&b| !is_space(b) && !b"/><=\"'&{}$?".contains(&b))
+            {
                 end = self.char_end(end);
             }
         }
@@ -105,7 +118,12 @@ impl<'t> Scopes<'t> {
 
     pub(super) fn bind(&mut self, prefix: &'t str, uri: String, depth: usize) {
         let hidden = self.current.insert(prefix, self.bindings.len());
-        self.bindings.push(Binding { prefix, uri, depth, hidden });
+        self.bindings.push(Binding {
+            prefix,
+            uri,
+            depth,
+            hidden,
+        });
     }
 
     pub(super) fn lookup(&self, prefix: &str) -> Option<&str> {

@@ -60,7 +60,11 @@ impl<'t> Parser<'t> {
                 let name = self.qname(self.pos + 1);
                 self.root_name = self.slice(self.pos + 1, name.end);
                 self.start_tag();
-                root = if self.open.is_empty() { RootState::Empty } else { RootState::Open };
+                root = if self.open.is_empty() {
+                    RootState::Empty
+                } else {
+                    RootState::Open
+                };
                 break;
             }
         }
@@ -68,31 +72,52 @@ impl<'t> Parser<'t> {
             let at = self.pos;
             let start = self.base + self.text.trim_end().len();
             let message = "no root element\nadd <robot name=\"...\">";
-            self.error(Kind::NoRoot, (start.min(at), at), (expat::NO_ELEMENT, at), message);
+            self.error(
+                Kind::NoRoot,
+                (start.min(at), at),
+                (expat::NO_ELEMENT, at),
+                message,
+            );
         }
         entities.resolve();
         let namespaces = self.root_namespaces(&entities);
         let item = Arc::new(self.finish_item());
-        Header { item, root_name: self.root_name.into(), root, entities, namespaces }
+        Header {
+            item,
+            root_name: self.root_name.into(),
+            root,
+            entities,
+            namespaces,
+        }
     }
 
     fn root_namespaces(&self, entities: &Entities) -> FastMap<Box<str>, Box<str>> {
         let mut bound = FastMap::default();
         for attr in self.nodes.last().map_or(&[][..], |root| {
-            self.attrs.get(root.attrs.0 as usize..root.attrs.1 as usize).unwrap_or(&[])
+            self.attrs
+                .get(root.attrs.0 as usize..root.attrs.1 as usize)
+                .unwrap_or(&[])
         }) {
             let start = self.base + attr.name as usize;
             let name = self.slice(start, start + attr.name_len as usize);
-            let Some(prefix) = name.strip_prefix("xmlns:") else { continue };
-            let raw = self.slice(self.base + attr.value as usize, self.base + attr.value_end as usize);
-            bound.entry(prefix.into()).or_insert_with(|| decode(raw, entities, true).into());
+            let Some(prefix) = name.strip_prefix("xmlns:") else {
+                continue;
+            };
+            let raw = self.slice(
+                self.base + attr.value as usize,
+                self.base + attr.value_end as usize,
+            );
+            bound
+                .entry(prefix.into())
+                .or_insert_with(|| decode(raw, entities, true).into());
         }
         bound
     }
 
     pub(super) fn at_tag(&self) -> bool {
         self.bytes.get(self.pos) == Some(&b'<')
-            && (name_char(self.text, self.pos + 1, true) > 0 || self.bytes.get(self.pos + 1) == Some(&b':'))
+            && (name_char(self.text, self.pos + 1, true) > 0
+                || self.bytes.get(self.pos + 1) == Some(&b':'))
     }
 
     /// Read the XML declaration, if the text begins with one. Gives whether it says `standalone`.
@@ -102,16 +127,28 @@ impl<'t> Parser<'t> {
             return false;
         }
         self.instruction();
-        let Some(node) = self.nodes.last_mut().filter(|node| node.flags & CLOSED != 0) else { return false };
+        let Some(node) = self
+            .nodes
+            .last_mut()
+            .filter(|node| node.flags & CLOSED != 0)
+        else {
+            return false;
+        };
         node.kind = NodeKind::Declaration;
         // Only its place would have been wrong.
-        self.errors.retain(|e| e.error.expat != expat::MISPLACED_DECLARATION);
+        self.errors
+            .retain(|e| e.error.expat != expat::MISPLACED_DECLARATION);
         let standalone = check_declaration(self.slice(0, self.pos - 2), start + 5);
         if let Err(at) = standalone
             && self.errors.is_empty()
         {
             let message = "malformed XML declaration\nwrite <?xml version=\"1.0\"?>";
-            self.error(Kind::BadDeclaration, (start, self.pos), (expat::BAD_DECLARATION, at), message);
+            self.error(
+                Kind::BadDeclaration,
+                (start, self.pos),
+                (expat::BAD_DECLARATION, at),
+                message,
+            );
         }
         standalone == Ok(true)
     }
@@ -145,7 +182,11 @@ impl<'t> Parser<'t> {
 
     /// Behind the root, expat has no special word for an XML declaration.
     fn misplaced_behind_root(&mut self) {
-        if let Some(last) = self.errors.last_mut().filter(|e| e.error.expat == expat::MISPLACED_DECLARATION) {
+        if let Some(last) = self
+            .errors
+            .last_mut()
+            .filter(|e| e.error.expat == expat::MISPLACED_DECLARATION)
+        {
             last.error.expat = expat::JUNK;
         }
     }
@@ -153,7 +194,14 @@ impl<'t> Parser<'t> {
     /// Text or markup that has no place outside the root.
     fn junk_outside(&mut self, in_prolog: bool) {
         let start = self.pos;
-        let verdict = self.verdict_outside(start, if in_prolog { expat::SYNTAX } else { expat::JUNK });
+        let verdict = self.verdict_outside(
+            start,
+            if in_prolog {
+                expat::SYNTAX
+            } else {
+                expat::JUNK
+            },
+        );
         let rest = self.bytes.get(start + 1..).unwrap_or(&[]);
         self.pos = memchr::memchr(b'<', rest).map_or(self.bytes.len(), |n| start + 1 + n);
         let end = start + self.slice(start, self.pos).trim_end().len();
@@ -182,7 +230,9 @@ impl<'t> Parser<'t> {
                 (expat::UNCLOSED_TOKEN, start)
             }
             Token::TagOpen if unexpected == expat::SYNTAX => (expat::INVALID, start + 1),
-            Token::ParameterReference if unexpected == expat::SYNTAX => (expat::PARAMETER_REFERENCE, start),
+            Token::ParameterReference if unexpected == expat::SYNTAX => {
+                (expat::PARAMETER_REFERENCE, start)
+            }
             _ => (unexpected, start),
         }
     }
@@ -190,7 +240,9 @@ impl<'t> Parser<'t> {
     /// Whether a DOCTYPE begins here; there can be only one.
     fn at_doctype(&self) -> bool {
         let (token, end) = self.token(self.pos);
-        !self.has_doctype && token == Token::DeclarationOpen && self.slice(self.pos, end) == "<!DOCTYPE"
+        !self.has_doctype
+            && token == Token::DeclarationOpen
+            && self.slice(self.pos, end) == "<!DOCTYPE"
     }
 
     /// The current item has no element: it is the footer. Read the rest of the file.
@@ -206,10 +258,19 @@ impl<'t> Parser<'t> {
         } else {
             let (at, root) = (self.pos, self.root_name);
             let message = format!("unclosed root element `<{root}>`\nadd `</{root}>`");
-            self.error(Kind::UnclosedElement, (at, at), (expat::NO_ELEMENT, at), message);
+            self.error(
+                Kind::UnclosedElement,
+                (at, at),
+                (expat::NO_ELEMENT, at),
+                message,
+            );
         }
         self.hit_end = true;
-        Footer { item: Arc::new(self.finish_item()), inner, root_end }
+        Footer {
+            item: Arc::new(self.finish_item()),
+            inner,
+            root_end,
+        }
     }
 
     /// Read what follows a root without content.
@@ -217,7 +278,11 @@ impl<'t> Parser<'t> {
         self.begin_item();
         self.epilog();
         self.hit_end = true;
-        Footer { item: Arc::new(self.finish_item()), inner: 0, root_end: None }
+        Footer {
+            item: Arc::new(self.finish_item()),
+            inner: 0,
+            root_end: None,
+        }
     }
 
     fn epilog(&mut self) {

@@ -25,7 +25,11 @@ impl Parser<'_> {
         node.attrs = (first_attr as u32, self.attrs.len() as u32);
         node.start_tag_end = (self.pos - self.base) as u32;
         node.end = node.start_tag_end;
-        let prefix = if name.prefixed && name.bad.is_none() { name.end } else { start };
+        let prefix = if name.prefixed && name.bad.is_none() {
+            name.end
+        } else {
+            start
+        };
         self.check_tag(start, prefix, first_attr);
         self.floor = None;
         if flags & NO_CONTENT == 0 {
@@ -76,7 +80,12 @@ impl Parser<'_> {
                     self.pos += 1;
                     if self.peek().is_some() {
                         let message = "`/` is not followed by `>`\nwrite `/>`";
-                        self.error(Kind::BadAttribute, (at, at + 1), (expat::INVALID, at + 1), message);
+                        self.error(
+                            Kind::BadAttribute,
+                            (at, at + 1),
+                            (expat::INVALID, at + 1),
+                            message,
+                        );
                     }
                     bad = true;
                     slash = true;
@@ -113,7 +122,11 @@ impl Parser<'_> {
         );
         self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
         // Whatever follows the root is meant to be in it.
-        if self.in_header || self.keeps_content(start, name.end, next) { 0 } else { NO_CONTENT }
+        if self.in_header || self.keeps_content(start, name.end, next) {
+            0
+        } else {
+            NO_CONTENT
+        }
     }
 
     /// Read one attribute, or skip what is none. Gives whether it is sound.
@@ -128,13 +141,24 @@ impl Parser<'_> {
             self.bad_name((start, name.end), at);
         }
         self.skip_space();
-        let flags = if name.prefixed && name.bad.is_none() { PREFIXED } else { 0 };
+        let flags = if name.prefixed && name.bad.is_none() {
+            PREFIXED
+        } else {
+            0
+        };
         if self.bytes.get(self.pos) != Some(&b'=') {
             let at = std::mem::replace(&mut self.pos, name.end);
             if name.bad.is_none() && at < self.bytes.len() {
-                let message =
-                    format!("attribute `{0}` has no value\nwrite {0}=\"...\"", self.slice(start, name.end));
-                self.error(Kind::BadAttribute, (start, name.end), (expat::INVALID, at), message);
+                let message = format!(
+                    "attribute `{0}` has no value\nwrite {0}=\"...\"",
+                    self.slice(start, name.end)
+                );
+                self.error(
+                    Kind::BadAttribute,
+                    (start, name.end),
+                    (expat::INVALID, at),
+                    message,
+                );
             }
             self.push_attr(start, name.end, (name.end, name.end), flags);
             return at >= self.bytes.len();
@@ -143,7 +167,9 @@ impl Parser<'_> {
         let behind_equals = self.pos;
         self.skip_space();
         match self.peek() {
-            Some(quote @ (b'"' | b'\'')) => self.quoted_value((start, name.end), quote, flags | HAS_EQUALS),
+            Some(quote @ (b'"' | b'\'')) => {
+                self.quoted_value((start, name.end), quote, flags | HAS_EQUALS)
+            }
             _ => {
                 self.bare_value((start, name.end), behind_equals, flags | HAS_EQUALS);
                 false
@@ -154,15 +180,33 @@ impl Parser<'_> {
     fn skip_junk_in_tag(&mut self) -> bool {
         let start = self.pos;
         self.pos = self.char_end(start);
-        while self.bytes.get(self.pos).is_some_and(|&b| !is_space(b) && !b"/><".contains(&b)) {
+        while self
+            .bytes
+            .get(self.pos)
+            .is_some_and(|&b| !is_space(b) && !b"/><".contains(&b))
+        {
             self.pos = self.char_end(self.pos);
         }
-        let message = format!("unexpected `{}` in a tag\nremove it", self.slice(start, self.pos));
-        self.error(Kind::BadAttribute, (start, self.pos), (expat::INVALID, start), message);
+        let message = format!(
+            "unexpected `{}` in a tag\nremove it",
+            self.slice(start, self.pos)
+        );
+        self.error(
+            Kind::BadAttribute,
+            (start, self.pos),
+            (expat::INVALID, start),
+            message,
+        );
         false
     }
 
-    pub(super) fn push_attr(&mut self, name: usize, name_end: usize, value: (usize, usize), flags: u8) {
+    pub(super) fn push_attr(
+        &mut self,
+        name: usize,
+        name_end: usize,
+        value: (usize, usize),
+        flags: u8,
+    ) {
         let attr = AttrData {
             name: self.rel(name),
             name_len: (name_end - name) as u32,

@@ -49,7 +49,12 @@ impl<'t> Parser<'t> {
             let at = start + at;
             let message = "`]]>` is not allowed in text\nwrite `]]&gt;`";
             // expat notices at the `>`.
-            self.error(Kind::CDataEndInText, (at, at + 3), (expat::INVALID, at + 2), message);
+            self.error(
+                Kind::CDataEndInText,
+                (at, at + 3),
+                (expat::INVALID, at + 2),
+                message,
+            );
         }
     }
 
@@ -63,7 +68,12 @@ impl<'t> Parser<'t> {
             let next = self.char_end(at);
             let code = self.slice(at, next).chars().next().map_or(0, u32::from);
             let message = format!("character U+{code:04X} is not allowed in XML\nremove it");
-            self.error(Kind::IllegalCharacter, (at, next), (expat::INVALID, at), message);
+            self.error(
+                Kind::IllegalCharacter,
+                (at, next),
+                (expat::INVALID, at),
+                message,
+            );
             from = next;
         }
     }
@@ -101,19 +111,34 @@ impl<'t> Parser<'t> {
                 "unescaped `&`\nwrite `and` instead of `&&` in expressions".to_owned()
             }
             "" => "unescaped `&`\nwrite `&amp;`".to_owned(),
-            name => format!("`&{name}` is not followed by `;`\nwrite `&amp;` for a literal `&`, or add `;`"),
+            name => format!(
+                "`&{name}` is not followed by `;`\nwrite `&amp;` for a literal `&`, or add `;`"
+            ),
         };
         self.error(Kind::BadReference, (at, stop.max(at + 1)), verdict, message);
     }
 
     pub(super) fn bad_character_reference(&mut self, at: usize, end: usize, stop: usize) {
-        let message =
-            format!("`{}` is a character that is not allowed in XML\nremove it", self.slice(at, end));
-        self.error(Kind::BadCharacterReference, (at, end), (expat::BAD_CHAR_REF, stop), message);
+        let message = format!(
+            "`{}` is a character that is not allowed in XML\nremove it",
+            self.slice(at, end)
+        );
+        self.error(
+            Kind::BadCharacterReference,
+            (at, end),
+            (expat::BAD_CHAR_REF, stop),
+            message,
+        );
     }
 
     /// Note a reference to an entity; whether it is fine, the header knows.
-    pub(super) fn entity_use(&mut self, name: &'t str, at: (usize, usize), stop: usize, in_attribute: bool) {
+    pub(super) fn entity_use(
+        &mut self,
+        name: &'t str,
+        at: (usize, usize),
+        stop: usize,
+        in_attribute: bool,
+    ) {
         if predefined(name).is_some() {
             return;
         }
@@ -130,6 +155,12 @@ impl<'t> Parser<'t> {
             expat: expat::UNDEFINED_ENTITY,
             expat_offset: self.rel(stop),
         };
-        self.push_error(Condition::Entity { name: name.into(), in_attribute }, error);
+        self.push_error(
+            Condition::Entity {
+                name: name.into(),
+                in_attribute,
+            },
+            error,
+        );
     }
 }

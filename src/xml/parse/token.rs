@@ -44,7 +44,9 @@ pub(super) enum Token {
 impl Parser<'_> {
     /// The token at `at` and the offset behind it. White space, comments and instructions are the caller's.
     pub(super) fn token(&self, at: usize) -> (Token, usize) {
-        let Some(&b) = self.bytes.get(at) else { return (Token::End, at) };
+        let Some(&b) = self.bytes.get(at) else {
+            return (Token::End, at);
+        };
         match b {
             b'"' | b'\'' => self.literal(at, b),
             b'<' => self.opening(at),
@@ -144,7 +146,11 @@ impl Parser<'_> {
 
     fn name_token(&self, at: usize) -> (Token, usize) {
         let colon = self.bytes.get(at) == Some(&b':');
-        let mut token = if name_char(self.text, at, true) > 0 { Token::Name } else { Token::NameToken };
+        let mut token = if name_char(self.text, at, true) > 0 {
+            Token::Name
+        } else {
+            Token::NameToken
+        };
         let mut end = at;
         loop {
             match name_char(self.text, end, false) {

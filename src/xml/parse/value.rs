@@ -51,7 +51,9 @@ impl Parser<'_> {
                     flags |= NEEDS_DECODING;
                     match read_reference(self.text, self.pos) {
                         // The end of the text is reported once, for the tag.
-                        Reference::Bad(stop) if stop < self.bytes.len() => self.bad_reference(self.pos, stop),
+                        Reference::Bad(stop) if stop < self.bytes.len() => {
+                            self.bad_reference(self.pos, stop)
+                        }
                         _ => {}
                     }
                 }
@@ -73,10 +75,16 @@ impl Parser<'_> {
         }
         let value = self.slice(start, end).strip_suffix('=')?.trim_end();
         let name = value.len()
-            - value.chars().rev().take_while(|c| !c.is_ascii_whitespace()).map(char::len_utf8).sum::<usize>();
+            - value
+                .chars()
+                .rev()
+                .take_while(|c| !c.is_ascii_whitespace())
+                .map(char::len_utf8)
+                .sum::<usize>();
         let is_name = name_char(self.text, start + name, true) > 0
             && self.qname(start + name).end == start + value.len();
-        (is_name && name > 0).then(|| start + value.get(..name).map_or(0, |text| text.trim_end().len()))
+        (is_name && name > 0)
+            .then(|| start + value.get(..name).map_or(0, |text| text.trim_end().len()))
     }
 
     /// The value from `start` runs into a `<` or into the end of the text, where the position is.
@@ -87,15 +95,18 @@ impl Parser<'_> {
         let line_end = stop + memchr::memchr2(b'\n', b'\r', line).unwrap_or(line.len());
         self.look(line_end + 1);
         if stop < self.bytes.len() && !self.begins_line(stop) {
-            let closing =
-                memchr::memchr(quote, self.bytes.get(stop..line_end).unwrap_or(&[])).map(|n| stop + n);
+            let closing = memchr::memchr(quote, self.bytes.get(stop..line_end).unwrap_or(&[]))
+                .map(|n| stop + n);
             if let Some(end) = closing.filter(|end| self.may_end_value(end + 1)) {
                 return self.value_with_lt(name, start, (stop, end), flags);
             }
         }
         let first_line = memchr::memchr2(b'\n', b'\r', self.bytes.get(start..stop).unwrap_or(&[]));
         let text = self.slice(start, first_line.map_or(stop, |n| start + n));
-        let text = text.strip_suffix("/>").or(text.strip_suffix('>')).unwrap_or(text);
+        let text = text
+            .strip_suffix("/>")
+            .or(text.strip_suffix('>'))
+            .unwrap_or(text);
         let verdict = if stop < self.bytes.len() {
             (expat::INVALID, stop)
         } else {
@@ -112,7 +123,9 @@ impl Parser<'_> {
     }
 
     fn may_end_value(&self, at: usize) -> bool {
-        self.bytes.get(at).is_none_or(|&b| is_space(b) || b"/>?".contains(&b))
+        self.bytes
+            .get(at)
+            .is_none_or(|&b| is_space(b) || b"/>?".contains(&b))
     }
 
     /// A value with a stray `<` at `stop` that is closed on the same line, at `end`.
@@ -124,7 +137,12 @@ impl Parser<'_> {
         mut flags: u8,
     ) -> bool {
         let message = "`<` is not allowed in an attribute value\nwrite `&lt;`";
-        self.error(Kind::LtInValue, (stop, stop + 1), (expat::INVALID, stop), message);
+        self.error(
+            Kind::LtInValue,
+            (stop, stop + 1),
+            (expat::INVALID, stop),
+            message,
+        );
         flags |= self.raw_flags(stop, end);
         self.pos = end + 1;
         self.push_attr(name.0, name.1, (start, end), flags | QUOTED);
@@ -134,22 +152,41 @@ impl Parser<'_> {
     fn raw_flags(&self, start: usize, end: usize) -> u8 {
         let raw = self.slice(start, end);
         let dollar = if raw.contains('$') { HAS_DOLLAR } else { 0 };
-        let coded = if raw.contains(['&', '\t', '\n', '\r']) { NEEDS_DECODING } else { 0 };
+        let coded = if raw.contains(['&', '\t', '\n', '\r']) {
+            NEEDS_DECODING
+        } else {
+            0
+        };
         dollar | coded
     }
 
     /// The value ends where it should, but for its quote; go on from there.
-    fn cut_value(&mut self, name: (usize, usize), value: (usize, usize), flags: u8, verdict: Verdict) {
+    fn cut_value(
+        &mut self,
+        name: (usize, usize),
+        value: (usize, usize),
+        flags: u8,
+        verdict: Verdict,
+    ) {
         // What was found behind the cut will be found again, as something else.
         let behind = self.rel(value.1);
         let dropped = self.errors.iter().find(|e| e.error.range.start >= behind);
-        let verdict = dropped.map_or(verdict, |e| (e.error.expat, self.base + e.error.expat_offset as usize));
+        let verdict = dropped.map_or(verdict, |e| {
+            (e.error.expat, self.base + e.error.expat_offset as usize)
+        });
         self.errors.retain(|e| e.error.range.start < behind);
         self.pos = value.1;
         self.look(verdict.1 + 1);
-        let message =
-            format!("value of `{}` has no closing quote\nadd the closing quote", self.slice(name.0, name.1));
-        self.error(Kind::UnclosedValue, (value.0 - 1, value.1), verdict, message);
+        let message = format!(
+            "value of `{}` has no closing quote\nadd the closing quote",
+            self.slice(name.0, name.1)
+        );
+        self.error(
+            Kind::UnclosedValue,
+            (value.0 - 1, value.1),
+            verdict,
+            message,
+        );
         self.mark_divergence();
         let flags = flags & !(HAS_DOLLAR | NEEDS_DECODING) | self.raw_flags(value.0, value.1);
         self.push_attr(name.0, name.1, value, flags);
@@ -166,15 +203,23 @@ impl Parser<'_> {
         }
         if start < self.bytes.len() {
             let name_text = self.slice(name.0, name.1);
-            let message =
-                match self.slice(start, self.pos).chars().next().filter(|c| "“”„‟‘’‚″′«»".contains(*c))
-                {
-                    Some(quote) => {
-                        format!("value of `{name_text}` is in `{quote}` instead of quotes\nwrite `\"`")
-                    }
-                    None => format!("value of `{name_text}` must be quoted\nwrite {name_text}=\"...\""),
-                };
-            self.error(Kind::BadAttribute, (name.0, self.pos), (expat::INVALID, start), message);
+            let message = match self
+                .slice(start, self.pos)
+                .chars()
+                .next()
+                .filter(|c| "“”„‟‘’‚″′«»".contains(*c))
+            {
+                Some(quote) => {
+                    format!("value of `{name_text}` is in `{quote}` instead of quotes\nwrite `\"`")
+                }
+                None => format!("value of `{name_text}` must be quoted\nwrite {name_text}=\"...\""),
+            };
+            self.error(
+                Kind::BadAttribute,
+                (name.0, self.pos),
+                (expat::INVALID, start),
+                message,
+            );
         }
         if self.pos == start {
             self.pos = behind_equals;

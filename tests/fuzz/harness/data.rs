@@ -15,8 +15,14 @@ pub fn yaml(data: &[u8]) {
     match yaml::load(&text, "f.yaml") {
         Ok(node) => places(&node, &text),
         Err(error) => {
-            assert!(error.range.end as usize <= text.len(), "{error:?} of {text:?}");
-            assert!(!error.short.is_empty() && !error.message.is_empty(), "{error:?} of {text:?}");
+            assert!(
+                error.range.end as usize <= text.len(),
+                "{error:?} of {text:?}"
+            );
+            assert!(
+                !error.short.is_empty() && !error.message.is_empty(),
+                "{error:?} of {text:?}"
+            );
         }
     }
 }
@@ -24,8 +30,16 @@ pub fn yaml(data: &[u8]) {
 fn places(root: &Node, text: &str) {
     let mut open = vec![root];
     while let Some(node) = open.pop() {
-        assert!(node.range.end as usize <= text.len(), "{:?} of {text:?}", node.range);
-        assert!(text.is_char_boundary(node.range.start as usize), "{:?} of {text:?}", node.range);
+        assert!(
+            node.range.end as usize <= text.len(),
+            "{:?} of {text:?}",
+            node.range
+        );
+        assert!(
+            text.is_char_boundary(node.range.start as usize),
+            "{:?} of {text:?}",
+            node.range
+        );
         match &node.kind {
             Kind::Map(items) | Kind::Pairs(items) => {
                 open.extend(items.iter().flat_map(|(key, value)| [key, value]));
@@ -43,7 +57,9 @@ pub fn mesh(data: &[u8]) {
     const ENDINGS: [&str; 5] = ["stl", "obj", "dae", "gltf", "glb"];
     let (&first, bytes) = data.split_first().unwrap_or((&0, &[]));
     let ending = ENDINGS[usize::from(first) % ENDINGS.len()];
-    let mesh = Mesh::read(ending, bytes, &|_| Some(vec![0, 0, 128, 63, 0, 0, 0, 64, 1, 0, 2, 0, 3, 0]));
+    let mesh = Mesh::read(ending, bytes, &|_| {
+        Some(vec![0, 0, 128, 63, 0, 0, 0, 64, 1, 0, 2, 0, 3, 0])
+    });
     assert!(mesh.surface.is_some() || mesh.defect.is_some());
     if let Some(surface) = mesh.surface {
         assert!(surface.triangles > 0);
@@ -51,7 +67,10 @@ pub fn mesh(data: &[u8]) {
         assert!((0..3).all(|axis| min[axis] <= max[axis]), "{surface:?}");
     }
     if let Some(defect) = &mesh.defect {
-        assert!(!defect.message.contains('\n') && defect.message.len() < 2000, "{defect:?}");
+        assert!(
+            !defect.message.contains('\n') && defect.message.len() < 2000,
+            "{defect:?}"
+        );
     }
 }
 
@@ -63,8 +82,14 @@ pub fn configuration(data: &[u8]) {
     vfs.set_buffer(path, Some(text.clone()));
     let loaded = Config::load(&vfs, path).expect("the buffer is there");
     for warning in &loaded.warnings {
-        assert!(warning.place.range.end as usize <= text.len(), "{warning:?} of {text:?}");
-        assert!(warning.place.line >= 1 && warning.place.column >= 1, "{warning:?} of {text:?}");
+        assert!(
+            warning.place.range.end as usize <= text.len(),
+            "{warning:?} of {text:?}"
+        );
+        assert!(
+            warning.place.line >= 1 && warning.place.column >= 1,
+            "{warning:?} of {text:?}"
+        );
         assert!(!warning.message.contains('\n'), "{warning:?} of {text:?}");
     }
     loaded.config.settings();

@@ -3,8 +3,8 @@
 use ecow::EcoString;
 use xacro_lsp::base::TextRange;
 use xacro_lsp::expr::{
-    self, Budget, Code, ErrorKind, EvalError, ExprErrorKind, Host, HostFn, Lookup, Parsed, ScopeId, Template,
-    Token, Value, display,
+    self, Budget, Code, ErrorKind, EvalError, ExprErrorKind, Host, HostFn, Lookup, Parsed, ScopeId,
+    Template, Token, Value, display,
 };
 
 /// A host with a few properties that notes the first name that is missing.
@@ -17,7 +17,10 @@ impl Properties {
     /// Numbers, a text, a list and a mapping.
     pub fn new() -> Self {
         let list = Value::list_from([3, 1, 2].map(Value::Int), false);
-        let mapping = Value::dict_from([("a".into(), Value::Int(1)), ("b".into(), list.clone())], true);
+        let mapping = Value::dict_from(
+            [("a".into(), Value::Int(1)), ("b".into(), list.clone())],
+            true,
+        );
         let known = vec![
             ("n", Value::Int(3)),
             ("x", Value::Float(1.5)),
@@ -25,7 +28,10 @@ impl Properties {
             ("l", list),
             ("cfg", mapping),
         ];
-        Self { known, missing: None }
+        Self {
+            known,
+            missing: None,
+        }
     }
 }
 
@@ -69,13 +75,29 @@ fn pieces(template: &Template, text: &str) {
     for token in &template.tokens {
         let range = token.range();
         assert!(range.end as usize <= text.len(), "{token:?} of {text:?}");
-        assert!(at.is_none_or(|at| at == range.start), "a gap before {token:?} of {text:?}");
-        assert!(text.is_char_boundary(range.start as usize), "{token:?} of {text:?}");
+        assert!(
+            at.is_none_or(|at| at == range.start),
+            "a gap before {token:?} of {text:?}"
+        );
+        assert!(
+            text.is_char_boundary(range.start as usize),
+            "{token:?} of {text:?}"
+        );
         at = Some(range.end);
         match token {
-            Token::Expr { inner, code: Code::Static(found), .. } => parsed(found, inner.slice(text)),
-            Token::Expr { code: Code::Dynamic(nested), .. } => pieces(nested, text),
-            Token::Subst { nested: Some(nested), .. } => pieces(nested, text),
+            Token::Expr {
+                inner,
+                code: Code::Static(found),
+                ..
+            } => parsed(found, inner.slice(text)),
+            Token::Expr {
+                code: Code::Dynamic(nested),
+                ..
+            } => pieces(nested, text),
+            Token::Subst {
+                nested: Some(nested),
+                ..
+            } => pieces(nested, text),
             _ => {}
         }
     }
@@ -83,11 +105,21 @@ fn pieces(template: &Template, text: &str) {
 
 fn parsed(parsed: &Parsed, text: &str) {
     for error in &parsed.errors {
-        assert!(error.range.end as usize <= text.len(), "{error:?} of {text:?}");
-        assert!(!error.message.is_empty() && !error.message.contains('\n'), "{error:?} of {text:?}");
+        assert!(
+            error.range.end as usize <= text.len(),
+            "{error:?} of {text:?}"
+        );
+        assert!(
+            !error.message.is_empty() && !error.message.contains('\n'),
+            "{error:?} of {text:?}"
+        );
     }
     for used in expr::names(&parsed.expr) {
-        assert!(used.range.end as usize <= text.len(), "{:?} of {text:?}", used.range);
+        assert!(
+            used.range.end as usize <= text.len(),
+            "{:?} of {text:?}",
+            used.range
+        );
     }
     if !parsed.errors.is_empty() {
         return;
@@ -98,7 +130,10 @@ fn parsed(parsed: &Parsed, text: &str) {
             display::repr(&value);
             display::to_str(&value);
         }
-        Err(error) => assert!(error.range.end as usize <= text.len(), "{error:?} of {text:?}"),
+        Err(error) => assert!(
+            error.range.end as usize <= text.len(),
+            "{error:?} of {text:?}"
+        ),
     }
 }
 
@@ -107,7 +142,8 @@ fn parsed(parsed: &Parsed, text: &str) {
 pub fn outcome(text: &str) -> Option<String> {
     let parsed = expr::parse(text);
     if let Some(error) = parsed.errors.first() {
-        return (error.kind != ExprErrorKind::NotSupported).then(|| shown(&format!("! {}", error.reference)));
+        return (error.kind != ExprErrorKind::NotSupported)
+            .then(|| shown(&format!("! {}", error.reference)));
     }
     let mut host = Properties::new();
     let result = expr::evaluate(&parsed.expr, &mut host, &mut Budget::default());

@@ -8,13 +8,20 @@ pub fn messages(data: &[u8]) {
     while !rest.is_empty() {
         let text = String::from_utf8_lossy(rest);
         let (header, _) = text.split_once("\r\n\r\n").expect("a header");
-        let length: usize =
-            header.strip_prefix("Content-Length: ").expect("a length").parse().expect("a number");
+        let length: usize = header
+            .strip_prefix("Content-Length: ")
+            .expect("a length")
+            .parse()
+            .expect("a number");
         let start = header.len() + 4;
         let body = rest.get(start..start + length).expect("as long as it says");
         let message: serde_json::Value = serde_json::from_slice(body).expect("JSON");
         assert_eq!(message["jsonrpc"], "2.0", "{message}");
-        assert!(message["method"].is_string() || !message["id"].is_null() || message.get("result").is_some());
+        assert!(
+            message["method"].is_string()
+                || !message["id"].is_null()
+                || message.get("result").is_some()
+        );
         rest = &rest[start + length..];
     }
 }

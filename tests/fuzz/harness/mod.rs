@@ -33,28 +33,86 @@ pub struct Target {
 
 /// All of them.
 pub const TARGETS: &[Target] = &[
-    Target { name: "xml", run: xml, seeds: &["xacro", "urdf", "xml"], has_choice: false },
-    Target { name: "edits", run: edits, seeds: &["xacro", "urdf"], has_choice: false },
-    Target { name: "formatter", run: formatter, seeds: &["xacro", "urdf"], has_choice: true },
-    Target { name: "expression", run: expression, seeds: &["expressions"], has_choice: false },
-    Target { name: "yaml", run: yaml, seeds: &["yaml"], has_choice: false },
-    Target { name: "expander", run: expander, seeds: &["xacro", "urdf"], has_choice: true },
-    Target { name: "fixes", run: fixes, seeds: &["xacro", "urdf"], has_choice: true },
-    Target { name: "mesh", run: mesh, seeds: &["stl", "meshes"], has_choice: true },
-    Target { name: "configuration", run: configuration, seeds: &["toml"], has_choice: false },
-    Target { name: "launch", run: launch, seeds: &["launch"], has_choice: true },
+    Target {
+        name: "xml",
+        run: xml,
+        seeds: &["xacro", "urdf", "xml"],
+        has_choice: false,
+    },
+    Target {
+        name: "edits",
+        run: edits,
+        seeds: &["xacro", "urdf"],
+        has_choice: false,
+    },
+    Target {
+        name: "formatter",
+        run: formatter,
+        seeds: &["xacro", "urdf"],
+        has_choice: true,
+    },
+    Target {
+        name: "expression",
+        run: expression,
+        seeds: &["expressions"],
+        has_choice: false,
+    },
+    Target {
+        name: "yaml",
+        run: yaml,
+        seeds: &["yaml"],
+        has_choice: false,
+    },
+    Target {
+        name: "expander",
+        run: expander,
+        seeds: &["xacro", "urdf"],
+        has_choice: true,
+    },
+    Target {
+        name: "fixes",
+        run: fixes,
+        seeds: &["xacro", "urdf"],
+        has_choice: true,
+    },
+    Target {
+        name: "mesh",
+        run: mesh,
+        seeds: &["stl", "meshes"],
+        has_choice: true,
+    },
+    Target {
+        name: "configuration",
+        run: configuration,
+        seeds: &["toml"],
+        has_choice: false,
+    },
+    Target {
+        name: "launch",
+        run: launch,
+        seeds: &["launch"],
+        has_choice: true,
+    },
     Target {
         name: "launch_requests",
         run: launch_requests,
         seeds: &["launch", "launch-of-a-package"],
         has_choice: true,
     },
-    Target { name: "messages", run: messages, seeds: &["messages"], has_choice: false },
+    Target {
+        name: "messages",
+        run: messages,
+        seeds: &["messages"],
+        has_choice: false,
+    },
 ];
 
 /// The target with this name.
 pub fn target(name: &str) -> &'static Target {
-    TARGETS.iter().find(|target| target.name == name).unwrap_or_else(|| panic!("no target `{name}`"))
+    TARGETS
+        .iter()
+        .find(|target| target.name == name)
+        .unwrap_or_else(|| panic!("no target `{name}`"))
 }
 
 /// The first byte, which chooses among variants, and the rest as text.

@@ -19,7 +19,10 @@ const PART: &str = "/none/part.xacro";
 
 fn environment() -> Environment {
     let vars = BTreeMap::from([("AMENT_PREFIX_PATH".to_owned(), "/none/prefix".to_owned())]);
-    Environment { vars, cwd: PathBuf::from("/none") }
+    Environment {
+        vars,
+        cwd: PathBuf::from("/none"),
+    }
 }
 
 fn errors(text: &str) -> usize {
@@ -30,7 +33,10 @@ fn errors(text: &str) -> usize {
 /// writing it twice gives the same.
 pub fn expander(data: &[u8]) {
     let (choice, text) = choice_and_text(data);
-    let (env, vfs) = (environment(), Arc::new(Vfs::with_cwd(1 << 20, PathBuf::from("/none"))));
+    let (env, vfs) = (
+        environment(),
+        Arc::new(Vfs::with_cwd(1 << 20, PathBuf::from("/none"))),
+    );
     vfs.set_buffer(Path::new(ROOT), Some(text.clone()));
     // what a file may include is itself
     vfs.set_buffer(Path::new(PART), Some(text.clone()));
@@ -44,16 +50,34 @@ pub fn expander(data: &[u8]) {
         include_depth: 10,
     };
     let probe = choice & 1 != 0;
-    let request = Request { file: ROOT.to_owned(), limits, probe, ..Request::default() };
-    let expansion = expand(World { vfs: &vfs, packages: &packages, env: &env }, &request);
+    let request = Request {
+        file: ROOT.to_owned(),
+        limits,
+        probe,
+        ..Request::default()
+    };
+    let expansion = expand(
+        World {
+            vfs: &vfs,
+            packages: &packages,
+            env: &env,
+        },
+        &request,
+    );
     for problem in &expansion.problems {
         let file = &expansion.files[problem.place.file.0 as usize];
-        assert!(problem.place.range.end <= file.source.document.len(), "{problem:?} of {text:?}");
+        assert!(
+            problem.place.range.end <= file.source.document.len(),
+            "{problem:?} of {text:?}"
+        );
         assert!(!problem.message.is_empty(), "{problem:?} of {text:?}");
     }
     if expansion.complete && !expansion.has_errors() && expansion.root_error.is_none() {
         let written = write_mapped(&expansion.tree, ROOT);
-        assert_eq!(xacro_lsp::expand::write(&expansion.tree, ROOT).text, written.text);
+        assert_eq!(
+            xacro_lsp::expand::write(&expansion.tree, ROOT).text,
+            written.text
+        );
         for entry in &written.map {
             assert!(entry.out.end as usize <= written.text.len(), "{entry:?}");
         }
@@ -63,20 +87,46 @@ pub fn expander(data: &[u8]) {
 /// The rules look at anything; fixes leave XML as sound as it was, and are at an end some time.
 pub fn fixes(data: &[u8]) {
     let (choice, text) = choice_and_text(data);
-    let setup = Setup { about: PathBuf::from("/none"), ..Setup::default() };
+    let setup = Setup {
+        about: PathBuf::from("/none"),
+        ..Setup::default()
+    };
     let session = Session::new(&environment(), setup).expect("no file is named");
     session.vfs.set_buffer(Path::new(ROOT), Some(text.clone()));
-    let options = CheckOptions { paths: vec![ROOT.into()], ..CheckOptions::default() };
-    let most = if choice & 1 == 0 { Safety::Safe } else { Safety::Unsafe };
-    let fixed = session.fix(&options, FixOptions { most, shown: Severity::Hint });
+    let options = CheckOptions {
+        paths: vec![ROOT.into()],
+        ..CheckOptions::default()
+    };
+    let most = if choice & 1 == 0 {
+        Safety::Safe
+    } else {
+        Safety::Unsafe
+    };
+    let fixed = session.fix(
+        &options,
+        FixOptions {
+            most,
+            shown: Severity::Hint,
+        },
+    );
     for finding in &fixed.found.findings {
-        let source = fixed.found.source(finding.span.file).expect("a file that was read");
-        assert!(finding.span.range.end <= source.document.len(), "{finding:?} of {text:?}");
+        let source = fixed
+            .found
+            .source(finding.span.file)
+            .expect("a file that was read");
+        assert!(
+            finding.span.range.end <= source.document.len(),
+            "{finding:?} of {text:?}"
+        );
         let lines = finding.message.lines().count();
         assert_eq!(lines, 1, "{finding:?} of {text:?}");
     }
     for file in &fixed.files {
-        assert!(errors(&file.after) <= errors(&file.before), "{text:?} became {:?}", file.after);
+        assert!(
+            errors(&file.after) <= errors(&file.before),
+            "{text:?} became {:?}",
+            file.after
+        );
         assert_ne!(file.after, file.before);
     }
 }

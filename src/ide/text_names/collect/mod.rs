@@ -22,7 +22,10 @@ impl TextNames {
     /// The names of the robot that was expanded, with those in its branches that were not.
     pub fn of(expansion: &Expansion, world: Surroundings<'_>) -> Self {
         let files = Files::new(expansion, world);
-        let mut names = Self { scopes: vec![Scope::Top], ..Self::default() };
+        let mut names = Self {
+            scopes: vec![Scope::Top],
+            ..Self::default()
+        };
         if let Some(root) = files.root() {
             let mut reader = Reader {
                 names: &mut names,
@@ -33,14 +36,23 @@ impl TextNames {
                 known: FastMap::default(),
                 order: 0,
             };
-            let at = At { scope: ScopeId(0), guard: Guard::default(), is_sure: true, is_in_body: false };
+            let at = At {
+                scope: ScopeId(0),
+                guard: Guard::default(),
+                is_sure: true,
+                is_in_body: false,
+            };
             reader.file(&root, at, 0);
             let (several, mut readings) = (reader.several, reader.readings);
             readings.retain(|file, _| several.contains(file));
             names.readings = readings;
         }
         for (id, given) in (0..).zip(&names.given) {
-            names.by_name.entry((Class::of(given.kind), given.name.clone())).or_default().push(id);
+            names
+                .by_name
+                .entry((Class::of(given.kind), given.name.clone()))
+                .or_default()
+                .push(id);
         }
         names.connect();
         names
@@ -48,16 +60,28 @@ impl TextNames {
 
     /// Work out what the bodies of macros and blocks see.
     fn connect(&mut self) {
-        let calls = (0..).zip(&self.used).filter(|(_, used)| used.class == Class::Macro && !used.is_end);
+        let calls = (0..)
+            .zip(&self.used)
+            .filter(|(_, used)| used.class == Class::Macro && !used.is_end);
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
         let mut calls_of: FastMap<u32, Vec<u32>> = FastMap::default();
         for (call, used) in calls {
             for of in self.macros(&used.called(), &used.scopes) {
                 calls_of.entry(of).or_default().push(call);
-                entered.entry(Scope::Callers(of)).or_default().extend(&used.scopes);
+                entered
+                    .entry(Scope::Callers(of))
+                    .or_default()
+                    .extend(&used.scopes);
                 // a macro of a namespace sees that, and not who calls it
-                let own = self.given.get(of as usize).map_or(&[][..], |given| &given.scopes);
-                let seen = if used.of.is_empty() { &used.scopes[..] } else { own };
+                let own = self
+                    .given
+                    .get(of as usize)
+                    .map_or(&[][..], |given| &given.scopes);
+                let seen = if used.of.is_empty() {
+                    &used.scopes[..]
+                } else {
+                    own
+                };
                 entered.entry(Scope::Body(of)).or_default().extend(seen);
             }
         }
@@ -67,7 +91,10 @@ impl TextNames {
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
         for used in self.used.iter().filter(|used| used.kind == UseKind::Insert) {
             for of in self.candidates(used, None) {
-                entered.entry(Scope::Body(of)).or_default().extend(&used.scopes);
+                entered
+                    .entry(Scope::Body(of))
+                    .or_default()
+                    .extend(&used.scopes);
             }
         }
         self.set_entered(entered);
@@ -122,14 +149,21 @@ struct Part<'a> {
 
 impl Part<'_> {
     fn span(&self, range: TextRange) -> Span {
-        Span { file: self.source.id, range: range.shift(self.base) }
+        Span {
+            file: self.source.id,
+            range: range.shift(self.base),
+        }
     }
 }
 
 impl Reader<'_> {
     fn file(&mut self, source: &Arc<SourceFile>, at: At, depth: u32) {
         let key = (source.id, at.scope);
-        let reading = Reading { scope: at.scope, guard: at.guard, order: self.order };
+        let reading = Reading {
+            scope: at.scope,
+            guard: at.guard,
+            order: self.order,
+        };
         self.readings.entry(source.id).or_default().push(reading);
         if let Some(&first) = self.seen.get(&key) {
             if !self.names.is_within(at.guard, first) {
@@ -145,7 +179,12 @@ impl Reader<'_> {
         for (base, item) in source.document.parts() {
             if item.text().contains("xacro:") || item.text().contains('$') {
                 let facts = facts_of(item);
-                let part = Part { source, base, facts: &facts, depth };
+                let part = Part {
+                    source,
+                    base,
+                    facts: &facts,
+                    depth,
+                };
                 self.item(&part, item, at);
             }
         }
@@ -190,7 +229,10 @@ impl Reader<'_> {
                     node,
                     SymbolKind::Argument,
                     named(node, "name")?,
-                    At { scope: ScopeId(0), ..at },
+                    At {
+                        scope: ScopeId(0),
+                        ..at
+                    },
                 );
             }
             "xacro:include" => self.include(part, node, at),
@@ -203,14 +245,28 @@ impl Reader<'_> {
                 self.call(part, node, &name, range, at);
             }
             name => {
-                let called = name.strip_prefix("xacro:").filter(|called| !is_keyword(called))?;
+                let called = name
+                    .strip_prefix("xacro:")
+                    .filter(|called| !is_keyword(called))?;
                 let end = node.name_range().end;
                 let range = TextRange::new(end - called.len() as u32, end);
                 self.call(part, node, called, range, at);
-                if let Some(end) = node.end_name_range().filter(|end| end.len() == node.name_range().len()) {
+                if let Some(end) = node
+                    .end_name_range()
+                    .filter(|end| end.len() == node.name_range().len())
+                {
                     let first = self.names.used.len();
-                    self.tag(part, called, TextRange::new(end.end - called.len() as u32, end.end), at);
-                    self.names.used.iter_mut().skip(first).for_each(|used| used.is_end = true);
+                    self.tag(
+                        part,
+                        called,
+                        TextRange::new(end.end - called.len() as u32, end.end),
+                        at,
+                    );
+                    self.names
+                        .used
+                        .iter_mut()
+                        .skip(first)
+                        .for_each(|used| used.is_end = true);
                 }
             }
         }
@@ -219,23 +275,39 @@ impl Reader<'_> {
 
     fn property(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
         let name = named(node, "name")?;
-        if node.attr("remove").is_some_and(|remove| matches!(remove.raw(), "true" | "True" | "1")) {
+        if node
+            .attr("remove")
+            .is_some_and(|remove| matches!(remove.raw(), "true" | "True" | "1"))
+        {
             self.uses(part, UseKind::Read, Class::Value, name, at, "");
             return None;
         }
         let has_value = node.attr("value").is_some() || node.attr("default").is_some();
-        let kind = if has_value { SymbolKind::Property } else { SymbolKind::BlockProperty };
+        let kind = if has_value {
+            SymbolKind::Property
+        } else {
+            SymbolKind::BlockProperty
+        };
         let is_sure = at.is_sure && node.attr("default").is_none();
         let scope = node.attr("scope").map_or("", |scope| scope.raw());
         let own = match scope {
-            "global" => At { scope: ScopeId(0), is_sure: is_sure && !at.is_in_body, ..at },
+            "global" => At {
+                scope: ScopeId(0),
+                is_sure: is_sure && !at.is_in_body,
+                ..at
+            },
             _ => At { is_sure, ..at },
         };
         let id = self.give(part, node, kind, name, own);
         if let Some(given) = self.names.given.get_mut(id as usize) {
             given.handed_out = scope == "parent";
         }
-        (!has_value).then(|| At { scope: self.scope(Scope::Body(id)), is_sure: true, is_in_body: true, ..at })
+        (!has_value).then(|| At {
+            scope: self.scope(Scope::Body(id)),
+            is_sure: true,
+            is_in_body: true,
+            ..at
+        })
     }
 
     fn macro_definition(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
@@ -244,7 +316,12 @@ impl Reader<'_> {
         let range = TextRange::new(range.end - bare.len() as u32, range.end);
         let of = self.give(part, node, SymbolKind::Macro, (bare, range), at);
         let (body, callers) = (self.scope(Scope::Body(of)), self.scope(Scope::Callers(of)));
-        let inside = At { scope: body, is_sure: true, is_in_body: true, ..at };
+        let inside = At {
+            scope: body,
+            is_sure: true,
+            is_in_body: true,
+            ..at
+        };
         if let Some(attr) = node.attr("params") {
             self.params(part, attr, of, inside, callers);
         }
@@ -259,7 +336,11 @@ impl Reader<'_> {
             let name: EcoString = param.name.trim_start_matches('*').into();
             let start = at(param.range.end - name.len() as u32);
             let range = TextRange::new(start, at(param.range.end)).shift(attr.value_range().start);
-            let kind = if param.is_block() { SymbolKind::BlockParameter } else { SymbolKind::Parameter };
+            let kind = if param.is_block() {
+                SymbolKind::BlockParameter
+            } else {
+                SymbolKind::Parameter
+            };
             let span = part.span(range);
             let id = self.add(Given {
                 kind,
@@ -276,19 +357,28 @@ impl Reader<'_> {
             });
             debug_assert!((id as usize) < self.names.given.len());
             if param.forward {
-                let at = At { scope: callers, ..inside };
+                let at = At {
+                    scope: callers,
+                    ..inside
+                };
                 self.uses(part, UseKind::Read, Class::Value, (name, range), at, "");
             }
         }
     }
 
     fn include(&mut self, part: &Part<'_>, node: Node<'_>, at: At) {
-        let Some(filename) = node.attr("filename") else { return };
+        let Some(filename) = node.attr("filename") else {
+            return;
+        };
         let scope = match named(node, "ns") {
             Some((name, range)) => {
                 self.give(part, node, SymbolKind::Namespace, (name.clone(), range), at);
                 let outer = self.names.namespace(at.scope);
-                let path = if outer.is_empty() { name } else { ecow::eco_format!("{outer}.{name}") };
+                let path = if outer.is_empty() {
+                    name
+                } else {
+                    ecow::eco_format!("{outer}.{name}")
+                };
                 self.scope(Scope::Namespace(path, at.scope))
             }
             None => at.scope,

@@ -11,7 +11,14 @@ use xml::Node;
 
 impl Reader<'_> {
     /// A call: the names in its tag, and the parameters that it gives.
-    pub(super) fn call(&mut self, part: &Part<'_>, node: Node<'_>, called: &str, range: TextRange, at: At) {
+    pub(super) fn call(
+        &mut self,
+        part: &Part<'_>,
+        node: Node<'_>,
+        called: &str,
+        range: TextRange,
+        at: At,
+    ) {
         self.tag(part, called, range, at);
         let given = node.attrs().filter(|attr| {
             !(attr.name().contains(':') || node.name() == "xacro:call" && attr.name() == "macro")
@@ -26,30 +33,68 @@ impl Reader<'_> {
     pub(super) fn tag(&mut self, part: &Part<'_>, called: &str, range: TextRange, at: At) {
         let (path, last) = called.rsplit_once('.').unwrap_or(("", called));
         let own = TextRange::new(range.end - last.len() as u32, range.end);
-        self.uses(part, UseKind::Call, Class::Macro, (last.into(), own), at, path);
+        self.uses(
+            part,
+            UseKind::Call,
+            Class::Macro,
+            (last.into(), own),
+            at,
+            path,
+        );
         let mut start = range.start;
         let mut before = String::new();
         for name in path.split('.').filter(|name| !name.is_empty()) {
             let own = TextRange::new(start, start + name.len() as u32);
-            self.uses(part, UseKind::Read, Class::Value, (name.into(), own), at, &before);
+            self.uses(
+                part,
+                UseKind::Read,
+                Class::Value,
+                (name.into(), own),
+                at,
+                &before,
+            );
             start = own.end + 1;
-            before = if before.is_empty() { name.to_owned() } else { format!("{before}.{name}") };
+            before = if before.is_empty() {
+                name.to_owned()
+            } else {
+                format!("{before}.{name}")
+            };
         }
     }
 
     /// The names in an attribute of an element.
-    pub(super) fn site(&mut self, part: &Part<'_>, node: Node<'_>, site: &Site, at: At, inside: Option<At>) {
-        let is = |name: &str| node.attr(name).is_some_and(|attr| attr.value_range() == site.range);
+    pub(super) fn site(
+        &mut self,
+        part: &Part<'_>,
+        node: Node<'_>,
+        site: &Site,
+        at: At,
+        inside: Option<At>,
+    ) {
+        let is = |name: &str| {
+            node.attr(name)
+                .is_some_and(|attr| attr.value_range() == site.range)
+        };
         match node.name() {
             // neither is evaluated
             "xacro:macro" | "xacro:insert_block" if is("name") => {}
             "xacro:macro" if is("params") => {
-                let of = inside.and_then(|inside| match self.names.scopes.get(inside.scope.0 as usize) {
-                    Some(Scope::Body(of)) => Some(*of),
-                    _ => None,
+                let of = inside.and_then(|inside| {
+                    match self.names.scopes.get(inside.scope.0 as usize) {
+                        Some(Scope::Body(of)) => Some(*of),
+                        _ => None,
+                    }
                 });
                 let callers = of.map_or(at.scope, |of| self.scope(Scope::Callers(of)));
-                self.mentions(part, site, At { scope: callers, ..at }, false);
+                self.mentions(
+                    part,
+                    site,
+                    At {
+                        scope: callers,
+                        ..at
+                    },
+                    false,
+                );
             }
             "xacro:property" => {
                 let at_once = node.attr("lazy_eval").is_some() || node.attr("scope").is_some();
@@ -66,7 +111,9 @@ impl Reader<'_> {
             let name = (mention.name.clone(), mention.range);
             match mention.kind {
                 MentionKind::Package => {}
-                MentionKind::Argument => self.uses(part, UseKind::Read, Class::Argument, name, at, ""),
+                MentionKind::Argument => {
+                    self.uses(part, UseKind::Read, Class::Argument, name, at, "")
+                }
                 MentionKind::Name => {
                     path = mention.name.to_string();
                     self.uses(part, UseKind::Read, Class::Value, name, at, "");
@@ -77,7 +124,11 @@ impl Reader<'_> {
                 }
             }
         }
-        self.names.used.iter_mut().skip(first).for_each(|used| used.is_lazy = is_lazy);
+        self.names
+            .used
+            .iter_mut()
+            .skip(first)
+            .for_each(|used| used.is_lazy = is_lazy);
     }
 
     pub(super) fn scope(&mut self, scope: Scope) -> ScopeId {

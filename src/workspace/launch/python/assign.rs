@@ -14,8 +14,14 @@ impl<'s> Reader<'s> {
             Some(Keyword::From) => self.import_from(statement),
             Some(Keyword::Return) => self.returns(statement),
             Some(Keyword::Global) => {
-                let names = statement.range.slice(self.text).split([' ', ',', '[']).skip(1);
-                names.filter(|name| !name.is_empty()).for_each(|name| self.scopes.forget(name));
+                let names = statement
+                    .range
+                    .slice(self.text)
+                    .split([' ', ',', '['])
+                    .skip(1);
+                names
+                    .filter(|name| !name.is_empty())
+                    .for_each(|name| self.scopes.forget(name));
             }
             Some(Keyword::With) => self.with(statement),
             Some(Keyword::Class) => self.class(statement),
@@ -29,8 +35,14 @@ impl<'s> Reader<'s> {
     fn define(&mut self, statement: &'s Statement) {
         let head = statement.range.slice(self.text);
         let name = head.trim_start_matches("def").trim_start();
-        let name = name.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or("");
-        let known = self.functions.iter().position(|f| f.statement.range == statement.range);
+        let name = name
+            .split(|c: char| !(c.is_alphanumeric() || c == '_'))
+            .next()
+            .unwrap_or("");
+        let known = self
+            .functions
+            .iter()
+            .position(|f| f.statement.range == statement.range);
         let outer = self.scopes.depth();
         let number = known.unwrap_or(self.functions.len());
         match self.functions.get_mut(number) {
@@ -52,7 +64,11 @@ impl<'s> Reader<'s> {
     }
 
     fn import(&mut self, statement: &'s Statement) {
-        let names = statement.range.slice(self.text).split_once(' ').map_or("", |(_, names)| names);
+        let names = statement
+            .range
+            .slice(self.text)
+            .split_once(' ')
+            .map_or("", |(_, names)| names);
         for name in without_comment(names).split(',') {
             let (module, alias) = name.split_once(" as ").unwrap_or((name, name));
             let (module, alias) = (module.trim(), alias.trim());
@@ -68,15 +84,21 @@ impl<'s> Reader<'s> {
 
     fn import_from(&mut self, statement: &'s Statement) {
         let code = statement.range.slice(self.text);
-        let Some((module, names)) = code.split_once(" import") else { return };
+        let Some((module, names)) = code.split_once(" import") else {
+            return;
+        };
         let module = module.trim_start_matches("from").trim();
         let lines = names.lines().map(without_comment);
         let names: Vec<&str> = lines.flat_map(|line| line.split(',')).collect();
         for name in names {
-            let name = name.trim_matches(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | '\\'));
+            let name =
+                name.trim_matches(|c: char| c.is_whitespace() || matches!(c, '(' | ')' | '\\'));
             let (name, alias) = name.split_once(" as ").unwrap_or((name, name));
             if !name.is_empty() && name != "*" {
-                self.scopes.set(alias.trim(), Value::Outer(format!("{module}.{}", name.trim()).into()));
+                self.scopes.set(
+                    alias.trim(),
+                    Value::Outer(format!("{module}.{}", name.trim()).into()),
+                );
             }
         }
     }
@@ -85,7 +107,10 @@ impl<'s> Reader<'s> {
         let code = statement.range.slice(self.text);
         let value = match code.trim() == "return" {
             true => Value::None,
-            false => self.value_at(TextRange::new(statement.range.start + 6, statement.range.end)),
+            false => self.value_at(TextRange::new(
+                statement.range.start + 6,
+                statement.range.end,
+            )),
         };
         if let Some(returned) = self.returned.last_mut() {
             *returned = Some(match returned.take() {
@@ -102,10 +127,14 @@ impl<'s> Reader<'s> {
         match code.rsplit_once(" as ") {
             Some((value, name)) if !value.contains(" as ") => {
                 let start = statement.range.start;
-                let value = self.value_at(TextRange::new(start + head as u32, start + value.len() as u32));
+                let value = self.value_at(TextRange::new(
+                    start + head as u32,
+                    start + value.len() as u32,
+                ));
                 self.scopes.set(name.trim(), value);
             }
-            _ => assigned(self.text, statement).for_each(|name| self.scopes.set(name, Value::Unknown)),
+            _ => assigned(self.text, statement)
+                .for_each(|name| self.scopes.set(name, Value::Unknown)),
         }
         self.block(&statement.body);
     }
@@ -124,7 +153,9 @@ impl<'s> Reader<'s> {
             self.augment(target, operator, value);
         } else {
             // `a = b = value`: each further name means the same value, and so does a name on the right
-            let source = TextRange::new(range.start + start as u32, range.end).slice(self.text).trim();
+            let source = TextRange::new(range.start + start as u32, range.end)
+                .slice(self.text)
+                .trim();
             let names: Vec<&str> = target.split('=').map(str::trim).collect();
             for target in names.iter().filter(|target| is_name(target)) {
                 let others = names.iter().copied().chain(Some(source));
@@ -132,14 +163,20 @@ impl<'s> Reader<'s> {
                     .filter(|o| is_name(o) && o != target)
                     .for_each(|other| self.scopes.alias(target, other));
             }
-            names.into_iter().for_each(|target| self.bind(target, value.clone()));
+            names
+                .into_iter()
+                .for_each(|target| self.bind(target, value.clone()));
         }
     }
 
     fn bind(&mut self, target: &'s str, value: Value) {
         let inner = target.trim_matches(['(', ')']);
         if is_name(target) {
-            let value = if self.spend(value.weight()) { value } else { Value::Unknown };
+            let value = if self.spend(value.weight()) {
+                value
+            } else {
+                Value::Unknown
+            };
             self.scopes.set(target, value);
         } else if inner.contains(',') && inner.split(',').all(|name| is_name(name.trim())) {
             let names: Vec<&str> = inner.split(',').map(str::trim).collect();
@@ -147,10 +184,15 @@ impl<'s> Reader<'s> {
                 Value::List(values) if values.len() == names.len() => values,
                 _ => vec![Value::Unknown; names.len()],
             };
-            names.into_iter().zip(values).for_each(|(name, value)| self.scopes.set(name, value));
+            names
+                .into_iter()
+                .zip(values)
+                .for_each(|(name, value)| self.scopes.set(name, value));
         } else if let Some((name, key)) = target.split_once('[').filter(|(name, _)| is_name(name)) {
             let key = key.trim_end_matches(']').trim();
-            let quoted = ['"', '\''].iter().find_map(|q| key.strip_prefix(*q)?.strip_suffix(*q));
+            let quoted = ['"', '\'']
+                .iter()
+                .find_map(|q| key.strip_prefix(*q)?.strip_suffix(*q));
             let key = quoted.filter(|key| !key.contains(['"', '\'', '\\', '{']));
             self.change(name, |old| match (old, key) {
                 (Value::Dict { mut pairs, open }, Some(key)) => {
@@ -188,7 +230,11 @@ impl<'s> Reader<'s> {
         let old = self.scopes.get(name).cloned().unwrap_or_default();
         let weight = old.weight();
         let new = change(old);
-        let new = if self.spend(weight + new.weight()) { new } else { Value::Unknown };
+        let new = if self.spend(weight + new.weight()) {
+            new
+        } else {
+            Value::Unknown
+        };
         let is_own = self.scopes.has_own(name);
         if is_own {
             self.scopes.set(name, new);
@@ -210,8 +256,12 @@ pub(super) fn assigned<'t>(text: &'t str, statement: &Statement) -> impl Iterato
     let targets = match statement.keyword {
         Some(Keyword::Loop) => code.split_once(" in ").map_or("", |(targets, _)| targets),
         // `with open(x) as file`, `except KeyError as error`: what is opened or raised is only read
-        Some(Keyword::With | Keyword::Except) => code.split_once(" as ").map_or("", |(_, targets)| targets),
-        Some(Keyword::Def | Keyword::Class | Keyword::Import | Keyword::From | Keyword::Global) => code,
+        Some(Keyword::With | Keyword::Except) => {
+            code.split_once(" as ").map_or("", |(_, targets)| targets)
+        }
+        Some(Keyword::Def | Keyword::Class | Keyword::Import | Keyword::From | Keyword::Global) => {
+            code
+        }
         Some(_) => "",
         None => split_assignment(code).map_or_else(|| mutated(code), |(target, ..)| target),
     };
@@ -220,12 +270,17 @@ pub(super) fn assigned<'t>(text: &'t str, statement: &Statement) -> impl Iterato
 
 /// The variable that a call changes: `x` of `x.append(y)`.
 fn mutated(code: &str) -> &str {
-    code.split_once('.')
-        .map_or("", |(name, _)| name.split(['(', '[', ' ']).next().filter(|n| *n == name).unwrap_or(""))
+    code.split_once('.').map_or("", |(name, _)| {
+        name.split(['(', '[', ' '])
+            .next()
+            .filter(|n| *n == name)
+            .unwrap_or("")
+    })
 }
 
 fn words(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !(c.is_alphanumeric() || c == '_')).filter(|word| !word.is_empty())
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .filter(|word| !word.is_empty())
 }
 
 fn without_comment(line: &str) -> &str {
@@ -240,9 +295,13 @@ fn split_assignment(code: &str) -> Option<(&str, Option<char>, usize)> {
     loop {
         let target = code.get(..at)?;
         // what stands in brackets, strings or lambdas is no assignment
-        let is_open = target.matches(['(', '[', '{']).count() != target.matches([')', ']', '}']).count();
+        let is_open =
+            target.matches(['(', '[', '{']).count() != target.matches([')', ']', '}']).count();
         let before = bytes.get(at.wrapping_sub(1)).copied().unwrap_or(0);
-        if is_open || target.matches(['"', '\'']).count() % 2 == 1 || bytes.get(at + 1) == Some(&b'=') {
+        if is_open
+            || target.matches(['"', '\'']).count() % 2 == 1
+            || bytes.get(at + 1) == Some(&b'=')
+        {
             break;
         }
         if matches!(before, b'=' | b'!' | b'<' | b'>' | b':') || has_word(target, "lambda") {
@@ -250,7 +309,9 @@ fn split_assignment(code: &str) -> Option<(&str, Option<char>, usize)> {
         }
         if let operator @ (b'+' | b'-' | b'*' | b'/' | b'|' | b'&' | b'%' | b'^' | b'@') = before {
             let target = target.get(..target.len() - 1)?.trim_end();
-            return last.is_none().then_some((target, Some(operator as char), at + 1));
+            return last
+                .is_none()
+                .then_some((target, Some(operator as char), at + 1));
         }
         if !is_target(target.rsplit('=').next().unwrap_or(target)) {
             break;
@@ -267,10 +328,20 @@ fn split_assignment(code: &str) -> Option<(&str, Option<char>, usize)> {
 /// Whether a text can stand in front of `=`: names, items and attributes, a type behind one.
 fn is_target(text: &str) -> bool {
     let text = text.trim();
-    let name = text.split([':', '[', '.', ',', '(', '*']).next().unwrap_or("");
+    let name = text
+        .split([':', '[', '.', ',', '(', '*'])
+        .next()
+        .unwrap_or("");
     let starts = text.starts_with(['(', '[', '*']) || !name.is_empty();
-    let is_call = text.split('[').next().is_some_and(|head| head.contains('(') && !head.starts_with('('));
-    starts && !is_call && !text.contains(['+', '{', '%']) && !has_word(text, "if") && !has_word(text, "in")
+    let is_call = text
+        .split('[')
+        .next()
+        .is_some_and(|head| head.contains('(') && !head.starts_with('('));
+    starts
+        && !is_call
+        && !text.contains(['+', '{', '%'])
+        && !has_word(text, "if")
+        && !has_word(text, "in")
 }
 
 fn has_word(text: &str, word: &str) -> bool {

@@ -10,8 +10,15 @@ use super::value::Value;
 
 impl Reader<'_> {
     /// What a function of the file gives for some arguments.
-    pub(super) fn call(&mut self, number: usize, args: Vec<Value>, named: Vec<(String, Value)>) -> Value {
-        let Some(function) = self.functions.get(number).copied() else { return Value::Unknown };
+    pub(super) fn call(
+        &mut self,
+        number: usize,
+        args: Vec<Value>,
+        named: Vec<(String, Value)>,
+    ) -> Value {
+        let Some(function) = self.functions.get(number).copied() else {
+            return Value::Unknown;
+        };
         let is_too_deep = self.active.len() >= LAUNCH_CALL_DEPTH || self.active.contains(&number);
         if is_too_deep || !self.spend(10) {
             return Value::Unknown;
@@ -30,32 +37,54 @@ impl Reader<'_> {
         let returned = self.returned.pop().flatten();
         let ends = !super::leaves(&function.statement.body);
         match returned {
-            Some(value) if ends && !always_returns(&function.statement.body) => value.join(Value::None),
+            Some(value) if ends && !always_returns(&function.statement.body) => {
+                value.join(Value::None)
+            }
             Some(value) => value,
             None => Value::None,
         }
     }
 
     /// The variables that a function starts with. `head` is `def name(parameters) -> type`.
-    fn parameters(&mut self, head: &str, args: Vec<Value>, named: Vec<(String, Value)>) -> Variables {
+    fn parameters(
+        &mut self,
+        head: &str,
+        args: Vec<Value>,
+        named: Vec<(String, Value)>,
+    ) -> Variables {
         let list = parameter_list(head);
         let parsed = expr::parse(&format!("lambda {list}: 0"));
-        let ExprKind::Lambda(lambda) = &parsed.expr.kind else { return Variables::default() };
+        let ExprKind::Lambda(lambda) = &parsed.expr.kind else {
+            return Variables::default();
+        };
         let is_open = named.iter().any(|(name, _)| name == "**");
         let mut args = args.into_iter();
         let mut variables = Variables::default();
-        let known: FastSet<&str> = lambda.params.iter().map(|param| param.name.as_str()).collect();
+        let known: FastSet<&str> = lambda
+            .params
+            .iter()
+            .map(|param| param.name.as_str())
+            .collect();
         for param in &lambda.params {
-            let given = named.iter().find(|(name, _)| *name == *param.name).map(|(_, value)| value.clone());
+            let given = named
+                .iter()
+                .find(|(name, _)| *name == *param.name)
+                .map(|(_, value)| value.clone());
             let value = match param.kind {
                 ParamKind::PositionalOnly | ParamKind::Normal => args.next().or(given),
                 ParamKind::KeywordOnly => given,
                 ParamKind::VarArgs if param.name.is_empty() => continue,
-                ParamKind::VarArgs => Some(Value::List(args.by_ref().collect())).filter(|_| !is_open),
+                ParamKind::VarArgs => {
+                    Some(Value::List(args.by_ref().collect())).filter(|_| !is_open)
+                }
                 ParamKind::VarKeywords => {
-                    let rest =
-                        named.iter().filter(|(name, _)| !known.contains(name.as_str()) && name != "**");
-                    Some(Value::Dict { pairs: rest.cloned().collect(), open: is_open })
+                    let rest = named
+                        .iter()
+                        .filter(|(name, _)| !known.contains(name.as_str()) && name != "**");
+                    Some(Value::Dict {
+                        pairs: rest.cloned().collect(),
+                        open: is_open,
+                    })
                 }
             };
             let value = match (value, &param.default) {
@@ -97,14 +126,20 @@ fn parameter_list(head: &str) -> String {
 /// Whether each way through a block ends with `return`, as far as its last statement tells.
 fn always_returns(block: &[super::Statement]) -> bool {
     use super::Keyword;
-    let has_else = block.last().is_some_and(|last| last.keyword == Some(Keyword::Else));
-    let parts = block
-        .iter()
-        .rev()
-        .take_while(|part| matches!(part.keyword, Some(Keyword::If | Keyword::Elif | Keyword::Else)));
+    let has_else = block
+        .last()
+        .is_some_and(|last| last.keyword == Some(Keyword::Else));
+    let parts = block.iter().rev().take_while(|part| {
+        matches!(
+            part.keyword,
+            Some(Keyword::If | Keyword::Elif | Keyword::Else)
+        )
+    });
     super::leaves(block)
         || has_else && parts.clone().all(|part| super::leaves(&part.body))
-        || block.last().is_some_and(|last| last.keyword == Some(Keyword::With) && always_returns(&last.body))
+        || block
+            .last()
+            .is_some_and(|last| last.keyword == Some(Keyword::With) && always_returns(&last.body))
 }
 
 impl Value {
@@ -112,7 +147,9 @@ impl Value {
     fn without_places(self) -> Self {
         match self {
             Value::Text(text) => Value::Text(text.without_places()),
-            Value::List(values) => Value::List(values.into_iter().map(Self::without_places).collect()),
+            Value::List(values) => {
+                Value::List(values.into_iter().map(Self::without_places).collect())
+            }
             other => other,
         }
     }

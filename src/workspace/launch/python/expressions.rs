@@ -18,7 +18,11 @@ impl Reader<'_> {
         }
         let parsed = parse(code);
         // of broken text, no value is certain; words of the language that are no expression give none either
-        if parsed.errors.iter().any(|error| error.kind == ExprErrorKind::Syntax) {
+        if parsed
+            .errors
+            .iter()
+            .any(|error| error.kind == ExprErrorKind::Syntax)
+        {
             return Value::Unknown;
         }
         let outer = std::mem::replace(&mut self.base, range.start);
@@ -37,15 +41,21 @@ impl Reader<'_> {
         if let (Some(noticed), Value::Text(text)) = (&mut self.noticed, &value) {
             text.arguments(&mut |name| noticed.push(name.to_owned()));
         }
-        if self.spend(value.weight() / 4) { value } else { Value::Unknown }
+        if self.spend(value.weight() / 4) {
+            value
+        } else {
+            Value::Unknown
+        }
     }
 
     fn value_of(&mut self, expr: &Expr) -> Value {
         match &expr.kind {
             ExprKind::Name(name) if name == "__file__" => Value::plain(vfs::slashed(self.path)),
-            ExprKind::Name(name) => {
-                self.scopes.get(name).cloned().unwrap_or_else(|| Value::Outer(name.clone()))
-            }
+            ExprKind::Name(name) => self
+                .scopes
+                .get(name)
+                .cloned()
+                .unwrap_or_else(|| Value::Outer(name.clone())),
             ExprKind::Const(literal) => self.literal(literal, expr.range),
             ExprKind::FString(parts) => self.formatted(parts),
             ExprKind::Binary(BinOp::Add, a, b) => {
@@ -56,7 +66,9 @@ impl Reader<'_> {
                 let (a, b) = (self.value(a), self.value(b));
                 match (a, b) {
                     (Value::Text(a), Value::Text(b)) => Value::Text(Text::joined([a, b])),
-                    (Value::Text(a), Value::List(b)) => Value::Text(Text::joined([a, Value::List(b).text()])),
+                    (Value::Text(a), Value::List(b)) => {
+                        Value::Text(Text::joined([a, Value::List(b).text()]))
+                    }
                     _ => Value::Unknown,
                 }
             }
@@ -83,7 +95,11 @@ impl Reader<'_> {
                 let (value, index) = (self.value(value), self.value(index));
                 super::methods::item(value, &index)
             }
-            ExprKind::Call { func, args, keywords } => self.called(expr, func, args, keywords),
+            ExprKind::Call {
+                func,
+                args,
+                keywords,
+            } => self.called(expr, func, args, keywords),
             ExprKind::NamedExpr { name, value, .. } => {
                 let value = self.value(value);
                 self.scopes.set(name, value.clone());
@@ -95,13 +111,19 @@ impl Reader<'_> {
                     self.forget_targets(&clause.target);
                 }
                 self.value(&comprehension.element);
-                comprehension.value.iter().for_each(|value| drop(self.value(value)));
+                comprehension
+                    .value
+                    .iter()
+                    .for_each(|value| drop(self.value(value)));
                 Value::Unknown
             }
             // what a lambda gives depends on who calls it
             ExprKind::Lambda(lambda) => {
                 let before = self.scopes.own();
-                lambda.params.iter().for_each(|param| self.scopes.set(&param.name, Value::Unknown));
+                lambda
+                    .params
+                    .iter()
+                    .for_each(|param| self.scopes.set(&param.name, Value::Unknown));
                 self.value(&lambda.body);
                 self.scopes.replace(before);
                 Value::Unknown
@@ -151,11 +173,21 @@ impl Reader<'_> {
         for part in parts {
             match part {
                 FPart::Text(plain) => text.push(Text::plain(&**plain, None)),
-                FPart::Field { value, conversion, spec, debug } => {
+                FPart::Field {
+                    value,
+                    conversion,
+                    spec,
+                    debug,
+                } => {
                     let value = self.value(value);
-                    let is_plain =
-                        spec.is_empty() && debug.is_none() && matches!(conversion, None | Some('s'));
-                    text.push(if is_plain { value.written() } else { Text::opaque() });
+                    let is_plain = spec.is_empty()
+                        && debug.is_none()
+                        && matches!(conversion, None | Some('s'));
+                    text.push(if is_plain {
+                        value.written()
+                    } else {
+                        Text::opaque()
+                    });
                 }
             }
         }
@@ -199,7 +231,9 @@ impl Reader<'_> {
     /// A call: its arguments are read in any case, since they may call xacro themselves.
     fn called(&mut self, call: &Expr, func: &Expr, args: &[Expr], keywords: &[Keyword]) -> Value {
         let assumed = self.assumed.len();
-        let condition = keywords.iter().find(|keyword| keyword.name.as_deref() == Some("condition"));
+        let condition = keywords
+            .iter()
+            .find(|keyword| keyword.name.as_deref() == Some("condition"));
         if let Some(condition) = condition {
             let outer = self.noticed.replace(Vec::new());
             self.value(&condition.value);
@@ -211,7 +245,9 @@ impl Reader<'_> {
             Value::List(values) => values,
             _ => Vec::new(),
         };
-        let has_star = args.iter().any(|arg| matches!(arg.kind, ExprKind::Starred(_)));
+        let has_star = args
+            .iter()
+            .any(|arg| matches!(arg.kind, ExprKind::Starred(_)));
         let mut named = Vec::new();
         for keyword in keywords {
             let value = self.value(&keyword.value);
@@ -228,7 +264,11 @@ impl Reader<'_> {
                 },
             }
         }
-        if has_star && positional.iter().any(|value| matches!(value, Value::Unknown)) {
+        if has_star
+            && positional
+                .iter()
+                .any(|value| matches!(value, Value::Unknown))
+        {
             named.push(("**".to_owned(), Value::Unknown));
         }
         let range = call.range.shift(self.base);
@@ -247,8 +287,12 @@ impl Reader<'_> {
 
     /// `x.append(y)` and the like change the variable.
     fn change_by_method(&mut self, func: &Expr, method: &str, args: &[Value]) {
-        let ExprKind::Attribute { value, .. } = &func.kind else { return };
-        let ExprKind::Name(name) = &value.kind else { return };
+        let ExprKind::Attribute { value, .. } = &func.kind else {
+            return;
+        };
+        let ExprKind::Name(name) = &value.kind else {
+            return;
+        };
         if ![
             "append",
             "extend",

@@ -13,12 +13,20 @@ pub(super) fn attribute(value: Value, name: &EcoString) -> Value {
     match value {
         Value::Outer(module) => Value::Outer(format!("{module}.{name}").into()),
         Value::Text(text) if name == "parent" => Value::Text(parent(&text)),
-        Value::Text(text) if name == "parents" => Value::Method(Box::new(Value::Text(text)), name.clone()),
-        Value::Text(_) | Value::List(_) | Value::Dict { .. } | Value::Builder(_) | Value::Document(_) => {
-            Value::Method(Box::new(value), name.clone())
+        Value::Text(text) if name == "parents" => {
+            Value::Method(Box::new(Value::Text(text)), name.clone())
         }
+        Value::Text(_)
+        | Value::List(_)
+        | Value::Dict { .. }
+        | Value::Builder(_)
+        | Value::Document(_) => Value::Method(Box::new(value), name.clone()),
         // of the context that a function is called with
-        _ if matches!(name.as_str(), "launch_configurations" | "perform_substitution") => {
+        _ if matches!(
+            name.as_str(),
+            "launch_configurations" | "perform_substitution"
+        ) =>
+        {
             Value::Outer(name.clone())
         }
         _ => Value::Unknown,
@@ -38,18 +46,25 @@ pub(super) fn item(value: Value, index: &Value) -> Value {
         }
         (Value::Dict { pairs, open: _ }, Some(key)) => {
             // a key that is there was not replaced by what else the dictionary may hold: that is forgotten at once
-            pairs.into_iter().find(|(name, _)| *name == key).map(|(_, value)| value).unwrap_or_default()
+            pairs
+                .into_iter()
+                .find(|(name, _)| *name == key)
+                .map(|(_, value)| value)
+                .unwrap_or_default()
         }
         (Value::List(values), Some(key)) => {
             let at = key.parse::<usize>().ok();
-            at.and_then(|at| values.into_iter().nth(at)).unwrap_or_default()
+            at.and_then(|at| values.into_iter().nth(at))
+                .unwrap_or_default()
         }
-        (Value::Method(text, name), Some(key)) if name == "parents" => match (*text, key.parse::<usize>()) {
-            (Value::Text(text), Ok(count)) if count < 20 => {
-                Value::Text((0..=count).fold(text, |path, _| parent(&path)))
+        (Value::Method(text, name), Some(key)) if name == "parents" => {
+            match (*text, key.parse::<usize>()) {
+                (Value::Text(text), Ok(count)) if count < 20 => {
+                    Value::Text((0..=count).fold(text, |path, _| parent(&path)))
+                }
+                _ => Value::Unknown,
             }
-            _ => Value::Unknown,
-        },
+        }
         _ => Value::Unknown,
     }
 }
@@ -57,14 +72,21 @@ pub(super) fn item(value: Value, index: &Value) -> Value {
 /// The folder around a path.
 pub(super) fn parent(path: &Text) -> Text {
     match path.literal() {
-        Some(path) => Text::plain(path.trim_end_matches('/').rsplit_once('/').map_or("", |(up, _)| up), None),
+        Some(path) => Text::plain(
+            path.trim_end_matches('/')
+                .rsplit_once('/')
+                .map_or("", |(up, _)| up),
+            None,
+        ),
         None => Text::opaque(),
     }
 }
 
 /// `'%s' % value`
 pub(super) fn percent(format: Value, values: Value) -> Value {
-    let Some(format) = format.text().literal() else { return Value::Unknown };
+    let Some(format) = format.text().literal() else {
+        return Value::Unknown;
+    };
     let mut values = match values {
         Value::List(values) => values,
         one => vec![one],
@@ -92,7 +114,10 @@ fn format(pattern: &str, args: &[Value], named: &[(String, Value)]) -> Option<Te
             "" => args.get(number),
             field => match field.parse::<usize>() {
                 Ok(at) => args.get(at),
-                Err(_) => named.iter().find(|(name, _)| name == field).map(|(_, value)| value),
+                Err(_) => named
+                    .iter()
+                    .find(|(name, _)| name == field)
+                    .map(|(_, value)| value),
             },
         };
         text.push(value?.clone().written());
@@ -121,17 +146,21 @@ impl Reader<'_> {
                 _ => Value::Text(Text::opaque()),
             },
             (Value::Text(text), "format") => {
-                let made = text.literal().and_then(|pattern| format(&pattern, &args, &named));
+                let made = text
+                    .literal()
+                    .and_then(|pattern| format(&pattern, &args, &named));
                 made.map_or(Value::Unknown, Value::Text)
             }
-            (Value::Text(text), "joinpath") => {
-                Value::Text(Text::joined(std::iter::once(text).chain(args.into_iter().map(Value::text))))
-            }
+            (Value::Text(text), "joinpath") => Value::Text(Text::joined(
+                std::iter::once(text).chain(args.into_iter().map(Value::text)),
+            )),
             (Value::Text(text), "join") => match (text.literal(), args.into_iter().next()) {
                 (Some(between), Some(Value::List(items))) => {
                     let items = items.into_iter().map(Value::written).enumerate();
                     let lead = |number| Text::plain(if number > 0 { &*between } else { "" }, None);
-                    Value::Text(Text::concat(items.flat_map(|(number, item)| [lead(number), item])))
+                    Value::Text(Text::concat(
+                        items.flat_map(|(number, item)| [lead(number), item]),
+                    ))
                 }
                 _ => Value::Unknown,
             },
@@ -141,10 +170,14 @@ impl Reader<'_> {
                     "upper" => text.to_uppercase(),
                     _ => text.trim().to_owned(),
                 });
-                changed.filter(|_| args.is_empty()).map_or(Value::Unknown, Value::plain)
+                changed
+                    .filter(|_| args.is_empty())
+                    .map_or(Value::Unknown, Value::plain)
             }
             (Value::Text(text), "open") => Value::Document(text),
-            (value @ Value::Dict { .. }, "items" | "copy") | (value @ Value::List(_), "copy") => value,
+            (value @ Value::Dict { .. }, "items" | "copy") | (value @ Value::List(_), "copy") => {
+                value
+            }
             (Value::Dict { pairs, .. }, "get") => {
                 let key = args.first().cloned().and_then(|key| key.text().literal());
                 let value = key.and_then(|key| pairs.into_iter().find(|(name, _)| *name == key));
@@ -178,12 +211,25 @@ impl Reader<'_> {
     }
 
     /// A robot that is made with mappings.
-    pub(super) fn process(&mut self, range: TextRange, file: Text, mappings: Option<Value>, open: bool) {
+    pub(super) fn process(
+        &mut self,
+        range: TextRange,
+        file: Text,
+        mappings: Option<Value>,
+        open: bool,
+    ) {
         let (mappings, is_open) = match mappings {
             Some(Value::Dict { pairs, open }) => (Self::given(pairs), open),
             None | Some(Value::None) => (Vec::new(), open),
             Some(_) => (Vec::new(), true),
         };
-        self.record(range, What::Process { file, mappings, open: open || is_open });
+        self.record(
+            range,
+            What::Process {
+                file,
+                mappings,
+                open: open || is_open,
+            },
+        );
     }
 }

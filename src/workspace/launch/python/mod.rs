@@ -103,7 +103,10 @@ impl<'s> Reader<'s> {
                 return;
             }
             let chain = block.get(at + 1..).unwrap_or_default();
-            let chain = chain.iter().take_while(|next| continues(statement, next)).count();
+            let chain = chain
+                .iter()
+                .take_while(|next| continues(statement, next))
+                .count();
             match statement.keyword {
                 Some(Keyword::If) => self.branches(block.get(at..=at + chain).unwrap_or_default()),
                 Some(Keyword::Try) => self.attempts(block.get(at..=at + chain).unwrap_or_default()),
@@ -173,7 +176,10 @@ impl<'s> Reader<'s> {
         }
         results.extend(body);
         self.settle(results);
-        for part in chain.iter().filter(|p| matches!(p.keyword, Some(Keyword::Else | Keyword::Finally))) {
+        for part in chain
+            .iter()
+            .filter(|p| matches!(p.keyword, Some(Keyword::Else | Keyword::Finally)))
+        {
             self.block(&part.body);
         }
     }
@@ -197,20 +203,31 @@ impl<'s> Reader<'s> {
     fn forget_assigned(&mut self, statement: &'s Statement, depth: usize) {
         for name in assign::assigned(self.text, statement) {
             // a function of a module is no change of the module
-            if statement.keyword.is_some() || !matches!(self.scopes.get(name), Some(Value::Outer(_))) {
+            if statement.keyword.is_some()
+                || !matches!(self.scopes.get(name), Some(Value::Outer(_)))
+            {
                 self.scopes.set(name, Value::Unknown);
             }
         }
         if depth < LAUNCH_DEPTH && self.spend(1) {
-            statement.body.iter().for_each(|below| self.forget_assigned(below, depth + 1));
+            statement
+                .body
+                .iter()
+                .for_each(|below| self.forget_assigned(below, depth + 1));
         }
     }
 
     /// The arguments of the launch file that the condition of a statement reads.
     fn conditions_of(&mut self, statement: &'s Statement) -> Vec<String> {
         let code = statement.range.slice(self.text);
-        let word = code.split(|c: char| !c.is_alphanumeric()).next().unwrap_or("");
-        let test = TextRange::new(statement.range.start + word.len() as u32, statement.range.end);
+        let word = code
+            .split(|c: char| !c.is_alphanumeric())
+            .next()
+            .unwrap_or("");
+        let test = TextRange::new(
+            statement.range.start + word.len() as u32,
+            statement.range.end,
+        );
         let outer = self.noticed.replace(Vec::new());
         if word == "for" {
             if let Some((_, iterated)) = code.split_once(" in ") {
@@ -234,7 +251,10 @@ impl<'s> Reader<'s> {
             head.split(['(', ' ']).nth(1) == Some(name)
         };
         for entry in ["generate_launch_description", "generate_test_description"] {
-            let number = self.functions.iter().position(|f| f.outer == 0 && named(f, self.text, entry));
+            let number = self
+                .functions
+                .iter()
+                .position(|f| f.outer == 0 && named(f, self.text, entry));
             if let Some(number) = number.filter(|number| !self.evaluated.contains(number)) {
                 self.call(number, Vec::new(), Vec::new());
             }
@@ -252,20 +272,36 @@ impl<'s> Reader<'s> {
     fn run_deferred(&mut self) {
         let depth = self.scopes.depth();
         while let Some(at) = self.deferred.iter().position(|later| later.frame >= depth) {
-            let Deferred { number, args, named, .. } = self.deferred.remove(at);
+            let Deferred {
+                number,
+                args,
+                named,
+                ..
+            } = self.deferred.remove(at);
             self.call(number, args, named);
         }
     }
 
     fn record(&mut self, range: TextRange, what: What) {
         if self.found.commands.len() < LAUNCH_CALLS {
-            self.found.commands.push(Command { range, what, assumed: self.assumed.clone() });
+            self.found.commands.push(Command {
+                range,
+                what,
+                assumed: self.assumed.clone(),
+            });
         }
     }
 
     /// Pairs of a dictionary as what a call gives.
     fn given(pairs: Vec<(String, Value)>) -> Vec<Given> {
-        pairs.into_iter().map(|(name, value)| Given { name, range: None, value: value.written() }).collect()
+        pairs
+            .into_iter()
+            .map(|(name, value)| Given {
+                name,
+                range: None,
+                value: value.written(),
+            })
+            .collect()
     }
 }
 
@@ -275,7 +311,10 @@ fn continues(first: &Statement, next: &Statement) -> bool {
         Some(Keyword::If) => matches!(next.keyword, Some(Keyword::Elif | Keyword::Else)),
         Some(Keyword::Loop) => next.keyword == Some(Keyword::Else),
         Some(Keyword::Try) => {
-            matches!(next.keyword, Some(Keyword::Except | Keyword::Else | Keyword::Finally))
+            matches!(
+                next.keyword,
+                Some(Keyword::Except | Keyword::Else | Keyword::Finally)
+            )
         }
         _ => false,
     }
@@ -283,5 +322,7 @@ fn continues(first: &Statement, next: &Statement) -> bool {
 
 /// Whether control never comes out at the end of a block.
 fn leaves(block: &[Statement]) -> bool {
-    block.last().is_some_and(|last| matches!(last.keyword, Some(Keyword::Return | Keyword::Leave)))
+    block
+        .last()
+        .is_some_and(|last| matches!(last.keyword, Some(Keyword::Return | Keyword::Leave)))
 }

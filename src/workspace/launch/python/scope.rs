@@ -71,13 +71,18 @@ impl Scopes {
 
     /// Whether the innermost function has a variable of this name.
     pub fn has_own(&self, name: &str) -> bool {
-        self.frames.last().is_some_and(|frame| frame.variables.contains_key(name))
+        self.frames
+            .last()
+            .is_some_and(|frame| frame.variables.contains_key(name))
     }
 
     /// A list or dictionary that was changed under one name may have others: those are not known.
     pub fn forget_aliases(&mut self, name: &str) {
         let aliases = self.aliases.get(name).cloned().unwrap_or_default();
-        aliases.iter().filter(|other| other.as_str() != name).for_each(|other| self.forget(other));
+        aliases
+            .iter()
+            .filter(|other| other.as_str() != name)
+            .for_each(|other| self.forget(other));
     }
 
     /// Keep in mind that two names mean one value.
@@ -92,12 +97,18 @@ impl Scopes {
 
     /// The variables of the innermost function.
     pub fn own(&self) -> Variables {
-        self.frames.last().map(|frame| frame.variables.clone()).unwrap_or_default()
+        self.frames
+            .last()
+            .map(|frame| frame.variables.clone())
+            .unwrap_or_default()
     }
 
     /// The variables of the innermost function, for a change; what a frame holds is given back with it.
     pub fn replace(&mut self, variables: Variables) -> Variables {
-        let own = self.frames.last_mut().map(|frame| std::mem::replace(&mut frame.variables, variables));
+        let own = self
+            .frames
+            .last_mut()
+            .map(|frame| std::mem::replace(&mut frame.variables, variables));
         own.unwrap_or_default()
     }
 }
@@ -106,7 +117,11 @@ impl Scopes {
 pub(super) fn joined(mut one: Variables, other: Variables) -> Variables {
     let mut both = Variables::default();
     let mut names: Vec<EcoString> = other.keys().cloned().collect();
-    names.extend(one.keys().filter(|name| !other.contains_key(*name)).cloned());
+    names.extend(
+        one.keys()
+            .filter(|name| !other.contains_key(*name))
+            .cloned(),
+    );
     let mut other = other;
     for name in names {
         let value = match (one.remove(&name), other.remove(&name)) {

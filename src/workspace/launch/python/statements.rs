@@ -78,7 +78,10 @@ pub(super) fn statements(text: &str) -> Vec<Statement> {
     // open blocks: the indentation of their heads
     let mut open: Vec<(usize, Statement)> = Vec::new();
     for line in lines {
-        while open.last().is_some_and(|(indent, _)| *indent >= line.indent) {
+        while open
+            .last()
+            .is_some_and(|(indent, _)| *indent >= line.indent)
+        {
             close(&mut open, &mut top);
         }
         let (statement, is_head) = statement(text, &line);
@@ -94,7 +97,10 @@ pub(super) fn statements(text: &str) -> Vec<Statement> {
     top
 }
 
-fn siblings<'s>(open: &'s mut [(usize, Statement)], top: &'s mut Vec<Statement>) -> &'s mut Vec<Statement> {
+fn siblings<'s>(
+    open: &'s mut [(usize, Statement)],
+    top: &'s mut Vec<Statement>,
+) -> &'s mut Vec<Statement> {
     match open.last_mut() {
         Some((_, parent)) => &mut parent.body,
         None => top,
@@ -110,8 +116,14 @@ fn close(open: &mut Vec<(usize, Statement)>, top: &mut Vec<Statement>) {
 /// The statement of a line, and whether a block follows; `if x: y` holds its block itself.
 fn statement(text: &str, line: &Line) -> (Statement, bool) {
     let code = line.range.slice(text);
-    let word = code.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or("");
-    let mut keyword = KEYWORDS.iter().find(|(known, _)| *known == word).map(|(_, keyword)| *keyword);
+    let word = code
+        .split(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .next()
+        .unwrap_or("");
+    let mut keyword = KEYWORDS
+        .iter()
+        .find(|(known, _)| *known == word)
+        .map(|(_, keyword)| *keyword);
     if word == "match" && (line.colon.is_none() || !code.trim_end().ends_with(':')) {
         keyword = None;
     }
@@ -119,8 +131,16 @@ fn statement(text: &str, line: &Line) -> (Statement, bool) {
     if word == "async" {
         let rest = code.get(word.len()..).unwrap_or("");
         range.start = range.end - rest.trim_start().len() as u32;
-        let inner = Line { range, indent: line.indent, colon: line.colon };
-        return if rest.trim().is_empty() { (plain(range, keyword), false) } else { statement(text, &inner) };
+        let inner = Line {
+            range,
+            indent: line.indent,
+            colon: line.colon,
+        };
+        return if rest.trim().is_empty() {
+            (plain(range, keyword), false)
+        } else {
+            statement(text, &inner)
+        };
     }
     let takes_block = matches!(
         keyword,
@@ -138,7 +158,9 @@ fn statement(text: &str, line: &Line) -> (Statement, bool) {
                 | Keyword::Other
         )
     );
-    let Some(colon) = line.colon.filter(|_| takes_block) else { return (plain(range, keyword), false) };
+    let Some(colon) = line.colon.filter(|_| takes_block) else {
+        return (plain(range, keyword), false);
+    };
     let head = TextRange::new(range.start, colon as u32);
     let behind = text.get(colon + 1..range.end as usize).unwrap_or("");
     let mut made = plain(head, keyword);
@@ -148,14 +170,24 @@ fn statement(text: &str, line: &Line) -> (Statement, bool) {
     let start = range.end - behind.trim_start().len() as u32;
     let inner = TextRange::new(start, range.end);
     let code = inner.slice(text);
-    let word = code.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or("");
-    let keyword = KEYWORDS.iter().find(|(known, _)| *known == word).map(|(_, keyword)| *keyword);
+    let word = code
+        .split(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .next()
+        .unwrap_or("");
+    let keyword = KEYWORDS
+        .iter()
+        .find(|(known, _)| *known == word)
+        .map(|(_, keyword)| *keyword);
     made.body.push(plain(inner, keyword));
     (made, false)
 }
 
 fn plain(range: TextRange, keyword: Option<Keyword>) -> Statement {
-    Statement { range, keyword, body: Vec::new() }
+    Statement {
+        range,
+        keyword,
+        body: Vec::new(),
+    }
 }
 
 /// The lines of a program: what brackets, strings and backslashes hold together is one.
@@ -168,7 +200,13 @@ fn lines(text: &str) -> Vec<Line> {
         while matches!(bytes.get(at), Some(b' ' | b'\t' | 0x0c)) {
             at += 1;
         }
-        let mut scan = Scan { bytes, at, depth: 0, lambdas: 0, colon: None };
+        let mut scan = Scan {
+            bytes,
+            at,
+            depth: 0,
+            lambdas: 0,
+            colon: None,
+        };
         let indent = at - indent_start;
         loop {
             let start = scan.at;
@@ -178,7 +216,11 @@ fn lines(text: &str) -> Vec<Line> {
             let lead = range.slice(text).len() - range.slice(text).trim_start().len();
             let range = TextRange::new(range.start + lead as u32, range.end);
             if !range.is_empty() && !range.slice(text).starts_with('#') {
-                found.push(Line { range, indent, colon: scan.colon });
+                found.push(Line {
+                    range,
+                    indent,
+                    colon: scan.colon,
+                });
             }
             if !more {
                 break;
@@ -208,7 +250,13 @@ impl Scan<'_> {
                     self.at += 1;
                     return false;
                 }
-                b'\\' => self.at += if self.bytes.get(self.at + 1) == Some(&b'\r') { 3 } else { 2 },
+                b'\\' => {
+                    self.at += if self.bytes.get(self.at + 1) == Some(&b'\r') {
+                        3
+                    } else {
+                        2
+                    }
+                }
                 b'"' | b'\'' => self.at = string_end(self.bytes, self.at),
                 b'a'..=b'z' | b'A'..=b'Z' | b'_' | 0x80.. => self.word(),
                 b';' if self.depth == 0 => {
@@ -239,7 +287,11 @@ impl Scan<'_> {
 
     fn word(&mut self) {
         let start = self.at;
-        while self.bytes.get(self.at).is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80) {
+        while self
+            .bytes
+            .get(self.at)
+            .is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80)
+        {
             self.at += 1;
         }
         if self.depth == 0 && self.bytes.get(start..self.at) == Some(b"lambda") {
@@ -256,7 +308,12 @@ impl Scan<'_> {
     /// The end of the code that starts at `start`: without the line end, `;` and white space behind it.
     fn code_end(&self, start: usize) -> usize {
         let mut end = self.at;
-        while end > start && self.bytes.get(end - 1).is_some_and(|b| b.is_ascii_whitespace() || *b == b';') {
+        while end > start
+            && self
+                .bytes
+                .get(end - 1)
+                .is_some_and(|b| b.is_ascii_whitespace() || *b == b';')
+        {
             end -= 1;
         }
         end
@@ -274,7 +331,9 @@ fn string_end(bytes: &[u8], at: usize) -> usize {
             b'\n' if !is_triple => return at,
             _ if byte != quote => {}
             _ if !is_triple => return at + 1,
-            _ if bytes.get(at + 1) == Some(&quote) && bytes.get(at + 2) == Some(&quote) => return at + 3,
+            _ if bytes.get(at + 1) == Some(&quote) && bytes.get(at + 2) == Some(&quote) => {
+                return at + 3;
+            }
             _ => {}
         }
         at += 1;
@@ -288,8 +347,11 @@ mod tests {
 
     fn shown(text: &str, statements: &[Statement]) -> String {
         let one = |s: &Statement| {
-            let body =
-                if s.body.is_empty() { String::new() } else { format!("{{{}}}", shown(text, &s.body)) };
+            let body = if s.body.is_empty() {
+                String::new()
+            } else {
+                format!("{{{}}}", shown(text, &s.body))
+            };
             format!("<{}>{body}", s.range.slice(text))
         };
         statements.iter().map(one).collect()
@@ -303,7 +365,10 @@ mod tests {
             ("f(\n  1,\n  2)\nb", "<f(\n  1,\n  2)><b>"),
             ("def f(a):\n  x = 1\n\n  y\nz", "<def f(a)>{<x = 1><y>}<z>"),
             ("if a: b = 1\nelse:\n  c", "<if a>{<b = 1>}<else>{<c>}"),
-            ("a = ':' # x:\nb = \"\"\"\nx: (\n\"\"\"\nc", "<a = ':' # x:><b = \"\"\"\nx: (\n\"\"\"><c>"),
+            (
+                "a = ':' # x:\nb = \"\"\"\nx: (\n\"\"\"\nc",
+                "<a = ':' # x:><b = \"\"\"\nx: (\n\"\"\"><c>",
+            ),
             ("a = 1 + \\\n  2\nb", "<a = 1 + \\\n  2><b>"),
             ("f = lambda x: x\ng", "<f = lambda x: x><g>"),
             ("async def f():\n  x", "<def f()>{<x>}"),

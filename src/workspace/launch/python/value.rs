@@ -19,7 +19,10 @@ pub(super) enum Value {
     /// A list or tuple.
     List(Vec<Value>),
     /// A dictionary; `open` when it may hold further keys.
-    Dict { pairs: Vec<(String, Value)>, open: bool },
+    Dict {
+        pairs: Vec<(String, Value)>,
+        open: bool,
+    },
     /// A function of the file, by number.
     Function(usize),
     /// A name that the file does not define, with its module in front: `xacro.process_file`.
@@ -82,7 +85,16 @@ impl Value {
             (Value::List(a), Value::List(b)) if a.len() == b.len() => {
                 Value::List(a.into_iter().zip(b).map(|(a, b)| a.join(b)).collect())
             }
-            (Value::Dict { pairs: a, open: open_a }, Value::Dict { pairs: mut b, open: open_b }) => {
+            (
+                Value::Dict {
+                    pairs: a,
+                    open: open_a,
+                },
+                Value::Dict {
+                    pairs: mut b,
+                    open: open_b,
+                },
+            ) => {
                 let mut open = open_a || open_b || a.len() != b.len();
                 let mut pairs = Vec::new();
                 for (name, value) in a {
@@ -112,7 +124,8 @@ impl Value {
     pub fn spread(pairs: &mut Vec<(String, Value)>, other: Value) -> bool {
         match other {
             Value::Dict { pairs: new, open } => {
-                new.into_iter().for_each(|(name, value)| Self::set(pairs, name, value));
+                new.into_iter()
+                    .for_each(|(name, value)| Self::set(pairs, name, value));
                 open
             }
             // pairs in tuples, as `launch_arguments` takes them

@@ -1,0 +1,186 @@
+//! Which files a check is about, and how each is to be expanded.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::beside::{Sort, sort};
+use super::candidates::Candidates;
+use super::change::Change;
+use super::check::CheckOptions;
+use super::configs::Settings;
+use super::report::{Report, SkipReason, Skipped, Unreadable};
+use super::roots::{Job, Reason};
+use super::session::Session;
+use super::walk;
+use base::FastSet;
+
+impl Session {
+    /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
+    pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
+        let jobs = self.jobs(options, &mut Report::default());
+        let files: BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
+        files.into_iter().collect()
+    }
+
+    pub(super) fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+        let mut jobs = self.all_jobs(options, report);
+        if let Some(change) = Change::of(self, options) {
+            jobs.extend(change.further(&jobs, &options.args));
+            jobs = change.reached(jobs, &Candidates::default());
+        }
+        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
+            if let Err(error) = self.vfs.document(&job.file) {
+                report.unreadable.push(Unreadable {
+                    path: job.file.clone(),
+                    error,
+                });
+            }
+        }
+        jobs.retain(|job| {
+            !report
+                .unreadable
+                .iter()
+                .any(|unreadable| unreadable.path == job.file)
+        });
+        jobs
+    }
+
+    /// The jobs for what is named, whatever changed.
+    pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+        let absolute = |path: &PathBuf| self.vfs.absolute(path);
+        let plain = |file, reason| Job::new(file, reason, options.args.clone());
+        let entries = options
+            .entries
+            .iter()
+            .map(|path| plain(absolute(path), Reason::Root));
+        let mut jobs: Vec<Job> = entries.collect();
+        let (named, walked) = self.named_and_walked(options, report);
+        jobs.extend(self.configured(options, &named, &walked));
+        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
+        let is_alone = options.paths.len() == 1 && options.changed.is_empty();
+        let reason = if is_alone {
+            Reason::Alone
+        } else {
+            Reason::Named
+        };
+        let named = named.into_iter().map(|path| plain(path, reason));
+        let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
+        jobs.extend(
+            named
+                .chain(walked)
+                .filter(|job| known.insert(job.file.clone())),
+        );
+        jobs
+    }
+
+    /// The files that are named, and the descriptions below the folders that are.
+    pub(super) fn named_and_walked(
+        &self,
+        options: &CheckOptions,
+        report: &mut Report,
+    ) -> (Vec<PathBuf>, Vec<PathBuf>) {
+        let (mut named, mut walked) = (Vec::new(), Vec::new());
+        for path in options.paths.iter().map(|path| self.vfs.absolute(path)) {
+            match self.vfs.is_dir(&path) {
+                true => {
+                    let (files, skipped) = walk::descriptions(&path, self);
+                    walked.extend(files);
+                    skipped
+                        .into_iter()
+                        .for_each(|skipped| report.skip(skipped, &path));
+                }
+                false if self.settings(&path).excludes(&path) => {
+                    report.skipped.push(Skipped {
+                        path,
+                        reason: SkipReason::Excluded,
+                    });
+                }
+                // settings of a robot are no description
+                false if sort(&path) == Some(Sort::Yaml) => {}
+                false => named.push(path),
+            }
+        }
+        (named, walked)
+    }
+
+    /// The jobs of `[[roots]]` that are among the files to be checked, or below a folder to be checked.
+    fn configured(
+        &self,
+        options: &CheckOptions,
+        named: &[PathBuf],
+        walked: &[PathBuf],
+    ) -> Vec<Job> {
+        let mut jobs = Vec::new();
+        for (settings, number, files) in self.configured_files(options, named, walked) {
+            let Some(root) = settings.config.roots.get(number) else {
+                continue;
+            };
+            jobs.extend(
+                files
+                    .iter()
+                    .flat_map(|file| self.jobs_of(root, file, &options.args)),
+            );
+        }
+        jobs
+    }
+
+    /// The entries of `[[roots]]` by number, each with its files that are to be checked.
+    pub(super) fn configured_files(
+        &self,
+        options: &CheckOptions,
+        named: &[PathBuf],
+        walked: &[PathBuf],
+    ) -> Vec<(Arc<Settings>, usize, Vec<PathBuf>)> {
+        let folders: Vec<PathBuf> = options
+            .paths
+            .iter()
+            .map(|path| self.vfs.absolute(path))
+            .collect();
+        let mut seen: FastSet<Vec<PathBuf>> = FastSet::default();
+        let mut found = Vec::new();
+        let own = folders
+            .iter()
+            .filter(|path| self.vfs.is_dir(path))
+            .map(|folder| self.folder_settings(folder));
+        let settings = own.chain(named.iter().chain(walked).map(|file| self.settings(file)));
+        for settings in settings {
+            if !seen.insert(settings.config.files.clone()) {
+                continue;
+            }
+            for (number, root) in settings.config.roots.iter().enumerate() {
+                let mut files = root.files(&self.vfs);
+                files.retain(|file| folders.iter().any(|folder| file.starts_with(folder)));
+                found.push((settings.clone(), number, files));
+            }
+        }
+        found
+    }
+
+    /// The folders whose files are the user's own: in files elsewhere, only errors are news.
+    pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
+        let paths = options
+            .paths
+            .iter()
+            .chain(&options.entries)
+            .chain(&options.changed);
+        let paths = paths.map(|path| self.vfs.absolute(path));
+        let homes = paths.flat_map(|path| {
+            let is_dir = self.vfs.is_dir(&path);
+            let folder = if is_dir {
+                Some(path.clone())
+            } else {
+                path.parent().map(Path::to_owned)
+            };
+            let package = self
+                .packages
+                .containing(&path.join("_"))
+                .map(|package| package.folder);
+            let workspace = folder
+                .as_ref()
+                .and_then(|folder| self.packages.workspace(folder));
+            [folder, package, workspace]
+        });
+        homes.flatten().collect()
+    }
+}

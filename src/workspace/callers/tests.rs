@@ -1,0 +1,88 @@
+//! Callers of robots, and what they give.
+
+use super::Callers;
+use crate::{PackageOptions, Packages};
+use vfs::testing::Tree;
+
+#[test]
+fn launch_files_of_other_packages_count() {
+    let tree = Tree::new();
+    tree.write(
+        "ws/src/arm/package.xml",
+        "<package><name>arm</name></package>",
+    );
+    tree.write("ws/src/arm/urdf/arm.urdf.xacro", "<robot/>");
+    tree.write(
+        "ws/src/bringup/launch/arm.launch.py",
+        "Command(['xacro ', share('arm') / 'arm.urdf.xacro', ' side:=', 'left'])",
+    );
+    tree.write(
+        "ws/src/leg/launch/leg.launch.py",
+        "find('leg'), 'arm.urdf.xacro leg:=1'",
+    );
+    tree.write(
+        "ws/src/leg/package.xml",
+        "<package><name>leg</name></package>",
+    );
+    tree.write("ws/build/arm.launch.py", "'arm.urdf.xacro built:=1'");
+    tree.write("ws/src/arm/CHANGELOG.rst", "arm.urdf.xacro log:=1");
+    let packages = Packages::new(
+        tree.vfs().clone(),
+        &tree.environment(&[]),
+        PackageOptions::default(),
+    );
+    let callers = Callers::default();
+    let found = callers.of(&tree.path("ws/src/arm/urdf/arm.urdf.xacro"), &packages);
+    let args: Vec<_> = found.iter().flat_map(|caller| &caller.args).collect();
+    assert_eq!(args.len(), 1);
+    assert_eq!(
+        (args[0].name.as_str(), args[0].value.as_deref()),
+        ("side", Some("left"))
+    );
+    assert!(
+        callers
+            .of(&tree.path("ws/src/arm/urdf/hand.urdf.xacro"), &packages)
+            .is_empty()
+    );
+}
+
+#[test]
+fn configurations_give_arguments_and_pass_them_on() {
+    let tree = Tree::new();
+    for package in ["arm_base", "arm_site", "other"] {
+        tree.write(
+            &format!("ws/src/{package}/package.xml"),
+            &format!("<package><name>{package}</name></package>"),
+        );
+    }
+    tree.write("ws/src/arm_base/urdf/arm.xacro", "<robot/>");
+    tree.write(
+        "ws/src/arm_base/config/config.yaml",
+        "urdf:\n  path: urdf/arm.xacro\nurdf_params:\n  - side: left\n",
+    );
+    tree.write(
+        "ws/src/arm_site/config/config.yaml",
+        "based_on_package: \"arm_base\"\nurdf_params:\n  - mode: fast\n",
+    );
+    tree.write(
+        "ws/src/other/config/config.yaml",
+        "urdf_params:\n  - leg: 1\n",
+    );
+    let packages = Packages::new(
+        tree.vfs().clone(),
+        &tree.environment(&[]),
+        PackageOptions::default(),
+    );
+    let found = Callers::default().of(&tree.path("ws/src/arm_base/urdf/arm.xacro"), &packages);
+    let given = found.iter().map(|caller| {
+        caller
+            .args
+            .iter()
+            .map(|arg| arg.name.as_str())
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(
+        given.collect::<Vec<_>>(),
+        [vec!["side"], vec!["mode", "side"]]
+    );
+}
