@@ -14,7 +14,7 @@ use expand::ProblemKind;
 use model::{Joint, Robot};
 use rules::{Category, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
-use workspace::Era;
+use workspace::{Era, Target};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 15] = [
@@ -174,6 +174,8 @@ impl Session {
             _ if self.is_of_rosbuild(file) => Some(Severity::Info),
             Era::Unordered | Era::Old => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
+            // to read all pages takes longer than to expand the robot
+            Era::Any if self.packages.generation(file) == Some(Target::Ros2) => None,
             Era::Any => self.is_for_old_ros(file).then_some(Severity::Info),
         }
     }

@@ -513,7 +513,7 @@ test("preview", "measuring_cell", async (window) => {
   const body = (name) => page.locator("body").getAttribute(`data-${name}`);
   await until("the robot with its meshes", async () => (await body("ok")) === "true" && (await body("loading")) === "0");
   const canvas = page.locator("canvas").first();
-  // pixels that changed since the last look; the first look sees none
+  // pixels that changed since the last call; the first call sees none
   const changed = () =>
     canvas.evaluate((element) => {
       const { width, height } = element;

@@ -82,14 +82,14 @@ fn every_finding_that_is_put_together_has_a_help() {
     complain("findings", &wrong);
 }
 
-/// The codes in a text that stand behind one of these calls.
-fn codes<'a>(text: &'a str, calls: &'a [&str]) -> impl Iterator<Item = &'a str> {
+/// The kinds of problems in a text that stand behind one of these calls.
+fn kinds<'a>(text: &'a str, calls: &'a [&str]) -> impl Iterator<Item = &'a str> {
     calls.iter().flat_map(move |call| {
         text.match_indices(call).filter_map(move |(at, _)| {
             text[at + call.len()..]
                 .trim_start()
-                .strip_prefix('"')?
-                .split('"')
+                .strip_prefix("ProblemKind::")?
+                .split(|c: char| !c.is_alphanumeric())
                 .next()
         })
     })
@@ -100,16 +100,16 @@ fn every_problem_of_the_expander_has_a_help() {
     let advice = fs::read_to_string(root().join("src/expand/advice.rs")).unwrap();
     let general: BTreeSet<&str> = advice
         .lines()
-        .filter_map(|line| line.trim().strip_prefix('"')?.split_once("\" =>"))
-        .map(|(code, _)| code)
+        .filter_map(|line| line.trim().strip_prefix("ProblemKind::")?.split_once(" =>"))
+        .map(|(kind, _)| kind)
         .collect();
     let (mut wrong, mut count) = (Vec::new(), 0);
     for (place, function) in functions("src/expand") {
-        for code in codes(&function, &["problem(", "error(", "warn(", "Problem::new("]) {
+        for kind in kinds(&function, &["problem(", "error(", "warn(", "Problem::new("]) {
             count += 1;
-            if !general.contains(code) && !function.contains("help(") {
+            if !general.contains(kind) && !function.contains("help(") {
                 wrong.push(format!(
-                    "{place}: {code} has no help, here or in `advice.rs`"
+                    "{place}: {kind} has no help, here or in `advice.rs`"
                 ));
             }
         }

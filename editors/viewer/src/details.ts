@@ -52,7 +52,7 @@ export class Details {
     if (!inertial) return row('Mass', 'mass', 'no inertial');
     const rows = row('Mass', 'mass', `${precise(inertial.mass)} kg`);
     const center = inertial.pose.xyz.map((one) => short(one, 4)).join(' ');
-    rows.push(...row('Center of mass', 'com', `${centre} m`));
+    rows.push(...row('Center of mass', 'com', `${center} m`));
     if (inertial.inertia) {
       const [xx, xy, xz, yy, yz, zz] = inertial.inertia.map(precise);
       rows.push(...row('Inertia', 'inertia', `xx ${xx}  yy ${yy}  zz ${zz}\nxy ${xy}  xz ${xz}  yz ${yz} kg m²`));

@@ -244,7 +244,7 @@ fn numbers(tag: &str, attribute: &str) -> Vec<Completion> {
         ],
         ("box", "size") => &[("0.1 0.1 0.1", "m"), ("1 1 1", "m")],
         ("mesh", "scale") => &[
-            ("1 1 1", "metres"),
+            ("1 1 1", "meters"),
             ("0.001 0.001 0.001", "millimeters to meters"),
         ],
         (_, "rgba") => &[

@@ -329,7 +329,7 @@ pub(super) static ELEMENTS: &[ElementSpec] = &[
         .required(),
         at("scale", Vector(3), "Factors along x, y and z").default("1 1 1"),
     ]),
-    el("color", &["material"], "A colour").with(&[at(
+    el("color", &["material"], "A color").with(&[at(
         "rgba",
         Vector(4),
         "Red, green, blue and opacity, each from 0 to 1",

@@ -139,14 +139,16 @@ impl Mentions {
     }
 
     fn add_distribution(&mut self, word: &str) {
-        let is = |names: &[&str]| names.iter().any(|name| word.eq_ignore_ascii_case(name));
-        let parts = || word.split(['-', '_', '.']);
-        let has = |names: &[&str]| {
-            is(names)
-                || parts().any(|part| names.iter().any(|name| part.eq_ignore_ascii_case(name)))
-        };
-        self.distributions.0 |= has(&OLD);
-        self.distributions.1 |= has(&NEW);
+        let is_one =
+            |part: &str, names: &[&str]| names.iter().any(|name| part.eq_ignore_ascii_case(name));
+        // no distribution has a shorter or longer name
+        let parts = word
+            .split(['-', '_', '.'])
+            .filter(|part| (4..=9).contains(&part.len()));
+        for part in parts {
+            self.distributions.0 |= is_one(part, &OLD);
+            self.distributions.1 |= is_one(part, &NEW);
+        }
     }
 
     /// The texts other than a file itself that hold its name.

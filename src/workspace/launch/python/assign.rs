@@ -268,14 +268,35 @@ pub(super) fn assigned<'t>(text: &'t str, statement: &Statement) -> impl Iterato
     words(targets)
 }
 
+/// Methods that change the list, dictionary or set they are called on.
+const CHANGING: [&str; 14] = [
+    "add",
+    "append",
+    "clear",
+    "discard",
+    "extend",
+    "insert",
+    "pop",
+    "popitem",
+    "remove",
+    "reverse",
+    "setdefault",
+    "sort",
+    "update",
+    "difference_update",
+];
+
 /// The variable that a call changes: `x` of `x.append(y)`.
 fn mutated(code: &str) -> &str {
-    code.split_once('.').map_or("", |(name, _)| {
-        name.split(['(', '[', ' '])
-            .next()
-            .filter(|n| *n == name)
-            .unwrap_or("")
-    })
+    let Some((name, call)) = code.split_once('.') else {
+        return "";
+    };
+    let method = call.split('(').next().unwrap_or_default();
+    if is_name(name) && CHANGING.contains(&method) {
+        name
+    } else {
+        ""
+    }
 }
 
 fn words(text: &str) -> impl Iterator<Item = &str> {
