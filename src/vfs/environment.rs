@@ -1,6 +1,7 @@
 //! The environment a run sees.
 
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use super::relative::spelled;
@@ -15,16 +16,17 @@ pub struct Environment {
     pub cwd: PathBuf,
 }
 
+/// Text without what is not Unicode in it.
+fn text(text: OsString) -> String {
+    text.into_string()
+        .unwrap_or_else(|text| text.to_string_lossy().into_owned())
+}
+
 impl Environment {
     /// The environment of this process. Bytes that are not UTF-8 become U+FFFD.
     pub fn capture() -> Self {
         let vars = std::env::vars_os()
-            .map(|(name, value)| {
-                (
-                    name.to_string_lossy().into_owned(),
-                    value.to_string_lossy().into_owned(),
-                )
-            })
+            .map(|(name, value)| (text(name), text(value)))
             .collect();
         Self {
             vars,

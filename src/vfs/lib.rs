@@ -445,7 +445,8 @@ impl Vfs {
 
     /// Whether there is anything at `path`, be it a link that leads nowhere.
     pub fn is_present(&self, path: &Path) -> bool {
-        self.exists(path) || self.shared.disk.is_present(&self.absolute(path))
+        let path = self.absolute(path);
+        self.exists(&path) || self.shared.disk.is_present(&path)
     }
 
     /// Whether there is a file (of any kind but a folder) or a buffer at `path`.
@@ -531,12 +532,11 @@ impl Vfs {
 
 /// Whether a look at the letters alone tells that a path is absolute and has nothing in it to be tidied up.
 fn is_tidy(path: &Path) -> bool {
-    let text = path.as_os_str().as_encoded_bytes();
-    let is_odd = |pair: &[u8]| matches!(pair, b"//" | b"/.");
-    !cfg!(windows)
-        && text.starts_with(b"/")
-        && !text.ends_with(b"/")
-        && !text.windows(2).any(is_odd)
+    let Some(steps) = path.as_os_str().as_encoded_bytes().strip_prefix(b"/") else {
+        return false;
+    };
+    let is_plain = |step: &[u8]| !matches!(step, b"" | b"." | b"..");
+    !cfg!(windows) && steps.split(|&byte| byte == b'/').all(is_plain)
 }
 
 /// A path without `folder/..`, where the system sees it so too: a link leads elsewhere, and nothing leads back from a
