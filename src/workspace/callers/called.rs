@@ -9,7 +9,7 @@ use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
 use super::choices::{Excluded, excluded};
 use super::{Callers, GivenArg, Uses, search};
 use crate::Packages;
-use crate::launch::{self, Call, Context, LaunchFile, calls_in, included};
+use crate::launch::{self, Call, Context, LaunchFile, Word, calls_in, forget_defaults, included};
 use std::sync::Arc;
 
 /// A call, and the description that it names.
@@ -111,17 +111,32 @@ fn through(
     if context.through.len() >= LAUNCH_INCLUDES || found.len() > CALLER_CALLS {
         return;
     }
-    for (name, context) in included(file, context) {
-        let Some(path) = name.path(packages, &file.path) else {
+    let of = |name: &Word| {
+        let path = packages
+            .present(&name.path(packages, &file.path)?)
+            .into_owned();
+        by_path.get(path.as_path()).copied()
+    };
+    let included: Vec<(Option<&LaunchFile>, Context)> = included(file, context)
+        .into_iter()
+        .map(|(name, context)| (of(&name), context))
+        .collect();
+    for (number, (inner, context)) in included.iter().enumerate() {
+        let Some(inner) = inner.filter(|inner| !context.through.contains(&inner.path)) else {
             continue;
         };
-        let path = packages.present(&path).into_owned();
-        let Some(inner) = by_path
-            .get(path.as_path())
-            .filter(|inner| !context.through.contains(&inner.path))
-        else {
-            continue;
-        };
+        let mut context = context.clone();
+        if file.shares {
+            let others = included
+                .iter()
+                .enumerate()
+                .filter(|(other, _)| *other != number);
+            forget_defaults(
+                &mut context,
+                inner,
+                others.filter_map(|(_, (other, _))| *other),
+            );
+        }
         for call in calls_in(inner, &context) {
             if !found
                 .iter()
@@ -161,6 +176,8 @@ mod tests {
         let tree = Tree::new();
         tree.write("package.xml", "<package><name>p</name></package>");
         tree.write("launch/inner.launch.py", INNER);
+        let other = "DeclareLaunchArgument('side', default_value='none')\nCommand(['xacro ', '/r/b.xacro'])\n";
+        tree.write("launch/other.launch.py", other);
         let path = "inner = os.path.join(os.path.dirname(__file__), 'inner.launch.py')\n";
         tree.write("launch/outer.launch.py", &format!("{path}{outer}"));
         let packages = Packages::new(
@@ -189,5 +206,8 @@ mod tests {
         check_sides(&format!("{own}{right}{plain}"), &["right", "?"]);
         let same = "IncludeLaunchDescription(inner, launch_arguments={'side': LaunchConfiguration('side')}.items())\n";
         check_sides(&format!("{own}{same}{plain}"), &["middle"]);
+        // the default of another file may come first
+        let other = "IncludeLaunchDescription(os.path.join(os.path.dirname(__file__), 'other.launch.py'))\n";
+        check_sides(&format!("{other}{plain}"), &["?"]);
     }
 }

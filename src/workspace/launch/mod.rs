@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use base::TextRange;
 
 pub use resolve::{Argument, Call, Why, Word, calls};
-pub(crate) use resolve::{Context, calls_in, included, values_given};
+pub(crate) use resolve::{Context, calls_in, forget_defaults, included, values_given};
 use text::Text;
 
 /// What a launch file says.

@@ -7,7 +7,7 @@ use base::{FastMap, TextRange};
 
 use super::command::{self, Found};
 use super::text::{Piece, Text};
-use super::{Command, Include, LaunchFile, What};
+use super::{Command, Declared, Include, LaunchFile, What};
 use crate::Packages;
 
 /// Defaults inside of defaults that are followed.
@@ -160,6 +160,36 @@ fn forget<'p>(values: &mut Vec<(String, Word)>, others: impl Iterator<Item = &'p
             Some((_, value)) if value == other => {}
             Some((_, value)) => *value = Word(vec![Bit::Opaque(Why::Computed)]),
             None => values.push((name.clone(), Word(vec![Bit::Opaque(Why::Computed)]))),
+        }
+    }
+}
+
+/// The same of defaults: that of the file which is included first holds for those behind it.
+pub(crate) fn forget_defaults<'f>(
+    context: &mut Context,
+    file: &LaunchFile,
+    others: impl Iterator<Item = &'f LaunchFile>,
+) {
+    let default = |file: &LaunchFile, declared: &Declared| {
+        let none = Context::default();
+        Resolver::new(file, &none, &[])
+            .word(declared.default.as_ref()?)
+            .literal()
+    };
+    for other in others {
+        for declared in &other.declared {
+            let own = file.declared.iter().find(|own| own.name == declared.name);
+            let Some(own) =
+                own.filter(|own| !context.values.iter().any(|(name, _)| *name == own.name))
+            else {
+                continue;
+            };
+            let (first, second) = (default(file, own), default(other, declared));
+            if first.is_none() || first != second {
+                context
+                    .values
+                    .push((own.name.clone(), Word(vec![Bit::Opaque(Why::Computed)])));
+            }
         }
     }
 }
