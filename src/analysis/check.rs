@@ -415,17 +415,7 @@ impl Session {
                     .map(|span| (span.file, self.vfs.path(span.file))),
             );
         }
-        // findings and fixes may be about files that no expansion reads, such as package.xml
-        let unread = report
-            .paths
-            .iter()
-            .filter(|(id, _)| !report.files.contains_key(id));
-        let beside: Vec<_> = unread
-            .filter_map(|(_, path)| self.vfs.document(path).ok())
-            .collect();
-        report
-            .beside
-            .extend(beside.into_iter().map(|file| (file.id, file)));
+        report.read_beside(&self.vfs);
         report.findings = findings;
         report
     }

@@ -73,17 +73,8 @@ impl Fixed {
     /// How many errors are left that were hidden before.
     pub fn revealed(&self) -> usize {
         let Some(left) = &self.left else { return 0 };
-        let errors = |report: &Report| -> Vec<(&'static str, String)> {
-            let errors = report
-                .findings
-                .iter()
-                .filter(|finding| finding.severity == Severity::Error);
-            errors
-                .map(|finding| (finding.rule.code, finding.message.clone()))
-                .collect()
-        };
-        let known: FastSet<_> = errors(&self.found).into_iter().collect();
-        errors(left)
+        let known: FastSet<_> = self.found.errors().into_iter().collect();
+        left.errors()
             .iter()
             .filter(|error| !known.contains(error))
             .count()

@@ -6,16 +6,7 @@ use rules::{Category, Finding, Severity, Trait};
 
 /// Whether fixes of findings in the report before led to errors in what was expanded before.
 pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
-    let errors = |report: &Report| -> Vec<(&'static str, String)> {
-        let errors = report
-            .findings
-            .iter()
-            .filter(|finding| finding.severity == Severity::Error);
-        errors
-            .map(|finding| (finding.rule.code, finding.message.clone()))
-            .collect()
-    };
-    let (old, new) = (errors(before), errors(after));
+    let (old, new) = (before.errors(), after.errors());
     let known: FastSet<&(&str, String)> = old.iter().collect();
     if new.iter().all(|error| known.contains(error)) {
         return false;

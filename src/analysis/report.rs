@@ -7,9 +7,9 @@ use std::sync::Arc;
 use super::cut::Cut;
 use base::limits::DRAWN_LINE;
 use base::{Encoding, FileId, Span};
-use rules::Finding;
 use rules::consumers::Tally;
-use vfs::{LoadError, SourceFile};
+use rules::{Finding, Severity};
+use vfs::{LoadError, SourceFile, Vfs};
 
 /// What a check found.
 #[derive(Debug, Default)]
@@ -69,6 +69,26 @@ pub enum SkipReason {
 }
 
 impl Report {
+    /// The errors, by rule and message: what tells one from another when places move.
+    pub(super) fn errors(&self) -> Vec<(&'static str, String)> {
+        let is_error = |finding: &&Finding| finding.severity == Severity::Error;
+        let errors = self.findings.iter().filter(is_error);
+        errors
+            .map(|finding| (finding.rule.code, finding.message.clone()))
+            .collect()
+    }
+
+    /// Read the files that findings and fixes are about and that no expansion reads, such as package.xml.
+    pub(super) fn read_beside(&mut self, vfs: &Vfs) {
+        let unread = self
+            .paths
+            .iter()
+            .filter(|(id, _)| !self.files.contains_key(id));
+        let read = unread.filter_map(|(_, path)| vfs.document(path).ok());
+        let beside: Vec<_> = read.map(|file| (file.id, file)).collect();
+        self.beside.extend(beside);
+    }
+
     /// Note what was skipped below the folder `named` by the user.
     pub(super) fn skip(&mut self, skipped: Skipped, named: &Path) {
         match skipped.reason {

@@ -302,16 +302,7 @@ impl Session {
                 .paths
                 .extend(files.map(|file| (file, self.vfs.path(file))));
         }
-        let unread = report
-            .paths
-            .iter()
-            .filter(|(id, _)| !report.files.contains_key(id));
-        let beside: Vec<_> = unread
-            .filter_map(|(_, path)| self.vfs.document(path).ok())
-            .collect();
-        report
-            .beside
-            .extend(beside.into_iter().map(|file| (file.id, file)));
+        report.read_beside(&self.vfs);
     }
 }
 
