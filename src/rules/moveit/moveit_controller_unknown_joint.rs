@@ -27,7 +27,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         {
             if cx.lacks(Kind::Joint, &joint.name) {
                 let message = format!(
-                    "controller `{}` of MoveIt has unknown joint `{}`",
+                    "MoveIt controller `{}` has unknown joint `{}`",
                     controller.name.name, joint.name
                 );
                 cx.report(out, joint, message)
