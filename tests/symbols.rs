@@ -68,13 +68,13 @@ fn shown(expansion: &Expansion, place: SourceRange) -> String {
 fn check_symbols(fixture: &str, expected: &str) {
     let expansion = expanded(fixture);
     let mut lines = String::new();
-    for (id, definition) in expansion.symbols.iter() {
+    for (id, definition) in expansion.index.symbols.iter() {
         lines.push_str(&format!(
             "{:?} {}\n",
             definition.kind,
             shown(&expansion, definition.place)
         ));
-        for used in expansion.symbols.uses_of(id) {
+        for used in expansion.index.symbols.uses_of(id) {
             lines.push_str(&format!(
                 "  {:?} {}\n",
                 used.kind,
@@ -158,7 +158,7 @@ fn what_nothing_calls_is_looked_into_and_changes_nothing() {
             .is_none()
     );
     // `inner` is called by `outer`
-    assert_eq!(expansion.probes.len(), 1);
+    assert_eq!(expansion.index.probes.len(), 1);
     let probed: Vec<_> = expansion
         .problems
         .iter()

@@ -74,7 +74,7 @@ impl Analyzed {
 
     /// The arguments with their values, in the order in which they are declared: what matters is declared first.
     pub fn declared_arguments(&self) -> Vec<(&str, &str)> {
-        let definitions = self.expansion.symbols.definitions.iter();
+        let definitions = self.expansion.index.symbols.definitions.iter();
         let names = definitions.filter(|given| given.kind == SymbolKind::Argument);
         let order: Vec<&str> = names.map(|given| given.name.as_str()).collect();
         let arguments = self

@@ -298,8 +298,8 @@ impl Session {
         let entry = entry_at(&written.map, &difference.one);
         let mut read = entry
             .into_iter()
-            .flat_map(|entry| expansion.read_in(entry.reads))
-            .filter_map(|&binding| expansion.bindings.get(binding as usize));
+            .flat_map(|entry| expansion.index.read_in(entry.reads))
+            .filter_map(|&binding| expansion.index.bindings.get(binding as usize));
         if !way.is_configured && read.any(|binding| binding.kind == BindingKind::Argument) {
             return None;
         }

@@ -43,6 +43,7 @@ mod report;
 mod roles;
 mod roots;
 mod runs;
+mod scan;
 mod session;
 mod set_aside;
 mod suppress;

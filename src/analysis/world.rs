@@ -16,10 +16,10 @@ use super::launch_names::is_launch;
 use super::placing;
 use super::proof::{Effort, Roots};
 use super::report::Report;
+use super::scan::Scan;
 use super::session::Session;
 use super::walk::{self, Listing};
 use base::clock::Instant;
-use base::limits::SCAN_FILES;
 use base::{CancelFlag, FastMap, TextRange};
 use expand::Forced;
 use rules::check_recovered;
@@ -38,11 +38,7 @@ pub struct World {
     pub(super) graph: Graph,
     /// Files that the graph has not seen since they were edited.
     unseen: BTreeSet<PathBuf>,
-    /// The search for the files below the folders, while it goes on.
-    listing: Option<Listing>,
-    /// Files below the folders that were not looked at yet.
-    unscanned: Vec<PathBuf>,
-    scanned: bool,
+    scan: Scan,
     /// Roots picked by the user, by the file they were picked for.
     picks: FastMap<PathBuf, RootChoice>,
     cache: FastMap<RootChoice, Arc<Analyzed>>,
@@ -86,9 +82,7 @@ impl World {
             edits: 0,
             unseen: BTreeSet::new(),
             graph: Graph::default(),
-            listing: None,
-            unscanned: Vec::new(),
-            scanned: false,
+            scan: Scan::default(),
             picks: FastMap::default(),
             cache: FastMap::default(),
             good: FastMap::default(),
@@ -142,7 +136,7 @@ impl World {
     /// Show other folders.
     pub fn set_folders(&mut self, folders: Vec<PathBuf>) {
         self.folders = folders;
-        (self.scanned, self.listing) = (false, None);
+        self.scan.restart();
         self.graph = Graph::default();
         self.unseen.extend(self.open.keys().cloned());
         self.reload();
@@ -288,43 +282,27 @@ impl World {
     /// Look at more files of the workspace, until `stop` says so; returns how many are done and how many there
     /// are. When all are done: none.
     pub fn scan(&mut self, stop: impl Fn() -> bool) -> Option<(usize, usize)> {
-        if !self.list(&stop) {
+        let (folders, session) = (&self.folders, &self.session);
+        let listing = || Listing::of(folders, &session.vfs, &self.env);
+        if !self.scan.list(listing, session, &stop) {
             return Some((0, 0));
         }
-        let total = self.unscanned.len();
+        let total = self.scan.waiting.len();
         let mut done = 0;
-        while let Some(path) = self.unscanned.pop() {
-            self.graph
-                .update(&self.session.vfs, &self.session.packages, &path);
+        while let Some(path) = self.scan.waiting.pop() {
+            self.graph.update(&session.vfs, &session.packages, &path);
             done += 1;
             if stop() {
                 break;
             }
         }
-        (!self.unscanned.is_empty()).then_some((done, total))
+        (!self.scan.waiting.is_empty()).then_some((done, total))
     }
 
     /// The same for at most so long; whether all are done.
     pub fn scan_within(&mut self, patience: Duration) -> bool {
         let end = Instant::now() + patience;
         self.scan(|| Instant::now() >= end).is_none()
-    }
-
-    /// Search for the files to look at, until `stop` says so; whether all were found.
-    fn list(&mut self, stop: &dyn Fn() -> bool) -> bool {
-        if !self.scanned {
-            let listing = self
-                .listing
-                .get_or_insert_with(|| Listing::of(&self.folders, &self.session.vfs, &self.env));
-            if !listing.go_on(&self.session, stop) {
-                return false;
-            }
-            let found = self.listing.take().map_or_else(Vec::new, Listing::done);
-            self.unscanned = found.into_iter().take(SCAN_FILES).collect();
-            self.unscanned.reverse();
-            self.scanned = true;
-        }
-        true
     }
 
     /// The descriptions that were looked at.
@@ -353,7 +331,7 @@ impl World {
 
     /// Whether all files of the workspace were looked at.
     pub fn is_scanned(&self) -> bool {
-        self.scanned && self.unscanned.is_empty()
+        self.scan.is_done()
     }
 
     /// Files changed on the disk.

@@ -2,9 +2,9 @@
 
 use ecow::EcoString;
 
+use super::binding_info::BindingKind;
 use super::expansion::Expansion;
 use super::origin::{FrameId, FrameKind, Origin};
-use super::resolve::BindingKind;
 use super::symbols::SourceRange;
 use super::tree::Piece;
 use base::{FastSet, TextRange};
@@ -31,7 +31,7 @@ pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
 /// What the innermost call passes for the text at an origin.
 fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let token = the_name(expansion, origin)?;
-    let evaluations = &expansion.evaluations;
+    let evaluations = &expansion.index.evaluations;
     let evaluation = evaluations.in_frame(
         SourceRange {
             src: origin.src,
@@ -39,10 +39,10 @@ fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
         },
         origin.frame,
     )?;
-    let [read] = expansion.read_in(evaluation.reads) else {
+    let [read] = expansion.index.read_in(evaluation.reads) else {
         return None;
     };
-    let binding = expansion.bindings.get(*read as usize)?;
+    let binding = expansion.index.bindings.get(*read as usize)?;
     let given = binding
         .origin
         .filter(|_| binding.kind == BindingKind::Parameter)?;
@@ -95,6 +95,7 @@ pub fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
         };
         all.extend(
             expansion
+                .index
                 .evaluations
                 .at(place)
                 .map(|evaluation| evaluation.at.frame),
@@ -113,9 +114,10 @@ impl Expansion {
         pieces.iter().find_map(|piece| {
             let Origin { src, range, frame } = piece.source;
             let evaluation = self
+                .index
                 .evaluations
                 .in_frame(SourceRange { src, range }, frame)?;
-            self.empty_argument_of(self.read_in(evaluation.reads))
+            self.empty_argument_of(self.index.read_in(evaluation.reads))
         })
     }
 
@@ -127,12 +129,12 @@ impl Expansion {
             if seen.len() > MOST_READS || !seen.insert(id) {
                 continue;
             }
-            let info = self.bindings.get(id as usize)?;
+            let info = self.index.bindings.get(id as usize)?;
             let is_empty = matches!(&info.value, Some(Value::Str(text)) if text.is_empty());
             if info.kind == BindingKind::Argument && is_empty && info.origin.is_some() {
                 return Some(info.name.clone());
             }
-            open.extend_from_slice(self.read_in(info.reads));
+            open.extend_from_slice(self.index.read_in(info.reads));
         }
         None
     }

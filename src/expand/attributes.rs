@@ -1,13 +1,14 @@
 //! The attributes of xacro's own tags.
 
+use super::expander::Expander;
+use super::kind::ProblemKind;
+use super::origin::Origin;
+use super::scope::TextPlace;
+use super::state::EvalContext;
+use super::tag::Tag;
 use std::borrow::Cow;
 
-use super::element::Tag;
-use super::kind::ProblemKind;
-use super::machine::{Cx, Expander};
 use super::meant;
-use super::origin::Origin;
-use super::scope::Place;
 use base::TextRange;
 use expr::{Value, display, literal};
 
@@ -18,7 +19,12 @@ const ATTRIBUTES: &[&str] = &[
 
 impl Expander<'_> {
     /// An attribute as it is written (entities decoded), and where.
-    pub fn attr<'a>(&self, tag: Tag<'a>, name: &str, cx: Cx) -> Option<(Cow<'a, str>, Place)> {
+    pub fn attr<'a>(
+        &self,
+        tag: Tag<'a>,
+        name: &str,
+        cx: EvalContext,
+    ) -> Option<(Cow<'a, str>, TextPlace)> {
         let attr = tag.attr(name)?;
         let origin = Origin {
             src: tag.src,
@@ -27,7 +33,7 @@ impl Expander<'_> {
         };
         Some((
             attr.value(self.entities(tag.src)),
-            Place {
+            TextPlace {
                 origin,
                 is_attr: true,
             },
@@ -39,8 +45,8 @@ impl Expander<'_> {
         &mut self,
         tag: Tag<'a>,
         name: &str,
-        cx: Cx,
-    ) -> Option<(Cow<'a, str>, Place)> {
+        cx: EvalContext,
+    ) -> Option<(Cow<'a, str>, TextPlace)> {
         let found = self.attr(tag, name, cx);
         if found.is_none() {
             let message = format!("missing attribute `{name}` in `{}`", tag.name);
@@ -71,7 +77,7 @@ impl Expander<'_> {
     }
 
     /// Warn about attributes that mean nothing on this tag.
-    pub fn check_attrs(&mut self, tag: Tag<'_>, allowed: &[&str], cx: Cx) {
+    pub fn check_attrs(&mut self, tag: Tag<'_>, allowed: &[&str], cx: EvalContext) {
         let unknown = |name: &str| {
             !allowed.contains(&name) && !name.starts_with("xmlns:") && name != "xmlns:xacro"
         };
@@ -107,7 +113,7 @@ impl Expander<'_> {
             return None;
         }
         let truth = match value {
-            Value::Scope(scope) => Some(!self.scopes.entries(*scope).is_empty()),
+            Value::Scope(scope) => Some(!self.names.scopes.entries(*scope).is_empty()),
             _ => literal::boolean(value),
         };
         if truth.is_none() {
@@ -140,7 +146,7 @@ impl Expander<'_> {
     }
 
     /// The start of a tag: from `<` to the end of its name.
-    pub fn tag_origin(&self, tag: Tag<'_>, cx: Cx) -> Origin {
+    pub fn tag_origin(&self, tag: Tag<'_>, cx: EvalContext) -> Origin {
         let name = tag.node.name_range();
         Origin {
             src: tag.src,

@@ -1,15 +1,16 @@
 //! What a call gives to the parameters of its macro: attributes, blocks, defaults, values of the caller.
 
-use super::element::Tag;
+use super::binding_info::{BindingInfo, BindingKind};
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::{Cx, Expander};
+use super::macro_table::{MacroDef, Open, Param};
 use super::origin::Origin;
-use super::problem::Detail;
-use super::problem::{Outside, Step};
+use super::problem::{Detail, Outside, Step};
 use super::property::literal_of;
-use super::resolve::{BindingInfo, BindingKind};
-use super::scope::{Block, MacroDef, Open, Param, Place, State};
+use super::scope::{Block, State, TextPlace};
+use super::state::EvalContext;
 use super::symbols::UseKind;
+use super::tag::Tag;
 use super::tree::{XId, XKind};
 use expr::Value;
 use workspace::nearest;
@@ -31,8 +32,8 @@ impl Expander<'_> {
         &mut self,
         tag: Tag<'_>,
         def: &'d MacroDef,
-        cx: Cx,
-        body: Cx,
+        cx: EvalContext,
+        body: EvalContext,
     ) -> Vec<&'d Param> {
         let mut open = Open::new(&def.params);
         for attr in tag.attrs() {
@@ -62,7 +63,7 @@ impl Expander<'_> {
             self.bind_param(
                 param,
                 &text,
-                Place {
+                TextPlace {
                     origin,
                     is_attr: true,
                 },
@@ -74,8 +75,15 @@ impl Expander<'_> {
     }
 
     /// Evaluate a text in the caller's scope and bind it in the body's.
-    fn bind_param(&mut self, param: &Param, text: &str, place: Place, cx: Cx, body: Cx) {
-        let mark = self.reads.len();
+    fn bind_param(
+        &mut self,
+        param: &Param,
+        text: &str,
+        place: TextPlace,
+        cx: EvalContext,
+        body: EvalContext,
+    ) {
+        let mark = self.names.reads.len();
         let value = literal_of(self.eval_text(text, place, cx.scope));
         let reads = self.take_reads(mark);
         let info = BindingInfo {
@@ -111,8 +119,8 @@ impl Expander<'_> {
         (given, is_sure): (Vec<GivenBlock>, bool),
         def: &MacroDef,
         open: &mut Vec<&Param>,
-        cx: Cx,
-        body: Cx,
+        cx: EvalContext,
+        body: EvalContext,
     ) {
         let mut wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
@@ -144,7 +152,7 @@ impl Expander<'_> {
                 }
             }
         }
-        if self.unwinding || !is_sure {
+        if self.flow.unwinding || !is_sure {
             return;
         }
         if !missing.is_empty() {
@@ -219,8 +227,8 @@ impl Expander<'_> {
         def: &MacroDef,
         open: &mut Vec<&Param>,
         at: Origin,
-        cx: Cx,
-        body: Cx,
+        cx: EvalContext,
+        body: EvalContext,
     ) {
         let mut left = Vec::new();
         for param in std::mem::take(open) {
@@ -240,7 +248,7 @@ impl Expander<'_> {
                     self.bind_param(
                         param,
                         text,
-                        Place {
+                        TextPlace {
                             origin,
                             is_attr: true,
                         },
@@ -255,10 +263,11 @@ impl Expander<'_> {
     }
 
     /// `^`: the value the caller sees under the same name.
-    fn forward(&mut self, param: &Param, at: Origin, cx: Cx, body: Cx) -> bool {
+    fn forward(&mut self, param: &Param, at: Origin, cx: EvalContext, body: EvalContext) -> bool {
         let name = &param.name;
-        let mark = self.reads.len();
+        let mark = self.names.reads.len();
         let outer = self
+            .names
             .scopes
             .find(cx.scope, name)
             .map(|(_, binding)| binding.info);
@@ -287,7 +296,7 @@ impl Expander<'_> {
         true
     }
 
-    fn nothing_to_forward(&mut self, def: &MacroDef, param: &Param, at: Origin, body: Cx) {
+    fn nothing_to_forward(&mut self, def: &MacroDef, param: &Param, at: Origin, body: EvalContext) {
         let name = &param.name;
         let message = format!(
             "parameter `{name}` of macro `{}` uses `{name}` of the caller, which is not defined",
@@ -302,7 +311,7 @@ impl Expander<'_> {
         self.bind_unknown(param, at, body);
     }
 
-    pub(super) fn bind_unknown(&mut self, param: &Param, at: Origin, body: Cx) {
+    pub(super) fn bind_unknown(&mut self, param: &Param, at: Origin, body: EvalContext) {
         self.result.complete = false;
         self.bind(
             body.scope,
@@ -313,8 +322,14 @@ impl Expander<'_> {
         );
     }
 
-    pub(super) fn missing_params(&mut self, def: &MacroDef, open: &[&Param], at: Origin, body: Cx) {
-        if self.unwinding {
+    pub(super) fn missing_params(
+        &mut self,
+        def: &MacroDef,
+        open: &[&Param],
+        at: Origin,
+        body: EvalContext,
+    ) {
+        if self.flow.unwinding {
             return;
         }
         let mut open = open.to_vec();
@@ -381,7 +396,7 @@ impl Expander<'_> {
         def: &MacroDef,
         open: &mut Open<'d>,
         (name, at): (&str, Origin),
-        body: Cx,
+        body: EvalContext,
     ) -> Option<&'d Param> {
         let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
         let mut problem = self
@@ -406,7 +421,7 @@ impl Expander<'_> {
             .map(|p| p.name.as_str())
             .filter(|_| self.compares());
         let near = nearest(name, names).map(str::to_owned);
-        self.compared += def.params.iter().len();
+        self.names.compared += def.params.iter().len();
         if let Some(near) = &near {
             problem = problem
                 .help(format!("did you mean `{near}`?"))

@@ -1,6 +1,6 @@
 //! Which comments disappear with the tags they stand in front of.
 
-use super::machine::Expander;
+use super::expander::Expander;
 use super::params::is_space;
 use super::tree::{XId, XKind};
 

@@ -2,29 +2,37 @@
 
 use ecow::EcoString;
 
-use super::element::Tag;
+use super::binding_info::{BindingInfo, BindingKind};
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::late::NameKind;
-use super::machine::{Cx, Expander};
 use super::origin::{FrameKind, Origin};
 use super::request::Forced;
-use super::resolve::{BindingInfo, BindingKind};
-use super::scope::{Block, Place, State};
+use super::scope::{Block, State, TextPlace};
+use super::state::EvalContext;
 use super::symbols::{SymbolKind, UseKind};
+use super::tag::Tag;
 use super::tree::{XAttr, XId, XKind};
+use super::undefined::NameKind;
 use base::limits::BLOCK_DEPTH;
 use expr::{Value, display};
 use xml::Attr;
 
 impl Expander<'_> {
     /// `xacro:if` (`wanted` true) and `xacro:unless`.
-    pub fn conditional(&mut self, tag: Tag<'_>, wanted: bool, has_next: bool, out: XId, cx: Cx) {
+    pub fn conditional(
+        &mut self,
+        tag: Tag<'_>,
+        wanted: bool,
+        has_next: bool,
+        out: XId,
+        cx: EvalContext,
+    ) {
         self.drop_comments(out, has_next);
         let Some((text, place)) = self.required_attr(tag, "value", cx) else {
             return self.unknown_branch(tag, cx);
         };
         self.check_attrs(tag, &["value"], cx);
-        let mark = self.reads.len();
+        let mark = self.names.reads.len();
         let value = self.eval_text(&text, place, cx.scope);
         let truth = self.truth(&value, &text, place.origin, mark);
         match self.forced(tag).or(truth.map(|truth| truth == wanted)) {
@@ -40,9 +48,9 @@ impl Expander<'_> {
                 if others || text.contains('$') && text.contains('(') {
                     self.eval_attributes(tag, content, cx);
                 }
-                self.conditions += 1;
+                self.flow.conditions += 1;
                 self.eval_children(tag.node, tag.src, content, cx);
-                self.conditions -= 1;
+                self.flow.conditions -= 1;
                 self.splice(content, out);
             }
             Some(false) => {}
@@ -66,16 +74,16 @@ impl Expander<'_> {
     }
 
     /// A branch that may or may not be taken: what it defines is not missed later, what it holds is not kept.
-    fn unknown_branch(&mut self, tag: Tag<'_>, cx: Cx) {
-        self.unknown_conditions += 1;
-        self.conditions += 1;
+    fn unknown_branch(&mut self, tag: Tag<'_>, cx: EvalContext) {
+        self.flow.unknown_conditions += 1;
+        self.flow.conditions += 1;
         self.skip_unknown(tag, cx);
-        self.conditions -= 1;
-        self.unknown_conditions -= 1;
+        self.flow.conditions -= 1;
+        self.flow.unknown_conditions -= 1;
     }
 
     /// `xacro:arg`
-    pub fn arg(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    pub fn arg(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         self.note_unclear();
         let name = self.required_attr(tag, "name", cx);
         let default = self.required_attr(tag, "default", cx);
@@ -84,12 +92,12 @@ impl Expander<'_> {
             let name = EcoString::from(name.as_ref());
             self.defined(NameKind::Arg, &name, cx.scope, place.origin);
             let definition = self.define(SymbolKind::Argument, &name, place.origin);
-            let given = self.args.get(&name).map(|(_, info)| *info as usize);
-            if let Some(info) = given.and_then(|info| self.result.bindings.get_mut(info)) {
+            let given = self.names.args.get(&name).map(|(_, info)| *info as usize);
+            if let Some(info) = given.and_then(|info| self.result.index.bindings.get_mut(info)) {
                 // given from outside: the first declaration is the one that counts
                 info.definition.get_or_insert(definition);
             } else {
-                let mark = self.reads.len();
+                let mark = self.names.reads.len();
                 let value = default.as_ref().and_then(|(text, place)| {
                     let value = self.eval_text(text, *place, cx.scope);
                     display::to_str(&value)
@@ -105,14 +113,14 @@ impl Expander<'_> {
                 self.result
                     .record
                     .add(super::Read::Arg(name.to_string(), None));
-                self.args.insert(name, (value, info));
+                self.names.args.insert(name, (value, info));
             }
         }
         self.drop_comments(out, has_next);
     }
 
     /// `xacro:insert_block`
-    pub fn insert_block(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+    pub fn insert_block(&mut self, tag: Tag<'_>, out: XId, cx: EvalContext) {
         let Some((name, place)) = self.required_attr(tag, "name", cx) else {
             return;
         };
@@ -120,7 +128,7 @@ impl Expander<'_> {
         let mut unknown = None;
         let found = ["**", "*"].into_iter().find_map(|stars| {
             let key = format!("{stars}{name}");
-            let (_, binding) = self.scopes.find(cx.scope, &key)?;
+            let (_, binding) = self.names.scopes.find(cx.scope, &key)?;
             if matches!(binding.state, State::Ready(Value::Unknown)) {
                 unknown = Some(stars);
             }
@@ -130,6 +138,7 @@ impl Expander<'_> {
             let info = binding.info;
             let origin = self
                 .result
+                .index
                 .bindings
                 .get(info as usize)
                 .and_then(|info| info.origin);
@@ -144,13 +153,13 @@ impl Expander<'_> {
         };
         self.note_read(place.origin, info, UseKind::Insert);
         let at = self.tag_origin(tag, cx);
-        if self.block_depth >= BLOCK_DEPTH {
+        if self.guards.block_depth >= BLOCK_DEPTH {
             let message = format!("block `{name}` inserts itself (more than {BLOCK_DEPTH} levels)");
             return self.stop(at, message, None);
         }
-        self.block_depth += 1;
+        self.guards.block_depth += 1;
         let frame = self.push_frame(FrameKind::Block, name.as_ref().into(), at, definition);
-        let cx = Cx { frame, ..cx };
+        let cx = EvalContext { frame, ..cx };
         match block {
             Block::Source(at) => {
                 self.note_source(at.src);
@@ -181,7 +190,7 @@ impl Expander<'_> {
             }
             Block::Built(block) => self.rebuild(block, out, cx),
         }
-        self.block_depth -= 1;
+        self.guards.block_depth -= 1;
     }
 
     /// A block whose content is not known: in its place goes an empty container, which counts where a call looks for
@@ -194,11 +203,11 @@ impl Expander<'_> {
         }
     }
 
-    fn undefined_block(&mut self, name: &str, place: Place, cx: Cx) {
+    fn undefined_block(&mut self, name: &str, place: TextPlace, cx: EvalContext) {
         // a call around it gives fewer blocks than it was meant to
-        self.losses += 1;
-        let Some(missing) = self.missing_name(NameKind::Block, name, |machine| {
-            machine.scopes.visible_blocks(cx.scope)
+        self.gaps.losses += 1;
+        let Some(missing) = self.missing_name(NameKind::Block, name, |expander| {
+            expander.names.scopes.visible_blocks(cx.scope)
         }) else {
             return;
         };
@@ -213,7 +222,7 @@ impl Expander<'_> {
             problem = problem
                 .help(format!("did you mean `{near}`?"))
                 .replace_with(near);
-        } else if self.scopes.find(cx.scope, name).is_some() {
+        } else if self.names.scopes.find(cx.scope, name).is_some() {
             problem = problem.help(format!(
                 "declare the parameter as `*{name}`; `{name}` is a value, not a block"
             ));
@@ -227,7 +236,7 @@ impl Expander<'_> {
 
     /// Copy an evaluated node to the end of `out`, evaluating its texts once more: the reference
     /// inserts a copy of the block and evaluates that again.
-    fn rebuild(&mut self, from: XId, out: XId, cx: Cx) {
+    fn rebuild(&mut self, from: XId, out: XId, cx: EvalContext) {
         let node = self.result.tree.get(from);
         let (kind, origin, text) = (node.kind, node.origin, node.text.clone());
         if self.tick(origin) {
@@ -237,7 +246,7 @@ impl Expander<'_> {
             XKind::Text => {
                 self.eval_pieces(
                     &text,
-                    Place {
+                    TextPlace {
                         origin,
                         is_attr: false,
                     },
@@ -255,7 +264,7 @@ impl Expander<'_> {
         }
     }
 
-    fn rebuild_children(&mut self, from: XId, out: XId, cx: Cx) {
+    fn rebuild_children(&mut self, from: XId, out: XId, cx: EvalContext) {
         let mut next = self.result.tree.first_child(from);
         while let Some(child) = next {
             self.rebuild(child, out, cx);
@@ -263,7 +272,7 @@ impl Expander<'_> {
         }
     }
 
-    fn rebuild_attrs(&mut self, from: XId, to: XId, cx: Cx) {
+    fn rebuild_attrs(&mut self, from: XId, to: XId, cx: EvalContext) {
         let attrs = self.result.tree.get(from).attrs.clone();
         let is_final = |attr: &XAttr| !attr.name.starts_with("xacro:") && !attr.value.contains('$');
         if attrs.iter().all(is_final) {
@@ -278,7 +287,7 @@ impl Expander<'_> {
                 if !attr.value.contains('$') {
                     return attr;
                 }
-                let place = Place {
+                let place = TextPlace {
                     origin: attr.origin,
                     is_attr: true,
                 };

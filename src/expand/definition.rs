@@ -2,24 +2,26 @@
 
 use ecow::EcoString;
 
-use super::element::Tag;
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::late::NameKind;
-use super::machine::{Cx, Expander};
+use super::macro_table::{MacroDef, Param, Params};
 use super::meant;
 use super::origin::Origin;
 use super::params;
 use super::problem::{Detail, Problem};
-use super::scope::{MacroDef, Param, Params, Place, SrcRef};
+use super::scope::{SrcRef, TextPlace};
+use super::split_text::TextSite;
+use super::state::EvalContext;
 use super::symbols::{DefinitionId, SymbolKind};
-use super::text::TextSite;
+use super::tag::Tag;
 use super::tree::XId;
+use super::undefined::NameKind;
 use base::TextRange;
 use workspace::nearest;
 
 impl Expander<'_> {
     /// `xacro:macro`
-    pub fn define_macro(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    pub fn define_macro(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         self.drop_comments(out, has_next);
         let Some((name, place)) = self.required_attr(tag, "name", cx) else {
             return;
@@ -119,15 +121,15 @@ impl Expander<'_> {
             definition,
             params,
         };
-        let def = self.macros.define(cx.macros, def);
-        if self.request.probe && self.calls.is_empty() {
-            self.idle_macros.push((def, cx));
+        let def = self.names.macros.define(cx.macros, def);
+        if self.request.probe && self.guards.calls.is_empty() {
+            self.probing.macros.push((def, cx));
         }
     }
 
     /// Whether the definition of a macro was meant to call it: it is empty, and gives parameters of the one that is there.
     /// The reference takes it as it is.
-    fn is_call_meant(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> bool {
+    fn is_call_meant(&mut self, tag: Tag<'_>, name: &str, cx: EvalContext) -> bool {
         let others: Vec<&str> = tag
             .attrs()
             .map(|attr| attr.name())
@@ -136,7 +138,7 @@ impl Expander<'_> {
         if !self.request.probe || others.contains(&"params") {
             return false;
         }
-        let Some(def) = self.macros.find(cx.macros, name) else {
+        let Some(def) = self.names.macros.find(cx.macros, name) else {
             return false;
         };
         let blocks = def.params.iter().filter(|param| param.is_block()).count();
@@ -188,7 +190,7 @@ impl Expander<'_> {
     }
 
     /// The attribute that lists the parameters: `params`, unless a misspelled one is there instead, which is reported.
-    fn parameter_attribute<'a>(&mut self, tag: Tag<'a>, cx: Cx) -> &'a str {
+    fn parameter_attribute<'a>(&mut self, tag: Tag<'a>, cx: EvalContext) -> &'a str {
         if !self.request.probe || tag.attr("params").is_some() {
             return "params";
         }
@@ -225,7 +227,7 @@ impl Expander<'_> {
         &mut self,
         of: &str,
         (text, params): (&str, Vec<Param>),
-        place: Place,
+        place: TextPlace,
     ) -> Vec<Param> {
         let is_bad = |param: &Param| meant::by_parameter(&param.name).is_some();
         if !self.request.probe || !params.iter().any(is_bad) {
@@ -270,7 +272,7 @@ impl Expander<'_> {
     fn define_params(
         &mut self,
         (text, mut params): (&str, Vec<Param>),
-        place: Place,
+        place: TextPlace,
         of: DefinitionId,
     ) -> Vec<Param> {
         // all places at once: to find one takes as long as the list is

@@ -1,53 +1,27 @@
 //! The pass over the document: which tag does what.
 
+use super::expander::Expander;
+use super::kind::ProblemKind;
+use super::origin::{FileIdx, Origin, SrcId};
+use super::params::strip;
+use super::scope::TextPlace;
+use super::stack::with_stack;
+use super::state::EvalContext;
+use super::tag::{Siblings, Tag};
+use super::tree::{XAttr, XId, XKind};
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use ecow::EcoString;
 
-use super::kind::ProblemKind;
-use super::machine::{Cx, Expander};
-use super::origin::{FileIdx, Origin, SrcId};
-use super::params::strip;
-use super::scope::Place;
-use super::stack::with_stack;
-use super::tree::{XAttr, XId, XKind};
 use base::TextRange;
 use base::limits::ELEMENT_DEPTH;
 use expr::{Value, display, literal};
-use xml::{Attr, Entities, Item, Node, NodeKind, normalize_line_ends, printed_doctype};
-
-/// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
-#[derive(Clone, Copy)]
-pub(super) struct Tag<'a> {
-    pub node: Node<'a>,
-    pub src: SrcId,
-    pub name: &'a str,
-    /// Attributes that were used up by renaming it.
-    pub used: &'static [&'static str],
-}
-
-impl<'a> Tag<'a> {
-    pub fn attrs(&self) -> impl Iterator<Item = Attr<'a>> + use<'a> {
-        let used = self.used;
-        self.node.attrs().filter(move |a| !used.contains(&a.name()))
-    }
-
-    pub fn attr(&self, name: &str) -> Option<Attr<'a>> {
-        self.attrs().find(|a| a.name() == name)
-    }
-}
-
-/// What is remembered from sibling to sibling.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Siblings {
-    /// After `xacro:eval-comments`.
-    pub eval_comments: bool,
-}
+use xml::{Entities, Item, Node, NodeKind, normalize_line_ends, printed_doctype};
 
 impl Expander<'_> {
     /// The whole root document.
-    pub fn eval_document(&mut self, file: FileIdx, cx: Cx) {
+    pub fn eval_document(&mut self, file: FileIdx, cx: EvalContext) {
         let Some(used) = self.result.files.get(file.0 as usize) else {
             return;
         };
@@ -66,7 +40,7 @@ impl Expander<'_> {
         }
     }
 
-    fn eval_root(&mut self, node: Node<'_>, src: SrcId, file: FileIdx, cx: Cx) {
+    fn eval_root(&mut self, node: Node<'_>, src: SrcId, file: FileIdx, cx: EvalContext) {
         let origin = Origin {
             src,
             range: node.start_tag_range(),
@@ -103,7 +77,7 @@ impl Expander<'_> {
     }
 
     /// The children of a file's root element, item by item.
-    pub fn eval_root_content(&mut self, file: FileIdx, out: XId, cx: Cx) {
+    pub fn eval_root_content(&mut self, file: FileIdx, out: XId, cx: EvalContext) {
         let Some(used) = self.result.files.get(file.0 as usize) else {
             return;
         };
@@ -136,7 +110,7 @@ impl Expander<'_> {
     }
 
     /// The children of an element inside an item.
-    pub fn eval_children(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx) {
+    pub fn eval_children(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: EvalContext) {
         let mut siblings = Siblings::default();
         self.eval_nodes(node.children(), src, false, out, cx, &mut siblings);
     }
@@ -148,7 +122,7 @@ impl Expander<'_> {
         src: SrcId,
         more: bool,
         out: XId,
-        cx: Cx,
+        cx: EvalContext,
         siblings: &mut Siblings,
     ) {
         let mut joined = None;
@@ -198,7 +172,7 @@ impl Expander<'_> {
         node: Node<'_>,
         src: SrcId,
         out: XId,
-        cx: Cx,
+        cx: EvalContext,
         siblings: &mut Siblings,
     ) {
         if let Some(name) = self
@@ -227,7 +201,7 @@ impl Expander<'_> {
             .says(message);
         self.push(problem.help("write the elements in place of `&{name};`, or use a macro"));
         self.result.complete = false;
-        self.content_lost = true;
+        self.gaps.content_lost = true;
     }
 
     fn push_text(
@@ -236,7 +210,7 @@ impl Expander<'_> {
         node: Node<'_>,
         src: SrcId,
         out: XId,
-        cx: Cx,
+        cx: EvalContext,
         siblings: &mut Siblings,
     ) {
         // references to empty entities only: an XML parser makes no node of that
@@ -251,7 +225,7 @@ impl Expander<'_> {
         let value = self
             .eval_pieces(
                 text,
-                Place {
+                TextPlace {
                     origin,
                     is_attr: false,
                 },
@@ -270,7 +244,7 @@ impl Expander<'_> {
         node: Node<'_>,
         src: SrcId,
         out: XId,
-        cx: Cx,
+        cx: EvalContext,
         siblings: &mut Siblings,
     ) {
         let raw = node.raw();
@@ -290,7 +264,7 @@ impl Expander<'_> {
         let text = if siblings.eval_comments && data.contains('$') {
             self.eval_pieces(
                 &data,
-                Place {
+                TextPlace {
                     origin,
                     is_attr: false,
                 },
@@ -312,7 +286,7 @@ impl Expander<'_> {
     }
 
     /// What xacro never looks into.
-    fn copy_verbatim(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: Cx) {
+    fn copy_verbatim(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: EvalContext) {
         let (kind, text) = match node.kind() {
             NodeKind::Comment => (XKind::Comment, normalize_line_ends(node.raw())),
             NodeKind::CData => (XKind::CData, normalize_line_ends(node.raw())),
@@ -350,11 +324,11 @@ impl Expander<'_> {
     }
 
     /// One element, by the name it has now.
-    pub fn eval_tag(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    pub fn eval_tag(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         with_stack(|| self.eval_tag_here(tag, has_next, out, cx));
     }
 
-    fn eval_tag_here(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    fn eval_tag_here(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         let Some(xacro) = tag.name.strip_prefix("xacro:") else {
             return self.eval_plain(tag, out, cx);
         };
@@ -372,7 +346,7 @@ impl Expander<'_> {
         }
     }
 
-    fn eval_plain(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+    fn eval_plain(&mut self, tag: Tag<'_>, out: XId, cx: EvalContext) {
         let origin = Origin {
             src: tag.src,
             range: tag.node.start_tag_range(),
@@ -384,18 +358,18 @@ impl Expander<'_> {
             .add(XKind::Element, tag.name.into(), origin);
         self.result.tree.append(out, id);
         self.eval_attributes(tag, id, cx);
-        if self.nesting >= ELEMENT_DEPTH {
+        if self.guards.nesting >= ELEMENT_DEPTH {
             let message = format!("elements are nested more than {ELEMENT_DEPTH} levels deep");
             self.stop(origin, message, None);
             return;
         }
-        self.nesting += 1;
+        self.guards.nesting += 1;
         self.eval_children(tag.node, tag.src, id, cx);
-        self.nesting -= 1;
+        self.guards.nesting -= 1;
     }
 
     /// Evaluate the attributes of a tag onto `out`; those of xacro itself are dropped.
-    pub fn eval_attributes(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+    pub fn eval_attributes(&mut self, tag: Tag<'_>, out: XId, cx: EvalContext) {
         let mut attrs = std::mem::take(&mut self.attrs);
         for attr in tag.attrs() {
             let name = attr.name();
@@ -411,7 +385,7 @@ impl Expander<'_> {
             let (value, pieces) = if text.contains('$') {
                 self.eval_pieces(
                     &text,
-                    Place {
+                    TextPlace {
                         origin,
                         is_attr: true,
                     },
@@ -435,7 +409,7 @@ impl Expander<'_> {
     }
 
     /// `xacro:element`: go on under the computed name.
-    fn renamed_element(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    fn renamed_element(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         let Some((text, place)) = self.required_attr(tag, "xacro:name", cx) else {
             return;
         };
@@ -478,7 +452,7 @@ impl Expander<'_> {
     }
 
     /// `xacro:attribute`: onto the element around it.
-    fn set_attribute(&mut self, tag: Tag<'_>, out: XId, cx: Cx) {
+    fn set_attribute(&mut self, tag: Tag<'_>, out: XId, cx: EvalContext) {
         let Some((name, name_place)) = self.required_attr(tag, "name", cx) else {
             return;
         };
@@ -524,10 +498,10 @@ impl Expander<'_> {
     }
 
     /// A tag whose meaning could not be computed: look inside for further causes, keep nothing.
-    pub fn skip_unknown(&mut self, tag: Tag<'_>, cx: Cx) {
+    pub fn skip_unknown(&mut self, tag: Tag<'_>, cx: EvalContext) {
         self.result.complete = false;
-        self.content_lost = true;
-        self.losses += 1;
+        self.gaps.content_lost = true;
+        self.gaps.losses += 1;
         let nowhere = self
             .result
             .tree

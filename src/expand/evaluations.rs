@@ -3,7 +3,6 @@
 use std::ops::Range;
 use std::sync::OnceLock;
 
-use super::machine::Expander;
 use super::origin::{FrameId, Origin};
 use super::symbols::SourceRange;
 use base::limits::EVALUATIONS;
@@ -94,40 +93,13 @@ impl Evaluations {
             .extend_from_slice(others.list.get(part).unwrap_or_default());
     }
 
+    /// Note what an expression gave.
+    pub(super) fn add(&mut self, evaluation: Evaluation) {
+        self.list.push(evaluation);
+    }
+
     /// Whether there were more than are kept.
     pub fn is_full(&self) -> bool {
         self.list.len() >= EVALUATIONS
-    }
-}
-
-impl Expander<'_> {
-    /// Note what the expression at `at` gave; `mark` is how many reads there were before. Answers with their part of
-    /// all reads.
-    pub fn note_value(&mut self, at: Origin, value: &Value, mark: usize) -> TextRange {
-        let reads = self.keep_reads(mark);
-        let kept = &mut self.result.evaluations;
-        if self.request.probe && !kept.is_full() {
-            kept.list.push(Evaluation {
-                at,
-                value: value.clone(),
-                reads,
-            });
-        }
-        reads
-    }
-
-    /// Note all reads since there were `mark`; answers with their part of all reads.
-    pub fn keep_reads(&mut self, mark: usize) -> TextRange {
-        let all = &mut self.result.reads;
-        let start = all.len() as u32;
-        all.extend(self.reads.get(mark..).unwrap_or(&[]));
-        TextRange::new(start, all.len() as u32)
-    }
-
-    /// The same, when nobody else is interested in them.
-    pub fn take_reads(&mut self, mark: usize) -> TextRange {
-        let reads = self.keep_reads(mark);
-        self.reads.truncate(mark);
-        reads
     }
 }

@@ -1,18 +1,17 @@
 //! The result of an expansion.
 
+use super::binding_info::BindingInfo;
+use super::evaluations::Evaluations;
+use super::memo::Memo;
+use super::origin::{Frame, FrameKind, Origin, Source, SrcId};
+use super::problem::{Place, Problem, Severity};
+use super::record::Record;
+use super::symbols::{DefinitionId, Symbols};
+use super::tree::{XId, XTree};
 use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::evaluations::Evaluations;
-use super::memo::Memo;
-use super::origin::{Frame, Source, SrcId};
-use super::probe::Probe;
-use super::problem::Problem;
-use super::record::Record;
-use super::resolve::BindingInfo;
-use super::symbols::Symbols;
-use super::tree::XTree;
 use base::TextRange;
 use vfs::{LoadError, SourceFile};
 
@@ -29,6 +28,39 @@ pub struct FileUse {
     pub items: u32,
 }
 
+/// What a macro gives that nothing calls.
+#[derive(Clone, Copy, Debug)]
+pub struct Probe {
+    /// The macro.
+    pub definition: DefinitionId,
+    /// A node beside the document that holds the result.
+    pub content: XId,
+}
+
+/// What names refer to, and the values of expressions: for rules about names, and for editors.
+#[derive(Debug, Default)]
+pub struct NameIndex {
+    /// Properties, parameters and arguments that pieces refer to.
+    pub bindings: Vec<BindingInfo>,
+    /// What was read, in the order in which it was wanted: see [`Self::read_in`].
+    pub(super) reads: Vec<u32>,
+    /// What each expression gave, each time.
+    pub evaluations: Evaluations,
+    /// Which definition each name of the source refers to.
+    pub symbols: Symbols,
+    /// What macros give that nothing calls, with parameters whose values are unknown; beside the document.
+    pub probes: Vec<Probe>,
+}
+
+impl NameIndex {
+    /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].
+    pub fn read_in(&self, part: TextRange) -> &[u32] {
+        self.reads
+            .get(part.start as usize..part.end as usize)
+            .unwrap_or(&[])
+    }
+}
+
 /// The result: the document, and where everything in it came from.
 #[derive(Debug, Default)]
 pub struct Expansion {
@@ -40,14 +72,8 @@ pub struct Expansion {
     pub sources: Vec<Source>,
     /// Steps that origins refer to.
     pub frames: Vec<Frame>,
-    /// Properties, parameters and arguments that pieces refer to.
-    pub bindings: Vec<BindingInfo>,
-    /// What was read, in the order in which it was wanted: see [`Self::read_in`].
-    pub(super) reads: Vec<u32>,
-    /// What each expression gave, each time.
-    pub evaluations: Evaluations,
-    /// Which definition each name of the source refers to.
-    pub symbols: Symbols,
+    /// What names refer to, and the values of expressions.
+    pub index: NameIndex,
     /// All problems in the order they were met.
     pub problems: Vec<Problem>,
     /// What the recovered trees of files that are not well-formed seem to say.
@@ -63,8 +89,6 @@ pub struct Expansion {
     /// False when parts of the document may be missing: an include, macro or condition could not be resolved.
     /// Unlike [`complete`](Self::complete), a value that could not be computed leaves this as it is.
     pub whole: bool,
-    /// What macros give that nothing calls, with parameters whose values are unknown; beside the document.
-    pub probes: Vec<Probe>,
     /// All arguments with their values, sorted by name; those whose values are unknown are left out.
     pub arguments: Vec<(EcoString, EcoString)>,
     /// Why the root file could not be read; there is no document then.
@@ -78,11 +102,11 @@ impl Expansion {
     pub(super) fn shrink(&mut self) {
         self.tree.shrink();
         self.frames.shrink_to_fit();
-        self.bindings.shrink_to_fit();
+        self.index.bindings.shrink_to_fit();
         self.sources.shrink_to_fit();
-        self.symbols.shrink();
-        self.evaluations.shrink();
-        self.reads.shrink_to_fit();
+        self.index.symbols.shrink();
+        self.index.evaluations.shrink();
+        self.index.reads.shrink_to_fit();
     }
 
     /// How many macro calls were taken over from the expansion before.
@@ -90,10 +114,26 @@ impl Expansion {
         self.memo.as_ref().map_or(0, |memo| memo.taken_over)
     }
 
-    /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].
-    pub fn read_in(&self, part: TextRange) -> &[u32] {
-        self.reads
-            .get(part.start as usize..part.end as usize)
-            .unwrap_or(&[])
+    /// The absolute place of an origin.
+    pub fn place(&self, origin: Origin) -> Option<Place> {
+        let source = self.sources.get(origin.src.0 as usize)?;
+        Some(Place {
+            file: source.file,
+            range: origin.range.shift(source.base),
+        })
+    }
+
+    /// The frame of an origin and all frames around it, innermost first, without the root.
+    pub fn frames_of(&self, origin: Origin) -> impl Iterator<Item = &Frame> {
+        let frame = |origin: Origin| self.frames.get(origin.frame.0 as usize);
+        let not_root = |frame: &&Frame| frame.kind != FrameKind::Root;
+        std::iter::successors(frame(origin).filter(not_root), move |f| {
+            frame(f.call).filter(not_root)
+        })
+    }
+
+    /// Whether the reference would have refused the file.
+    pub fn has_errors(&self) -> bool {
+        self.problems.iter().any(|p| p.severity == Severity::Error)
     }
 }

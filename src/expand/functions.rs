@@ -4,11 +4,12 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::{Expander, OpenFile};
 use super::record::Read;
+use super::split_text::CodeSite;
+use super::state::OpenFile;
 use super::symbols::UseKind;
-use super::text::CodeSite;
 use super::yaml_value::file_value;
 use base::TextRange;
 use expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
@@ -17,38 +18,38 @@ use yaml::{Kind, Node, YamlError};
 
 /// The host of one expression.
 pub(super) struct ExprHost<'m, 'w, 't> {
-    pub machine: &'m mut Expander<'w>,
+    pub expander: &'m mut Expander<'w>,
     pub scope: ScopeId,
     pub at: CodeSite<'t>,
 }
 
 impl Host for ExprHost<'_, '_, '_> {
     fn lookup(&mut self, name: &str, range: TextRange) -> Lookup {
-        let at = self.machine.origin_of(self.at, range);
-        match self.machine.resolve(self.scope, name, at) {
+        let at = self.expander.origin_of(self.at, range);
+        match self.expander.resolve(self.scope, name, at) {
             Some(value) => Lookup::Found(value),
             None => Lookup::Missing,
         }
     }
 
     fn scope_attribute(&mut self, scope: ScopeId, name: &str, range: TextRange) -> Lookup {
-        if name == "depth" && self.machine.scopes.get(scope).is_namespace {
+        if name == "depth" && self.expander.names.scopes.get(scope).is_namespace {
             // the reference answers with a counter of its own, whatever the file defines
-            return Lookup::Found(Value::Int(self.machine.scopes.depth(scope)));
+            return Lookup::Found(Value::Int(self.expander.names.scopes.depth(scope)));
         }
-        let at = self.machine.origin_of(self.at, range);
-        match self.machine.resolve(scope, name, at) {
+        let at = self.expander.origin_of(self.at, range);
+        match self.expander.resolve(scope, name, at) {
             Some(value) => Lookup::Found(value),
             None => Lookup::Missing,
         }
     }
 
     fn scope_entries(&mut self, scope: ScopeId) -> Option<Vec<(EcoString, Value)>> {
-        Some(self.machine.scopes.entries(scope))
+        Some(self.expander.names.scopes.entries(scope))
     }
 
     fn scope_holds(&mut self, scope: ScopeId, name: &str) -> bool {
-        self.machine.scopes.holder(scope, name).is_some()
+        self.expander.names.scopes.holder(scope, name).is_some()
     }
 
     fn current_scope(&self) -> Option<ScopeId> {
@@ -66,7 +67,7 @@ impl Host for ExprHost<'_, '_, '_> {
             HostFn::LoadYaml => self.load_yaml(args, keywords, range),
             HostFn::AbsFilename => {
                 let name = text_argument("abs_filename", "filename_spec", args, keywords)?;
-                Ok(Value::Str(self.machine.absolute_name(&name).into()))
+                Ok(Value::Str(self.expander.absolute_name(&name).into()))
             }
             HostFn::Arg => self.arg(args, keywords, range),
             HostFn::Message => self.message("", args, keywords, false),
@@ -74,7 +75,7 @@ impl Host for ExprHost<'_, '_, '_> {
             HostFn::Error => self.message("error: ", args, keywords, true),
             HostFn::PrintLocation => {
                 let location = self.location();
-                self.machine.result.messages.extend(location);
+                self.expander.result.messages.extend(location);
                 Ok(Value::Str(EcoString::new()))
             }
             HostFn::Fatal => {
@@ -89,30 +90,30 @@ impl Host for ExprHost<'_, '_, '_> {
     fn deprecated(&mut self, name: &str, namespace: &str, range: TextRange) {
         // the call begins with the name of what it calls
         let name_range = TextRange::new(range.start, range.start + name.len() as u32);
-        let at = self.machine.origin_of(self.at, name_range);
+        let at = self.expander.origin_of(self.at, name_range);
         let message = format!("using `{name}()` directly is deprecated");
         let reference =
             format!("Using {name}() directly is deprecated. Use {namespace}.{name}() instead.");
         let problem = self
-            .machine
+            .expander
             .problem(ProblemKind::DeprecatedBuiltinCall, at, message)
             .says(reference)
             .warning()
             .help(format!("write `{namespace}.{name}`"))
             .replace_with(format!("{namespace}.{name}"));
-        self.machine.push(problem);
+        self.expander.push(problem);
     }
 
     fn undefined(&mut self, name: &str, range: TextRange) {
-        let at = self.machine.origin_of(self.at, range);
+        let at = self.expander.origin_of(self.at, range);
         let code = self.at.code;
-        self.machine.undefined_property(self.scope, name, code, at);
+        self.expander.undefined_property(self.scope, name, code, at);
     }
 }
 
 impl ExprHost<'_, '_, '_> {
     fn location(&self) -> Vec<String> {
-        self.machine.location_lines(self.at.site.place.origin)
+        self.expander.location_lines(self.at.site.place.origin)
     }
 
     fn arg(
@@ -122,23 +123,23 @@ impl ExprHost<'_, '_, '_> {
         range: TextRange,
     ) -> Result<Value, EvalError> {
         let name = text_argument("<lambda>", "name", args, keywords)?;
-        self.machine.note_argument(&name);
-        match self.machine.args.get(&name) {
+        self.expander.note_argument(&name);
+        match self.expander.names.args.get(&name) {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
-                self.machine.reads.push(info);
-                let at = self.machine.origin_of(self.at, range);
-                self.machine.note_read(at, info, UseKind::Read);
+                self.expander.names.reads.push(info);
+                let at = self.expander.origin_of(self.at, range);
+                self.expander.note_read(at, info, UseKind::Read);
                 Ok(Value::Str(value))
             }
             Some((None, _)) => Ok(Value::Unknown),
             None => {
-                let at = self.machine.origin_of(self.at, range);
-                self.machine
+                let at = self.expander.origin_of(self.at, range);
+                self.expander
                     .result
                     .record
                     .add(Read::Arg(name.to_string(), None));
-                self.machine.undefined_arg(&name, at, format!("'{name}'"));
+                self.expander.undefined_arg(&name, at, format!("'{name}'"));
                 Ok(Value::Unknown)
             }
         }
@@ -160,10 +161,13 @@ impl ExprHost<'_, '_, '_> {
             .map_or(located, |(_, value)| {
                 literal::truth(value).unwrap_or(located)
             });
-        self.machine.result.messages.push(format!("{prefix}{text}"));
+        self.expander
+            .result
+            .messages
+            .push(format!("{prefix}{text}"));
         if located {
             let location = self.location();
-            self.machine.result.messages.extend(location);
+            self.expander.result.messages.extend(location);
         }
         Ok(Value::Str(EcoString::new()))
     }
@@ -175,31 +179,31 @@ impl ExprHost<'_, '_, '_> {
         range: TextRange,
     ) -> Result<Value, EvalError> {
         let name = text_argument("load_yaml", "filename", args, keywords)?;
-        self.machine.note_unclear();
-        let name = self.machine.absolute_name(&name);
+        self.expander.note_unclear();
+        let name = self.expander.absolute_name(&name);
         // load_yaml opens relative to the working directory, whatever --root-dir says
-        let mut path: PathBuf = self.machine.world.env.cwd.join(&name);
-        let mut loaded = self.machine.world.vfs.yaml(&path, &name);
+        let mut path: PathBuf = self.expander.world.env.cwd.join(&name);
+        let mut loaded = self.expander.world.vfs.yaml(&path, &name);
         if loaded
             .as_ref()
             .is_err_and(|error| error.kind == LoadErrorKind::NotFound)
-            && let Some(built) = self.machine.built(&path)
+            && let Some(built) = self.expander.built(&path)
         {
             path = built.path;
-            loaded = self.machine.world.vfs.yaml(&path, &name);
+            loaded = self.expander.world.vfs.yaml(&path, &name);
         }
         let loaded = match loaded {
             Ok(loaded) => loaded,
             Err(error) => {
-                self.machine.result.record.add(Read::Missing(path));
+                self.expander.result.record.add(Read::Missing(path));
                 return self.unreadable(&name, &error);
             }
         };
-        self.machine
+        self.expander
             .result
             .record
             .add(Read::File(path, loaded.file.hash));
-        self.machine.open_files.push(OpenFile {
+        self.expander.files.open.push(OpenFile {
             name: name.clone(),
             file: None,
             conditions: u32::MAX,
@@ -208,29 +212,30 @@ impl ExprHost<'_, '_, '_> {
             value if is_telling(value) && self.is_foreign(&loaded.file.path) => {
                 Err(refused(&name, &loaded))
             }
-            Ok(node) => file_value(node, &mut self.machine.budget),
+            Ok(node) => file_value(node, &mut self.expander.guards.budget),
             Err(error) => Err(EvalError::new(ErrorKind::Value, error.message.clone()).at(range)),
         };
-        self.machine.open_files.pop();
-        self.machine.result.includes.push(name);
+        self.expander.files.open.pop();
+        self.expander.result.includes.push(name);
         value
     }
 
     /// Whether a file does not belong to the robot.
     fn is_foreign(&self, path: &Path) -> bool {
-        let Expander { world, request, .. } = &self.machine;
-        let root = self.machine.file_path(&request.file);
+        let Expander { world, request, .. } = &self.expander;
+        let root = self.expander.file_path(&request.file);
         !world.packages.around([&*root]).hold(path)
     }
 
     fn unreadable(&mut self, name: &str, error: &LoadError) -> Result<Value, EvalError> {
         let missing_is_fine = self
-            .machine
+            .expander
+            .files
             .optional_includes
             .iter()
             .any(|&optional| optional);
-        if missing_is_fine && self.machine.lazy_uses.is_empty() {
-            self.machine.unwinding = true;
+        if missing_is_fine && self.expander.names.lazy_uses.is_empty() {
+            self.expander.flow.unwinding = true;
             return Ok(Value::Unknown);
         }
         let LoadError {

@@ -4,14 +4,15 @@ use std::path::PathBuf;
 
 use ecow::EcoString;
 
-use super::element::Tag;
+use super::binding_info::{BindingInfo, BindingKind};
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::{Cx, Expander, OpenFile};
 use super::origin::{FileIdx, FrameKind, Origin};
 use super::record::Read;
-use super::resolve::{BindingInfo, BindingKind};
 use super::scope::State;
+use super::state::{EvalContext, OpenFile};
 use super::symbols::SymbolKind;
+use super::tag::Tag;
 use super::tree::XId;
 use base::TextRange;
 use base::limits::{GLOB_ENTRIES, GLOB_FILES};
@@ -36,7 +37,7 @@ struct Inclusion {
 
 impl Expander<'_> {
     /// `xacro:include`
-    pub fn include(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    pub fn include(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         self.note_unclear();
         let Some((text, place)) = self.required_attr(tag, "filename", cx) else {
             return;
@@ -47,12 +48,12 @@ impl Expander<'_> {
             return;
         };
         self.warn_about_children(tag, cx);
-        let mark = self.reads.len();
+        let mark = self.names.reads.len();
         let value = self.eval_text(&text, place, cx.scope);
         let argument = self.empty_argument(mark);
-        self.reads.truncate(mark);
+        self.names.reads.truncate(mark);
         let Some(name) = display::to_str(&value) else {
-            self.include_missing = true;
+            self.gaps.include_missing = true;
             self.result.complete = false;
             return;
         };
@@ -78,38 +79,38 @@ impl Expander<'_> {
         inclusion: &Inclusion,
         content: XId,
         parent: XId,
-        cx: Cx,
+        cx: EvalContext,
     ) {
         self.result.includes.push(name.to_owned());
-        self.optional_includes.push(inclusion.optional);
+        self.files.optional_includes.push(inclusion.optional);
         if let Some(file) = self.load(name, inclusion.at, inclusion.argument.as_ref())
             && !self.is_include_cycle(file, inclusion)
         {
-            let conditions = self.conditions;
-            self.conditions += u32::from(inclusion.computed);
-            self.open_files.push(OpenFile {
+            let conditions = self.flow.conditions;
+            self.flow.conditions += u32::from(inclusion.computed);
+            self.files.open.push(OpenFile {
                 name: name.to_owned(),
                 file: Some(file),
                 conditions,
             });
             let frame = self.push_frame(FrameKind::Include, name.into(), inclusion.tag, None);
             let root = self.container(inclusion.tag);
-            self.eval_included(file, root, Cx { frame, ..cx });
-            if !self.unwinding {
+            self.eval_included(file, root, EvalContext { frame, ..cx });
+            if !self.flow.unwinding {
                 self.lift_namespaces(root, parent, cx);
                 self.result.tree.move_children(root, content);
             }
-            self.open_files.pop();
-            self.conditions = conditions;
+            self.files.open.pop();
+            self.flow.conditions = conditions;
         }
-        self.optional_includes.pop();
+        self.files.optional_includes.pop();
         if inclusion.optional {
             // a missing file somewhere inside undoes what this include would have contributed
-            self.unwinding = false;
+            self.flow.unwinding = false;
         }
     }
 
-    fn eval_included(&mut self, file: FileIdx, root: XId, cx: Cx) {
+    fn eval_included(&mut self, file: FileIdx, root: XId, cx: EvalContext) {
         let Some(used) = self.result.files.get(file.0 as usize) else {
             return;
         };
@@ -130,7 +131,7 @@ impl Expander<'_> {
     }
 
     /// The scopes an included file is evaluated in: those of `ns=`, or the includer's.
-    fn include_scope(&mut self, tag: Tag<'_>, cx: Cx) -> Cx {
+    fn include_scope(&mut self, tag: Tag<'_>, cx: EvalContext) -> EvalContext {
         let Some((text, place)) = self
             .attr(tag, "ns", cx)
             .filter(|(text, _)| !text.is_empty())
@@ -152,9 +153,10 @@ impl Expander<'_> {
         let Some(name) = display::to_str(&value) else {
             return cx;
         };
-        let macros = self.macros.push(None);
-        let scope = self.scopes.push(cx.scope, true);
-        self.macros
+        let macros = self.names.macros.push(None);
+        let scope = self.names.scopes.push(cx.scope, true);
+        self.names
+            .macros
             .define_namespace(cx.macros, name.clone(), macros);
         let definition = self.define(SymbolKind::Namespace, &name, place.origin);
         let info =
@@ -166,7 +168,7 @@ impl Expander<'_> {
             info,
             place.origin,
         );
-        Cx {
+        EvalContext {
             scope,
             macros,
             ..cx
@@ -174,7 +176,7 @@ impl Expander<'_> {
     }
 
     /// `optional=`, which is not evaluated. `None`: it is neither true nor false.
-    fn optional_flag(&mut self, tag: Tag<'_>, cx: Cx) -> Option<bool> {
+    fn optional_flag(&mut self, tag: Tag<'_>, cx: EvalContext) -> Option<bool> {
         let Some((text, place)) = self.attr(tag, "optional", cx) else {
             return Some(false);
         };
@@ -193,7 +195,7 @@ impl Expander<'_> {
         truth
     }
 
-    fn warn_about_children(&mut self, tag: Tag<'_>, cx: Cx) {
+    fn warn_about_children(&mut self, tag: Tag<'_>, cx: EvalContext) {
         let Some(child) = tag.node.children().find(|n| n.kind() == NodeKind::Element) else {
             return;
         };
@@ -242,17 +244,18 @@ impl Expander<'_> {
         if !name.contains(['*', '?', '[']) {
             return vec![name];
         }
-        let found = match self
-            .world
-            .vfs
-            .glob(&name, &self.world.env.cwd, &mut self.glob_entries)
-        {
-            Ok(found) => found,
-            Err(why) => {
-                self.matches_too_much(&name, why, at);
-                return Vec::new();
-            }
-        };
+        let found =
+            match self
+                .world
+                .vfs
+                .glob(&name, &self.world.env.cwd, &mut self.files.glob_entries)
+            {
+                Ok(found) => found,
+                Err(why) => {
+                    self.matches_too_much(&name, why, at);
+                    return Vec::new();
+                }
+            };
         self.result
             .record
             .add(Read::Glob(name.clone(), found.clone()));
@@ -267,7 +270,7 @@ impl Expander<'_> {
     /// None of the files is included. What matches is not part of the record either: to ask again whether it still is too
     /// much would cost as much as it did now.
     fn matches_too_much(&mut self, name: &str, why: TooMany, at: Origin) {
-        self.include_missing = true;
+        self.gaps.include_missing = true;
         self.result.complete = false;
         let message = match why {
             TooMany::Files => {
@@ -288,19 +291,20 @@ impl Expander<'_> {
     /// Whether including `file` once more can never end; reports it.
     fn is_include_cycle(&mut self, file: FileIdx, inclusion: &Inclusion) -> bool {
         let most = self.request.limits.include_depth;
-        let open = self.open_files.iter().rev().find(|f| f.file == Some(file));
-        let endless = open.is_some_and(|f| f.conditions == self.conditions && !inclusion.computed);
-        let undecided = open.is_some() && self.unknown_conditions > 0;
-        if !endless && !undecided && (self.open_files.len() as u32) < most {
+        let open = self.files.open.iter().rev().find(|f| f.file == Some(file));
+        let endless =
+            open.is_some_and(|f| f.conditions == self.flow.conditions && !inclusion.computed);
+        let undecided = open.is_some() && self.flow.unknown_conditions > 0;
+        if !endless && !undecided && (self.files.open.len() as u32) < most {
             return false;
         }
         self.result.complete = false;
-        self.content_lost = true;
+        self.gaps.content_lost = true;
         if undecided {
             // whether to go on cannot be known, so the recursion ends here
             return true;
         }
-        let chain: Vec<&str> = self.open_files.iter().map(|f| f.name.as_str()).collect();
+        let chain: Vec<&str> = self.files.open.iter().map(|f| f.name.as_str()).collect();
         let name = self
             .result
             .files
@@ -308,7 +312,8 @@ impl Expander<'_> {
             .map_or("", |f| f.name.as_str());
         if endless {
             let start = self
-                .open_files
+                .files
+                .open
                 .iter()
                 .position(|f| f.file == Some(file))
                 .unwrap_or(0);

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::expander::{Expander, raise};
 use super::expansion::FileUse;
 use super::kind::ProblemKind;
-use super::machine::{Expander, raise};
 use super::meant;
 use super::origin::{FileIdx, Origin, Source, SrcId};
 use super::problem::{Detail, Outside};
@@ -50,11 +50,11 @@ impl Expander<'_> {
         match loaded {
             Ok(source) => {
                 self.result.record.add(Read::File(path, source.hash));
-                if let Some(&file) = self.by_path.get(&source.path) {
+                if let Some(&file) = self.files.by_path.get(&source.path) {
                     return Some(file);
                 }
                 let file = FileIdx(self.result.files.len() as u32);
-                self.by_path.insert(source.path.clone(), file);
+                self.files.by_path.insert(source.path.clone(), file);
                 self.add_sources(file, name, &source);
                 self.report_encoding(file, &source);
                 self.report_syntax(file, at);
@@ -88,9 +88,14 @@ impl Expander<'_> {
 
     /// The content of a file is known to the build only.
     fn generated(&mut self, name: &str, template: &Path, at: Origin) {
-        self.include_missing = true;
+        self.gaps.include_missing = true;
         self.result.complete = false;
-        if self.optional_includes.iter().any(|&optional| optional) {
+        if self
+            .files
+            .optional_includes
+            .iter()
+            .any(|&optional| optional)
+        {
             return;
         }
         let message = format!(
@@ -164,7 +169,11 @@ impl Expander<'_> {
             self.result.complete = false;
             return;
         }
-        let missing_is_fine = self.optional_includes.iter().any(|&optional| optional);
+        let missing_is_fine = self
+            .files
+            .optional_includes
+            .iter()
+            .any(|&optional| optional);
         if missing_is_fine
             && matches!(
                 error.kind,
@@ -172,10 +181,10 @@ impl Expander<'_> {
             )
         {
             // undo everything up to the optional include; only a nested file has anything to undo
-            self.unwinding = self.optional_includes.last() != Some(&true);
+            self.flow.unwinding = self.files.optional_includes.last() != Some(&true);
             return;
         }
-        self.include_missing = true;
+        self.gaps.include_missing = true;
         self.result.complete = false;
         let shown = if HERE.is_absolute(name) {
             name.to_owned()
@@ -253,9 +262,9 @@ impl Expander<'_> {
         let Some(first) = errors.iter().min_by_key(|e| e.expat_offset) else {
             return;
         };
-        self.broken.insert(file);
+        self.files.broken.insert(file);
         if self.result.files.len() > 1 {
-            self.include_missing = true;
+            self.gaps.include_missing = true;
         }
         let position = document.line_col(first.expat_offset, base::Encoding::Utf32);
         let at = Origin {

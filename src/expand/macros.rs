@@ -5,15 +5,16 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::binding::GivenBlock;
-use super::element::Tag;
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::late::{Missing, NameKind};
-use super::machine::{Cx, Expander};
+use super::macro_table::{MacroDef, MacrosId};
 use super::meant;
 use super::origin::{FrameKind, Origin};
-use super::scope::{MacroDef, MacrosId};
+use super::state::EvalContext;
 use super::symbols::UseKind;
+use super::tag::Tag;
 use super::tree::{XId, XKind};
+use super::undefined::{Missing, NameKind};
 use base::TextRange;
 use expr::{ScopeId, Value, display};
 
@@ -26,7 +27,7 @@ struct Resolved {
 
 impl Expander<'_> {
     /// `xacro:call`: the macro's name is computed.
-    pub fn dynamic_call(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    pub fn dynamic_call(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         let Some((text, place)) = self.required_attr(tag, "macro", cx) else {
             return;
         };
@@ -56,13 +57,13 @@ impl Expander<'_> {
             ..tag
         };
         // a computed name can end a recursion just as a condition can
-        self.conditions += 1;
+        self.flow.conditions += 1;
         self.call(tag, &name, has_next, out, cx);
-        self.conditions -= 1;
+        self.flow.conditions -= 1;
     }
 
     /// A macro call.
-    pub fn call(&mut self, tag: Tag<'_>, name: &str, has_next: bool, out: XId, cx: Cx) {
+    pub fn call(&mut self, tag: Tag<'_>, name: &str, has_next: bool, out: XId, cx: EvalContext) {
         if !self.is_step(tag, out, cx) {
             if let Some(body) = self.call_body(tag, name, cx) {
                 self.place_body(body, has_next, out, cx);
@@ -74,7 +75,7 @@ impl Expander<'_> {
 
     /// What a call gives, in a container.
     #[inline]
-    pub(super) fn call_body(&mut self, tag: Tag<'_>, name: &str, cx: Cx) -> Option<XId> {
+    pub(super) fn call_body(&mut self, tag: Tag<'_>, name: &str, cx: EvalContext) -> Option<XId> {
         let at = self.tag_origin(tag, cx);
         let Some(Resolved { def, macros, scope }) = self.find_macro(name, cx, at) else {
             self.unknown_macro(tag, name, cx);
@@ -89,43 +90,44 @@ impl Expander<'_> {
             return None;
         }
         let frame = self.push_frame(FrameKind::Macro, def.name.clone(), at, Some(def.origin));
-        let body_cx = Cx {
-            scope: self.scopes.push(scope, false),
-            macros: self.macros.push(Some(macros)),
+        let body_cx = EvalContext {
+            scope: self.names.scopes.push(scope, false),
+            macros: self.names.macros.push(Some(macros)),
             frame,
         };
         let mut open = self.bind_attributes(tag, &def, cx, body_cx);
-        let (content, losses) = (self.container(at), self.losses);
+        let (content, losses) = (self.container(at), self.gaps.losses);
         self.eval_children(tag.node, tag.src, content, cx);
-        let given = if self.losses > losses {
+        let given = if self.gaps.losses > losses {
             Vec::new()
         } else {
             self.given_blocks(content)
         };
-        let is_sure = self.losses == losses && !given.contains(&GivenBlock::Any);
+        let is_sure = self.gaps.losses == losses && !given.contains(&GivenBlock::Any);
         self.bind_blocks(tag, (given, is_sure), &def, &mut open, cx, body_cx);
         self.bind_defaults(&def, &mut open, at, cx, body_cx);
         if !open.is_empty() {
             self.missing_params(&def, &open, at, body_cx);
         }
         let body = self.container(at);
-        self.calls
-            .push((Arc::as_ptr(&def) as usize, self.conditions));
+        self.guards
+            .calls
+            .push((Arc::as_ptr(&def) as usize, self.flow.conditions));
         self.eval_body(&def, body, body_cx);
-        self.calls.pop();
+        self.guards.calls.pop();
         Some(body)
     }
 
     /// Put what a call gives in its place.
     #[inline]
-    pub(super) fn place_body(&mut self, body: XId, has_next: bool, out: XId, cx: Cx) {
+    pub(super) fn place_body(&mut self, body: XId, has_next: bool, out: XId, cx: EvalContext) {
         self.drop_comments(out, has_next);
         self.lift_namespaces(body, out, cx);
         self.splice(body, out);
     }
 
     /// The text that names the macro of a call.
-    fn called_name(&self, tag: Tag<'_>, def: &MacroDef, cx: Cx) -> Origin {
+    fn called_name(&self, tag: Tag<'_>, def: &MacroDef, cx: EvalContext) -> Origin {
         // `xacro:call`, and a macro called through `xacro:element`
         let range = tag
             .used
@@ -146,7 +148,7 @@ impl Expander<'_> {
         }
     }
 
-    pub(super) fn eval_body(&mut self, def: &MacroDef, body: XId, cx: Cx) {
+    pub(super) fn eval_body(&mut self, def: &MacroDef, body: XId, cx: EvalContext) {
         let Some(item) = self.item(def.body.src) else {
             return;
         };
@@ -183,8 +185,8 @@ impl Expander<'_> {
     }
 
     /// The macro called `name`: as a whole, else through its namespaces.
-    fn find_macro(&mut self, name: &str, cx: Cx, at: Origin) -> Option<Resolved> {
-        if let Some(def) = self.macros.find(cx.macros, name) {
+    fn find_macro(&mut self, name: &str, cx: EvalContext, at: Origin) -> Option<Resolved> {
+        if let Some(def) = self.names.macros.find(cx.macros, name) {
             return Some(Resolved {
                 def,
                 macros: cx.macros,
@@ -195,7 +197,7 @@ impl Expander<'_> {
         let (mut macros, mut scope) = (cx.macros, cx.scope);
         let mut start = at.range.start + self.text_of(at).find(path).unwrap_or(0) as u32;
         for step in path.split('.') {
-            macros = self.macros.namespace(macros, step)?;
+            macros = self.names.macros.namespace(macros, step)?;
             let range = TextRange::new(start, start + step.len() as u32);
             start = range.end + 1;
             scope = match self.resolve(scope, step, Origin { range, ..at }) {
@@ -203,7 +205,7 @@ impl Expander<'_> {
                 _ => return None,
             };
         }
-        let def = self.macros.find(macros, name)?;
+        let def = self.names.macros.find(macros, name)?;
         Some(Resolved { def, macros, scope })
     }
 
@@ -215,11 +217,11 @@ impl Expander<'_> {
             .map_or("", |source| at.range.slice(source.item.text()))
     }
 
-    fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: Cx) {
+    fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: EvalContext) {
         let at = self.tag_origin(tag, cx);
-        let (table, path, own) = self.macros.inside(cx.macros, name);
-        let known = self.missing_name(NameKind::Macro, own, |machine| {
-            machine.macros.visible_names(table)
+        let (table, path, own) = self.names.macros.inside(cx.macros, name);
+        let known = self.missing_name(NameKind::Macro, own, |expander| {
+            expander.names.macros.visible_names(table)
         });
         if let Some(missing) = known.map(|missing| Missing { name, ..missing }) {
             let message = format!("macro `{name}` is not defined");
@@ -228,7 +230,7 @@ impl Expander<'_> {
                 .says(format!("unknown macro name: {}", tag.name));
             if let Some(keyword) = meant::by_tag(name) {
                 // what it would have included or defined is missing
-                self.include_missing |= ["include", "macro", "property"].contains(&keyword);
+                self.gaps.include_missing |= ["include", "macro", "property"].contains(&keyword);
                 problem = problem
                     .help(format!("did you mean `xacro:{keyword}`?"))
                     .replace_with(format!("<xacro:{keyword}"));
@@ -252,17 +254,22 @@ impl Expander<'_> {
     /// Whether calling `def` once more can never end; reports it.
     fn is_endless(&mut self, def: &Arc<MacroDef>, at: Origin) -> bool {
         let key = Arc::as_ptr(def) as usize;
-        let same = self.calls.iter().rev().find(|(other, _)| *other == key);
+        let same = self
+            .guards
+            .calls
+            .iter()
+            .rev()
+            .find(|(other, _)| *other == key);
         let Some(&(_, conditions)) = same else {
             return self.too_deep(def, at);
         };
-        if self.unknown_conditions > 0 || self.include_missing {
+        if self.flow.unknown_conditions > 0 || self.gaps.include_missing {
             // whether to go on cannot be known, so the recursion ends here: a file that is missing may define the macro again
             self.result.complete = false;
-            self.content_lost = true;
+            self.gaps.content_lost = true;
             return true;
         }
-        if conditions == self.conditions {
+        if conditions == self.flow.conditions {
             let message = format!("macro `{}` calls itself without an end condition", def.name);
             let problem = self
                 .problem(ProblemKind::InfiniteMacroRecursion, at, message)
@@ -277,7 +284,7 @@ impl Expander<'_> {
 
     fn too_deep(&mut self, def: &MacroDef, at: Origin) -> bool {
         let most = self.request.limits.macro_depth;
-        let deep = self.calls.len() as u32 >= most;
+        let deep = self.guards.calls.len() as u32 >= most;
         if deep {
             let message = format!(
                 "macro calls are nested more than {most} levels deep: `{}`",
@@ -289,7 +296,7 @@ impl Expander<'_> {
     }
 
     /// Copy the `xmlns:*` attributes of a spliced tag to the element around it.
-    pub fn lift_namespaces(&mut self, from: XId, to: XId, cx: Cx) {
+    pub fn lift_namespaces(&mut self, from: XId, to: XId, cx: EvalContext) {
         let attrs = std::mem::take(&mut self.result.tree.get_mut(from).attrs);
         for attr in attrs
             .iter()

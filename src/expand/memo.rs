@@ -10,16 +10,13 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::element::Tag;
-use super::machine::{Cx, Expander};
-use super::origin::{FrameId, SrcId};
+use super::origin::SrcId;
 use super::record::Read;
 use super::request::Request;
-use super::scope::{Binding, Macros, Scopes, SrcRef};
+use super::scope::{NamesRead, SrcRef};
 use super::symbols::SymbolLog;
-use super::tree::{XId, XKind};
-use super::watch::is_plain;
-use base::{CancelFlag, TextRange};
+use super::tree::XId;
+use base::TextRange;
 use expr::Value;
 use xml::NodeId;
 
@@ -58,7 +55,7 @@ pub(super) struct StepMemo {
     pub symbols: SymbolLog,
     pub record: Vec<Read>,
     /// Lazy properties of the document that it evaluated.
-    pub forced: Vec<Forced>,
+    pub forced: Vec<ForcedProperty>,
     /// Whether an expression was evaluated in the scope of the document.
     pub evaluated: bool,
     /// How many scopes, macro tables and nodes it made.
@@ -76,9 +73,6 @@ pub(super) struct StepMemo {
 /// The value of an argument, where it is known, and its binding.
 pub(super) type Argument = (Option<EcoString>, u32);
 
-/// Names of the document, each once, with what they said when they were first read.
-pub(super) type NamesRead = Vec<(EcoString, Option<Binding>)>;
-
 /// What a step reads from around it.
 #[derive(Debug, Default)]
 pub(super) struct StepReads {
@@ -95,7 +89,7 @@ pub(super) struct StepReads {
 
 /// A lazy property of the document that was evaluated.
 #[derive(Debug)]
-pub(super) struct Forced {
+pub(super) struct ForcedProperty {
     pub name: EcoString,
     pub info: u32,
     pub value: Value,
@@ -106,299 +100,7 @@ pub(super) struct Forced {
 #[derive(Debug, Default)]
 pub(super) struct Recorder {
     pub reads: StepReads,
-    pub forced: Vec<Forced>,
+    pub forced: Vec<ForcedProperty>,
     /// It does something that cannot be taken over.
     pub unclear: bool,
-}
-
-/// How things stood when a step began.
-struct Start {
-    frames: usize,
-    bindings: usize,
-    read_list: usize,
-    evaluations: usize,
-    scopes: usize,
-    tables: usize,
-    nodes: usize,
-    messages: usize,
-    includes: usize,
-    losses: u32,
-    compared: usize,
-    problems: u64,
-    budget: (u64, u64),
-    marker: Option<XId>,
-    was_complete: bool,
-}
-
-impl Expander<'_> {
-    /// Whether a call is a step: a child of the root element, outside of everything.
-    pub(super) fn is_step(&self, tag: Tag<'_>, out: XId, cx: Cx) -> bool {
-        self.keeps_steps
-            && self.recorder.is_none()
-            && (cx.scope, cx.macros, cx.frame) == (Scopes::TOP, Macros::TOP, FrameId::ROOT)
-            && self.result.tree.parent(out) == Some(XId::DOCUMENT)
-            && self.calls.is_empty()
-            && self.lazy_uses.is_empty()
-            && (self.conditions, self.unknown_conditions, self.block_depth) == (0, 0, 0)
-            && self.open_files.len() == 1
-            && tag.used.is_empty()
-    }
-
-    /// Evaluate a step, and keep what it gave for the next expansion.
-    // not in the frame of a call, of which there are many in a deep document
-    #[inline(never)]
-    pub(super) fn recorded_call(
-        &mut self,
-        tag: Tag<'_>,
-        name: &str,
-        has_next: bool,
-        out: XId,
-        cx: Cx,
-    ) {
-        let start = self.start_step();
-        let evaluations = start.evaluations;
-        self.note_source(tag.src);
-        let body = self.call_body(tag, name, cx);
-        let memo = self.finish_step((tag.src, tag.node.id()), body, start);
-        let Some(body) = body else { return };
-        let first = self.result.tree.elements(body).next();
-        self.place_body(body, has_next, out, cx);
-        if let (Some(memo), Some(first)) = (memo, first) {
-            // a marker that stays inside is part of the content
-            let marker = self.result.tree.parent(self.marker);
-            if !memo.moves_marker || marker == Some(out) {
-                self.steps.push(Kept {
-                    step: Arc::new(memo),
-                    content: (first, first),
-                    evaluations,
-                });
-            }
-        }
-    }
-
-    fn start_step(&mut self) -> Start {
-        self.recorder = Some(Recorder::default());
-        self.scopes.watch();
-        self.macros.watch();
-        self.result.symbols.start_log();
-        self.result.record.start_log();
-        Start {
-            frames: self.result.frames.len(),
-            bindings: self.result.bindings.len(),
-            read_list: self.result.reads.len(),
-            evaluations: self.result.evaluations.len(),
-            scopes: self.scopes.len(),
-            tables: self.macros.len(),
-            nodes: self.nodes_made(),
-            messages: self.result.messages.len(),
-            includes: self.result.includes.len(),
-            losses: self.losses,
-            compared: self.compared,
-            problems: self.problems.touched(),
-            budget: (self.budget.steps, self.budget.bytes),
-            marker: self.result.tree.parent(self.marker),
-            // whether this step makes it incomplete is seen only when nothing before did
-            was_complete: std::mem::replace(&mut self.result.complete, true),
-        }
-    }
-
-    /// How many nodes a run from scratch would have made.
-    pub(super) fn nodes_made(&self) -> usize {
-        self.result.tree.len() + self.nodes_left_out
-    }
-
-    /// What there is to keep of the step that ends here.
-    fn finish_step(
-        &mut self,
-        call: (SrcId, NodeId),
-        body: Option<XId>,
-        start: Start,
-    ) -> Option<StepMemo> {
-        let recorder = self.recorder.take().unwrap_or_default();
-        let lazy_left = self.scopes.has_lazy_from(start.scopes);
-        let (names, macros) = (self.scopes.unwatch(), self.macros.unwatch());
-        let (symbols, record) = (
-            self.result.symbols.take_log(),
-            self.result.record.take_log(),
-        );
-        let is_clear = self.result.complete;
-        self.result.complete &= start.was_complete;
-        let elements = body.and_then(|body| self.content_elements(body))?;
-        let (names, evaluated) = names?;
-        let is_kept =
-            |read: &Read| matches!(read, Read::Package(..) | Read::Env(..) | Read::Arg(..));
-        let result = &self.result;
-        let quiet = (result.messages.len(), result.includes.len())
-            == (start.messages, start.includes)
-            && (self.losses, self.compared, self.problems.touched())
-                == (start.losses, start.compared, start.problems)
-            && !(recorder.unclear || lazy_left || self.stopped || self.unwinding);
-        let values = result
-            .bindings
-            .get(start.bindings..)?
-            .iter()
-            .filter_map(|info| info.value.as_ref());
-        let evaluations = start.evaluations..result.evaluations.len();
-        let is_plain_data = values
-            .chain(result.evaluations.values(evaluations.clone()))
-            .all(is_plain)
-            && recorder.forced.iter().all(|forced| is_plain(&forced.value));
-        if !(is_clear && quiet && is_plain_data && record.iter().all(is_kept)) {
-            return None;
-        }
-        let moves_marker = result.tree.parent(self.marker) != start.marker;
-        Some(StepMemo {
-            call,
-            reads: StepReads {
-                names,
-                macros: macros?,
-                ..recorder.reads
-            },
-            frames: start.frames..result.frames.len(),
-            bindings: start.bindings..result.bindings.len(),
-            read_list: start.read_list..result.reads.len(),
-            evaluations: evaluations.len(),
-            symbols,
-            record,
-            forced: recorder.forced,
-            evaluated,
-            scopes: self.scopes.len() - start.scopes,
-            tables: self.macros.len() - start.tables,
-            nodes: self.nodes_made() - start.nodes,
-            elements,
-            spent: (
-                start.budget.0 - self.budget.steps,
-                start.budget.1 - self.budget.bytes,
-            ),
-            moves_marker,
-        })
-    }
-
-    /// How many elements the content of a call has, when they are all that it has: beside them only blank text, and nothing
-    /// for the tag around it.
-    fn content_elements(&self, body: XId) -> Option<usize> {
-        let tree = &self.result.tree;
-        let mut elements = 0;
-        for child in tree.children(body) {
-            let node = tree.get(child);
-            match node.kind {
-                XKind::Element => elements += 1,
-                XKind::Text if node.text.chars().all(super::params::is_space) => {}
-                _ => return None,
-            }
-        }
-        let lifts = tree
-            .get(body)
-            .attrs
-            .iter()
-            .any(|attr| attr.name.starts_with("xmlns"));
-        (elements > 0 && !lifts).then_some(elements)
-    }
-
-    /// Note that text of an item is evaluated.
-    pub(super) fn note_source(&mut self, src: SrcId) {
-        if let Some(recorder) = &mut self.recorder
-            && !recorder.reads.sources.contains(&src)
-        {
-            recorder.reads.sources.push(src);
-        }
-    }
-
-    /// Note that an argument is looked up.
-    pub(super) fn note_argument(&mut self, name: &EcoString) {
-        if let Some(recorder) = &mut self.recorder
-            && !recorder.reads.args.iter().any(|(known, _)| known == name)
-        {
-            recorder
-                .reads
-                .args
-                .push((name.clone(), self.args.get(name).cloned()));
-        }
-    }
-
-    /// Note the folder of a package.
-    pub(super) fn note_package(
-        &mut self,
-        name: &EcoString,
-        from: &std::path::Path,
-        folder: &std::path::Path,
-    ) {
-        if let Some(recorder) = &mut self.recorder
-            && !recorder
-                .reads
-                .packages
-                .iter()
-                .any(|(known, asks, _)| known == name && asks == from)
-        {
-            recorder
-                .reads
-                .packages
-                .push((name.clone(), from.to_owned(), folder.to_owned()));
-        }
-    }
-
-    /// Note that a lazy property of the document got its value.
-    pub(super) fn note_forced(&mut self, forced: impl FnOnce() -> Forced) {
-        if let Some(recorder) = &mut self.recorder {
-            recorder.forced.push(forced());
-        }
-    }
-
-    /// Note that the step does what cannot be taken over.
-    pub(super) fn note_unclear(&mut self) {
-        if let Some(recorder) = &mut self.recorder {
-            recorder.unclear = true;
-        }
-    }
-
-    /// The steps with their places in the finished document, once it is compact; `ordinals` as [`Self::step_ordinals`] gave
-    /// them.
-    pub(super) fn placed_steps(&mut self, ordinals: &[usize]) -> Memo {
-        let tree = &self.result.tree;
-        let elements: Vec<XId> = tree
-            .root()
-            .into_iter()
-            .flat_map(|root| tree.elements(root))
-            .collect();
-        let place = |kept: Kept, &ordinal: &usize| {
-            let first = *elements.get(ordinal)?;
-            let last = *elements.get(ordinal + kept.step.elements - 1)?;
-            Some(Kept {
-                content: (first, tree.behind(last)),
-                ..kept
-            })
-        };
-        let steps = std::mem::take(&mut self.steps);
-        let steps = steps
-            .into_iter()
-            .zip(ordinals)
-            .filter_map(|(kept, ordinal)| place(kept, ordinal));
-        let request = Request {
-            cancel: CancelFlag::default(),
-            ..self.request.clone()
-        };
-        Memo {
-            request,
-            steps: steps.collect(),
-            taken_over: self.taken_over,
-        }
-    }
-
-    /// For each step, which element of the root its first one is.
-    pub(super) fn step_ordinals(&self) -> Vec<usize> {
-        let tree = &self.result.tree;
-        let mut wanted = self.steps.iter().map(|kept| kept.content.0).peekable();
-        let mut found = Vec::with_capacity(self.steps.len());
-        for (ordinal, element) in tree
-            .root()
-            .into_iter()
-            .flat_map(|root| tree.elements(root))
-            .enumerate()
-        {
-            if wanted.next_if_eq(&element).is_some() {
-                found.push(ordinal);
-            }
-        }
-        found
-    }
 }

@@ -5,7 +5,7 @@
 
 use ecow::EcoString;
 
-use super::scope::Param;
+use super::macro_table::Param;
 use base::TextRange;
 
 /// Python's `str.isspace` for one character.

@@ -1,91 +1,88 @@
-//! Macros that nothing calls: looked into with parameters whose values are unknown. Properties that nothing reads.
+//! Macros that nothing calls: evaluated with parameters whose values are unknown. Properties that nothing reads.
 //!
-//! Most files of a description only define macros, so a plain expansion never looks into them. What does not
+//! Most files of a description only define macros, so a plain expansion never evaluates them. What does not
 //! depend on a parameter can be judged all the same.
 
 use std::sync::Arc;
 
-use super::machine::{Cx, Expander};
+use super::expander::Expander;
+use super::expansion::Probe;
+use super::macro_table::MacroDef;
 use super::origin::Origin;
-use super::scope::MacroDef;
-use super::symbols::{DefinitionId, Use, UseKind};
-use super::tree::XId;
-
-/// What a macro gives that nothing calls.
-#[derive(Clone, Copy, Debug)]
-pub struct Probe {
-    /// The macro.
-    pub definition: DefinitionId,
-    /// A node beside the document that holds the result.
-    pub content: XId,
-}
+use super::problem::Problem;
+use super::state::EvalContext;
+use super::symbols::{Use, UseKind};
 
 impl Expander<'_> {
-    /// Look into the macros that nothing calls. What is found there changes nothing about the document.
+    /// Evaluate the macros that nothing calls. What is found there changes nothing about the document.
     pub fn probe_macros(&mut self) {
-        if !self.request.probe || self.stopped {
+        if !self.request.probe || self.flow.stopped {
             return;
         }
-        let before = (
-            self.result.complete,
-            self.content_lost,
-            self.problems.list.len(),
-        );
-        // a macro that is called by a later one need not be looked into by itself
-        for (def, cx) in std::mem::take(&mut self.idle_macros).into_iter().rev() {
-            let is_call = |used: &Use| used.kind == UseKind::Call;
-            if !self.result.symbols.uses_of(def.definition).any(is_call) {
-                self.probe_macro(&def, cx);
+        let mut found = self.speculate(|expander| {
+            // a macro that is called by a later one need not be evaluated by itself
+            for (def, cx) in std::mem::take(&mut expander.probing.macros)
+                .into_iter()
+                .rev()
+            {
+                let is_call = |used: &Use| used.kind == UseKind::Call;
+                let is_called = expander
+                    .result
+                    .index
+                    .symbols
+                    .uses_of(def.definition)
+                    .any(is_call);
+                if !is_called {
+                    expander.probe_macro(&def, cx);
+                }
             }
-        }
-        let known;
-        (self.result.complete, self.content_lost, known) = before;
-        for problem in self.problems.list.iter_mut().skip(known) {
+        });
+        for problem in &mut found {
             problem.probed = true;
         }
+        self.problems.list.append(&mut found);
     }
 
     /// Evaluate the properties that nothing reads, for editors that show their values. Nothing is reported.
     pub fn probe_properties(&mut self) {
-        if !self.request.probe || self.stopped {
+        if !self.request.probe || self.flow.stopped {
             return;
         }
-        let before = (
-            self.result.complete,
-            self.content_lost,
-            self.include_missing,
-            self.budget.clone(),
-        );
-        let (known, messages) = (self.problems.list.len(), self.result.messages.len());
-        let includes = self.result.includes.len();
-        self.idle = true;
-        for (scope, name, place) in self.scopes.unread() {
-            self.value_of(scope, &name, place);
-            self.reads.clear();
-        }
-        self.idle = false;
-        (
-            self.result.complete,
-            self.content_lost,
-            self.include_missing,
-            self.budget,
-        ) = before;
-        (self.stopped, self.unwinding) = (false, false);
-        self.problems.list.truncate(known);
-        self.result.messages.truncate(messages);
-        self.result.includes.truncate(includes);
+        self.speculate(|expander| {
+            expander.probing.quiet = true;
+            for (scope, name, place) in expander.names.scopes.unread() {
+                expander.value_of(scope, &name, place);
+                expander.names.reads.clear();
+            }
+            expander.probing.quiet = false;
+        });
     }
 
-    fn probe_macro(&mut self, def: &Arc<MacroDef>, cx: Cx) {
+    /// Evaluate what the document does not need, and return the problems that were found. Nothing that the document or
+    /// its checks depend on is different afterwards; values, symbols and the record of what was read are kept.
+    fn speculate(&mut self, evaluate: impl FnOnce(&mut Self)) -> Vec<Problem> {
+        let (flow, gaps, budget) = (self.flow, self.gaps, self.guards.budget.clone());
+        let complete = self.result.complete;
+        let (messages, includes) = (self.result.messages.len(), self.result.includes.len());
+        let problems = self.problems.list.len();
+        evaluate(self);
+        (self.flow, self.gaps, self.guards.budget) = (flow, gaps, budget);
+        self.result.complete = complete;
+        self.result.messages.truncate(messages);
+        self.result.includes.truncate(includes);
+        self.problems.list.split_off(problems)
+    }
+
+    fn probe_macro(&mut self, def: &Arc<MacroDef>, cx: EvalContext) {
         let at = Origin {
             frame: cx.frame,
             ..def.origin
         };
         let (scope, macros) = (
-            self.scopes.push(cx.scope, false),
-            self.macros.push(Some(cx.macros)),
+            self.names.scopes.push(cx.scope, false),
+            self.names.macros.push(Some(cx.macros)),
         );
-        let body_cx = Cx {
+        let body_cx = EvalContext {
             scope,
             macros,
             frame: cx.frame,
@@ -94,11 +91,12 @@ impl Expander<'_> {
             self.bind_unknown(param, at, body_cx);
         }
         let content = self.container(at);
-        self.calls
-            .push((Arc::as_ptr(def) as usize, self.conditions));
+        self.guards
+            .calls
+            .push((Arc::as_ptr(def) as usize, self.flow.conditions));
         self.eval_body(def, content, body_cx);
-        self.calls.pop();
-        self.result.probes.push(Probe {
+        self.guards.calls.pop();
+        self.result.index.probes.push(Probe {
             definition: def.definition,
             content,
         });

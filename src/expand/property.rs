@@ -4,14 +4,15 @@ use std::borrow::Cow;
 
 use ecow::EcoString;
 
-use super::element::Tag;
+use super::binding_info::{BindingInfo, BindingKind};
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::{Cx, Expander};
 use super::meant;
 use super::origin::Origin;
-use super::resolve::{BindingInfo, BindingKind};
-use super::scope::{Binding, Block, Place, Scopes, SrcRef, State};
+use super::scope::{Binding, Block, Scopes, SrcRef, State, TextPlace};
+use super::state::EvalContext;
 use super::symbols::SymbolKind;
+use super::tag::Tag;
 use super::tree::XId;
 use base::TextRange;
 use expr::{ScopeId, Value, display, is_global_symbol, is_identifier, literal, normalized};
@@ -22,11 +23,11 @@ const PROPERTY_ATTRS: [&str; 6] = ["name", "value", "default", "remove", "scope"
 /// Words of a wrong name that may be meant by themselves.
 const MOST_WORDS: usize = 8;
 
-type AttrText<'a> = Option<(Cow<'a, str>, Place)>;
+type AttrText<'a> = Option<(Cow<'a, str>, TextPlace)>;
 
 impl Expander<'_> {
     /// Define, default or remove a property.
-    pub fn property(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) {
+    pub fn property(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
         self.drop_comments(out, has_next);
         let Some((name_text, name_place)) = self.required_attr(tag, "name", cx) else {
             return self.nameless_property(tag, cx);
@@ -44,7 +45,7 @@ impl Expander<'_> {
         if usize::from(value.is_some()) + usize::from(default.is_some()) + usize::from(remove) > 1 {
             return self.conflicting(tag, &name, cx);
         }
-        let known = self.scopes.holder(cx.scope, &name).is_some() || is_global_symbol(&name);
+        let known = self.names.scopes.holder(cx.scope, &name).is_some() || is_global_symbol(&name);
         if remove && known {
             return self.remove_property(cx.scope, &name, name_place);
         }
@@ -77,11 +78,11 @@ impl Expander<'_> {
         &mut self,
         tag: Tag<'_>,
         name: &EcoString,
-        name_place: Place,
+        name_place: TextPlace,
         value: AttrText<'_>,
         scope: AttrText<'_>,
         lazy: bool,
-        cx: Cx,
+        cx: EvalContext,
     ) {
         let mut at_once = !lazy;
         let mut target = Some(cx.scope);
@@ -110,7 +111,7 @@ impl Expander<'_> {
                 )
             }
             Some((text, place)) if at_once => {
-                let mark = self.reads.len();
+                let mark = self.names.reads.len();
                 let value = literal_of(self.eval_text(&text, place, cx.scope));
                 let reads = self.take_reads(mark);
                 let info = BindingInfo {
@@ -156,8 +157,8 @@ impl Expander<'_> {
         };
         let is_value = !matches!(state, State::Block(_));
         let state = match is_value
-            && self.unknown_conditions > 0
-            && self.scopes.holder(target, &key).is_some()
+            && self.flow.unknown_conditions > 0
+            && self.names.scopes.holder(target, &key).is_some()
         {
             // the branch may not be taken: then the value before holds
             true => State::Ready(Value::Unknown),
@@ -184,13 +185,14 @@ impl Expander<'_> {
                 format!("redefining global symbol: {key}"),
             );
         }
-        self.defined(super::late::NameKind::Property, &key, scope, at);
+        self.defined(super::undefined::NameKind::Property, &key, scope, at);
         if let State::Ready(value) = &state {
             info.value = Some(value.clone());
         }
         let info = self.add_binding(info);
-        self.scopes.note_change(scope);
-        self.scopes
+        self.names.scopes.note_change(scope);
+        self.names
+            .scopes
             .get_mut(scope)
             .vars
             .insert(key, Binding { state, info });
@@ -198,18 +200,23 @@ impl Expander<'_> {
 
     /// The scope `scope="parent"` means; none at the top.
     fn parent_scope(&self, from: ScopeId) -> Option<ScopeId> {
-        let scope = self.scopes.get(from);
+        let scope = self.names.scopes.get(from);
         let mut target = scope.parent?;
         if !scope.is_namespace {
             // from a macro, the namespaces between it and its caller are skipped
-            while self.scopes.get(target).is_namespace {
-                target = self.scopes.get(target).parent?;
+            while self.names.scopes.get(target).is_namespace {
+                target = self.names.scopes.get(target).parent?;
             }
         }
         Some(target)
     }
 
-    fn property_name(&mut self, name: &Value, place: Place, cx: Cx) -> Option<EcoString> {
+    fn property_name(
+        &mut self,
+        name: &Value,
+        place: TextPlace,
+        cx: EvalContext,
+    ) -> Option<EcoString> {
         let Value::Str(name) = name else {
             if let Some(shown) = display::to_str(name) {
                 let message = format!("invalid property name `{shown}`");
@@ -264,7 +271,7 @@ impl Expander<'_> {
             .into_iter()
             .chain(Some(joined).filter(|joined| is_identifier(joined)))
         {
-            if self.scopes.holder(cx.scope, &meant).is_none() && !is_global_symbol(&meant) {
+            if self.names.scopes.holder(cx.scope, &meant).is_none() && !is_global_symbol(&meant) {
                 self.bind_lost(meant, place.origin, cx);
             }
         }
@@ -272,7 +279,7 @@ impl Expander<'_> {
     }
 
     /// A property without a name: `<xacro:property width="0.1"/>` was meant to define `width`.
-    fn nameless_property(&mut self, tag: Tag<'_>, cx: Cx) {
+    fn nameless_property(&mut self, tag: Tag<'_>, cx: EvalContext) {
         let is_name = |name: &str| is_identifier(name) && !PROPERTY_ATTRS.contains(&name);
         let names: Vec<_> = tag
             .attrs()
@@ -298,17 +305,17 @@ impl Expander<'_> {
     }
 
     /// Define a name whose definition was reported as wrong: that its value is unknown is no further finding.
-    fn bind_lost(&mut self, name: EcoString, at: Origin, cx: Cx) {
+    fn bind_lost(&mut self, name: EcoString, at: Origin, cx: EvalContext) {
         self.result.complete = false;
         let info = BindingInfo::new(name.clone(), BindingKind::Property, at);
         self.bind(cx.scope, name, State::Ready(Value::Unknown), info, at);
     }
 
     /// A boolean attribute; `None` when its value is an error or unknown.
-    fn flag(&mut self, tag: Tag<'_>, name: &str, default: bool, cx: Cx) -> Option<bool> {
+    fn flag(&mut self, tag: Tag<'_>, name: &str, default: bool, cx: EvalContext) -> Option<bool> {
         match self.attr(tag, name, cx) {
             Some((text, place)) if !text.is_empty() => {
-                let mark = self.reads.len();
+                let mark = self.names.reads.len();
                 let value = self.eval_text(&text, place, cx.scope);
                 self.truth(&value, &text, place.origin, mark)
             }
@@ -316,7 +323,7 @@ impl Expander<'_> {
         }
     }
 
-    fn conflicting(&mut self, tag: Tag<'_>, name: &EcoString, cx: Cx) {
+    fn conflicting(&mut self, tag: Tag<'_>, name: &EcoString, cx: EvalContext) {
         let given: Vec<_> = tag
             .attrs()
             .filter(|a| matches!(a.name(), "value" | "default" | "remove"))
@@ -344,8 +351,8 @@ impl Expander<'_> {
         self.bind_lost(name.clone(), at, cx);
     }
 
-    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: Place) {
-        self.scopes.remove_everywhere(scope, name);
+    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: TextPlace) {
+        self.names.scopes.remove_everywhere(scope, name);
         if is_global_symbol(name) {
             let message = format!("cannot remove the built-in symbol `{name}`");
             self.warn(
@@ -367,7 +374,7 @@ pub(super) fn literal_of(value: Value) -> Value {
 }
 
 /// What a property with this text is until its first use.
-fn lazy_state(text: &str, place: Place) -> State {
+fn lazy_state(text: &str, place: TextPlace) -> State {
     let Value::Str(literal) = literal::from_text(text) else {
         return State::Ready(literal::from_text(text));
     };

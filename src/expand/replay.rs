@@ -3,57 +3,30 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::element::Tag;
+use super::before::Before;
+use super::expander::Expander;
 use super::expansion::Expansion;
-use super::machine::{Cx, Expander};
-use super::memo::{Kept, Memo, StepMemo, StepReads};
+use super::memo::{Kept, StepMemo, StepReads};
 use super::origin::{Frame, SrcId};
-use super::request::Request;
+use super::plain::is_same_value;
 use super::scope::{Binding, Block, Scopes, State};
+use super::state::EvalContext;
 use super::symbols::{Definition, DefinitionId};
+use super::tag::Tag;
 use super::tree::{XId, XKind};
-use super::watch::is_same_value;
-
-/// The last expansion of the same root, and how far it is known to agree with this one.
-#[derive(Clone, Copy)]
-pub(super) struct Before<'w> {
-    pub expansion: &'w Expansion,
-    pub memo: &'w Memo,
-    /// So many frames at the front are the same.
-    pub same_frames: usize,
-}
-
-impl<'w> Before<'w> {
-    /// An earlier expansion, when it was asked for in the same way.
-    pub fn of(expansion: Option<&'w Expansion>, request: &Request) -> Option<Self> {
-        let expansion = expansion?;
-        let memo = expansion
-            .memo
-            .as_deref()
-            .filter(|memo| memo.request.is_same(request))?;
-        Some(Self {
-            expansion,
-            memo,
-            same_frames: 0,
-        })
-    }
-
-    fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w Kept> {
-        let steps = &self.memo.steps;
-        steps.get(
-            steps
-                .binary_search_by_key(&call, |kept| kept.step.call)
-                .ok()?,
-        )
-    }
-}
 
 impl Expander<'_> {
     /// Take over what a call gave in the last expansion; `false`: it has to be evaluated.
     // not in the frame of a call, of which there are many in a deep document
     #[inline(never)]
-    pub(super) fn replay(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: Cx) -> bool {
-        let Some(mut before) = self.before else {
+    pub(super) fn replay(
+        &mut self,
+        tag: Tag<'_>,
+        has_next: bool,
+        out: XId,
+        cx: EvalContext,
+    ) -> bool {
+        let Some(mut before) = self.steps.before else {
             return false;
         };
         let Some(kept) = before.step((tag.src, tag.node.id())) else {
@@ -64,10 +37,10 @@ impl Expander<'_> {
             && self.reads_alike(before.expansion, &kept.step.reads)
             && self.refers_alike(before.expansion, &kept.step)
             && (!kept.step.moves_marker || self.takes_marker(has_next, out));
-        self.before = Some(before);
+        self.steps.before = Some(before);
         if holds {
-            self.taken_over += 1;
-            let evaluations = self.result.evaluations.len();
+            self.steps.taken_over += 1;
+            let evaluations = self.result.index.evaluations.len();
             self.add_lists(before.expansion, kept);
             self.add_effects(&kept.step);
             let at = self.tag_origin(tag, cx);
@@ -78,13 +51,13 @@ impl Expander<'_> {
                 .graft(&before.expansion.tree, kept.content, body);
             let first = self.result.tree.first_child(body);
             // the container is one of the nodes that the step made
-            self.nodes_left_out += kept.step.nodes - 1 - (self.result.tree.len() - made);
+            self.steps.nodes_left_out += kept.step.nodes - 1 - (self.result.tree.len() - made);
             if kept.step.moves_marker {
                 self.result.tree.detach(self.marker);
             }
             self.place_body(body, has_next, out, cx);
             if let Some(first) = first {
-                self.steps.push(Kept {
+                self.steps.done.push(Kept {
                     step: Arc::clone(&kept.step),
                     content: (first, first),
                     evaluations,
@@ -97,10 +70,10 @@ impl Expander<'_> {
     /// Whether no limit is reached in the step.
     fn has_room(&self, step: &StepMemo) -> bool {
         let nodes = (self.nodes_made() + step.nodes) as u64;
-        self.budget.steps >= step.spent.0
-            && self.budget.bytes >= step.spent.1
+        self.guards.budget.steps >= step.spent.0
+            && self.guards.budget.bytes >= step.spent.1
             && nodes <= self.request.limits.expand_nodes
-            && self.result.evaluations.has_room(step.evaluations)
+            && self.result.index.evaluations.has_room(step.evaluations)
     }
 
     /// Whether what the step adds gets the same numbers as before, and the ways that led there are the same.
@@ -108,8 +81,8 @@ impl Expander<'_> {
         let result = &self.result;
         let (frames, bindings, reads) = (
             result.frames.len(),
-            result.bindings.len(),
-            result.reads.len(),
+            result.index.bindings.len(),
+            result.index.reads.len(),
         );
         if (frames, bindings, reads)
             != (step.frames.start, step.bindings.start, step.read_list.start)
@@ -139,6 +112,7 @@ impl Expander<'_> {
         sources.iter().all(same_source)
             && names.iter().all(|(name, then)| {
                 let now = self
+                    .names
                     .scopes
                     .find(Scopes::TOP, name)
                     .map(|(_, binding)| binding);
@@ -150,14 +124,15 @@ impl Expander<'_> {
             })
             && macros.iter().all(|(name, then)| {
                 let now = self
+                    .names
                     .macros
-                    .find(super::scope::Macros::TOP, name)
+                    .find(super::macro_table::Macros::TOP, name)
                     .map(|def| def.body);
                 now == *then && then.is_none_or(|body| same_source(&body.src))
             })
             && args
                 .iter()
-                .all(|(name, then)| self.args.get(name) == then.as_ref())
+                .all(|(name, then)| self.names.args.get(name) == then.as_ref())
             && packages.iter().all(|(name, from, folder)| {
                 self.world
                     .packages
@@ -168,7 +143,7 @@ impl Expander<'_> {
 
     /// Whether the definitions that the step gives and names have the same numbers.
     fn refers_alike(&self, before: &Expansion, step: &StepMemo) -> bool {
-        let (now, then) = (&self.result.symbols, &before.symbols);
+        let (now, then) = (&self.result.index.symbols, &before.index.symbols);
         let is_same = |id: DefinitionId| {
             now.get(id)
                 .zip(then.get(id))
@@ -188,7 +163,7 @@ impl Expander<'_> {
                 }
             };
         let is_named_alike = |id| is_same(id) || given.iter().any(|(_, given)| *given == id);
-        let bindings = part(&before.bindings, &step.bindings);
+        let bindings = part(&before.index.bindings, &step.bindings);
         given.iter().all(&mut is_given_alike)
             && step
                 .symbols
@@ -245,20 +220,22 @@ impl Expander<'_> {
             .frames
             .extend_from_slice(part(&before.frames, &step.frames));
         result
+            .index
             .bindings
-            .extend_from_slice(part(&before.bindings, &step.bindings));
+            .extend_from_slice(part(&before.index.bindings, &step.bindings));
         result
+            .index
             .reads
-            .extend_from_slice(part(&before.reads, &step.read_list));
-        result.evaluations.extend_from(
-            &before.evaluations,
+            .extend_from_slice(part(&before.index.reads, &step.read_list));
+        result.index.evaluations.extend_from(
+            &before.index.evaluations,
             kept.evaluations..kept.evaluations + step.evaluations,
         );
         for (definition, _) in &step.symbols.definitions {
-            result.symbols.add(definition.clone());
+            result.index.symbols.add(definition.clone());
         }
         for &(used, idle) in &step.symbols.uses {
-            result.symbols.add_use(used, idle);
+            result.index.symbols.add_use(used, idle);
         }
         for read in &step.record {
             result.record.add(read.clone());
@@ -266,21 +243,27 @@ impl Expander<'_> {
     }
 
     fn add_effects(&mut self, step: &StepMemo) {
-        self.scopes.skip(step.scopes);
-        self.macros.skip(step.tables);
+        self.names.scopes.skip(step.scopes);
+        self.names.macros.skip(step.tables);
         if step.evaluated {
-            self.scopes.note_evaluation(Scopes::TOP);
+            self.names.scopes.note_evaluation(Scopes::TOP);
         }
         for forced in &step.forced {
-            if let Some(info) = self.result.bindings.get_mut(forced.info as usize) {
+            if let Some(info) = self.result.index.bindings.get_mut(forced.info as usize) {
                 (info.reads, info.value) = (forced.reads, Some(forced.value.clone()));
             }
-            if let Some(binding) = self.scopes.get_mut(Scopes::TOP).vars.get_mut(&forced.name) {
+            if let Some(binding) = self
+                .names
+                .scopes
+                .get_mut(Scopes::TOP)
+                .vars
+                .get_mut(&forced.name)
+            {
                 binding.state = State::Ready(forced.value.clone());
             }
         }
-        self.budget.steps -= step.spent.0;
-        self.budget.bytes -= step.spent.1;
+        self.guards.budget.steps -= step.spent.0;
+        self.guards.budget.bytes -= step.spent.1;
     }
 }
 

@@ -1,7 +1,7 @@
 //! Reporting problems, and how expansion came to a place.
 
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::Expander;
 use super::origin::{FileIdx, Frame, FrameKind, Origin};
 use super::problem::{Place as ProblemPlace, Problem, Step, step_message};
 use base::{FastSet, TextRange};
@@ -45,7 +45,7 @@ impl Expander<'_> {
     pub(super) fn trace(&self, at: Origin, most: usize) -> Vec<Step> {
         let mut steps = Vec::new();
         let mut from = at;
-        for used in self.lazy_uses.iter().rev() {
+        for used in self.names.lazy_uses.iter().rev() {
             if steps.len() >= most {
                 break;
             }
@@ -110,7 +110,7 @@ impl Expander<'_> {
         } else {
             "in file:"
         };
-        for file in self.open_files.iter().rev() {
+        for file in self.files.open.iter().rev() {
             lines.push(format!("{lead} {}", file.name));
             lead = "included from:";
         }
@@ -119,6 +119,6 @@ impl Expander<'_> {
 
     /// The name of the file being processed now.
     pub fn current_file(&self) -> &str {
-        self.open_files.last().map_or("", |f| f.name.as_str())
+        self.files.open.last().map_or("", |f| f.name.as_str())
     }
 }

@@ -2,114 +2,44 @@
 
 use ecow::EcoString;
 
+use super::binding_info::LazyUse;
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::late::{Missing, NameKind};
-use super::machine::Expander;
+use super::macro_table::Macros;
 use super::meant;
-use super::memo::Forced;
+use super::memo::ForcedProperty;
 use super::origin::Origin;
 use super::problem::{Outside, Step};
-use super::scope::{Block, Macros, Scopes, State};
+use super::scope::{Block, Scopes, State};
 use super::stack::with_stack;
-use super::symbols::{DefinitionId, UseKind};
-use base::TextRange;
+use super::symbols::UseKind;
+use super::undefined::{Missing, NameKind};
 use base::limits::LAZY_DEPTH;
 use expr::{ScopeId, Value, literal};
 use xml::NodeKind;
 
-/// Where a value that an expression read was given.
-#[derive(Clone, Debug)]
-pub struct BindingInfo {
-    /// Its name.
-    pub name: EcoString,
-    /// What it is.
-    pub kind: BindingKind,
-    /// The text that gives the value; none for arguments from outside.
-    pub origin: Option<Origin>,
-    /// The definition it is an instance of.
-    pub definition: Option<DefinitionId>,
-    /// Bindings that were read to compute it: see [`Expansion::read_in`](super::Expansion::read_in).
-    pub reads: TextRange,
-    /// Its value; none for a block.
-    pub value: Option<Value>,
-}
-
-/// The kinds of bindings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum BindingKind {
-    /// `xacro:property`
-    Property,
-    /// A macro parameter.
-    Parameter,
-    /// `xacro:arg`, or an argument from outside.
-    Argument,
-    /// The name of `ns=`.
-    Namespace,
-}
-
-impl BindingInfo {
-    /// An argument given from outside.
-    pub fn given(name: &str, value: Value) -> Self {
-        let (origin, definition, reads) = (None, None, TextRange::default());
-        let value = Some(value);
-        Self {
-            name: name.into(),
-            kind: BindingKind::Argument,
-            origin,
-            definition,
-            reads,
-            value,
-        }
-    }
-
-    /// Something given by source text.
-    pub fn new(name: EcoString, kind: BindingKind, origin: Origin) -> Self {
-        Self {
-            name,
-            kind,
-            origin: Some(origin),
-            definition: None,
-            reads: TextRange::default(),
-            value: None,
-        }
-    }
-
-    /// As an instance of a definition.
-    pub fn of(mut self, definition: DefinitionId) -> Self {
-        self.definition = Some(definition);
-        self
-    }
-}
-
-/// A lazy property being evaluated, and the text that asked for it.
-#[derive(Clone, Debug)]
-pub(super) struct LazyUse {
-    pub name: EcoString,
-    pub at: Origin,
-}
-
 impl Expander<'_> {
     /// The value of `name` seen from `scope`; `at` is the text that asks. `None`: no such property.
     pub fn resolve(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
-        let info = self.scopes.find(scope, name)?.1.info;
+        let info = self.names.scopes.find(scope, name)?.1.info;
         self.note_read(at, info, UseKind::Read);
         self.value_of(scope, name, at)
     }
 
     /// The same without noting that `at` refers to it.
     pub fn value_of(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
-        let (holder, binding) = self.scopes.find(scope, name)?;
+        let (holder, binding) = self.names.scopes.find(scope, name)?;
         let info = binding.info;
         match &binding.state {
             State::Ready(value) => {
                 let value = value.clone();
-                self.reads.push(info);
+                self.names.reads.push(info);
                 Some(value)
             }
             State::Block(_) => Some(Value::Unknown),
             State::Lazy(..) => {
                 let value = self.force(holder, name, at);
-                self.reads.push(info);
+                self.names.reads.push(info);
                 Some(value)
             }
         }
@@ -117,7 +47,7 @@ impl Expander<'_> {
 
     /// Evaluate a lazy property for good.
     fn force(&mut self, holder: ScopeId, name: &str, at: Origin) -> Value {
-        let scope = self.scopes.get_mut(holder);
+        let scope = self.names.scopes.get_mut(holder);
         let Some((name, State::Lazy(text, place), info)) = scope
             .vars
             .get(name)
@@ -128,7 +58,7 @@ impl Expander<'_> {
         if scope.resolving.contains(&name) {
             return self.circular(holder, &name, at);
         }
-        if self.lazy_uses.len() >= LAZY_DEPTH {
+        if self.names.lazy_uses.len() >= LAZY_DEPTH {
             let message =
                 format!("properties depend on each other more than {LAZY_DEPTH} levels deep");
             self.error(
@@ -141,31 +71,31 @@ impl Expander<'_> {
         }
         scope.resolving.push(name.clone());
         self.note_source(place.origin.src);
-        self.lazy_uses.push(LazyUse {
+        self.names.lazy_uses.push(LazyUse {
             name: name.clone(),
             at,
         });
-        let mark = self.reads.len();
+        let mark = self.names.reads.len();
         let value = with_stack(|| self.eval_text(&text, place, holder));
-        self.lazy_uses.pop();
+        self.names.lazy_uses.pop();
         let value = match value {
             Value::Str(text) => literal::from_text(&text),
             value => value,
         };
         let reads = self.take_reads(mark);
         if holder == Scopes::TOP {
-            self.note_forced(|| Forced {
+            self.note_forced(|| ForcedProperty {
                 name: name.clone(),
                 info,
                 value: value.clone(),
                 reads,
             });
         }
-        if let Some(info) = self.result.bindings.get_mut(info as usize) {
+        if let Some(info) = self.result.index.bindings.get_mut(info as usize) {
             info.reads = reads;
             info.value = Some(value.clone());
         }
-        let scope = self.scopes.get_mut(holder);
+        let scope = self.names.scopes.get_mut(holder);
         scope.resolving.retain(|n| *n != name);
         if let Some(binding) = scope.vars.get_mut(&name) {
             binding.state = State::Ready(value.clone());
@@ -174,7 +104,7 @@ impl Expander<'_> {
     }
 
     fn circular(&mut self, holder: ScopeId, name: &EcoString, at: Origin) -> Value {
-        let resolving = self.scopes.get(holder).resolving.clone();
+        let resolving = self.names.scopes.get(holder).resolving.clone();
         let chain = resolving
             .iter()
             .chain([name])
@@ -187,10 +117,11 @@ impl Expander<'_> {
             .skip(start)
             .map(|name| {
                 let binding = self
+                    .names
                     .scopes
                     .find(holder, name)
                     .map(|(_, binding)| binding.info as usize);
-                let info = binding.and_then(|info| self.result.bindings.get(info));
+                let info = binding.and_then(|info| self.result.index.bindings.get(info));
                 (name, info.and_then(|info| info.origin).unwrap_or(at))
             })
             .collect();
@@ -235,8 +166,8 @@ impl Expander<'_> {
         if self.is_repeated(ProblemKind::UndefinedProperty, at, &message) {
             return;
         }
-        let Some(missing) = self.missing_name(NameKind::Property, name, |machine| {
-            machine.scopes.visible_names(scope)
+        let Some(missing) = self.missing_name(NameKind::Property, name, |expander| {
+            expander.names.scopes.visible_names(scope)
         }) else {
             return;
         };
@@ -272,7 +203,7 @@ impl Expander<'_> {
             problem = problem
                 .help(format!("quote the string: `${{{text}}}`"))
                 .replace_with(format!("'{name}'"));
-        } else if self.args.contains_key(name) {
+        } else if self.names.args.contains_key(name) {
             problem = problem.help(format!("write `$(arg {name})`; `{name}` is an argument"));
         } else {
             let define = format!("<xacro:property name=\"{name}\" value=\"...\"/>");
@@ -283,16 +214,17 @@ impl Expander<'_> {
 
     /// Whether `name` is that of a block property.
     fn holds_block(&self, scope: ScopeId, name: &str) -> bool {
-        self.scopes
+        self.names
+            .scopes
             .find(scope, &format!("**{name}"))
-            .or_else(|| self.scopes.find(scope, &format!("*{name}")))
+            .or_else(|| self.names.scopes.find(scope, &format!("*{name}")))
             .is_some()
     }
 
     /// The text of a block property that holds nothing else: it was meant to be the value.
     fn text_of_block(&self, scope: ScopeId, name: &str) -> Option<String> {
         const LONGEST: usize = 60;
-        let (_, binding) = self.scopes.find(scope, &format!("**{name}"))?;
+        let (_, binding) = self.names.scopes.find(scope, &format!("**{name}"))?;
         let State::Block(Block::Source(at)) = binding.state else {
             return None;
         };
@@ -312,7 +244,7 @@ impl Expander<'_> {
 
     /// How a macro of that name is called, if there is one.
     fn call_of(&self, name: &str) -> Option<String> {
-        let def = self.macros.find(Macros::TOP, name)?;
+        let def = self.names.macros.find(Macros::TOP, name)?;
         let own = def
             .params
             .iter()
@@ -327,20 +259,20 @@ impl Expander<'_> {
     /// file is to give it.
     pub fn empty_argument(&self, mark: usize) -> Option<EcoString> {
         self.result
-            .empty_argument_of(self.reads.get(mark..).unwrap_or(&[]))
+            .empty_argument_of(self.names.reads.get(mark..).unwrap_or(&[]))
     }
 
     /// What may give another value to what is evaluated now, which read the names behind `mark`: nothing when it read
     /// none.
     pub fn outside_of_reads(&self, mark: usize) -> Option<Outside> {
         let argument = self.empty_argument(mark).map(Outside::Argument);
-        (self.reads.len() > mark).then(|| argument.unwrap_or(Outside::Includer))
+        (self.names.reads.len() > mark).then(|| argument.unwrap_or(Outside::Includer))
     }
 
     /// Report an argument that was neither declared nor given; `said` is how the reference shows its name.
     pub fn undefined_arg(&mut self, name: &str, at: Origin, said: String) {
-        let Some(missing) = self.missing_name(NameKind::Arg, name, |machine| {
-            machine.args.keys().map(EcoString::as_str).collect()
+        let Some(missing) = self.missing_name(NameKind::Arg, name, |expander| {
+            expander.names.args.keys().map(EcoString::as_str).collect()
         }) else {
             return;
         };

@@ -1,18 +1,14 @@
-//! Symbol tables: chains of properties, and chains of macros.
+//! Chains of property scopes.
 #![allow(clippy::indexing_slicing)] // ids are made by these tables only and never outlive them
 
 use std::cell::RefCell;
-use std::sync::Arc;
 
 use ecow::EcoString;
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
 use super::origin::{Origin, SrcId};
-use super::symbols::DefinitionId;
 use super::tree::XId;
-use super::watch::{MacroWatch, Watch};
-use base::{FastMap, TextRange};
 use expr::{ScopeId, Value};
 use xml::NodeId;
 
@@ -25,7 +21,7 @@ pub(super) struct SrcRef {
 
 /// Text of the source that may hold expressions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct TextPlace {
     /// The text as it is written, and the frame it was reached through.
     pub origin: Origin,
     /// Whether it is an attribute value (character data otherwise).
@@ -44,7 +40,7 @@ pub(super) struct Binding {
 #[derive(Clone, Debug)]
 pub(super) enum State {
     /// Not evaluated yet: evaluated on first use, in the scope that holds it.
-    Lazy(EcoString, Place),
+    Lazy(EcoString, TextPlace),
     /// Evaluated for good.
     Ready(Value),
     /// A block: `**name` properties and `*name` parameters.
@@ -132,6 +128,30 @@ impl Vars {
             .iter()
             .map(|(name, binding)| (name, binding))
             .chain(&self.many)
+    }
+}
+
+/// Names of the document, each once, with what they said when they were first read.
+pub(super) type NamesRead = Vec<(EcoString, Option<Binding>)>;
+
+/// What is looked up outside of a step.
+#[derive(Debug)]
+pub(super) struct Watch {
+    /// The first scope of the step.
+    floor: u32,
+    /// The names of the document as they were at first.
+    names: NamesRead,
+    /// An expression was evaluated in the scope of the document.
+    evaluated: bool,
+    /// Something else was read or written.
+    unclear: bool,
+}
+
+impl Watch {
+    /// Note that an expression is evaluated in a scope.
+    pub fn note_evaluation(&mut self, id: ScopeId) {
+        self.evaluated |= id == Scopes::TOP;
+        self.unclear |= id != Scopes::TOP && id.0 < self.floor;
     }
 }
 
@@ -304,277 +324,78 @@ impl Scopes {
         names.dedup();
         names
     }
-}
 
-/// A macro table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct MacrosId(pub u32);
-
-#[derive(Debug)]
-pub(super) enum MacroEntry {
-    Macro(Arc<MacroDef>),
-    Namespace(MacrosId),
-}
-
-#[derive(Debug, Default)]
-pub(super) struct MacroTable {
-    pub(super) parent: Option<MacrosId>,
-    entries: FastMap<EcoString, MacroEntry>,
-}
-
-/// A macro definition.
-#[derive(Debug)]
-pub(super) struct MacroDef {
-    pub name: EcoString,
-    pub body: SrcRef,
-    /// Where it stands: range of its `name` value.
-    pub origin: Origin,
-    pub definition: DefinitionId,
-    pub params: Params,
-}
-
-/// A parameter specification.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Param {
-    /// Its name; that of a block begins with `*` or `**`.
-    pub name: EcoString,
-    /// Where it stands in the (decoded) `params` text.
-    pub range: TextRange,
-    /// Where it stands in the source, and its definition; none when the list was not read from a tag.
-    pub definition: Option<(Origin, DefinitionId)>,
-    /// `^`: take the caller's property of the same name.
-    pub forward: bool,
-    /// The default, where there is one, and where it stands in that text.
-    pub default: Option<(EcoString, TextRange)>,
-    /// Where the default stands in the source.
-    pub default_at: Option<Origin>,
-}
-
-impl Param {
-    /// A parameter without default that no list names.
-    pub(super) fn named(name: EcoString) -> Self {
-        let range = TextRange::default();
-        Self {
-            name,
-            range,
-            definition: None,
-            forward: false,
-            default: None,
-            default_at: None,
-        }
+    /// Count scopes that were not made.
+    pub fn skip(&mut self, count: usize) {
+        self.list
+            .resize_with(self.list.len() + count, Scope::default);
     }
 
-    /// One of the names in a name that is none, with the default if it is the last one. The places stay inside the whole.
-    pub(super) fn part(&self, name: &str, is_last: bool) -> Self {
-        let start = self.range.start + self.name.find(name).unwrap_or(0) as u32;
-        let part = Self {
-            name: name.into(),
-            range: TextRange::new(start, start + name.len() as u32),
-            ..self.clone()
-        };
-        if is_last {
-            part
-        } else {
-            Self {
-                default: None,
-                forward: false,
-                ..part
-            }
-        }
+    /// Write down from now on what scopes that are there say to new ones.
+    pub fn watch(&mut self) {
+        let floor = self.list.len() as u32;
+        self.watch = Some(RefCell::new(Watch {
+            floor,
+            names: Vec::new(),
+            evaluated: false,
+            unclear: false,
+        }));
     }
 
-    /// Whether a call gives it as a child element.
-    pub fn is_block(&self) -> bool {
-        self.name.starts_with('*')
-    }
-}
-
-/// The parameters of a macro.
-#[derive(Debug, Default)]
-pub(super) struct Params {
-    list: Vec<Param>,
-    /// Of each name, the first one.
-    first: FastMap<EcoString, usize>,
-    /// Of each name, the last one that says which value it has when a call gives none.
-    fallback: FastMap<EcoString, usize>,
-}
-
-impl Params {
-    pub fn new(list: Vec<Param>) -> Self {
-        let (mut first, mut fallback) = (FastMap::default(), FastMap::default());
-        for (index, param) in list.iter().enumerate() {
-            first.entry(param.name.clone()).or_insert(index);
-            if param.forward || param.default.is_some() {
-                fallback.insert(param.name.clone(), index);
-            }
-        }
-        Self {
-            list,
-            first,
-            fallback,
-        }
+    /// What was read of the scope of the document since then, and whether an expression was evaluated there; none when
+    /// that is not all.
+    pub fn unwatch(&mut self) -> Option<(NamesRead, bool)> {
+        let watch = self.watch.take()?.into_inner();
+        (!watch.unclear).then_some((watch.names, watch.evaluated))
     }
 
-    pub fn iter(&self) -> std::slice::Iter<'_, Param> {
-        self.list.iter()
-    }
-
-    /// What a parameter is when a call does not give it.
-    pub fn fallback(&self, name: &str) -> Option<&Param> {
-        self.list.get(*self.fallback.get(name)?)
-    }
-}
-
-/// The parameters that a call has not given yet.
-pub(super) struct Open<'p> {
-    params: &'p Params,
-    given: Vec<bool>,
-}
-
-impl<'p> Open<'p> {
-    pub fn new(params: &'p Params) -> Self {
-        Self {
-            params,
-            given: vec![false; params.list.len()],
-        }
-    }
-
-    /// Give the first one of that name.
-    pub fn take(&mut self, name: &str) -> Option<&'p Param> {
-        let first = *self.params.first.get(name)?;
-        let mut from = self.params.list.iter().zip(&mut self.given).skip(first);
-        let (param, given) = from.find(|(param, given)| !**given && param.name == name)?;
-        *given = true;
-        Some(param)
-    }
-
-    /// Those that are left, in order.
-    pub fn left(self) -> Vec<&'p Param> {
-        let left = self
-            .params
-            .iter()
-            .zip(self.given)
-            .filter(|(_, given)| !given);
-        left.map(|(param, _)| param).collect()
-    }
-}
-
-/// All macro tables of an expansion.
-#[derive(Debug)]
-pub(super) struct Macros {
-    pub(super) list: Vec<MacroTable>,
-    pub(super) watch: Option<RefCell<MacroWatch>>,
-}
-
-impl Macros {
-    pub const TOP: MacrosId = MacrosId(0);
-
-    pub fn new() -> Self {
-        Self {
-            list: vec![MacroTable::default()],
-            watch: None,
-        }
-    }
-
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        self.list.len()
-    }
-
-    pub fn push(&mut self, parent: Option<MacrosId>) -> MacrosId {
-        let id = MacrosId(self.list.len() as u32);
-        self.list.push(MacroTable {
-            parent,
-            ..MacroTable::default()
-        });
-        id
-    }
-
-    pub fn define(&mut self, at: MacrosId, def: MacroDef) -> Arc<MacroDef> {
-        self.note_change(at);
-        let def = Arc::new(def);
-        self.list[at.0 as usize]
-            .entries
-            .insert(def.name.clone(), MacroEntry::Macro(def.clone()));
-        def
-    }
-
-    pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {
-        self.note_change(at);
-        self.list[at.0 as usize]
-            .entries
-            .insert(name, MacroEntry::Namespace(table));
-    }
-
-    fn entry(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {
-        let found = self.entry_of(at, name);
+    /// Note that something is read or written that no name tells of.
+    pub fn note_unclear(&self) {
         if let Some(watch) = &self.watch {
-            self.note_lookup(watch, at, name, found);
-        }
-        found.map(|(_, entry)| entry)
-    }
-
-    fn entry_of(&self, at: MacrosId, name: &str) -> Option<(MacrosId, &MacroEntry)> {
-        let mut at = Some(at);
-        while let Some(id) = at {
-            let table = &self.list[id.0 as usize];
-            if let Some(entry) = table.entries.get(name) {
-                return Some((id, entry));
-            }
-            at = table.parent;
-        }
-        None
-    }
-
-    /// The macro called `name` in the chain from `at`.
-    pub fn find(&self, at: MacrosId, name: &str) -> Option<Arc<MacroDef>> {
-        match self.entry(at, name)? {
-            MacroEntry::Macro(def) => Some(def.clone()),
-            MacroEntry::Namespace(_) => None,
+            watch.borrow_mut().unclear = true;
         }
     }
 
-    /// The table of namespace `name` in the chain from `at`.
-    pub fn namespace(&self, at: MacrosId, name: &str) -> Option<MacrosId> {
-        match self.entry(at, name)? {
-            MacroEntry::Namespace(id) => Some(*id),
-            MacroEntry::Macro(_) => None,
+    /// Note that a scope is changed.
+    pub fn note_change(&self, id: ScopeId) {
+        if self
+            .watch
+            .as_ref()
+            .is_some_and(|watch| id.0 < watch.borrow().floor)
+        {
+            self.note_unclear();
         }
     }
 
-    /// The table that the last part of a dotted `name` is looked up in, the part before it, and the last part itself; the
-    /// table at hand and the whole name where the part before is no namespace.
-    pub fn inside<'n>(&self, at: MacrosId, name: &'n str) -> (MacrosId, &'n str, &'n str) {
-        let split = name.rfind('.').map(|dot| name.split_at(dot + 1));
-        let Some((path, own)) = split else {
-            return (at, "", name);
-        };
-        let mut steps = path.trim_end_matches('.').split('.');
-        match steps.try_fold(at, |table, step| self.namespace(table, step)) {
-            Some(table) => (table, path, own),
-            None => (at, "", name),
-        }
+    /// Whether a property is left that nothing has evaluated, in a scope from the one of this number on.
+    pub fn has_lazy_from(&self, start: usize) -> bool {
+        let is_lazy = |binding: &Binding| matches!(binding.state, State::Lazy(..));
+        let mut scopes = self.list.iter().skip(start);
+        scopes.any(|scope| scope.vars.iter().any(|(_, binding)| is_lazy(binding)))
     }
 
-    /// Every macro name that can be called from `at` without a namespace, for suggestions.
-    pub fn visible_names(&self, at: MacrosId) -> Vec<&str> {
-        let mut names: Vec<&str> = Vec::new();
-        let mut at = Some(at);
-        while let Some(id) = at {
-            let table = &self.list[id.0 as usize];
-            names.extend(
-                table
-                    .entries
-                    .iter()
-                    .filter_map(|(name, entry)| match entry {
-                        MacroEntry::Macro(_) => Some(name.as_str()),
-                        MacroEntry::Namespace(_) => None,
-                    }),
-            );
-            at = table.parent;
+    pub fn note_lookup(
+        &self,
+        watch: &RefCell<Watch>,
+        from: ScopeId,
+        name: &str,
+        found: Option<ScopeId>,
+    ) {
+        let mut watch = watch.borrow_mut();
+        if found.is_some_and(|id| id.0 >= watch.floor) {
+            return;
         }
-        names.sort_unstable();
-        names.dedup();
-        names
+        let mut chain = std::iter::successors(Some(from), |&id| self.get(id).parent);
+        let entry = chain.find(|id| id.0 < watch.floor);
+        watch.unclear |= entry != Some(Self::TOP);
+        if watch.names.iter().any(|(known, _)| known == name) {
+            return;
+        }
+        let known = found.and_then(|id| self.get(id).vars.get(name));
+        let (name, binding) = known.map_or_else(
+            || (name.into(), None),
+            |(n, b)| (n.clone(), Some(b.clone())),
+        );
+        watch.names.push((name, binding));
     }
 }

@@ -5,14 +5,16 @@ use std::path::Path;
 
 use ecow::EcoString;
 
-use super::element::Tag;
+use super::binding_info::{BindingInfo, BindingKind};
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::{Cx, Expander};
+use super::macro_table::Param;
 use super::meant::Meant;
 use super::origin::Origin;
 use super::problem::{Outside, Problem};
-use super::resolve::{BindingInfo, BindingKind};
-use super::scope::{Param, Scopes};
+use super::scope::Scopes;
+use super::state::EvalContext;
+use super::tag::Tag;
 use base::{FastSet, TextRange};
 use expr::{EvalError, Value, is_identifier};
 
@@ -86,7 +88,7 @@ impl Expander<'_> {
 
     /// Whether a text is the name of a property of the robot, which was meant to be its value.
     fn is_property(&self, text: &str) -> bool {
-        is_identifier(text) && self.scopes.find(Scopes::TOP, text).is_some()
+        is_identifier(text) && self.names.scopes.find(Scopes::TOP, text).is_some()
     }
 
     /// A file that is missing since an argument names a folder that is not there: what there is instead.
@@ -108,7 +110,7 @@ impl Expander<'_> {
             binding.kind == BindingKind::Argument
                 && matches!(&binding.value, Some(Value::Str(value)) if value.as_str() == name)
         };
-        let argument = self.result.bindings.iter().find(is_it)?;
+        let argument = self.result.index.bindings.iter().find(is_it)?;
         let at = argument.origin?;
         let folders = self.world.vfs.list_dir(around);
         let mut names: Vec<&str> = folders
@@ -184,7 +186,7 @@ impl Expander<'_> {
     }
 
     /// The parameters of a macro that has no `params`, and attributes that its body reads instead.
-    pub(super) fn params_in_attributes(&mut self, tag: Tag<'_>, cx: Cx) -> Vec<Param> {
+    pub(super) fn params_in_attributes(&mut self, tag: Tag<'_>, cx: EvalContext) -> Vec<Param> {
         if !self.request.probe || tag.attr("params").is_some() {
             return Vec::new();
         }
@@ -258,18 +260,19 @@ impl Expander<'_> {
         mark: usize,
         is_it: impl Fn(&str) -> bool,
     ) -> Option<(String, Origin, String)> {
-        let mut open: Vec<u32> = self.reads.get(mark..)?.to_vec();
+        let mut open: Vec<u32> = self.names.reads.get(mark..)?.to_vec();
         let mut seen = FastSet::default();
         while let Some(read) = open.pop().filter(|_| seen.len() < MOST) {
             let Some(binding) = self
                 .result
+                .index
                 .bindings
                 .get(read as usize)
                 .filter(|_| seen.insert(read))
             else {
                 continue;
             };
-            open.extend(self.result.read_in(binding.reads));
+            open.extend(self.result.index.read_in(binding.reads));
             let (Some(Value::Str(text)), Some(at)) = (&binding.value, binding.origin) else {
                 continue;
             };

@@ -1,8 +1,8 @@
 //! Which stretch of the printed document came from which text of the source.
 
+use super::escape::escape;
 use super::origin::Origin;
 use super::tree::{XAttr, XId};
-use super::write::escape;
 use base::TextRange;
 
 /// What an entry of the map is about.
@@ -39,14 +39,14 @@ pub struct MapEntry {
 
 /// Collects entries while a document is printed.
 #[derive(Debug, Default)]
-pub(super) struct Recorder {
+pub(super) struct MapBuilder {
     entries: Vec<MapEntry>,
     /// Entries of the elements that are open.
     open: Vec<usize>,
     attribute: usize,
 }
 
-impl Recorder {
+impl MapBuilder {
     pub fn finish(self) -> Vec<MapEntry> {
         self.entries
     }

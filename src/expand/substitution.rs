@@ -2,15 +2,15 @@
 
 use ecow::EcoString;
 
+use super::expander::Expander;
 use super::functions::text_argument;
 use super::kind::ProblemKind;
-use super::machine::Expander;
 use super::meant;
 use super::origin::Origin;
 use super::problem::Outside;
 use super::record::Read;
+use super::split_text::TextSite;
 use super::symbols::UseKind;
-use super::text::TextSite;
 use base::TextRange;
 use base::paths::HERE;
 use expr::{
@@ -90,10 +90,10 @@ impl Expander<'_> {
 
     fn argument(&mut self, name: &SubstArg, here: Here<'_>) -> Result<EcoString, Failure> {
         self.note_argument(&name.text);
-        match self.args.get(&name.text) {
+        match self.names.args.get(&name.text) {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
-                self.reads.push(info);
+                self.names.reads.push(info);
                 self.note_read(self.word_origin(name, here), info, UseKind::Read);
                 Ok(value)
             }
@@ -207,7 +207,7 @@ impl Expander<'_> {
         match self.world.packages.ros_variable(name, &root)? {
             RosVariable::Value(value) => Some(Some(value.into())),
             RosVariable::Unknown => {
-                self.guessed = true;
+                self.gaps.guessed = true;
                 Some(None)
             }
         }
@@ -223,17 +223,17 @@ impl Expander<'_> {
             };
             return Err(Failure::Error(error));
         }
-        let mut budget = self.budget.clone();
+        let mut budget = self.guards.budget.clone();
         let mut host = ArgHost {
-            machine: self,
+            expander: self,
             here,
             undefined: None,
             failed: None,
         };
         let value = expr::evaluate(&parsed.expr, &mut host, &mut budget);
         let (undefined, failed) = (host.undefined.take(), host.failed.take());
-        self.budget.steps = self.budget.steps.min(budget.steps);
-        self.budget.bytes = self.budget.bytes.min(budget.bytes);
+        self.guards.budget.steps = self.guards.budget.steps.min(budget.steps);
+        self.guards.budget.bytes = self.guards.budget.bytes.min(budget.bytes);
         if let Some(failure) = failed {
             return Err(failure);
         }
@@ -290,8 +290,8 @@ impl Expander<'_> {
                 "remove `$(dirname)/`; relative paths are relative to the file that contains them",
             );
         } else if is_unknown {
-            let is_property = self.scopes.find(scope, inner).is_some();
-            problem = match meant::by_round_brackets(inner, is_property, self.args.contains_key(inner)) {
+            let is_property = self.names.scopes.find(scope, inner).is_some();
+            problem = match meant::by_round_brackets(inner, is_property, self.names.args.contains_key(inner)) {
                 Some(meant) => meant.said_of(problem),
                 None => problem.help("use $(find PACKAGE), $(arg NAME), $(env NAME), $(optenv NAME DEFAULT) or $(eval EXPRESSION)"),
             };
@@ -327,7 +327,7 @@ fn class_of(error: &EvalError) -> &'static str {
 
 /// The names of `$(eval)`: its functions, `math`, and arguments, converted by their looks.
 struct ArgHost<'m, 'w, 't> {
-    machine: &'m mut Expander<'w>,
+    expander: &'m mut Expander<'w>,
     here: Here<'t>,
     undefined: Option<String>,
     /// Why the first call of a function has no value.
@@ -357,13 +357,13 @@ impl ArgHost<'_, '_, '_> {
         Ok(match function {
             HostFn::Arg => {
                 let name = text_argument("_eval_arg_context", "name", args, keywords)?;
-                self.machine
+                self.expander
                     .argument(&word(name), self.here)
                     .map(|text| converted(&text))
             }
             HostFn::Env => {
                 let name = text_argument("_eval_env", "name", args, keywords)?;
-                self.machine.environment(&name).map(Value::Str)
+                self.expander.environment(&name).map(Value::Str)
             }
             HostFn::OptEnv => {
                 let is_default = |(keyword, _): &&(EcoString, Value)| keyword == "default";
@@ -381,14 +381,16 @@ impl ArgHost<'_, '_, '_> {
                     args.get(..1).unwrap_or_default()
                 };
                 let name = text_argument("_eval_optenv", "name", first, &others)?;
-                let value = self.machine.env_var(&name).map(Value::Str);
+                let value = self.expander.env_var(&name).map(Value::Str);
                 Ok(value
                     .or_else(|| default.cloned())
                     .unwrap_or_else(|| Value::Str(EcoString::new())))
             }
             HostFn::Find => {
                 let name = text_argument("_eval_find", "pkg", args, keywords)?;
-                self.machine.package(&word(name), self.here).map(Value::Str)
+                self.expander
+                    .package(&word(name), self.here)
+                    .map(Value::Str)
             }
             HostFn::Dirname => return Err(EvalError::new(ErrorKind::Key, "'filename'")),
             _ => Ok(Value::Unknown),
@@ -407,11 +409,11 @@ impl Host for ArgHost<'_, '_, '_> {
         if let Some(value) = own {
             return Lookup::Found(value);
         }
-        self.machine.note_argument(&name.into());
-        match self.machine.args.get(name) {
+        self.expander.note_argument(&name.into());
+        match self.expander.names.args.get(name) {
             Some((Some(value), info)) => {
                 let (value, info) = (value.clone(), *info);
-                self.machine.reads.push(info);
+                self.expander.names.reads.push(info);
                 Lookup::Found(converted(&value))
             }
             Some((None, _)) => Lookup::Found(Value::Unknown),

@@ -2,7 +2,6 @@
 
 use ecow::EcoString;
 
-use super::machine::Expander;
 use super::origin::{Origin, SrcId};
 use base::{FastMap, FastSet, TextRange};
 
@@ -186,62 +185,5 @@ impl Symbols {
             };
             list.push(used);
         }
-    }
-}
-
-impl Expander<'_> {
-    /// Note that the text at `at` gives a name.
-    pub fn define(&mut self, kind: SymbolKind, name: &EcoString, at: Origin) -> DefinitionId {
-        self.define_part(kind, name, at, None)
-    }
-
-    /// Note a parameter of `of`.
-    pub fn define_part(
-        &mut self,
-        kind: SymbolKind,
-        name: &EcoString,
-        at: Origin,
-        of: Option<DefinitionId>,
-    ) -> DefinitionId {
-        let (conditional, in_macro) = (self.conditions > 0, !self.calls.is_empty());
-        let definition = Definition {
-            kind,
-            name: name.clone(),
-            place: at.into(),
-            of,
-            conditional,
-            in_macro,
-        };
-        self.result.symbols.add(definition)
-    }
-
-    /// Note that the text at `at` refers to a definition.
-    pub fn note_use(&mut self, at: Origin, definition: Option<DefinitionId>, kind: UseKind) {
-        if !self.request.probe {
-            return;
-        }
-        if let Some(definition) = definition {
-            self.result.symbols.add_use(
-                Use {
-                    place: at.into(),
-                    definition,
-                    kind,
-                },
-                self.idle,
-            );
-        }
-    }
-
-    /// Note that the text at `at` reads a binding.
-    pub fn note_read(&mut self, at: Origin, binding: u32, kind: UseKind) {
-        if !self.request.probe {
-            return;
-        }
-        let definition = self
-            .result
-            .bindings
-            .get(binding as usize)
-            .and_then(|info| info.definition);
-        self.note_use(at, definition, kind);
     }
 }

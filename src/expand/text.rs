@@ -1,19 +1,21 @@
 //! Text with `${...}` and `$(...)`: to values, and to strings that know their pieces.
 
+use super::expander::{Expander, raise};
+use super::functions::ExprHost;
+use super::kind::ProblemKind;
+use super::origin::Origin;
+use super::problem::Outside;
+use super::scope::TextPlace;
+use super::split_text::{CodeSite, SplitText, TextSite};
+use super::state::EvalContext;
+use super::tree::Piece;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 use ecow::EcoString;
 
 use super::advice;
-use super::functions::ExprHost;
-use super::kind::ProblemKind;
-use super::machine::{Cx, Expander, raise};
 use super::meant;
-use super::origin::Origin;
-use super::problem::Outside;
-use super::scope::Place;
-use super::tree::Piece;
 use base::TextRange;
 use base::paths::HERE;
 use expr::ast::ExprKind;
@@ -21,29 +23,6 @@ use expr::{
     self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value,
     display,
 };
-
-/// A text, split and parsed.
-#[derive(Debug)]
-pub(super) struct SplitText {
-    pub text: EcoString,
-    pub template: Template,
-}
-
-impl SplitText {
-    fn of(text: &str) -> Arc<Self> {
-        Arc::new(Self {
-            text: text.into(),
-            template: expr::split(text),
-        })
-    }
-}
-
-/// The text being evaluated: its decoded form, and where it stands.
-#[derive(Clone, Copy)]
-pub(super) struct TextSite<'t> {
-    pub text: &'t str,
-    pub place: Place,
-}
 
 /// Bytes of texts that are kept in their split form: blocks can be evaluated again and again with ever new texts.
 const KEPT_BYTES: usize = 4 << 20;
@@ -53,7 +32,7 @@ pub(super) const UNKNOWN_TEXT: &str = "?";
 
 impl Expander<'_> {
     /// The typed value of a text: one token keeps its type, several are joined as strings.
-    pub fn eval_text(&mut self, text: &str, place: Place, scope: ScopeId) -> Value {
+    pub fn eval_text(&mut self, text: &str, place: TextPlace, scope: ScopeId) -> Value {
         if !text.contains('$') {
             return Value::Str(text.into());
         }
@@ -88,7 +67,12 @@ impl Expander<'_> {
 
     /// The string form of a text with the pieces that expressions made.
     /// A piece that cannot be computed reads `?`.
-    pub fn eval_pieces(&mut self, text: &str, place: Place, cx: Cx) -> (EcoString, Box<[Piece]>) {
+    pub fn eval_pieces(
+        &mut self,
+        text: &str,
+        place: TextPlace,
+        cx: EvalContext,
+    ) -> (EcoString, Box<[Piece]>) {
         if !text.contains('$') {
             return (text.into(), Box::default());
         }
@@ -100,9 +84,9 @@ impl Expander<'_> {
         let mut out = EcoString::new();
         let mut pieces = Vec::new();
         for token in &cached.template.tokens {
-            let mark = self.reads.len();
+            let mark = self.names.reads.len();
             let (value, reads) = self.eval_token(token, site, cx.scope);
-            self.reads.truncate(mark);
+            self.names.reads.truncate(mark);
             let value = self.without_function(value, token, site);
             let shown = display::to_str(&value).filter(|text| self.affords(text.len(), site));
             let unknown = shown.is_none();
@@ -153,10 +137,10 @@ impl Expander<'_> {
 
     /// Whether the budget admits so many more bytes of text; expansion winds up when it does not.
     fn affords(&mut self, bytes: usize, site: TextSite<'_>) -> bool {
-        if self.stopped || bytes == 0 {
-            return !self.stopped;
+        if self.flow.stopped || bytes == 0 {
+            return !self.flow.stopped;
         }
-        let admitted = self.budget.charge(bytes);
+        let admitted = self.guards.budget.charge(bytes);
         if !admitted {
             let most = self.request.limits.output_bytes >> 20;
             self.stop(
@@ -171,13 +155,13 @@ impl Expander<'_> {
     /// The split form of a text. Those of macros are kept: they are evaluated with each call, and the same ones stand
     /// in many places.
     fn split(&mut self, text: &str) -> Arc<SplitText> {
-        if let Some(kept) = self.texts.get(text) {
+        if let Some(kept) = self.files.texts.get(text) {
             return kept.clone();
         }
         let split = SplitText::of(text);
-        if !self.calls.is_empty() && self.text_bytes + text.len() <= KEPT_BYTES {
-            self.text_bytes += text.len();
-            self.texts.insert(split.text.clone(), split.clone());
+        if !self.guards.calls.is_empty() && self.files.text_bytes + text.len() <= KEPT_BYTES {
+            self.files.text_bytes += text.len();
+            self.files.texts.insert(split.text.clone(), split.clone());
         }
         split
     }
@@ -189,7 +173,7 @@ impl Expander<'_> {
         site: TextSite<'_>,
         scope: ScopeId,
     ) -> (Value, TextRange) {
-        let mark = self.reads.len();
+        let mark = self.names.reads.len();
         let value = self.token_value(token, site, scope);
         let reads = match token {
             Token::Expr { range, .. } | Token::Subst { range, .. } => {
@@ -209,7 +193,7 @@ impl Expander<'_> {
                 inner,
                 nested,
             } => {
-                let mark = self.reads.len();
+                let mark = self.names.reads.len();
                 let text = match nested {
                     None => Cow::Borrowed(inner.slice(site.text)),
                     Some(nested) => match self.eval_nested(nested, site, scope) {
@@ -292,7 +276,7 @@ impl Expander<'_> {
         site: TextSite<'_>,
         scope: ScopeId,
     ) -> Value {
-        let mark = self.reads.len();
+        let mark = self.names.reads.len();
         match code {
             Code::Static(parsed) => {
                 let at = CodeSite {
@@ -330,25 +314,25 @@ impl Expander<'_> {
         if let Some(error) = parsed.errors.first() {
             return self.syntax_error(error, at);
         }
-        self.scopes.note_evaluation(scope);
+        self.names.scopes.note_evaluation(scope);
         // the most common expression by far needs no evaluator
         if let ExprKind::Name(name) = &parsed.expr.kind
             && let Some(value) = self.resolve(scope, name, self.origin_of(at, parsed.expr.range))
         {
             return value;
         }
-        let mut budget = self.budget.clone();
+        let mut budget = self.guards.budget.clone();
         let result = expr::evaluate(
             &parsed.expr,
             &mut ExprHost {
-                machine: self,
+                expander: self,
                 scope,
                 at,
             },
             &mut budget,
         );
-        self.budget.steps = self.budget.steps.min(budget.steps);
-        self.budget.bytes = self.budget.bytes.min(budget.bytes);
+        self.guards.budget.steps = self.guards.budget.steps.min(budget.steps);
+        self.guards.budget.bytes = self.guards.budget.bytes.min(budget.bytes);
         match result {
             Ok(value) => value,
             Err(error) => {
@@ -460,7 +444,7 @@ impl Expander<'_> {
 
     /// The same for many ranges of one text: one pass, as long as each is behind the one before.
     pub fn origins_in(&self, site: TextSite<'_>) -> impl FnMut(TextRange) -> Origin {
-        let Place { origin, is_attr } = site.place;
+        let TextPlace { origin, is_attr } = site.place;
         let source = self.result.sources.get(origin.src.0 as usize);
         let raw = source.map(|source| origin.range.slice(source.item.text()));
         let is_same = self.is_raw(site);
@@ -492,18 +476,6 @@ impl Expander<'_> {
             None => self.origin_in(at.site, at.whole),
         }
     }
-}
-
-/// An expression being evaluated.
-#[derive(Clone, Copy)]
-pub(super) struct CodeSite<'t> {
-    /// The `${...}` in the decoded text.
-    pub whole: TextRange,
-    /// Where its code starts there; none when the code was put together at run time.
-    pub start: Option<u32>,
-    /// The code as it is written.
-    pub code: &'t str,
-    pub site: TextSite<'t>,
 }
 
 /// The dollar signs a text starts with.

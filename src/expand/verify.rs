@@ -8,23 +8,23 @@ use super::expansion::Expansion;
 pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     list("node", made.tree.all(), fresh.tree.all());
     list("frame", &made.frames, &fresh.frames);
-    list("binding", &made.bindings, &fresh.bindings);
-    list("read", &made.reads, &fresh.reads);
+    list("binding", &made.index.bindings, &fresh.index.bindings);
+    list("read", &made.index.reads, &fresh.index.reads);
     list(
         "evaluation",
-        made.evaluations.all(),
-        fresh.evaluations.all(),
+        made.index.evaluations.all(),
+        fresh.index.evaluations.all(),
     );
     list(
         "definition",
-        &made.symbols.definitions,
-        &fresh.symbols.definitions,
+        &made.index.symbols.definitions,
+        &fresh.index.symbols.definitions,
     );
-    list("use", &made.symbols.uses, &fresh.symbols.uses);
+    list("use", &made.index.symbols.uses, &fresh.index.symbols.uses);
     list(
         "idle use",
-        &made.symbols.idle_uses,
-        &fresh.symbols.idle_uses,
+        &made.index.symbols.idle_uses,
+        &fresh.index.symbols.idle_uses,
     );
     list("problem", &made.problems, &fresh.problems);
     list("doubtful problem", &made.doubtful, &fresh.doubtful);
@@ -32,7 +32,7 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     let (a, b): (Vec<_>, Vec<_>) = (made.record.iter().collect(), fresh.record.iter().collect());
     list("record", &a, &b);
     list("include", &made.includes, &fresh.includes);
-    list("probe", &made.probes, &fresh.probes);
+    list("probe", &made.index.probes, &fresh.index.probes);
     list("argument", &made.arguments, &fresh.arguments);
     assert_eq!(
         (made.complete, made.whole),

@@ -1,7 +1,8 @@
 //! The expanded document as text, byte for byte as the reference prints it.
 
+use super::escape::escape;
 use super::params::is_space;
-use super::source_map::{MapEntry, MapKind, Recorder};
+use super::source_map::{MapBuilder, MapEntry, MapKind};
 use super::tree::{XAttr, XId, XKind, XTree};
 
 /// The text, and which node made which line.
@@ -41,10 +42,10 @@ pub fn write(tree: &XTree, input: &str) -> Written {
 
 /// The same with [`Written::map`].
 pub fn write_mapped(tree: &XTree, input: &str) -> Written {
-    written(tree, input, Some(Recorder::default()))
+    written(tree, input, Some(MapBuilder::default()))
 }
 
-fn written(tree: &XTree, input: &str, map: Option<Recorder>) -> Written {
+fn written(tree: &XTree, input: &str, map: Option<MapBuilder>) -> Written {
     let mut text = String::with_capacity(tree.len() * 32);
     text.push_str("<?xml version=\"1.0\" ?>\n");
     text.push_str(&banner(input));
@@ -61,7 +62,7 @@ fn written(tree: &XTree, input: &str, map: Option<Recorder>) -> Written {
     Written {
         text: writer.text,
         lines: writer.lines,
-        map: writer.map.map_or(Vec::new(), Recorder::finish),
+        map: writer.map.map_or(Vec::new(), MapBuilder::finish),
     }
 }
 
@@ -72,7 +73,7 @@ struct Writer<'t> {
     /// Line feeds in `text[..seen]`.
     line: usize,
     seen: usize,
-    map: Option<Recorder>,
+    map: Option<MapBuilder>,
 }
 
 impl Writer<'_> {
@@ -251,22 +252,4 @@ impl Writer<'_> {
             *slot = Some(id);
         }
     }
-}
-
-/// `& < > "` as references, the rest as it is.
-pub(super) fn escape(out: &mut String, text: &str) {
-    let mut from = 0;
-    for (i, byte) in text.bytes().enumerate() {
-        let reference = match byte {
-            b'&' => "&amp;",
-            b'<' => "&lt;",
-            b'>' => "&gt;",
-            b'"' => "&quot;",
-            _ => continue,
-        };
-        out.push_str(text.get(from..i).unwrap_or(""));
-        out.push_str(reference);
-        from = i + 1;
-    }
-    out.push_str(text.get(from..).unwrap_or(""));
 }

@@ -31,6 +31,7 @@ pub fn macro_at(cx: &Cx<'_>, offset: u32) -> Option<DefinitionId> {
 
 fn is_macro(cx: &Cx<'_>, id: DefinitionId) -> bool {
     cx.expansion
+        .index
         .symbols
         .get(id)
         .is_some_and(|given| given.kind == SymbolKind::Macro)
@@ -94,6 +95,7 @@ pub fn caller_target(cx: &Cx<'_>, caller: &Caller) -> Option<Target> {
 pub fn macros_of(cx: &Cx<'_>) -> Vec<(DefinitionId, TextRange)> {
     let given = cx
         .expansion
+        .index
         .symbols
         .iter()
         .filter(|(_, given)| given.kind == SymbolKind::Macro);
@@ -106,6 +108,7 @@ pub fn macros_of(cx: &Cx<'_>) -> Vec<(DefinitionId, TextRange)> {
 
 fn calls<'a>(cx: &Cx<'a>) -> impl Iterator<Item = &'a Use> {
     cx.expansion
+        .index
         .symbols
         .uses
         .iter()
@@ -136,7 +139,7 @@ fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
             src: place.src,
             range: name.value_range(),
         };
-        let mut given = cx.expansion.symbols.iter();
+        let mut given = cx.expansion.index.symbols.iter();
         given
             .find(|(_, given)| given.kind == SymbolKind::Macro && given.place == name)
             .map(|(id, _)| id)

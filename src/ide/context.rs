@@ -85,7 +85,7 @@ impl<'a> Cx<'a> {
 
     /// The definition that the name at an offset of the file gives or refers to, with the name's range there.
     pub fn symbol_at(&self, offset: u32) -> Option<(DefinitionId, TextRange)> {
-        let symbols = &self.expansion.symbols;
+        let symbols = &self.expansion.index.symbols;
         for src in self.sources() {
             let source = self.expansion.sources.get(src.0 as usize)?;
             let Some(inside) = offset

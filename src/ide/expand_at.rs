@@ -216,6 +216,7 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
         .attr("name")
         .and_then(|name| cx.source_range(at.shift(name.value_range())));
     let given = expansion
+        .index
         .symbols
         .iter()
         .find(|(_, given)| Some(given.place) == name);
@@ -223,6 +224,7 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
         return Vec::new();
     };
     let bindings = expansion
+        .index
         .bindings
         .iter()
         .filter(|info| info.definition == Some(id));

@@ -40,7 +40,7 @@ pub(super) fn is_within(expansion: &Expansion, frame: FrameId, outer: FrameId) -
 
 /// The frames that a definition of a macro was expanded in.
 pub(super) fn frames_of_macro(expansion: &Expansion, id: DefinitionId) -> Vec<FrameId> {
-    let Some(definition) = expansion.symbols.get(id) else {
+    let Some(definition) = expansion.index.symbols.get(id) else {
         return Vec::new();
     };
     let own = |frame: &Frame| {
@@ -69,7 +69,7 @@ pub(super) fn frames_of_tag(cx: &Cx<'_>, tag: TextRange) -> Vec<FrameId> {
 pub(super) fn macro_of(cx: &Cx<'_>, base: u32, node: Node<'_>) -> Option<DefinitionId> {
     let name = cx.source_range(node.attr("name")?.value_range().shift(base))?;
     let given = |kind| kind == SymbolKind::Macro;
-    let mut known = cx.expansion.symbols.iter();
+    let mut known = cx.expansion.index.symbols.iter();
     known
         .find(|(_, known)| given(known.kind) && known.place == name)
         .map(|(id, _)| id)
@@ -131,7 +131,7 @@ pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<Pin, usize> {
 
 fn definition_of(expansion: &Expansion, frame: &Frame) -> Option<DefinitionId> {
     let place = SourceRange::from(frame.definition?);
-    let mut known = expansion.symbols.iter();
+    let mut known = expansion.index.symbols.iter();
     known
         .find(|(_, known)| known.kind == SymbolKind::Macro && known.place == place)
         .map(|(id, _)| id)
@@ -165,7 +165,7 @@ pub fn pinned(expansion: &Expansion, pin: &Pin) -> Option<FrameId> {
         let file = expansion.files.get(source.file.0 as usize)?;
         (*file.source.path == *pin.file).then_some(())
     };
-    let mut known = expansion.symbols.iter();
+    let mut known = expansion.index.symbols.iter();
     let is_it = |known: &expand::Definition| {
         known.kind == SymbolKind::Macro && known.name == pin.name && own(known.place).is_some()
     };

@@ -55,7 +55,7 @@ pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)>
 
 /// The place of a definition.
 pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
-    let definition = cx.expansion.symbols.get(id)?;
+    let definition = cx.expansion.index.symbols.get(id)?;
     let name = cx.span(definition.place)?;
     let source = cx.expansion.sources.get(definition.place.src.0 as usize)?;
     let around = source.item.all_nodes().filter(|node| {
@@ -77,6 +77,7 @@ pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
 pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
     let given = cx
         .expansion
+        .index
         .symbols
         .get(id)
         .and_then(|definition| cx.span(definition.place));
@@ -86,6 +87,7 @@ pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
     });
     let uses = cx
         .expansion
+        .index
         .symbols
         .all_uses()
         .filter(|used| used.definition == id)

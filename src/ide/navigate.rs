@@ -112,6 +112,7 @@ impl Loaded {
         let own = |kind: SymbolKind| kind == SymbolKind::Property;
         let mut given = cx
             .expansion
+            .index
             .symbols
             .iter()
             .filter(|(_, given)| given.name == name && own(given.kind));
@@ -198,6 +199,7 @@ pub fn type_definition(
     if let Some((id, range)) = cx.symbol_at(offset) {
         let own = cx
             .expansion
+            .index
             .symbols
             .get(id)
             .filter(|given| given.kind == SymbolKind::Property);
@@ -211,7 +213,7 @@ pub fn type_definition(
 pub fn declaration(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Target)> {
     use SymbolKind::{Argument, BlockParameter, Parameter};
     let (id, range) = cx.symbol_at(offset)?;
-    let given = cx.expansion.symbols.get(id)?;
+    let given = cx.expansion.index.symbols.get(id)?;
     matches!(given.kind, Parameter | BlockParameter | Argument).then_some(())?;
     Some((range, definition_of(cx, id)?))
 }
@@ -224,6 +226,7 @@ pub fn implementations(
 ) -> Option<(TextRange, Vec<TextRange>)> {
     let (id, range) = cx.symbol_at(offset)?;
     cx.expansion
+        .index
         .symbols
         .get(id)
         .filter(|given| given.kind == SymbolKind::Macro)?;

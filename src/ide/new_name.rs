@@ -13,7 +13,7 @@ use xml::{Document, Node, NodeKind};
 /// # Errors
 /// That it is, for the user.
 pub(super) fn is_free(cx: &Cx<'_>, id: DefinitionId, new: &str) -> Result<(), String> {
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     let Some(definition) = symbols.get(id) else {
         return Err("this name no longer exists".to_owned());
     };
@@ -38,7 +38,7 @@ pub(super) fn admit(
     new: &str,
     places: &[Span],
 ) -> Result<(), String> {
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     let Some(definition) = symbols.get(id) else {
         return Err("this name no longer exists".to_owned());
     };

@@ -36,7 +36,7 @@ pub fn kind_at(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Option<SymbolKind
 
 fn xacro_name(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Option<Renamed> {
     if let Some((id, range)) = cx.symbol_at(offset) {
-        let definition = cx.expansion.symbols.get(id)?;
+        let definition = cx.expansion.index.symbols.get(id)?;
         let seeds = evaluated_uses(cx, id)
             .into_iter()
             .map(|used| used.span)
@@ -131,6 +131,7 @@ pub fn places(cx: &Cx<'_>, names: &TextNames, seeds: &[Span], name: &str) -> Vec
         found.extend(names.together(&found).into_iter().map(|text| text.span));
         for (id, _) in cx
             .expansion
+            .index
             .symbols
             .iter()
             .filter(|(_, definition)| definition.name == name)
@@ -161,6 +162,7 @@ fn evaluated_places(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
         .collect();
     for used in cx
         .expansion
+        .index
         .symbols
         .all_uses()
         .filter(|used| used.definition == id)
@@ -174,7 +176,12 @@ fn evaluated_places(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
 /// The definition of this expansion whose name stands at a span.
 pub fn definition_at(cx: &Cx<'_>, span: Span) -> Option<DefinitionId> {
     let here = |id: &DefinitionId| definition_of(cx, *id).is_some_and(|target| target.name == span);
-    cx.expansion.symbols.iter().map(|(id, _)| id).find(here)
+    cx.expansion
+        .index
+        .symbols
+        .iter()
+        .map(|(id, _)| id)
+        .find(here)
 }
 
 /// The same part of a name in the end tag, for one that is used in the name of a tag: a macro or a namespace.

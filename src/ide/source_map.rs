@@ -89,10 +89,10 @@ pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
     let mut reads = entry.reads;
     // a value is handed down through calls as often as calls are nested
     for _ in 0..64 {
-        let [read] = expansion.read_in(reads) else {
+        let [read] = expansion.index.read_in(reads) else {
             break;
         };
-        let Some(binding) = expansion.bindings.get(*read as usize) else {
+        let Some(binding) = expansion.index.bindings.get(*read as usize) else {
             break;
         };
         let is_name = whole_name(expansion, origin);

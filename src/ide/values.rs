@@ -64,7 +64,7 @@ fn part_instances(
         return Vec::new();
     };
     let mut found: Vec<Instance> = Vec::new();
-    for evaluation in cx.expansion.evaluations.at(place) {
+    for evaluation in cx.expansion.index.evaluations.at(place) {
         let instance = Instance {
             frame: evaluation.at.frame,
             value: value(cx, evaluation),
@@ -117,7 +117,7 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     }
     let mut known = Known {
         cx,
-        reads: cx.expansion.read_in(evaluation.reads),
+        reads: cx.expansion.index.read_in(evaluation.reads),
     };
     host::evaluate(part, &mut known, 200)
 }
@@ -157,7 +157,7 @@ impl Known<'_> {
         let bindings = self
             .reads
             .iter()
-            .filter_map(|&read| self.cx.expansion.bindings.get(read as usize));
+            .filter_map(|&read| self.cx.expansion.index.bindings.get(read as usize));
         let mut named = bindings.filter(|info| info.name == name && of(info.kind));
         let first = named.next()?.value.as_ref()?;
         // names of several namespaces may be spelled alike
@@ -170,6 +170,7 @@ impl Known<'_> {
         let defined = || {
             self.cx
                 .expansion
+                .index
                 .bindings
                 .iter()
                 .any(|info| info.name == name && is_name(info.kind))

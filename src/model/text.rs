@@ -172,7 +172,7 @@ impl Text {
             .pieces
             .iter()
             .filter(move |piece| piece.out.start < end && start < piece.out.end);
-        touching.flat_map(|piece| expansion.read_in(piece.reads).iter().copied())
+        touching.flat_map(|piece| expansion.index.read_in(piece.reads).iter().copied())
     }
 
     /// The offset in the source of a part that no expression made.

@@ -4,10 +4,9 @@ use std::cell::OnceCell;
 
 use ecow::EcoString;
 
-use super::finding::{Finding, Help};
+use super::finding::Help;
 use super::grouping::Group;
-use super::registry::{Check, Severity, all};
-use super::run::Chosen;
+use super::rule::Severity;
 use super::sink::{Reported, Sink, span_of};
 use base::{FastSet, FileId, Span};
 use expand::{Expansion, Origin};
@@ -109,20 +108,6 @@ impl Names {
             Kind::Group => Some(&self.groups),
         }
     }
-}
-
-/// What the rules say about a file beside robots.
-pub fn check_beside(cx: &BesideCx<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
-    let Some(first) = all().next() else {
-        return Vec::new();
-    };
-    let mut sink = Sink::new(cx.expansion, first);
-    chosen.run(&mut sink, |rule, sink| match rule.check {
-        Check::Beside(check) if !cx.robots.is_empty() => check(cx, sink),
-        Check::Semantic(check) => check(cx, sink),
-        _ => {}
-    });
-    sink.finish()
 }
 
 impl<'a> BesideCx<'a> {

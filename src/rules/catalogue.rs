@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::registry::{Rule, Safety, all};
+use super::registry::all;
+use super::rule::{Rule, Safety};
 
 #[derive(Serialize)]
 struct Entry {

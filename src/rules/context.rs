@@ -9,7 +9,7 @@ use super::package::{Manifests, Mention};
 use super::xacro::Mentions;
 use super::xml::{Numeric, Seen};
 use base::{FastMap, FastSet};
-use expand::{Expansion, FileIdx, XId};
+use expand::{Expansion, FileIdx, Problem, XId};
 use model::{Joint, Kinematics, Link, Meshes, Robot, Text, Version};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
@@ -79,6 +79,12 @@ pub(super) fn elements(document: &Document) -> impl Iterator<Item = (u32, Node<'
     let parts = document.parts().skip(1);
     let nodes = parts.flat_map(|(base, item)| item.all_nodes().map(move |node| (base, node)));
     nodes.filter(|(_, node)| node.kind() == NodeKind::Element)
+}
+
+/// Whether all elements of an expansion are there.
+pub fn is_whole(expansion: &Expansion) -> bool {
+    let loses = |problem: &Problem| !problem.probed && problem.kind.loses_content();
+    expansion.whole && !expansion.problems.iter().any(loses)
 }
 
 /// The expanded document of a root.

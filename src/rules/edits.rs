@@ -1,6 +1,6 @@
 //! Changes to the source that several rules offer.
 
-use super::registry::Safety;
+use super::rule::Safety;
 use super::sink::Reported;
 use base::TextRange;
 use expand::{Expansion, FileIdx, FrameKind, Origin, XId};

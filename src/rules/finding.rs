@@ -3,7 +3,7 @@
 use ecow::EcoString;
 
 use super::grouping::Group;
-use super::registry::{Rule, Safety, Severity};
+use super::rule::{Rule, Safety, Severity};
 use base::Span;
 use expand::{Outside, ProblemKind};
 

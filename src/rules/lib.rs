@@ -6,6 +6,7 @@
 mod arms;
 mod beside;
 mod catalogue;
+mod check_beside;
 pub mod consumers;
 mod context;
 mod control;
@@ -23,8 +24,10 @@ pub mod named;
 mod numbers;
 mod package;
 mod place;
+mod problem_cx;
 mod problems;
 mod registry;
+mod rule;
 mod run;
 pub mod schema;
 mod selection;
@@ -39,9 +42,10 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
-pub use beside::{BesideCx, Content, Names, PairedRobot, check_beside};
+pub use beside::{BesideCx, Content, Names, PairedRobot};
 pub use catalogue::{catalogue, catalogue_of};
-pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, is_plain_urdf};
+pub use check_beside::check_beside;
+pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, is_plain_urdf, is_whole};
 pub use finding::{Edit, Finding, Fix, Help, Related, Way};
 pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
 pub use grouping::Group;
@@ -57,13 +61,9 @@ pub use package::{
     value_outside_choices,
 };
 pub use problems::{rejections, rule_of};
-pub use registry::{
-    Activation, Category, Check, Rule, Safety, Severity, all, by_code, find, nearest_selector,
-    unknown_selector,
-};
-pub use run::{
-    Chosen, check_expansion, check_files, check_recovered, is_whole, losses, needs_whole,
-};
+pub use registry::{all, by_code, find, nearest_selector, unknown_selector};
+pub use rule::{Activation, Category, Check, Rule, Safety, Severity};
+pub use run::{Chosen, check_expansion, check_files, check_recovered, losses, needs_whole};
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic, is_semantic_file, is_semantic_name};
 pub use sink::{Sink, calls, span_of};

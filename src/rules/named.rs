@@ -1,6 +1,6 @@
 //! Rules that others than the rules themselves speak about.
 
-use super::registry::Rule;
+use super::rule::Rule;
 use super::{control, geometry, joint, linter, moveit, package, srdf, structure, xacro, xml};
 
 /// `gazebo-unknown-reference`

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::edits::{is_called, source_text, speaks_xacro};
-use super::registry::Safety;
+use super::rule::Safety;
 use super::sink::Reported;
 use base::FastSet;
 use expand::{BindingKind, Expansion};
@@ -106,6 +106,7 @@ pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
         let Some(binding) = expansion
+            .index
             .bindings
             .get(read as usize)
             .filter(|_| seen.insert(read))
@@ -115,7 +116,7 @@ pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range
         if binding.kind != BindingKind::Parameter && binding.origin.is_some() {
             return true;
         }
-        reads.extend(expansion.read_in(binding.reads));
+        reads.extend(expansion.index.read_in(binding.reads));
     }
     false
 }
@@ -129,6 +130,7 @@ fn with_definitions<'s, 'a>(
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
         let Some(binding) = expansion
+            .index
             .bindings
             .get(read as usize)
             .filter(|_| seen.insert(read))
@@ -144,7 +146,7 @@ fn with_definitions<'s, 'a>(
                 report = report.also(origin, format!("`{}` is passed here", binding.name));
             }
             Some(_) => {}
-            None => reads.extend(expansion.read_in(binding.reads)),
+            None => reads.extend(expansion.index.read_in(binding.reads)),
         }
     }
     report

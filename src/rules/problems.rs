@@ -4,7 +4,8 @@ use super::context::{Surroundings, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::package::{PACKAGE_NOT_FOUND, is_news};
 use super::place;
-use super::registry::{Rule, Safety, Severity};
+use super::problem_cx::ProblemCx;
+use super::rule::{Rule, Safety, Severity};
 use super::sink::{limit_calls, span};
 use super::xacro::{
     found, include_children_ignored, include_not_found, invalid_property_name, missing_macro_param,
@@ -15,18 +16,6 @@ use base::{FastMap, FileId, Span, TextRange};
 use expand::{Expansion, Problem, ProblemKind, Step};
 use vfs::Vfs;
 use xml::{Document, SyntaxError, SyntaxErrorKind};
-
-/// A problem where it is reported.
-pub(super) struct ProblemCx<'a> {
-    /// The problem.
-    pub problem: &'a Problem,
-    /// The file that is wrong.
-    pub document: &'a Document,
-    /// The text that is reported.
-    pub span: Span,
-    /// For other files.
-    pub vfs: &'a Vfs,
-}
 
 /// How problems of a kind become findings.
 struct Conversion {

@@ -1,5 +1,6 @@
 //! Running rules.
 
+use super::context::is_whole;
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
@@ -10,23 +11,18 @@ use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elemen
 use super::finding::Finding;
 use super::package::warn_once;
 use super::problems;
-use super::registry::{Check, Rule, all};
+use super::registry::all;
+use super::rule::{Check, Rule};
 use super::sink::{Sink, span};
+use super::vocabulary::is_xacro_uri;
 use super::vocabulary::{is_urdf_element, outside_free_zones};
 use super::xacro::is_unprefixed;
-use super::xml::is_xacro_uri;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileIdx, FileUse, Problem, ProblemKind};
 use facts::is_keyword;
 use model::{Kinematics, Robot};
 use vfs::Vfs;
 use xml::Node;
-
-/// Whether all elements of an expansion are there.
-pub fn is_whole(expansion: &Expansion) -> bool {
-    let loses = |problem: &Problem| !problem.probed && problem.kind.loses_content();
-    expansion.whole && !expansion.problems.iter().any(loses)
-}
 
 /// Whether a rule does not run on a robot that errors left out a part of.
 pub fn needs_whole(rule: &Rule) -> bool {
@@ -81,6 +77,7 @@ pub fn check_expansion(
         .map(|root| (root, kind, robot.map(Cow::Borrowed)));
     // what a macro gives that nothing calls is looked at like a library
     let probes = expansion
+        .index
         .probes
         .iter()
         .map(|probe| {

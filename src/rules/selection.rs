@@ -1,7 +1,8 @@
 //! Which rules run, and how bad their findings are.
 
 use super::finding::Finding;
-use super::registry::{Activation, Rule, Severity, all};
+use super::registry::all;
+use super::rule::{Activation, Rule, Severity};
 use base::{FastMap, FastSet};
 
 /// What was configured; lists hold codes, beginnings of codes, or names.
@@ -133,7 +134,8 @@ fn weight(rule: &Rule, selector: &str) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::registry::{Severity, by_code};
+    use super::super::registry::by_code;
+    use super::super::rule::Severity;
     use super::{Selection, SelectionOptions};
 
     fn list(text: &str) -> Vec<String> {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::registry::{Category, Check, Rule};
+use super::rule::{Category, Check, Rule};
 use expand::Expansion;
 use xml::{Document, Node, NodeKind};
 

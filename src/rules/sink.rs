@@ -4,7 +4,7 @@ use std::hash::{Hash, Hasher};
 
 use super::finding::{Edit, Finding, Fix, Help, Related, Way};
 use super::grouping::Group;
-use super::registry::{Rule, Safety, Severity};
+use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
 use base::{FastMap, FastSet, Span, TextRange};
 use expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};

@@ -1,7 +1,10 @@
 //! What several rules have in common, for those who treat their findings alike.
 
-use super::registry::Rule;
-use super::{control, geometry, inertia, joint, linter, package, xacro, xml};
+use super::grouping::Group;
+use super::rule::{Rule, Severity};
+use super::{
+    control, conventions, geometry, inertia, joint, linter, package, structure, xacro, xml,
+};
 
 /// Something that a rule is or is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +24,12 @@ pub enum Trait {
     /// More of a robot is there after its fix, which may have errors of its own: texts that could not be parsed, tags and files
     /// that were missing or meant nothing.
     Reveals,
+    /// About structure and syntax: two findings are two defects, even where the text is the same.
+    EachPlace,
+    /// Below errors, and about names or texts: what is written alike is repaired alike.
+    ByText,
+    /// Its errors are about values: the program that wrote one of them wrote all of them.
+    ByFile,
 }
 
 static UNNECESSARY: [&Rule; 7] = [
@@ -83,6 +92,61 @@ static REVEALS: [&Rule; 12] = [
     &package::package_not_found::RULE,
 ];
 
+static EACH_PLACE: [&Rule; 27] = [
+    &structure::duplicate_geometry_name::RULE,
+    &structure::duplicate_joint_name::RULE,
+    &structure::duplicate_link_name::RULE,
+    &geometry::duplicate_material::RULE,
+    &conventions::empty_name::RULE,
+    &xacro::found::INCLUDE_CYCLE,
+    &xacro::found::INFINITE_MACRO_RECURSION,
+    &linter::invalid_config::RULE,
+    &xacro::found::INVALID_EXPRESSION,
+    &structure::joint_self_loop::RULE,
+    &structure::link_cycle::RULE,
+    &xacro::found::MACRO_BLOCK_MISMATCH,
+    &linter::malformed_suppression::RULE,
+    &joint::mimic_cycle::RULE,
+    &xacro::missing_macro_param::RULE,
+    &xacro::found::MISSING_XACRO_ATTRIBUTE,
+    &structure::multiple_parents::RULE,
+    &structure::multiple_roots::RULE,
+    &structure::names_differ_by_case::RULE,
+    &structure::no_links::RULE,
+    &structure::orphan_link::RULE,
+    &xacro::found::PROPERTY_CYCLE,
+    &control::ros2_control_duplicate_name::RULE,
+    &xacro::found::UNCLOSED_EXPRESSION,
+    &structure::undefined_link::RULE,
+    &linter::unused_suppression::RULE,
+    &xml::xml_syntax_error::RULE,
+];
+
+static BY_TEXT: [&Rule; 16] = [
+    &xml::duplicate_element::RULE,
+    &xacro::duplicate_include::RULE,
+    &xacro::found::GLOB_INCLUDE_NO_MATCH,
+    &conventions::invalid_name::RULE,
+    &xacro::found::MACRO_NAME_WITH_PREFIX,
+    &xacro::redefined_macro::RULE,
+    &xacro::redefined_property::RULE,
+    &xacro::shadowed_builtin::RULE,
+    &xml::unexpected_text::RULE,
+    &linter::unknown_rule_in_suppression::RULE,
+    &xacro::unknown_xacro_attribute::RULE,
+    &xacro::unused_arg::RULE,
+    &xacro::unused_include::RULE,
+    &xacro::unused_macro::RULE,
+    &xacro::unused_macro_param::RULE,
+    &xacro::unused_property::RULE,
+];
+
+static BY_FILE: [&Rule; 3] = [
+    &inertia::inertia_not_positive_definite::RULE,
+    &joint::joint_limit_negative::RULE,
+    &geometry::non_positive_dimension::RULE,
+];
+
 impl Trait {
     /// The rules that have it.
     pub fn rules(self) -> &'static [&'static Rule] {
@@ -94,6 +158,9 @@ impl Trait {
             Trait::WrongSign => &WRONG_SIGN,
             Trait::Controller => &CONTROLLER,
             Trait::Reveals => &REVEALS,
+            Trait::EachPlace => &EACH_PLACE,
+            Trait::ByText => &BY_TEXT,
+            Trait::ByFile => &BY_FILE,
         }
     }
 }
@@ -102,5 +169,19 @@ impl Rule {
     /// Whether it has a trait.
     pub fn has(&self, wanted: Trait) -> bool {
         wanted.rules().contains(&self)
+    }
+
+    /// What findings share that do not say it themselves. Errors are one defect only where the same text is
+    /// wrong; conventions and doubtful values are one for each file.
+    pub fn group(&self) -> Group {
+        if self.has(Trait::EachPlace) {
+            Group::Place
+        } else if self.has(Trait::ByFile) {
+            Group::File
+        } else if self.has(Trait::ByText) || self.severity == Severity::Error {
+            Group::Text
+        } else {
+            Group::File
+        }
     }
 }

@@ -45,6 +45,21 @@ pub(super) fn outside_free_zones<'a>(
     })
 }
 
+/// The namespace that xacro's documentation names.
+pub(super) const XACRO_URI: &str = "http://www.ros.org/wiki/xacro";
+
+/// Whether a namespace is meant to be xacro's: files in the wild spell it in many ways.
+pub(super) fn is_xacro_uri(uri: &str) -> bool {
+    let rest = uri
+        .trim_start_matches("http://")
+        .trim_start_matches("https://");
+    let host = rest
+        .split('/')
+        .next()
+        .unwrap_or("")
+        .trim_start_matches("www.");
+    matches!(host, "ros.org" | "wiki.ros.org") && rest.trim_end_matches('/').ends_with("xacro")
+}
 #[cfg(test)]
 mod tests {
     #[test]

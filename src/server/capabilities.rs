@@ -15,11 +15,14 @@ use lsp_types::{
 use serde_json::json;
 
 use super::files;
-use crate::client::ClientFacts;
+use crate::client::ResolvedCapabilities;
 use crate::requests::{actions, commands, tokens};
 
 /// What the server offers to a client.
-pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> ServerCapabilities {
+pub(super) fn offered(
+    encoding: PositionEncodingKind,
+    client: &ResolvedCapabilities,
+) -> ServerCapabilities {
     ServerCapabilities {
         position_encoding: Some(encoding),
         text_document_sync: Some(TextDocumentSyncCapability::Options(
@@ -50,7 +53,7 @@ pub(super) fn offered(encoding: PositionEncodingKind, client: &ClientFacts) -> S
 }
 
 /// What helps to write a text.
-fn while_writing(client: &ClientFacts) -> ServerCapabilities {
+fn while_writing(client: &ResolvedCapabilities) -> ServerCapabilities {
     ServerCapabilities {
         completion_provider: Some(CompletionOptions {
             resolve_provider: Some(true),
@@ -66,7 +69,7 @@ fn while_writing(client: &ClientFacts) -> ServerCapabilities {
             trigger_characters: Some(characters(&[" ", "\"", "(", ","])),
             ..SignatureHelpOptions::default()
         }),
-        code_action_provider: Some(match client.action_literals {
+        code_action_provider: Some(match client.actions.literals {
             true => CodeActionProviderCapability::Options(actions::offered()),
             false => CodeActionProviderCapability::Simple(true),
         }),
@@ -89,7 +92,7 @@ fn while_writing(client: &ClientFacts) -> ServerCapabilities {
 }
 
 /// What is shown in and beside a text.
-fn beside_the_text(client: &ClientFacts) -> ServerCapabilities {
+fn beside_the_text(client: &ResolvedCapabilities) -> ServerCapabilities {
     let diagnostics = DiagnosticServerCapabilities::Options(DiagnosticOptions {
         identifier: Some("xacro".to_owned()),
         inter_file_dependencies: true,
@@ -124,7 +127,7 @@ fn beside_the_text(client: &ClientFacts) -> ServerCapabilities {
 }
 
 /// What is said of names, and where they lead.
-fn about_names(client: &ClientFacts) -> ServerCapabilities {
+fn about_names(client: &ResolvedCapabilities) -> ServerCapabilities {
     let implementation = ImplementationProviderCapability::Simple(true);
     ServerCapabilities {
         hover_provider: Some(HoverProviderCapability::Simple(true)),

@@ -32,22 +32,22 @@ use rules::{Finding, Rule, Severity, Trait};
 /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
 pub fn make_diagnostics(state: &mut State) {
     if state.client.pulls_diagnostics {
-        state.due = None;
+        state.schedule.due = None;
         let cancel = state.status.background();
         tell_contexts(state, &cancel);
     } else {
         push_diagnostics(state);
     }
-    if state.due.is_none() && state.documents.len() > 1 {
+    if state.schedule.due.is_none() && state.documents.len() > 1 {
         refresh_others(state);
     }
 }
 
 fn push_diagnostics(state: &mut State) {
     let cancel = state.status.background();
-    let cause = state.cause.clone();
+    let cause = state.schedule.cause.clone();
     if let Some(found) = found(state, None, &cause, &cancel) {
-        state.due = None;
+        state.schedule.due = None;
         publish(state, found);
     }
     tell_contexts(state, &cancel);
@@ -175,7 +175,7 @@ pub fn pull_workspace(
             .map(|(path, _)| path.clone())
             .collect()
     };
-    let reported = std::mem::replace(&mut state.reported, with_findings(&found));
+    let reported = std::mem::replace(&mut state.sent.workspace_files, with_findings(&found));
     // what was reported of a file stays until a report says otherwise
     for path in known.keys().cloned().chain(reported) {
         found.entry(path).or_default();

@@ -23,10 +23,10 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
         version: version(document.version),
     };
     offer_source(state, &path);
-    state.cause = Cause::Opened(path.clone());
+    state.schedule.cause = Cause::Opened(path.clone());
     state.documents.insert(path, open);
     // what there is to say of a file should not wait for a pause in typing
-    state.due = Some(std::time::Instant::now());
+    state.schedule.due = Some(std::time::Instant::now());
 }
 
 /// Who has opened an installed copy should edit the source: the next build replaces the copy.
@@ -84,7 +84,7 @@ pub fn saved(state: &mut State, params: DidSaveTextDocumentParams) {
 
 pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
-    state.told.remove(&path);
+    state.sent.contexts.remove(&path);
     if let Some(open) = state.documents.remove(&path) {
         state.world.close(&path);
         withdraw(state, &path, open.uri);
@@ -138,18 +138,18 @@ pub fn refresh(state: &State) {
     refresh_others(state);
     refresh_when(
         state,
-        state.client.refreshes_tokens,
+        state.client.refresh.tokens,
         &[Refresh::SemanticTokens],
     );
-    refresh_when(state, state.client.refreshes_lenses, &[Refresh::CodeLens]);
+    refresh_when(state, state.client.refresh.lenses, &[Refresh::CodeLens]);
 }
 
 /// After an edit: clients ask again for the file they changed, but findings and values in the other
 /// open files may be different now too.
 pub fn refresh_others(state: &State) {
-    let pulls = state.client.pulls_diagnostics && state.client.refreshes_diagnostics;
+    let pulls = state.client.pulls_diagnostics && state.client.refresh.diagnostics;
     refresh_when(state, pulls, &[Refresh::Diagnostics]);
-    refresh_when(state, state.client.refreshes_hints, &[Refresh::InlayHints]);
+    refresh_when(state, state.client.refresh.hints, &[Refresh::InlayHints]);
 }
 
 fn refresh_when(state: &State, supported: bool, what: &'static [Refresh]) {

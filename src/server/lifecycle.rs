@@ -11,7 +11,7 @@ use lsp_types::{
 use serde_json::{Value, json};
 
 use crate::capabilities;
-use crate::client::{CLIENT_OPTIONS, ClientFacts, options};
+use crate::client::{CLIENT_OPTIONS, ResolvedCapabilities, options};
 use crate::exit::{Shutdown, watch_process};
 use crate::failure::Failure;
 use crate::outbox::Question;
@@ -26,7 +26,7 @@ pub fn initialize(
     (params, shutdown): (InitializeParams, Shutdown),
     _: &CancelFlag,
 ) -> Result<InitializeResult, Failure> {
-    state.client = ClientFacts::of(&params);
+    state.client = ResolvedCapabilities::of(&params);
     // a client in another container or on another machine is not to be seen from here
     if let Some(process) = params
         .process_id
@@ -38,7 +38,7 @@ pub fn initialize(
     state.world.set_folders(folders(&params));
     state.log.set_trace(params.trace.unwrap_or(TraceValue::Off));
     log_client(state, &params);
-    state.first_settings = first_settings(&params);
+    state.settings.initial = first_settings(&params);
     settings(state, &Value::Null);
     let encoding = match state.encoding {
         Encoding::Utf8 => PositionEncodingKind::UTF8,
@@ -152,15 +152,15 @@ fn effective(state: &State, value: &Value) -> Value {
     if settings.is_object() {
         settings.clone()
     } else {
-        state.first_settings.clone()
+        state.settings.initial.clone()
     }
 }
 
 /// Take settings over, in the place of all that held before: what is no longer said is the default again.
 fn take_settings(state: &mut State, given: Vec<(Value, Option<PathBuf>)>) {
-    state.delay = State::DELAY;
-    state.snippets = true;
-    state.hint_settings = HintSettings::default();
+    state.schedule.delay = State::DELAY;
+    state.settings.snippets = true;
+    state.settings.hints = HintSettings::default();
     state.world.set_all_contexts(false);
     for (settings, _) in &given {
         own_settings(state, settings);
@@ -175,7 +175,7 @@ fn take_settings(state: &mut State, given: Vec<(Value, Option<PathBuf>)>) {
 fn own_settings(state: &mut State, settings: &Value) {
     if let Some(delay) = settings.pointer("/diagnostics/delay") {
         match delay.as_u64() {
-            Some(delay) => state.delay = Duration::from_millis(delay.min(60_000)),
+            Some(delay) => state.schedule.delay = Duration::from_millis(delay.min(60_000)),
             None => {
                 let message =
                     "`xacro.diagnostics.delay` is not a number of milliseconds; using the default";
@@ -192,9 +192,9 @@ fn own_settings(state: &mut State, settings: &Value) {
             warn_once(state, message.to_owned());
         }
     }
-    crate::requests::hints::settings(settings, &mut state.hint_settings);
+    crate::requests::hints::settings(settings, &mut state.settings.hints);
     if let Some(snippets) = settings.pointer("/completion/snippets") {
-        state.snippets = snippets.as_bool().unwrap_or(true);
+        state.settings.snippets = snippets.as_bool().unwrap_or(true);
     }
     for unknown in unknown_settings(settings) {
         state.outbox.log(format!("settings: {unknown}"));
@@ -203,7 +203,7 @@ fn own_settings(state: &mut State, settings: &Value) {
 
 /// Tell the user something about settings, once as long as the server lives.
 fn warn_once(state: &mut State, message: String) {
-    if state.warned.insert(message.clone()) {
+    if state.sent.warnings.insert(message.clone()) {
         state.outbox.show(MessageType::WARNING, message);
     }
 }

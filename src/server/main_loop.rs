@@ -41,7 +41,7 @@ fn pause(state: &State) -> Option<Duration> {
     if state.previews.due && !state.previews.views.is_empty() {
         return Some(Duration::ZERO);
     }
-    if let Some(due) = state.due {
+    if let Some(due) = state.schedule.due {
         let rest = due.saturating_duration_since(Instant::now());
         return Some(if state.status.is_edit_announced() {
             rest.max(ON_ITS_WAY)
@@ -57,10 +57,10 @@ fn idle(state: &mut State) {
     if state.previews.due && !state.previews.views.is_empty() {
         return make_previews(state);
     }
-    if state.due.is_some_and(|due| due <= Instant::now()) {
+    if state.schedule.due.is_some_and(|due| due <= Instant::now()) {
         return make_diagnostics(state);
     }
-    if state.due.is_none() && state.initialized && !state.world.is_scanned() {
+    if state.schedule.due.is_none() && state.initialized && !state.world.is_scanned() {
         scan(state);
     }
 }
@@ -77,7 +77,7 @@ fn guarded(state: &mut State, job: Job) {
     let message = format!("internal error: {text}; please report it with the file that caused it");
     tracing::error!("{message}");
     state.outbox.log_as(MessageType::ERROR, message.clone());
-    if !std::mem::replace(&mut state.fault_shown, true) {
+    if !std::mem::replace(&mut state.sent.fault, true) {
         state.outbox.show(MessageType::ERROR, message);
     }
 }

@@ -19,7 +19,7 @@ pub(super) struct Published {
 
 /// Send what differs from what was sent before.
 pub fn publish(state: &mut State, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>) {
-    for path in state.published.messages.keys() {
+    for path in state.sent.diagnostics.messages.keys() {
         found.entry(path.clone()).or_default();
     }
     for (path, diagnostics) in found {
@@ -38,19 +38,19 @@ fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) 
     };
     let message = notification(PublishDiagnostics::METHOD, &params);
     let hash = fingerprint(&message);
-    if state.published.messages.get(&path) == Some(&hash) {
+    if state.sent.diagnostics.messages.get(&path) == Some(&hash) {
         return;
     }
     match is_cleared {
-        true => state.published.messages.remove(&path),
-        false => state.published.messages.insert(path, hash),
+        true => state.sent.diagnostics.messages.remove(&path),
+        false => state.sent.diagnostics.messages.insert(path, hash),
     };
     state.outbox.tell_encoded(&message);
 }
 
 /// A closed file has no diagnostics of its own any more.
 pub fn withdraw(state: &mut State, path: &Path, uri: Url) {
-    if state.published.messages.remove(path).is_some() {
+    if state.sent.diagnostics.messages.remove(path).is_some() {
         let none = PublishDiagnosticsParams {
             uri,
             diagnostics: Vec::new(),

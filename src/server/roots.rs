@@ -252,7 +252,8 @@ fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) 
     let text = context_text(state, path, &context, cancel);
     let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
     if state
-        .told
+        .sent
+        .contexts
         .insert(path.to_path_buf(), params.clone())
         .as_ref()
         == Some(&params)

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use lsp_types::Url;
 
-use crate::client::ClientFacts;
+use crate::client::ResolvedCapabilities;
 use crate::convert;
 use crate::failure::Failure;
 use crate::logging::Log;
@@ -75,37 +75,57 @@ impl std::fmt::Display for Cause {
     }
 }
 
+/// What the client was told last.
+#[derive(Default)]
+pub(super) struct Sent {
+    /// What was published last.
+    pub diagnostics: crate::publishing::Published,
+    /// The files that the client was told findings of when it asked for those of the workspace.
+    pub workspace_files: BTreeSet<PathBuf>,
+    /// Semantic tokens by path.
+    pub tokens: BTreeMap<PathBuf, crate::requests::tokens::Sent>,
+    /// Under which root each open file is shown.
+    pub contexts: BTreeMap<PathBuf, serde_json::Value>,
+    /// Messages about settings.
+    pub warnings: BTreeSet<String>,
+    /// Whether the user was told of an internal fault.
+    pub fault: bool,
+}
+
+/// When diagnostics are to be made, and why.
+pub(super) struct Schedule {
+    pub due: Option<Instant>,
+    pub cause: Cause,
+    /// The pause after the last edit before diagnostics are made.
+    pub delay: Duration,
+}
+
+/// Settings of the user that concern the server alone.
+pub(super) struct ServerSettings {
+    /// Which hints are shown.
+    pub hints: ide::HintSettings,
+    /// Whether completions may hold placeholders, as far as the user says.
+    pub snippets: bool,
+    /// The settings that the client began with: they hold where it has none.
+    pub initial: serde_json::Value,
+}
+
 /// The state of the server.
 pub(super) struct State {
     pub world: World,
-    pub client: ClientFacts,
+    pub client: ResolvedCapabilities,
     pub encoding: Encoding,
     pub outbox: Outbox,
     pub status: QueueStatus,
     /// Open documents by path.
     pub documents: BTreeMap<PathBuf, OpenDocument>,
-    /// What was published last.
-    pub published: crate::publishing::Published,
-    /// The files that the client was told findings of when it asked for those of the workspace.
-    pub reported: BTreeSet<PathBuf>,
-    /// The semantic tokens that were sent last, by path.
-    pub sent_tokens: BTreeMap<PathBuf, crate::requests::tokens::Sent>,
-    /// Macro calls that the user picked, by root.
+    pub sent: Sent,
+    pub schedule: Schedule,
+    pub settings: ServerSettings,
+    /// Macro calls that the user selected, by root.
     pub pins: BTreeMap<PathBuf, ide::Pin>,
-    /// Under which root the client was told that each open file is shown.
-    pub told: BTreeMap<PathBuf, serde_json::Value>,
-    /// Which hints are shown.
-    pub hint_settings: ide::HintSettings,
-    /// When diagnostics are to be made.
-    pub due: Option<Instant>,
-    /// Why.
-    pub cause: Cause,
     /// Where the last lines of the log are.
     pub log: Log,
-    /// The pause after the last edit before diagnostics are made.
-    pub delay: Duration,
-    /// Whether completions may hold places to fill in, as far as the user says.
-    pub snippets: bool,
     /// What is shown in 3D.
     pub previews: crate::preview::Previews,
     /// Where others may post jobs.
@@ -114,16 +134,10 @@ pub(super) struct State {
     pub initialized: bool,
     /// The token of the progress that is shown.
     pub progress: Option<String>,
-    /// The settings that the client began with: they hold where it has none.
-    pub first_settings: serde_json::Value,
-    /// What the user was told about settings.
-    pub warned: std::collections::BTreeSet<String>,
-    /// Whether the user was told of an internal fault.
-    pub fault_shown: bool,
 }
 
 impl State {
-    /// How long an answer waits for a look at the workspace.
+    /// How long an answer waits for the scan of the workspace.
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
     /// How often progress is reported while an answer waits for all of it.
     pub const SCAN_REPORT: Duration = Duration::from_millis(100);
@@ -134,37 +148,36 @@ impl State {
     pub fn new(env: Environment, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
         Self {
             world: World::new(env, Vec::new()),
-            client: ClientFacts::default(),
+            client: ResolvedCapabilities::default(),
             encoding: Encoding::Utf16,
             outbox,
             status,
             documents: BTreeMap::new(),
-            published: crate::publishing::Published::default(),
-            reported: BTreeSet::new(),
-            sent_tokens: BTreeMap::new(),
+            sent: Sent::default(),
+            schedule: Schedule {
+                due: None,
+                cause: Cause::default(),
+                delay: Self::DELAY,
+            },
+            settings: ServerSettings {
+                hints: ide::HintSettings::default(),
+                snippets: true,
+                initial: serde_json::json!({}),
+            },
             pins: BTreeMap::new(),
-            told: BTreeMap::new(),
-            hint_settings: ide::HintSettings::default(),
-            due: None,
-            cause: Cause::default(),
             log,
-            delay: Self::DELAY,
-            snippets: true,
             previews: crate::preview::Previews::default(),
             queue: None,
             initialized: false,
             progress: None,
-            first_settings: serde_json::json!({}),
-            warned: std::collections::BTreeSet::new(),
-            fault_shown: false,
         }
     }
 
     /// A check is wanted after the pause.
     pub fn schedule(&mut self, cause: Cause) {
-        self.cause = cause;
+        self.schedule.cause = cause;
         self.previews.due = true;
-        self.due = Some(Instant::now() + self.delay);
+        self.schedule.due = Some(Instant::now() + self.schedule.delay);
     }
 
     /// The path of a document.

@@ -231,6 +231,7 @@ fn free_name(cx: &Cx<'_>, value: &Value<'_>) -> String {
     let known: Vec<String> = here
         .chain(
             cx.expansion
+                .index
                 .symbols
                 .definitions
                 .iter()

@@ -36,7 +36,7 @@ pub(super) fn extract_macro(cx: &Cx<'_>, selection: TextRange) -> Option<Action>
     }
     let mut names = free_names(document, range);
     // names of includes are known everywhere, and no values
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     names.retain(|name| {
         !symbols
             .iter()
@@ -128,6 +128,7 @@ fn free_macro_name(cx: &Cx<'_>, wanted: &str) -> String {
     let known: Vec<String> = here
         .chain(
             cx.expansion
+                .index
                 .symbols
                 .definitions
                 .iter()

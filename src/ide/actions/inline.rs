@@ -11,7 +11,7 @@ use xml::Document;
 /// The property that is given or read at an offset, with its name: one that is given once, at no condition.
 pub fn inlinable(cx: &Cx<'_>, offset: u32) -> Option<(DefinitionId, String)> {
     let (id, _) = cx.symbol_at(offset)?;
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     let own = symbols.get(id)?;
     let rivals = symbols
         .iter()

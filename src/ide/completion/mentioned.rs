@@ -151,10 +151,10 @@ fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String
     let is_here = |id| {
         let source = expansion
             .sources
-            .get(expansion.symbols.get(id)?.place.src.0 as usize)?;
+            .get(expansion.index.symbols.get(id)?.place.src.0 as usize)?;
         Some(expansion.files.get(source.file.0 as usize)?.source.path == *own)
     };
-    let bindings = expansion.bindings.iter().filter(|info| {
+    let bindings = expansion.index.bindings.iter().filter(|info| {
         info.name == name
             && matches!(info.kind, BindingKind::Parameter | BindingKind::Property)
             && info.definition.and_then(is_here) == Some(true)

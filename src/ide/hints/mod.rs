@@ -109,6 +109,7 @@ fn calls(cx: &Cx<'_>) -> FastMap<u32, DefinitionId> {
     let bases = cx.bases();
     let calls = cx
         .expansion
+        .index
         .symbols
         .all_uses()
         .filter(|used| used.kind == UseKind::Call);
@@ -119,7 +120,7 @@ fn calls(cx: &Cx<'_>) -> FastMap<u32, DefinitionId> {
 }
 
 fn blocks(cx: &Cx<'_>, base: u32, node: Node<'_>, called: DefinitionId, found: &mut Vec<Hint>) {
-    let definitions = cx.expansion.symbols.definitions.iter();
+    let definitions = cx.expansion.index.symbols.definitions.iter();
     let blocks = definitions
         .filter(|given| given.of == Some(called) && given.kind == SymbolKind::BlockParameter);
     for (element, block) in node.child_elements().zip(blocks) {

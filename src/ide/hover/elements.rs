@@ -280,7 +280,7 @@ pub(in super::super) fn condition(
     else {
         return None;
     };
-    if cx.expansion.evaluations.is_full() {
+    if cx.expansion.index.evaluations.is_full() {
         return None;
     }
     let values = instances(cx, text.range(token.range()));

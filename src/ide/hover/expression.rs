@@ -121,11 +121,11 @@ fn reason(cx: &Cx<'_>, range: TextRange, values: &[Instance]) -> String {
     else {
         return String::new();
     };
-    let evaluations = &cx.expansion.evaluations;
+    let evaluations = &cx.expansion.index.evaluations;
     let reads = evaluations
         .at(place)
-        .flat_map(|evaluation| cx.expansion.read_in(evaluation.reads));
-    let bindings = reads.filter_map(|&read| cx.expansion.bindings.get(read as usize));
+        .flat_map(|evaluation| cx.expansion.index.read_in(evaluation.reads));
+    let bindings = reads.filter_map(|&read| cx.expansion.index.bindings.get(read as usize));
     let unknown = bindings.filter(|info| info.value.as_ref().is_some_and(Value::is_unknown));
     let mut names: Vec<String> = unknown.map(|info| code(&info.name)).collect();
     names.sort_unstable();

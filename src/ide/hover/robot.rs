@@ -107,7 +107,7 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     let mut given: FastSet<u32> = FastSet::default();
     let mut values: Vec<&str> = Vec::new();
     // a binding is made after those that it reads
-    for (index, info) in (0..).zip(&cx.expansion.bindings) {
+    for (index, info) in (0..).zip(&cx.expansion.index.bindings) {
         let is_here =
             info.kind == BindingKind::Parameter && info.origin.is_some_and(|at| place == at.into());
         if let (true, Some(Value::Str(value))) = (is_here, &info.value) {
@@ -115,6 +115,7 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
             given.insert(index);
         } else if cx
             .expansion
+            .index
             .read_in(info.reads)
             .iter()
             .any(|read| given.contains(read))

@@ -95,7 +95,7 @@ fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
 }
 
 fn is_called(cx: &Cx<'_>, name: &str) -> bool {
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     let mut named = symbols
         .iter()
         .filter(|(_, known)| known.kind == SymbolKind::Macro && known.name == name);
@@ -147,7 +147,7 @@ impl<'a, 'c> Changes<'a, 'c> {
         if self.new.iter().any(|item| gives(item, name)) || !self.cx.expansion.whole {
             return None;
         }
-        let symbols = &self.cx.expansion.symbols;
+        let symbols = &self.cx.expansion.index.symbols;
         let is_rival = |kind: SymbolKind| {
             matches!(
                 kind,
@@ -167,7 +167,7 @@ impl<'a, 'c> Changes<'a, 'c> {
     /// What there is to say about a property whose value rests on nothing that changed.
     fn property(&self, id: DefinitionId, name: &str) -> Option<Page> {
         let expansion = self.cx.expansion;
-        let known = expansion.symbols.get(id)?;
+        let known = expansion.index.symbols.get(id)?;
         let base = self.base_now(known.place.src)?;
         let value = self.value(id)?;
         let mut page = Page::titled(format!("**property** {} = {}", code(name), shown(value)));
@@ -189,7 +189,7 @@ impl<'a, 'c> Changes<'a, 'c> {
 
     /// The value of a property that was given once.
     fn value(&self, id: DefinitionId) -> Option<&'a Value> {
-        let bindings = &self.cx.expansion.bindings;
+        let bindings = &self.cx.expansion.index.bindings;
         let mut given = (0..)
             .zip(bindings)
             .filter(|(_, info)| info.definition == Some(id));
@@ -203,7 +203,7 @@ impl<'a, 'c> Changes<'a, 'c> {
                 if info.origin.is_some_and(|origin| !self.is_kept(origin.src)) {
                     return None;
                 }
-                open.extend(self.cx.expansion.read_in(info.reads));
+                open.extend(self.cx.expansion.index.read_in(info.reads));
             }
         }
         info.value.as_ref().filter(|value| !value.is_unknown())
@@ -214,6 +214,7 @@ impl<'a, 'c> Changes<'a, 'c> {
         let before = self
             .cx
             .expansion
+            .index
             .symbols
             .all_uses()
             .filter(|used| used.definition == id);

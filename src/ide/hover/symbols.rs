@@ -17,7 +17,7 @@ use xml::{Node, NodeKind};
 /// The name of xacro at a place.
 pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let (id, range) = cx.symbol_at(at.offset)?;
-    let definition = cx.expansion.symbols.get(id)?;
+    let definition = cx.expansion.index.symbols.get(id)?;
     Some((
         range,
         definition_page(cx, id, definition, values_here(cx, at)),
@@ -78,7 +78,7 @@ pub(super) fn by_text(
 /// What is known of a definition that was evaluated, though not where it is used.
 fn evaluated(cx: &Cx<'_>, given: &Given) -> Option<Page> {
     let id = definition_at(cx, given.span)?;
-    let definition = cx.expansion.symbols.get(id)?;
+    let definition = cx.expansion.index.symbols.get(id)?;
     Some(definition_page(cx, id, definition, Vec::new()))
 }
 
@@ -115,6 +115,7 @@ pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
     let valued = |kind| matches!(kind, SymbolKind::Property | SymbolKind::Parameter);
     let mut named = cx
         .expansion
+        .index
         .symbols
         .iter()
         .filter(|(_, given)| given.name == name && valued(given.kind));
@@ -196,13 +197,14 @@ fn is_idle(cx: &Cx<'_>, definition: &Definition, values: &[&Value]) -> bool {
     let called = |used: &Use| used.kind == UseKind::Call && Some(used.definition) == definition.of;
     definition.kind == SymbolKind::Parameter
         && matches!(values, [Value::Unknown])
-        && !cx.expansion.symbols.uses.iter().any(called)
+        && !cx.expansion.index.symbols.uses.iter().any(called)
 }
 
 /// The values that a definition was given, with the calls that gave them.
 fn bound(cx: &Cx<'_>, id: DefinitionId) -> Vec<Instance> {
     let bindings = cx
         .expansion
+        .index
         .bindings
         .iter()
         .filter(|info| info.definition == Some(id));
@@ -221,6 +223,7 @@ fn bound(cx: &Cx<'_>, id: DefinitionId) -> Vec<Instance> {
 fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String {
     let uses = cx
         .expansion
+        .index
         .symbols
         .all_uses()
         .filter(|used| used.definition == id);
@@ -231,7 +234,9 @@ fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String
         frame: expand::FrameId::ROOT,
     };
     let place = place_name(cx, at).unwrap_or_default();
-    let of = definition.of.and_then(|of| cx.expansion.symbols.get(of));
+    let of = definition
+        .of
+        .and_then(|of| cx.expansion.index.symbols.get(of));
     let of = of
         .map(|of| format!("of macro {}, ", code(&of.name)))
         .unwrap_or_default();
@@ -261,7 +266,11 @@ pub fn declared_argument(
     name: &str,
 ) -> Option<(Option<String>, Option<String>)> {
     let own = |given: &Definition| given.kind == SymbolKind::Argument && given.name == name;
-    let (id, _) = expansion.symbols.iter().find(|(_, given)| own(given))?;
+    let (id, _) = expansion
+        .index
+        .symbols
+        .iter()
+        .find(|(_, given)| own(given))?;
     let element = element(expansion, id)?;
     let default = element
         .attr("default")
@@ -281,11 +290,17 @@ fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Opt
         .checked_sub(attr.value_range().start)?;
     let text = attr.raw();
     // up to the parameter behind it
-    let next = cx.expansion.symbols.definitions.iter().filter(|other| {
-        other.of == definition.of
-            && other.place.src == definition.place.src
-            && other.place.range.start > definition.place.range.start
-    });
+    let next = cx
+        .expansion
+        .index
+        .symbols
+        .definitions
+        .iter()
+        .filter(|other| {
+            other.of == definition.of
+                && other.place.src == definition.place.src
+                && other.place.range.start > definition.place.range.start
+        });
     let end = next
         .map(|other| other.place.range.start - attr.value_range().start)
         .min();
@@ -298,7 +313,7 @@ fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Opt
 
 /// The element that gives a definition.
 fn element(expansion: &Expansion, id: DefinitionId) -> Option<Node<'_>> {
-    let place = expansion.symbols.get(id)?.place;
+    let place = expansion.index.symbols.get(id)?.place;
     let item = &expansion.sources.get(place.src.0 as usize)?.item;
     let holds = |node: &Node<'_>| {
         node.kind() == NodeKind::Element && node.start_tag_range().contains_range(place.range)
@@ -342,6 +357,7 @@ pub fn comment_above(cx: &Cx<'_>, id: DefinitionId) -> Option<String> {
 fn macro_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
     let parameters = cx
         .expansion
+        .index
         .symbols
         .iter()
         .filter(|(_, given)| given.of == Some(id));

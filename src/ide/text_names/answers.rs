@@ -40,6 +40,7 @@ pub fn occurrences(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> 
         .collect();
     let mut known: FastSet<Span> = cx
         .expansion
+        .index
         .symbols
         .all_uses()
         .filter_map(|used| cx.span(used.place))

@@ -18,7 +18,7 @@ pub(super) struct Names {
 
 impl Names {
     pub fn of(cx: &Cx<'_>) -> Self {
-        let symbols = &cx.expansion.symbols;
+        let symbols = &cx.expansion.index.symbols;
         let mut known = FastMap::default();
         let bases = cx.bases();
         let mut note = |place: SourceRange, kind: SymbolKind| {

@@ -1,6 +1,5 @@
 //! Rigid bodies: links with all that is fixed to them, which simulators take for one.
 
-use super::facts::has_mass;
 use model::{Inertial, JointType, Kinematics, Link, Robot, transform};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
@@ -113,4 +112,13 @@ fn at(inertial: &Inertial, place: &Isometry3<f64>) -> Option<(f64, Vector3<f64>,
 /// What a mass of 1 kg at a place adds to the inertia about the origin.
 fn shift(place: Vector3<f64>) -> Matrix3<f64> {
     Matrix3::identity() * place.norm_squared() - place * place.transpose()
+}
+
+/// Whether a link has a mass, or one that is not known.
+pub(super) fn has_mass(link: &Link) -> bool {
+    let mass = link
+        .inertial
+        .as_ref()
+        .and_then(|inertial| inertial.mass.as_ref());
+    mass.is_some_and(|mass| !mass.is_known() || mass.number().is_none_or(|mass| mass != 0.0))
 }

@@ -1,22 +1,12 @@
 //! What detectors look at, and where they put what they find.
 
+use super::super::consumers::met::Met;
 use super::super::context::{DocumentCx, is_plain_urdf};
 use super::super::edits::source_text;
 use super::bodies::{RigidBody, bodies};
-use super::table::{Construct, construct};
+use super::table::construct;
 use expand::{Origin, XId};
 use model::{Joint, Kinematics, Link, Robot, Text, Version, tag_start};
-
-/// A construct in a robot.
-#[derive(Debug)]
-pub struct Met {
-    /// The row of the table.
-    pub construct: &'static Construct,
-    /// Where it is.
-    pub origin: Origin,
-    /// The thing that has it: "joint `elbow`".
-    pub owner: String,
-}
 
 /// A robot, as detectors see it.
 pub(super) struct Facts<'a, 'e> {
@@ -105,15 +95,6 @@ impl<'a, 'e> Facts<'a, 'e> {
         tree.elements(element)
             .filter(move |&id| tree.get(id).text == name)
     }
-}
-
-/// Whether a link has a mass, or one that is not known.
-pub(super) fn has_mass(link: &Link) -> bool {
-    let mass = link
-        .inertial
-        .as_ref()
-        .and_then(|inertial| inertial.mass.as_ref());
-    mass.is_some_and(|mass| !mass.is_known() || mass.number().is_none_or(|mass| mass != 0.0))
 }
 
 /// "link `arm`"

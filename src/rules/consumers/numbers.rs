@@ -1,7 +1,8 @@
 //! Numbers: the same mistakes in each attribute that holds them.
 
 use super::super::xml::{described, known};
-use super::facts::{Facts, Found, Met};
+use super::facts::{Facts, Found};
+use super::met::Met;
 use super::table::fault;
 use expand::XId;
 use model::{Text, is_decimal};

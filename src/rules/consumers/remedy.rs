@@ -7,20 +7,14 @@ use super::super::context::DocumentCx;
 use super::super::conventions::{Named, names, rename};
 use super::super::edits::{is_called, removal, source_text, with_blanks};
 use super::super::finding::Edit;
-use super::super::registry::Safety;
+use super::super::rule::Safety;
 use super::super::sink::span;
 use super::consumer::Consumer;
-use super::facts::Met;
+use super::fix::Remedy;
+use super::met::Met;
 use super::other_mesh::other_mesh;
 use expand::{Place, XId};
 use model::{attr_range, element_range, tag_start};
-
-/// A fix.
-pub(super) struct Remedy {
-    pub(super) safety: Safety,
-    pub(super) message: String,
-    pub(super) edits: Vec<Edit>,
-}
 
 /// The fix of one of the constructs in a robot, for the consumers that the user names.
 pub(super) fn remedy(

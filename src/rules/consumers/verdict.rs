@@ -2,11 +2,12 @@
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::consumer::Consumer;
-use super::facts::Met;
-use super::remedy::{Remedy, remedy};
+use super::fix::Remedy;
+use super::met::Met;
+use super::remedy::remedy;
 use super::table::{Construct, Outcome};
 use base::FastMap;
 use expand::Origin;
@@ -54,7 +55,7 @@ fn report(cx: &DocumentCx<'_>, outcome: Outcome, out: &mut Sink<'_>) {
         .iter()
         .filter_map(|name| Consumer::named(name))
         .collect();
-    let all = super::met(cx);
+    let all = super::detect::met(cx);
     let mut places: FastMap<Origin, usize> = FastMap::default();
     let mut found: Vec<Vec<Verdict<'_>>> = Vec::new();
     for met in all {

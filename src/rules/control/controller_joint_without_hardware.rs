@@ -1,7 +1,7 @@
 //! A controller with a joint that is in no `<ros2_control>` of the robot.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::controller_unknown_interface::is_commanding;
 use super::hardware::Hardware;

@@ -1,7 +1,7 @@
 //! A controller with an interface that its joints do not offer.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::hardware::Hardware;
 use project::{Controller, Named, is_computed};

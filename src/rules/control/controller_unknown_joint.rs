@@ -1,7 +1,7 @@
 //! A controller with a joint that the robot does not have.
 
 use super::super::beside::{BesideCx, PairedRobot};
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::{Controller, Kind, is_computed};
 

@@ -2,7 +2,7 @@
 
 use super::super::beside::BesideCx;
 use super::super::finding::Help;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
 use project::Settings;

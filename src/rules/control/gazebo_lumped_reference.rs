@@ -2,7 +2,7 @@
 
 use super::super::context::RobotCx;
 use super::super::edits::{indent, is_called, source_text};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use base::TextRange;
 use expand::{XId, XTree};

@@ -1,7 +1,7 @@
 //! Settings of a link for Gazebo that name no link.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::tag_start;
 

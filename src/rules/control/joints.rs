@@ -3,7 +3,7 @@
 use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
 use super::super::finding::Help;
-use super::super::registry::Severity;
+use super::super::rule::Severity;
 use super::super::sink::Sink;
 use base::{FastMap, FastSet, TextRange};
 use expand::{Expansion, Origin};

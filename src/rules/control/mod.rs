@@ -16,7 +16,7 @@ mod plugin_file_not_found;
 mod plugin_unknown_joint;
 mod plugins;
 mod ros2_control_duplicate_joint;
-mod ros2_control_duplicate_name;
+pub(super) mod ros2_control_duplicate_name;
 mod ros2_control_fixed_joint;
 mod ros2_control_initial_value_out_of_limits;
 mod ros2_control_invalid_type;
@@ -34,7 +34,7 @@ pub(super) mod transmission_unknown_joint;
 mod transmission_unknown_type;
 mod transmissions;
 
-use super::registry::Rule;
+use super::rule::Rule;
 pub(crate) use joints::range as limits_of;
 
 /// The rules.

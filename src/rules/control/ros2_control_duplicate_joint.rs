@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::is_before_jazzy;
 use base::FastMap;

@@ -1,7 +1,7 @@
 //! A fixed joint in ros2_control.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy};
 use model::JointType;

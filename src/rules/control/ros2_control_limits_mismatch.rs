@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, rewrite, short};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, range, value_place};
 

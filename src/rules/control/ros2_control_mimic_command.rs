@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::edits::delete_element;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, is_before_jazzy};
 use model::tag_start;

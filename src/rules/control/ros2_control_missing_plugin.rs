@@ -1,7 +1,7 @@
 //! Hardware of ros2_control without a plugin.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::{Ros2Control, Text, source_mentions, tag_start};
 use workspace::nearest;

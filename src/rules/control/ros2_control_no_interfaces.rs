@@ -1,7 +1,7 @@
 //! A joint of ros2_control without interfaces.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::misspelled_plugin::HARDWARE;
 use model::{ControlJoint, Ros2Control, Text, tag_start};

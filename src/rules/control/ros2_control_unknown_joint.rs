@@ -1,7 +1,7 @@
 //! A joint of ros2_control that the robot does not have.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 

@@ -1,7 +1,7 @@
 //! A transmission without an actuator.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::transmissions::{severity, type_of};
 use model::{source_mentions, tag_start};

@@ -3,7 +3,7 @@
 use ecow::EcoString;
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use model::Text;

@@ -3,7 +3,7 @@
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::numbers::rewrite;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::transmissions::{severity, type_of};
 use workspace::nearest;

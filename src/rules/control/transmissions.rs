@@ -1,7 +1,7 @@
 //! What the rules about transmissions share.
 
 use super::super::context::DocumentCx;
-use super::super::registry::Severity;
+use super::super::rule::Severity;
 use expand::{XId, XTree};
 use model::Text;
 use workspace::Target;

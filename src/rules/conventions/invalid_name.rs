@@ -2,13 +2,13 @@
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::xml::with_dollars;
 use super::names::{self, Named};
 use model::{JointType, Text};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CNV001",
     name: "invalid-name",
     category: Category::Conventions,

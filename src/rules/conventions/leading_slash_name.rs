@@ -1,7 +1,7 @@
 //! A name that begins with a slash.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::names;
 use base::FastSet;
@@ -62,11 +62,12 @@ fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
         .iter()
         .filter(|piece| piece.out.start == 0 && piece.out.is_empty());
     let mut reads: Vec<u32> = first
-        .flat_map(|piece| expansion.read_in(piece.reads).iter().copied())
+        .flat_map(|piece| expansion.index.read_in(piece.reads).iter().copied())
         .collect();
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
         let Some(binding) = expansion
+            .index
             .bindings
             .get(read as usize)
             .filter(|_| seen.insert(read))
@@ -76,7 +77,7 @@ fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
         if binding.kind == BindingKind::Argument {
             return true;
         }
-        reads.extend(expansion.read_in(binding.reads));
+        reads.extend(expansion.index.read_in(binding.reads));
     }
     false
 }

@@ -1,7 +1,7 @@
 //! Names.
 
-mod empty_name;
-mod invalid_name;
+pub(super) mod empty_name;
+pub(super) mod invalid_name;
 mod leading_slash_name;
 mod link_naming;
 mod macro_file_emits;
@@ -10,7 +10,7 @@ mod non_snake_case_name;
 mod sdf_reserved_name;
 mod unprefixed_name_in_macro;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 pub(super) use names::{Named, names, rename};
 

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::super::context::DocumentCx;
 use super::super::edits::{source_text, speaks_xacro};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use super::poses::{ANGLES, poses};
 use expand::Origin;

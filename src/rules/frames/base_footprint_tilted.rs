@@ -4,7 +4,7 @@ use nalgebra::UnitQuaternion;
 
 use super::super::context::RobotCx;
 use super::super::numbers::{comes_from_a_name, short};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
 use model::Text;

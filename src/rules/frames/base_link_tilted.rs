@@ -2,7 +2,7 @@
 
 use super::super::context::RobotCx;
 use super::super::numbers::comes_from_a_name;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_surroundings;
 use super::names::{can_move, prefix_of};

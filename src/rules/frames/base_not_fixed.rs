@@ -1,7 +1,7 @@
 //! A joint moves between base_link and base.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
 use model::JointType;

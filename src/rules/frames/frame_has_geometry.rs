@@ -1,7 +1,7 @@
 //! A pure frame with geometry or inertia.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
 use model::{Link, Robot, tag_start};

@@ -1,7 +1,7 @@
 //! An arm without a base frame.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::can_move;
 use model::tag_start;

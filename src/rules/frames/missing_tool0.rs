@@ -2,7 +2,7 @@
 
 use super::super::arms::serial_arms;
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::{Robot, tag_start};
 

@@ -22,7 +22,7 @@ mod tool0_not_fixed;
 mod tool_frame_name;
 mod two_rotations;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

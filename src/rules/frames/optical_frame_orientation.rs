@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::super::context::DocumentCx;
 use super::super::edits::speaks_xacro;
 use super::super::numbers::rewrite;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::{Gazebo, Joint, JointType, tag_start};
 

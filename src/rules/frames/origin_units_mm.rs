@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::numbers::{rewrite, short, vector};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_OFFSET;
 use super::super::vocabulary::is_surroundings;

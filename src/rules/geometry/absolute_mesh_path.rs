@@ -1,7 +1,7 @@
 //! A mesh by an absolute path.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::resources::MeshUse;
 use super::shapes::is_replaceable;

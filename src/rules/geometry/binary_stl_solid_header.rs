@@ -1,7 +1,7 @@
 //! A binary STL that looks like text.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::once_per_file::each_file;
 use model::{Mesh, MeshFormat};

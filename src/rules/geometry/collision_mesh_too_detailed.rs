@@ -1,7 +1,7 @@
 //! A collision mesh of many triangles.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::{MAX_COLLISION_TRIANGLES, WARN_COLLISION_TRIANGLES};
 

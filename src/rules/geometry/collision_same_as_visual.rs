@@ -1,7 +1,7 @@
 //! A visual mesh used for collision.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::collision_mesh_too_detailed::is_too_detailed;
 use super::resources::MeshUse;

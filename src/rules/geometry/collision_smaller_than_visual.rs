@@ -1,7 +1,7 @@
 //! A collision that does not hold the visual.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::extent_of;
 use model::{Bounds, tag_start};

@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::materials;
 

@@ -1,7 +1,7 @@
 //! A geometry without shape.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{bodies, is_taken_out};
 use model::{source_has_elements, tag_start};

@@ -1,11 +1,14 @@
 //! A URI of a mesh or texture that cannot be resolved.
 
+use super::super::geometry::uri::Readers;
+use super::super::geometry::uri::UriDefect;
+use super::super::geometry::uri::defect;
 use std::path::Path;
 
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
 use model::Text;
@@ -25,26 +28,6 @@ pub(super) static RULE: Rule = Rule {
 
 /// Characters of a URI that a message shows.
 const MOST_SHOWN: usize = 80;
-
-/// What is wrong with a URI, and how it was meant.
-pub(super) struct UriDefect {
-    message: &'static str,
-    /// Who reads the file all the same.
-    readers: Readers,
-    meant: Option<String>,
-}
-
-/// Who finds a file by a URI that is not right.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Readers {
-    None,
-    /// All but those that ask libcurl 7.78 or later, as RViz 2 does.
-    OldCurl,
-    /// Gazebo: models of its Fuel server have spaces in their addresses.
-    Gazebo,
-    /// Most programs.
-    Most,
-}
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for name in resource_names(cx)
@@ -166,69 +149,6 @@ fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
         source.is_some_and(|file| cx.world.packages.find(package, &file.source.path).is_ok())
     };
     certain || package.is_some_and(known)
-}
-
-/// What is wrong with a URI or path.
-pub(super) fn defect(value: &str) -> Option<UriDefect> {
-    let found = |message, meant| {
-        Some(UriDefect {
-            message,
-            readers: Readers::None,
-            meant,
-        })
-    };
-    let spaces = |readers| {
-        Some(UriDefect {
-            message: "URI contains spaces",
-            readers,
-            meant: None,
-        })
-    };
-    let slashed = value.replace('\\', "/");
-    if let Some(rest) = slashed.strip_prefix("package:") {
-        let path = rest.trim_start_matches('/');
-        let slashes = rest.len() - path.len();
-        let meant = path.contains('/').then(|| format!("package://{path}"));
-        return match path.split_once('/') {
-            _ if slashes == 2 && slashed != value => found("URI contains backslashes", meant),
-            _ if slashes < 2 => found("`package:` must be followed by `//`", meant),
-            _ if slashes > 2 => found("missing package name after `package://`", meant),
-            None | Some((_, "")) => found("missing path after the package name", None),
-            _ if has_space(value) => spaces(Readers::OldCurl),
-            _ => None,
-        };
-    }
-    let file = slashed
-        .strip_prefix("file:")
-        .map(|rest| rest.strip_prefix("//").unwrap_or(rest));
-    match value {
-        _ if file.is_some_and(|path| !path.starts_with('/') && !path.starts_with("localhost/")) => {
-            found(
-                "`file:` must be followed by `///` and an absolute path",
-                None,
-            )
-        }
-        _ if slashed != value => {
-            let drive = value.get(1..2) == Some(":") || value.starts_with("\\\\");
-            found("path contains backslashes", (!drive).then_some(slashed))
-        }
-        _ if file.is_some() && has_space(value) => spaces(Readers::Most),
-        _ if is_of_web(value) && has_space(value) => spaces(Readers::Gazebo),
-        _ if value.contains("://") && has_space(value) => spaces(Readers::None),
-        _ if value.trim() != value => found(
-            "path starts or ends with a space",
-            Some(value.trim().to_owned()).filter(|path| !path.is_empty()),
-        ),
-        _ => None,
-    }
-}
-
-fn is_of_web(value: &str) -> bool {
-    value.starts_with("https://") || value.starts_with("http://")
-}
-
-fn has_space(value: &str) -> bool {
-    value.contains(|c: char| c.is_ascii_whitespace())
 }
 
 fn shortened(value: &str) -> String {

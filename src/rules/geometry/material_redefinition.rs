@@ -1,7 +1,7 @@
 //! A material with two colors.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_defined, visual_materials};
 use base::FastMap;

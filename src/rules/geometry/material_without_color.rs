@@ -1,7 +1,7 @@
 //! A material that says nothing.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::is_defined;
 use model::{Material, Text, source_has_elements, tag_start};

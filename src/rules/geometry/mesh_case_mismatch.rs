@@ -1,11 +1,11 @@
 //! A mesh whose name has other letter cases.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::missing::shown;
-use super::resources::Target;
 use super::shapes::is_replaceable;
+use super::target::Target;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO002",

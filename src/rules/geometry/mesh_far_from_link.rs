@@ -1,7 +1,7 @@
 //! A mesh far away from the frame of its link.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::bounds;
 use super::mesh_scale_suspicious::{is_suspicious, meters};

@@ -1,7 +1,7 @@
 //! A mesh of which some triangles face the wrong way.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 
 pub(in super::super) static RULE: Rule = Rule {

@@ -1,11 +1,11 @@
 //! A mesh that is not there.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::absolute_mesh_path::is_absolute;
 use super::missing::MissingFiles;
-use super::resources::Target;
+use super::target::Target;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO001",

@@ -1,7 +1,7 @@
 //! A mesh in another unit than meters.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::{MAX_EXTENT, MIN_EXTENT};
 use super::bodies::extent_of;

@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
-use super::super::registry::{Safety, Severity};
+use super::super::rule::{Safety, Severity};
 use super::super::sink::{Reported, Sink};
 use super::shapes::is_replaceable;
 use model::Text;

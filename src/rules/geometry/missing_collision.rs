@@ -1,7 +1,7 @@
 //! A link that is seen but not felt.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::{JointType, ShapeKind};
 

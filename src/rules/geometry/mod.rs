@@ -29,28 +29,32 @@ mod missing;
 mod missing_collision;
 mod multiple_geometries;
 mod negative_mesh_scale;
-mod non_positive_dimension;
+pub(super) mod non_positive_dimension;
 mod once_per_file;
 mod relative_mesh_path;
 mod resources;
 mod shapes;
+mod target;
 mod texture_not_found;
 pub(super) mod undefined_material;
 pub(super) mod unknown_geometry_type;
 mod unsupported_mesh_format;
 pub(super) mod unused_material;
+mod uri;
 mod visual_collision_apart;
 mod zero_mesh_scale;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 pub use bodies::link_bounds;
-pub use resources::{Target as FileTarget, factors, resolve as resolve_file};
+pub use resources::{factors, resolve as resolve_file};
+pub use target::Target as FileTarget;
 
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;
-pub(super) use resources::{MeshUse, Resources};
+pub(super) use resources::MeshUse;
 pub(super) use shapes::{is_replaceable, is_taken_out};
+pub(super) use target::Resources;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

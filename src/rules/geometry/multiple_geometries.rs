@@ -1,7 +1,7 @@
 //! A second shape in one geometry.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
 use model::{ShapeKind, tag_start};

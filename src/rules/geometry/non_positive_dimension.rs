@@ -1,12 +1,12 @@
 //! A length of a shape that is zero or less.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
 use model::{ShapeKind, Text};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "GEO013",
     name: "non-positive-dimension",
     category: Category::Geometry,

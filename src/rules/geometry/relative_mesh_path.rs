@@ -1,10 +1,10 @@
 //! A mesh by a relative path.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::malformed_resource_uri::defect;
 use super::shapes::is_replaceable;
+use super::uri::defect;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO020",

@@ -1,5 +1,7 @@
 //! The files that a description names: where they are, and the meshes in them.
 
+use super::super::geometry::target::Resources;
+use super::super::geometry::target::Target;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -7,34 +9,11 @@ use rayon::prelude::*;
 
 use super::super::context::{DocumentCx, Surroundings};
 use super::super::grouping::Group;
-use super::malformed_resource_uri::defect;
+use super::uri::defect;
 use base::FastMap;
 use expand::{Expansion, FileIdx, XId};
 use model::{Link, Mesh, Shape, ShapeKind, Text};
 use workspace::{UriKind, UriOutcome};
-
-/// Where the text of a file name leads.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
-    /// Nothing can be said: the text is not known, or speaks of a package or machine that is not at hand.
-    Unknown,
-    /// To no place at all.
-    Malformed,
-    /// To a file.
-    File(PathBuf),
-    /// To a folder, or something else that is no file.
-    NoFile(PathBuf),
-    /// To a file whose name has other letter cases.
-    OtherCase(PathBuf),
-    /// To nothing: the place, and the folder of the package it names.
-    Missing(PathBuf, Option<PathBuf>),
-}
-
-/// The meshes of a robot by the element that names them.
-#[derive(Debug, Default)]
-pub struct Resources {
-    meshes: FastMap<XId, (Target, Option<Arc<Mesh>>)>,
-}
 
 /// A mesh that a visual or collision names.
 pub struct MeshUse<'a> {
@@ -93,7 +72,7 @@ pub fn factors(scale: Option<&Text>) -> Option<[f64; 3]> {
 impl DocumentCx<'_> {
     /// The meshes that visuals and collisions name, in document order.
     pub(in super::super) fn meshes(&self) -> impl Iterator<Item = MeshUse<'_>> {
-        let resources = self.resources.get_or_init(|| Resources::of(self));
+        let resources = self.resources.get_or_init(|| read_meshes(self));
         named(self).filter_map(|named| {
             let (target, mesh) = resources.meshes.get(&named.element)?;
             let Named {
@@ -118,7 +97,7 @@ impl DocumentCx<'_> {
 
     /// The mesh of a shape, when its file could be read.
     pub(in super::super) fn mesh(&self, shape: &Shape) -> Option<&Mesh> {
-        let resources = self.resources.get_or_init(|| Resources::of(self));
+        let resources = self.resources.get_or_init(|| read_meshes(self));
         resources.meshes.get(&shape.element)?.1.as_deref()
     }
 }
@@ -158,72 +137,50 @@ fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
     })
 }
 
-impl Resources {
-    fn of(cx: &DocumentCx<'_>) -> Self {
-        let mut known: FastMap<(Option<FileIdx>, &str), Target> = FastMap::default();
-        let mut targets = Vec::new();
-        for named in named(cx) {
-            let file = cx
-                .expansion
-                .place(named.file.origin)
-                .map(|place| place.file);
-            let target = if named.file.is_known() {
-                let key = (file, named.file.value.as_str());
-                known
-                    .entry(key)
-                    .or_insert_with(|| resolve(cx.expansion, cx.world, named.file))
-                    .clone()
-            } else {
-                Target::Unknown
-            };
-            targets.push((named.element, target));
-        }
-        let mut paths: Vec<&Path> = targets
-            .iter()
-            .filter_map(|(_, target)| target.file())
-            .collect();
-        paths.sort_unstable();
-        paths.dedup();
-        let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
-        known
-            .values()
-            .filter_map(Target::place)
-            .for_each(|path| meshes.note(path));
-        let get = |path: &&Path| meshes.get(vfs, path);
-        // threads are only started where there is work for them
-        let read: Vec<Arc<Mesh>> = match paths.len() {
-            0 | 1 => paths.iter().map(get).collect(),
-            _ => paths.par_iter().map(get).collect(),
+/// Find the files that meshes name, and read them.
+fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
+    let mut known: FastMap<(Option<FileIdx>, &str), Target> = FastMap::default();
+    let mut targets = Vec::new();
+    for named in named(cx) {
+        let file = cx
+            .expansion
+            .place(named.file.origin)
+            .map(|place| place.file);
+        let target = if named.file.is_known() {
+            let key = (file, named.file.value.as_str());
+            known
+                .entry(key)
+                .or_insert_with(|| resolve(cx.expansion, cx.world, named.file))
+                .clone()
+        } else {
+            Target::Unknown
         };
-        let read: FastMap<&Path, Arc<Mesh>> = paths.into_iter().zip(read).collect();
-        let mesh = |target: &Target| read.get(target.file()?).cloned();
-        Self {
-            meshes: targets
-                .iter()
-                .map(|(id, target)| (*id, (target.clone(), mesh(target))))
-                .collect(),
-        }
+        targets.push((named.element, target));
     }
-}
-
-impl Target {
-    /// The path it leads to, whatever is there.
-    pub(super) fn place(&self) -> Option<&Path> {
-        match self {
-            Target::File(path)
-            | Target::NoFile(path)
-            | Target::OtherCase(path)
-            | Target::Missing(path, _) => Some(path),
-            Target::Unknown | Target::Malformed => None,
-        }
-    }
-
-    /// The file it leads to.
-    pub fn file(&self) -> Option<&Path> {
-        match self {
-            Target::File(path) => Some(path),
-            _ => None,
-        }
+    let mut paths: Vec<&Path> = targets
+        .iter()
+        .filter_map(|(_, target)| target.file())
+        .collect();
+    paths.sort_unstable();
+    paths.dedup();
+    let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
+    known
+        .values()
+        .filter_map(Target::place)
+        .for_each(|path| meshes.note(path));
+    let get = |path: &&Path| meshes.get(vfs, path);
+    // threads are only started where there is work for them
+    let read: Vec<Arc<Mesh>> = match paths.len() {
+        0 | 1 => paths.iter().map(get).collect(),
+        _ => paths.par_iter().map(get).collect(),
+    };
+    let read: FastMap<&Path, Arc<Mesh>> = paths.into_iter().zip(read).collect();
+    let mesh = |target: &Target| read.get(target.file()?).cloned();
+    Resources {
+        meshes: targets
+            .iter()
+            .map(|(id, target)| (*id, (target.clone(), mesh(target))))
+            .collect(),
     }
 }
 

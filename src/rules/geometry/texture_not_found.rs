@@ -1,11 +1,12 @@
 //! A texture that is not there.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::missing::{MissingFiles, shown};
-use super::resources::{Target, resolve};
+use super::resources::resolve;
 use super::shapes::{materials, visual_materials};
+use super::target::Target;
 use base::FastSet;
 
 pub(super) static RULE: Rule = Rule {

@@ -1,7 +1,7 @@
 //! A shape that URDF does not know.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
 use model::{ShapeKind, Version, tag_start};

@@ -1,9 +1,9 @@
 //! A mesh of a format that few programs read.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::resources::Target;
+use super::target::Target;
 use workspace::edit_distance;
 
 pub(super) static RULE: Rule = Rule {

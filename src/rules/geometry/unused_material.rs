@@ -1,7 +1,7 @@
 //! A material that nothing uses.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::visual_materials;
 use base::FastSet;

@@ -1,7 +1,7 @@
 //! A visual and a collision of one link that do not overlap.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::bodies::extent_of;
 use super::mesh_scale_suspicious::is_scaled_wrong;

@@ -1,7 +1,7 @@
 //! A center of mass outside of the link.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, MARKER, body_boxes, is_in_world, is_small_part, known_box};
 use super::moments::{inertials, is_same_about_all_axes};

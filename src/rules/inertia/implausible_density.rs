@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::geometry::{is_scaled_wrong, volume};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_in_world, shape};
 use super::moments::{inertials, short};

@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent, is_scaled_wrong};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::inertia_triangle_inequality;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};

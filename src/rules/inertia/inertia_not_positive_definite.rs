@@ -1,7 +1,7 @@
 //! An inertia that no body has.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
 use super::moments::{NEGLIGIBLE_MASS, Verdict, inertia_tag, inertials, verdict};

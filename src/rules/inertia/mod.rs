@@ -16,7 +16,7 @@ mod tiny_inertia;
 mod zero_inertia;
 pub(super) mod zero_mass;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 pub(super) use moments::principal;
 

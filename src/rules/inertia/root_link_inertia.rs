@@ -1,7 +1,7 @@
 //! A root link with inertia.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::TextRange;
 use model::tag_start;

@@ -1,7 +1,7 @@
 //! An inertia so small that solvers suffer.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 

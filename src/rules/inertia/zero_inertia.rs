@@ -1,7 +1,7 @@
 //! A mass without extent.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined};
 use super::moments::{Verdict, inertia_tag, inertials, verdict};

@@ -1,7 +1,7 @@
 //! A mass of zero.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
 use super::moments::{Verdict, inertials, verdict};

@@ -1,7 +1,7 @@
 //! An axis whose length is not 1.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 
 use super::super::numbers::{rewrite, short, vector};

@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::edits::{is_called, source_text};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use model::JointType::{Continuous, Fixed, Floating};
 use model::{Limit, Text, tag_start};

@@ -2,11 +2,11 @@
 
 use super::super::context::DocumentCx;
 use super::super::numbers::rewrite;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::{JointType, Limit, Version};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT008",
     name: "joint-limit-negative",
     category: Category::Joint,

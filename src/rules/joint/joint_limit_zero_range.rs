@@ -1,7 +1,7 @@
 //! Limits that leave no room to move.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::tag_start;

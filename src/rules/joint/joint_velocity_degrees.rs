@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, whole};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_VELOCITY;
 use model::{Joint, JointType, Limit, Text};

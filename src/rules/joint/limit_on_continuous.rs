@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::edits::delete_attrs;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::{Joint, JointType, Limit, Text, tag_start};
 

@@ -1,12 +1,12 @@
 //! Joints that mimic each other in a circle.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::targets;
 use base::{FastMap, FastSet};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "JNT022",
     name: "mimic-cycle",
     category: Category::Joint,

@@ -3,7 +3,7 @@
 use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::finding::Help;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
 use workspace::nearest;

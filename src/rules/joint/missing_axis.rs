@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::edits::{indent, source_text};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use base::TextRange;
 use model::{Joint, JointType, element_range, tag_start};

@@ -1,7 +1,7 @@
 //! A limit without effort or velocity.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema;
 use super::super::sink::Sink;
 use super::super::xml::meant_attributes;

@@ -7,13 +7,13 @@ mod empty_dynamics;
 mod floating_or_planar_joint;
 mod joint_limit_degrees;
 mod joint_limit_inverted;
-mod joint_limit_negative;
+pub(super) mod joint_limit_negative;
 mod joint_limit_zero_range;
 mod joint_naming;
 mod joint_velocity_degrees;
 mod limit_on_continuous;
 mod mimic_chain;
-mod mimic_cycle;
+pub(super) mod mimic_cycle;
 mod mimic_fixed_joint;
 mod mimic_range_exceeds_limits;
 mod mimic_unknown_joint;
@@ -31,7 +31,7 @@ mod wheels;
 pub(super) mod zero_axis;
 mod zero_effort_or_velocity;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

@@ -1,7 +1,7 @@
 //! Negative damping or friction.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 
 pub(super) static RULE: Rule = Rule {

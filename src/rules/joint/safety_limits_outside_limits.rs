@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::numbers::short;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
 use model::Text;

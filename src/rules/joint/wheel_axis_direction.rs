@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::super::context::RobotCx;
 use super::super::numbers::{rewrite, vector};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::Robot;
 use model::{Joint, JointType, Kinematics, transform};

@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::numbers::{rewrite, vector};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::wheels::{axis_in_parent, other_side};
 use base::FastMap;

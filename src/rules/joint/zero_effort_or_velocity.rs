@@ -1,7 +1,7 @@
 //! Joints that may not move because effort or velocity is zero.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
 use expand::FileIdx;

@@ -1,7 +1,7 @@
 //! Something in the configuration that has no effect.
 
 use super::super::finding::{Finding, Help};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::{FileId, Span};
 use workspace::config::ConfigWarning;
 

@@ -1,11 +1,11 @@
 //! A comment for the linter that it does not understand.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::suppression::Suppressions;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "LNT003",
     name: "malformed-suppression",
     category: Category::Linter,

@@ -1,16 +1,18 @@
 //! The linter itself: suppressions and configuration.
 
+mod directive;
 pub(super) mod invalid_config;
-mod malformed_suppression;
+pub(super) mod malformed_suppression;
 mod reach;
 mod suppression;
-mod unknown_rule_in_suppression;
+pub(super) mod unknown_rule_in_suppression;
 pub(super) mod unused_suppression;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
+pub use directive::{Directive, Selector, Suppression};
 pub use invalid_config::invalid_config;
-pub use suppression::{Directive, Malformed, Selector, Suppression, Suppressions};
+pub use suppression::{Malformed, Suppressions};
 pub use unused_suppression::unused_suppression;
 
 /// The rules.

@@ -2,8 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::super::registry::{Rule, all};
-use super::suppression::{Directive, Selector, Suppression};
+use super::super::registry::all;
+use super::super::rule::Rule;
+use super::directive::Directive;
+use super::directive::Selector;
+use super::directive::Suppression;
 use base::{FastMap, TextRange};
 
 /// The suppressions of a file, by the words they name rules with.

@@ -1,6 +1,9 @@
 //! Comments that hide findings: `<!-- xacro-lint: disable-next-line RULE, RULE: reason -->`.
 
-use super::super::registry::Rule;
+use super::super::linter::directive::Directive;
+use super::super::linter::directive::Selector;
+use super::super::linter::directive::Suppression;
+use super::super::rule::Rule;
 use super::reach::Reach;
 use base::{Encoding, TextRange};
 use workspace::nearest;
@@ -11,41 +14,6 @@ const WORDS: [&str; 4] = ["disable-next-line", "disable", "enable", "disable-fil
 
 /// Lines at the top of a file that `disable-file` may stand in.
 const HEAD_LINES: u32 = 10;
-
-/// A suppression comment.
-#[derive(Clone, Debug)]
-pub struct Suppression {
-    /// What it does.
-    pub directive: Directive,
-    /// The comment, absolute.
-    pub comment: TextRange,
-    /// The rules it names.
-    pub rules: Vec<Selector>,
-    /// Where it holds, absolute.
-    pub scope: TextRange,
-}
-
-/// What a suppression comment does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Directive {
-    /// Hides findings of the next element's start tag.
-    DisableNextLine,
-    /// Hides findings from here on.
-    Disable,
-    /// Ends what `disable` began.
-    Enable,
-    /// Hides findings of the whole file.
-    DisableFile,
-}
-
-/// The name, code or beginning of a code of rules, as it stands in a comment.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Selector {
-    /// The word.
-    pub text: String,
-    /// Where it stands, absolute.
-    pub range: TextRange,
-}
 
 /// A comment for the linter that cannot be understood.
 #[derive(Clone, Debug)]
@@ -66,13 +34,6 @@ pub struct Suppressions {
     /// Those that do not.
     pub malformed: Vec<Malformed>,
     reach: Reach,
-}
-
-impl Selector {
-    /// Whether it means a rule.
-    pub fn names(&self, rule: &Rule) -> bool {
-        self.text == "ALL" || rule.is_named(&self.text)
-    }
 }
 
 impl Suppressions {

@@ -2,14 +2,13 @@
 
 use super::super::context::FileCx;
 use super::super::finding::Help;
-use super::super::registry::{
-    Activation, Category, Check, Rule, Safety, Severity, find, nearest_selector, page,
-};
+use super::super::registry::{find, nearest_selector};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::suppression::Suppressions;
 use workspace::edit_distance;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "LNT002",
     name: "unknown-rule-in-suppression",
     category: Category::Linter,

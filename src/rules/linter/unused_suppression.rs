@@ -1,8 +1,10 @@
 //! A suppression that hides nothing.
 
 use super::super::finding::{Edit, Finding, Fix};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::suppression::{Directive, Selector, Suppression};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::directive::Directive;
+use super::directive::Selector;
+use super::directive::Suppression;
 use base::{FastSet, Span, TextRange};
 use vfs::SourceFile;
 use xml::Document;

@@ -1,7 +1,7 @@
 //! Groups in settings of MoveIt.
 
 use super::super::beside::BesideCx;
-use super::super::registry::Severity;
+use super::super::rule::Severity;
 use super::super::sink::Sink;
 use model::Text;
 use project::{Kind, Named, is_computed};

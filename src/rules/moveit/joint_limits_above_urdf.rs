@@ -1,7 +1,7 @@
 //! A limit of velocity above that of the URDF.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::Span;
 

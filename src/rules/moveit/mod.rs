@@ -13,7 +13,7 @@ mod setup_assistant_file_not_found;
 mod setup_assistant_robot_fails;
 mod setup_assistant_unknown_argument;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 pub use setup_assistant_file_not_found::setup_assistant_file_not_found;
 pub use setup_assistant_robot_fails::setup_assistant_robot_fails;

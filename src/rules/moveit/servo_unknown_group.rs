@@ -1,7 +1,7 @@
 //! MoveIt Servo with a group that the SRDF does not define.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::groups::unknown;
 

@@ -1,7 +1,7 @@
 //! A robot that xacro rejects with the arguments of `.setup_assistant`.
 
 use super::super::finding::{Finding, Related};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
 pub(super) static RULE: Rule = Rule {

@@ -1,7 +1,7 @@
 //! An argument of `.setup_assistant` that the robot does not know.
 
 use super::super::finding::{Finding, Help};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
 pub(super) static RULE: Rule = Rule {

@@ -1,7 +1,7 @@
 //! An argument of a robot that no launch file passes.
 
 use super::super::finding::Finding;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
 pub(super) static RULE: Rule = Rule {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::super::context::{DocumentCx, RootKind};
 use super::super::finding::Edit;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::launch::{self, is_launch};
 use base::{Span, TextRange};

@@ -1,9 +1,9 @@
 //! The name of a package that holds a description.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::manifest;
+use super::dependencies;
 use expand::FileIdx;
 
 pub(super) static RULE: Rule = Rule {
@@ -19,7 +19,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else {
+    let Some(manifest) = dependencies::of_file(cx.world, cx.expansion, FileIdx(0)) else {
         return;
     };
     if !manifest.name.ends_with("_description") && !manifest.name.ends_with("_support") {

@@ -1,7 +1,7 @@
 //! A file that xacro generated, and that differs from what its source gives.
 
 use super::super::finding::Finding;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use base::Span;
 
 pub(in super::super) static RULE: Rule = Rule {

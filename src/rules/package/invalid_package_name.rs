@@ -2,7 +2,7 @@
 
 use super::super::context::FileCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mentions;
 use base::FastSet;

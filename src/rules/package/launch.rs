@@ -1,13 +1,13 @@
 //! The launch files of a package.
 
+use super::super::package::dependencies::manifest_around;
 use std::path::{Path, PathBuf};
 
 use super::super::context::{FileCx, Surroundings};
-use super::manifest::Manifest;
 
 /// The launch files in the folder `launch` of the package that a file belongs to.
 pub(super) fn files(world: Surroundings<'_>, file: &Path) -> Vec<PathBuf> {
-    let Some(manifest) = Manifest::around(world, file) else {
+    let Some(manifest) = manifest_around(world, file) else {
         return Vec::new();
     };
     let folder = manifest.folder.join("launch");

@@ -1,7 +1,7 @@
 //! A launch file that calls xacro for a description that is not there.
 
 use super::super::finding::Finding;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
 pub(super) static RULE: Rule = Rule {

@@ -1,7 +1,7 @@
 //! A `package.xml` that is not well-formed.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::{FastSet, Span};
 

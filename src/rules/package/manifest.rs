@@ -1,22 +1,17 @@
 //! What a `package.xml` says about dependencies.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use roxmltree::{Document, Node, ParsingOptions};
 
-use super::super::context::Surroundings;
 use base::limits::MANIFEST_NODES;
-use base::{FastMap, FastSet, FileId, Span, TextRange};
-use expand::FileIdx;
+use base::{FastMap, FileId, Span, TextRange};
 use vfs::TextFile;
 use workspace::Package;
 
 /// The elements that make a package come along with another one at run time.
 const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export_depend"];
-
-/// Packages looked at to find what comes along with a package.
-const MOST_PACKAGES: usize = 100;
 
 /// Manifests, read once for each text they have.
 #[derive(Default)]
@@ -26,7 +21,12 @@ pub struct Manifests(Mutex<FastMap<FileId, Known>>);
 type Known = (u64, Option<Arc<Manifest>>);
 
 impl Manifests {
-    fn get(&self, id: FileId, text: &TextFile, package: Package) -> Option<Arc<Manifest>> {
+    pub(super) fn get(
+        &self,
+        id: FileId,
+        text: &TextFile,
+        package: Package,
+    ) -> Option<Arc<Manifest>> {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, manifest)) = known.get(&id).filter(|(hash, _)| *hash == text.hash) {
             return manifest.clone();
@@ -55,41 +55,9 @@ pub(super) struct Manifest {
 }
 
 impl Manifest {
-    /// That of the package around a file of the expansion; none when there is none that can be read.
-    pub fn around(world: Surroundings<'_>, file: &Path) -> Option<Arc<Self>> {
-        let package = world.packages.containing(file)?;
-        let path = package.folder.join("package.xml");
-        let text = world.vfs.text(&path).ok()?;
-        world
-            .manifests
-            .get(world.vfs.file_id(&path), &text, package)
-    }
-
     /// Whether a package comes along at run time.
     pub fn declares(&self, package: &str) -> bool {
         self.runtime.iter().any(|known| known == package)
-    }
-
-    /// Whether a package comes along with one of those that come along, as far as they are in the workspace.
-    pub fn brings(&self, world: Surroundings<'_>, from: &Path, package: &str) -> bool {
-        let mut open: Vec<String> = self.runtime.clone();
-        let mut seen: FastSet<String> = FastSet::default();
-        while let Some(name) = open.pop() {
-            if !seen.insert(name.clone()) || seen.len() > MOST_PACKAGES {
-                continue;
-            }
-            let Ok(folder) = world.packages.find(&name, from) else {
-                continue;
-            };
-            let Some(manifest) = Self::around(world, &folder.path.join("package.xml")) else {
-                continue;
-            };
-            if manifest.declares(package) {
-                return true;
-            }
-            open.extend(manifest.runtime.iter().cloned());
-        }
-        false
     }
 
     fn read(text: &str, file: FileId, folder: PathBuf, name: String) -> Option<Self> {
@@ -178,15 +146,6 @@ fn insertion(text: &str, root: Node<'_, '_>) -> (u32, String, String) {
         None => (root.range().end.saturating_sub("</package>".len()), "  "),
     };
     (at as u32, format!("\n{indent}<{tag}>"), format!("</{tag}>"))
-}
-
-/// The manifest of the package that a file of an expansion belongs to.
-pub(super) fn of_file(
-    world: Surroundings<'_>,
-    expansion: &expand::Expansion,
-    file: FileIdx,
-) -> Option<Arc<Manifest>> {
-    Manifest::around(world, &expansion.files.get(file.0 as usize)?.source.path)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The packages that a file names.
 
+use super::super::package::mention::Mention;
 use std::sync::LazyLock;
 
 use memchr::memchr2;
@@ -8,19 +9,6 @@ use memchr::memmem::Finder;
 use super::super::context::FileCx;
 use base::TextRange;
 use xml::{Node, NodeKind};
-
-/// A package that a text names.
-#[derive(Debug)]
-pub struct Mention {
-    /// Its name.
-    pub name: String,
-    /// Where the name stands, absolute.
-    pub range: TextRange,
-    /// Whether a condition in the file decides whether it is read.
-    pub is_conditional: bool,
-    /// Of a `package://` URI: what follows the slash behind the name, as far as it is written out.
-    pub path: Option<(String, TextRange)>,
-}
 
 /// The packages in `package://` URIs and in `$(find)` of a file, comments left out.
 pub(super) fn packages<'a>(cx: &'a FileCx<'_>) -> &'a [Mention] {

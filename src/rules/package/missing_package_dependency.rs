@@ -3,10 +3,13 @@
 use super::super::context::FileCx;
 use super::super::finding::Edit;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::package::dependencies::brings;
+use super::super::package::dependencies::manifest_around;
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::manifest::{self, Manifest};
-use super::mentions::{self, Mention};
+use super::dependencies;
+use super::mention::Mention;
+use super::mentions;
 use base::FastSet;
 
 pub(super) static RULE: Rule = Rule {
@@ -26,7 +29,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     if mentions.is_empty() {
         return;
     }
-    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, cx.file) else {
+    let Some(manifest) = dependencies::of_file(cx.world, cx.expansion, cx.file) else {
         return;
     };
     let mut said: FastSet<&str> = FastSet::default();
@@ -41,7 +44,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         let (span, content) = manifest.addition(name);
         // what a condition brings in may be optional, and what another dependency brings along is there
         let comes_along =
-            mention.is_conditional || manifest.brings(cx.world, &cx.source.path, name);
+            mention.is_conditional || brings(&manifest, cx.world, &cx.source.path, name);
         let severity = if comes_along || needs(cx, name, &manifest.name) {
             Severity::Info
         } else {
@@ -68,8 +71,9 @@ fn needs(cx: &FileCx<'_>, name: &str, own: &str) -> bool {
     let Ok(found) = cx.world.packages.find(name, from) else {
         return false;
     };
-    let manifest = Manifest::around(cx.world, &found.path.join("package.xml"));
-    manifest.is_some_and(|manifest| manifest.declares(own) || manifest.brings(cx.world, from, own))
+    let manifest = manifest_around(cx.world, &found.path.join("package.xml"));
+    manifest
+        .is_some_and(|manifest| manifest.declares(own) || brings(&manifest, cx.world, from, own))
 }
 
 /// Whether no such package is known: that is said elsewhere.

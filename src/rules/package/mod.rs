@@ -1,6 +1,7 @@
 //! Packages and files of the workspace.
 
 mod argument_never_set;
+mod dependencies;
 mod deprecated_xacro_cli;
 mod description_package_name;
 pub(super) mod generated_urdf_out_of_date;
@@ -9,6 +10,7 @@ mod launch;
 mod launched_file_not_found;
 mod malformed_package_xml;
 mod manifest;
+mod mention;
 mod mentions;
 mod missing_launch_argument;
 mod missing_package_dependency;
@@ -19,14 +21,14 @@ mod value_never_compared;
 mod value_outside_choices;
 mod xacro_not_in_package;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 pub use argument_never_set::argument_never_set;
 pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
 pub use manifest::Manifests;
-pub(super) use mentions::Mention;
+pub(super) use mention::Mention;
 pub use missing_launch_argument::missing_launch_argument;
 pub use package_not_found::missing_packages;
 pub(super) use package_not_found::{RULE as PACKAGE_NOT_FOUND, is_news, warn_once};

@@ -8,9 +8,9 @@ use indexmap::IndexMap;
 use super::super::context::{DocumentCx, Surroundings};
 use super::super::finding::{Finding, Help};
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::manifest;
+use super::dependencies;
 use base::TextRange;
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use workspace::NotFound;
@@ -111,7 +111,7 @@ pub(in super::super) fn warn_once(
     }
     // what the package declares is installed along with it, and only not here; a folder around the file with the name of
     // a package is a copy of it
-    let manifest = manifest::of_file(world, expansion, FileIdx(0));
+    let manifest = dependencies::of_file(world, expansion, FileIdx(0));
     let is_around = |name: &&str| {
         from.as_ref()
             .is_some_and(|from| from.iter().any(|part| part == *name))

@@ -1,7 +1,7 @@
 //! A folder that is used and not installed.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mentions;
 use base::{FastSet, TextRange};

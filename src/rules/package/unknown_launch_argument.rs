@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::super::finding::{Finding, Help};
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
 pub(super) static RULE: Rule = Rule {

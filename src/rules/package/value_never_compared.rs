@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::super::finding::{Finding, Help};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::value_outside_choices::listed;
 use base::Span;
 

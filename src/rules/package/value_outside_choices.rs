@@ -1,7 +1,7 @@
 //! A value of an argument of a launch file that its choices rule out.
 
 use super::super::finding::{Finding, Help};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;
 
 pub(super) static RULE: Rule = Rule {

@@ -2,9 +2,9 @@
 
 use super::super::context::DocumentCx;
 use super::super::finding::Edit;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::manifest;
+use super::dependencies;
 use expand::FileIdx;
 
 pub(super) static RULE: Rule = Rule {
@@ -31,7 +31,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }) {
         return;
     }
-    let Some(manifest) = manifest::of_file(cx.world, cx.expansion, FileIdx(0)) else {
+    let Some(manifest) = dependencies::of_file(cx.world, cx.expansion, FileIdx(0)) else {
         return;
     };
     if manifest.name != "xacro" && !manifest.runtime.iter().any(|name| name == "xacro") {

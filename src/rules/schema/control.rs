@@ -1,9 +1,9 @@
 //! Blocks beside the links and joints: Gazebo, ros2_control, transmissions. Other tools read these; the table
 //! lists what is usual.
 
-use super::AttributeKind::{Choice, Joint, LinkOrJoint, Name, Number, Text, Uri};
-use super::Content::{Elements, Free, Text as Characters};
-use super::{AttributeSpec, ElementSpec};
+use super::spec::AttributeKind::{Choice, Joint, LinkOrJoint, Name, Number, Text, Uri};
+use super::spec::Content::{Elements, Free, Text as Characters};
+use super::spec::{AttributeKind, AttributeSpec, ElementSpec};
 
 const fn el(
     name: &'static str,
@@ -13,7 +13,7 @@ const fn el(
     ElementSpec::new(name, parents, docs).holding(Free)
 }
 
-const fn at(name: &'static str, kind: super::AttributeKind, docs: &'static str) -> AttributeSpec {
+const fn at(name: &'static str, kind: AttributeKind, docs: &'static str) -> AttributeSpec {
     AttributeSpec::new(name, kind, docs)
 }
 

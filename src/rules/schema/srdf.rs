@@ -1,8 +1,8 @@
 //! The elements of SRDF, which MoveIt reads beside the URDF.
 //! Source: the parser of `srdfdom`.
 
-use super::AttributeKind::{Choice, Group, Joint, Link, Name, Number, Text, Vector};
-use super::{AttributeSpec, ElementSpec};
+use super::spec::AttributeKind::{Choice, Group, Joint, Link, Name, Number, Text, Vector};
+use super::spec::{AttributeKind, AttributeSpec, ElementSpec};
 
 const fn el(
     name: &'static str,
@@ -12,7 +12,7 @@ const fn el(
     ElementSpec::new(name, parents, docs).many()
 }
 
-const fn at(name: &'static str, kind: super::AttributeKind, docs: &'static str) -> AttributeSpec {
+const fn at(name: &'static str, kind: AttributeKind, docs: &'static str) -> AttributeSpec {
     AttributeSpec::new(name, kind, docs)
 }
 

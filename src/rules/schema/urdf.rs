@@ -1,8 +1,8 @@
 //! The elements that every reader of URDF knows.
 
-use super::AttributeKind::{Choice, Joint, Link, Name, Number, Text, Uri, Vector};
-use super::Content::Free;
-use super::{AttributeSpec, ElementSpec};
+use super::spec::AttributeKind::{Choice, Joint, Link, Name, Number, Text, Uri, Vector};
+use super::spec::Content::Free;
+use super::spec::{AttributeKind, AttributeSpec, ElementSpec};
 use model::Version;
 
 const fn el(
@@ -13,7 +13,7 @@ const fn el(
     ElementSpec::new(name, parents, docs)
 }
 
-const fn at(name: &'static str, kind: super::AttributeKind, docs: &'static str) -> AttributeSpec {
+const fn at(name: &'static str, kind: AttributeKind, docs: &'static str) -> AttributeSpec {
     AttributeSpec::new(name, kind, docs)
 }
 

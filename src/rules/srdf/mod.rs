@@ -15,7 +15,7 @@ mod srdf_unknown_group;
 mod srdf_unknown_joint;
 pub(super) mod srdf_unknown_link;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

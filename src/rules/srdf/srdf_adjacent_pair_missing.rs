@@ -1,8 +1,8 @@
 //! Adjacent links whose collisions are not disabled, while those of others are.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
-use super::super::run::is_whole;
+use super::super::context::is_whole;
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::adjacent::touching;
 use base::FastSet;

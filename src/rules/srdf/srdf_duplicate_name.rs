@@ -1,7 +1,7 @@
 //! Two groups, states, end effectors or virtual joints of one name.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;

@@ -1,7 +1,7 @@
 //! A group state that says nothing of some joints of its group.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{Members, is_planned};
 use model::{Text, tag_start};

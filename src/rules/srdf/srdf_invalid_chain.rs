@@ -1,7 +1,7 @@
 //! A chain that does not lead from its base down to its tip.
 
 use super::super::beside::{BesideCx, PairedRobot};
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::Chain;
 

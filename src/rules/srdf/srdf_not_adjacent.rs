@@ -1,7 +1,7 @@
 //! A pair of links with the reason `Adjacent` that are not adjacent.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::adjacent::are_adjacent;
 

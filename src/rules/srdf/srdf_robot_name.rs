@@ -1,7 +1,7 @@
 //! An SRDF that is for a robot of another name.
 
 use super::super::beside::BesideCx;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 
 pub(super) static RULE: Rule = Rule::beside(

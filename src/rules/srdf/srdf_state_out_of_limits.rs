@@ -2,7 +2,7 @@
 
 use super::super::beside::BesideCx;
 use super::super::control::limits_of;
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 
 pub(super) static RULE: Rule = Rule::beside(

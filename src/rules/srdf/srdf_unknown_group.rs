@@ -1,8 +1,8 @@
 //! A group in an SRDF that it does not define.
 
 use super::super::beside::{BesideCx, unknown};
-use super::super::registry::{Category, Rule, Severity, page};
-use super::super::run::is_whole;
+use super::super::context::is_whole;
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::Kind;
 

@@ -1,7 +1,7 @@
 //! A joint in an SRDF that the robot does not have.
 
 use super::super::beside::{BesideCx, unknown};
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::Kind;
 

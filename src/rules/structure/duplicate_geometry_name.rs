@@ -1,13 +1,13 @@
 //! Two visuals or two collisions of one name in a link.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
 use model::Text;
 use model::{Body, Link};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "STR010",
     name: "duplicate-geometry-name",
     category: Category::Structure,

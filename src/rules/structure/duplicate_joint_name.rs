@@ -1,7 +1,7 @@
 //! Two joints of one name.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::repeated_calls::{HELP, RepeatedCalls};
 use base::FastMap;

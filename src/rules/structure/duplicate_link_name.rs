@@ -1,13 +1,13 @@
 //! Two links of one name.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::repeated_calls::{HELP, RepeatedCalls};
 use base::FastMap;
 use model::Text;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "STR001",
     name: "duplicate-link-name",
     category: Category::Structure,

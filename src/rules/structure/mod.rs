@@ -1,22 +1,22 @@
 //! The kinematic tree, judged on the expansion and reported at the source.
 
-mod duplicate_geometry_name;
+pub(super) mod duplicate_geometry_name;
 pub(super) mod duplicate_joint_name;
-mod duplicate_link_name;
-mod joint_self_loop;
-mod link_cycle;
+pub(super) mod duplicate_link_name;
+pub(super) mod joint_self_loop;
+pub(super) mod link_cycle;
 mod link_joint_same_name;
 mod missing_links;
-mod multiple_parents;
-mod multiple_roots;
-mod names_differ_by_case;
-mod no_links;
-mod orphan_link;
+pub(super) mod multiple_parents;
+pub(super) mod multiple_roots;
+pub(super) mod names_differ_by_case;
+pub(super) mod no_links;
+pub(super) mod orphan_link;
 mod repeated_calls;
 mod rust_consumer_cannot_load;
 pub(super) mod undefined_link;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

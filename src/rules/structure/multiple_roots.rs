@@ -1,12 +1,12 @@
 //! Several links that nothing holds.
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use model::{Joint, Text};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "STR007",
     name: "multiple-roots",
     category: Category::Structure,

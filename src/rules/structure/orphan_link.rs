@@ -5,13 +5,13 @@ use std::cell::OnceCell;
 use ecow::EcoString;
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use base::FastSet;
 use model::Text;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "STR008",
     name: "orphan-link",
     category: Category::Structure,

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use roxmltree::{Document, Node, ParsingOptions};
 
 use super::super::context::RobotCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::write;
 use model::tag_start;

@@ -2,7 +2,7 @@
 
 use super::super::context::RobotCx;
 use super::super::finding::{Edit, Help};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::missing_links;
 

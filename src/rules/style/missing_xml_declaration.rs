@@ -1,7 +1,7 @@
 //! A file without an XML declaration.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::TextRange;
 

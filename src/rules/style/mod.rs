@@ -5,7 +5,7 @@ mod redundant_expression;
 mod redundant_identity_origin;
 mod todo_comment;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

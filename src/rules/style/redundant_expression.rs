@@ -1,7 +1,7 @@
 //! An expression that is a plain literal.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use expr::{Token, split};
 use model::decimal;

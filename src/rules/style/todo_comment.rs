@@ -1,7 +1,7 @@
 //! A comment about something left to do.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use xml::NodeKind;
 

@@ -1,7 +1,7 @@
 //! A condition that is always the same.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 
 pub(super) static RULE: Rule = Rule {

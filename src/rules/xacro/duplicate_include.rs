@@ -1,14 +1,14 @@
 //! A file that is included twice.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, TextRange};
 use expand::{FileIdx, Place, XId};
 use xml::NodeKind;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC010",
     name: "duplicate-include",
     category: Category::Xacro,

@@ -1,9 +1,9 @@
 //! Rules whose findings come from expansion as they are: message, place and replacement.
 
-use super::super::registry::Category::Xacro;
-use super::super::registry::Safety::{Safe, Unsafe};
-use super::super::registry::Severity::{Error, Info, Warning};
-use super::super::registry::{Rule, page};
+use super::super::rule::Category::Xacro;
+use super::super::rule::Safety::{Safe, Unsafe};
+use super::super::rule::Severity::{Error, Info, Warning};
+use super::super::rule::{Rule, page};
 
 pub(in super::super) static UNDEFINED_PROPERTY: Rule = Rule::found(
     "XAC001",

@@ -1,8 +1,8 @@
 //! Elements inside an include.
 
 use super::super::finding::{Edit, Fix};
-use super::super::problems::ProblemCx;
-use super::super::registry::{Category, Rule, Safety, Severity, page};
+use super::super::problem_cx::ProblemCx;
+use super::super::rule::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use xml::Node;
 

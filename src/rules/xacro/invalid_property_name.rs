@@ -1,8 +1,8 @@
 //! A name of a property or parameter that no expression can read.
 
 use super::super::finding::{Edit, Fix};
-use super::super::problems::ProblemCx;
-use super::super::registry::{Category, Rule, Safety, Severity, page};
+use super::super::problem_cx::ProblemCx;
+use super::super::rule::{Category, Rule, Safety, Severity, page};
 use expr::is_identifier;
 
 pub(in super::super) static RULE: Rule = Rule::found(

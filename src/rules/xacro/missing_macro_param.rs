@@ -3,8 +3,8 @@
 use ecow::EcoString;
 
 use super::super::finding::{Edit, Fix};
-use super::super::problems::ProblemCx;
-use super::super::registry::{Category, Rule, Safety, Severity, page};
+use super::super::problem_cx::ProblemCx;
+use super::super::rule::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
 use expand::{Detail, Problem};
 

@@ -1,7 +1,7 @@
 //! The xacro language.
 
 mod constant_condition;
-mod duplicate_include;
+pub(super) mod duplicate_include;
 pub(super) mod found;
 pub(super) mod include_children_ignored;
 pub(super) mod include_not_found;
@@ -9,7 +9,7 @@ pub(super) mod invalid_property_name;
 mod mentions;
 pub(super) mod missing_macro_param;
 pub(super) mod redefined_macro;
-mod redefined_property;
+pub(super) mod redefined_property;
 pub(super) mod shadowed_builtin;
 mod shadowed_property;
 mod source;
@@ -25,12 +25,13 @@ pub(super) mod unused_include;
 pub(super) mod unused_macro;
 pub(super) mod unused_macro_param;
 pub(super) mod unused_property;
+mod words;
 
-use super::registry::Rule;
+use super::rule::Rule;
 
-pub(super) use mentions::Mentions;
 pub use source::include_tags;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
+pub(super) use words::Mentions;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::super::context::DocumentCx;
 use super::super::finding::{Edit, Fix};
-use super::super::problems::ProblemCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::problem_cx::ProblemCx;
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, Span, TextRange};
@@ -32,6 +32,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let spaces = namespaces(&inclusions);
     let is_called = |id| {
         cx.expansion
+            .index
             .symbols
             .uses_of(id)
             .any(|used| used.kind == UseKind::Call)
@@ -39,6 +40,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut first: FastMap<(&str, &str), (Place, Node<'_>, bool)> = FastMap::default();
     for (id, definition) in cx
         .expansion
+        .index
         .symbols
         .iter()
         .filter(|(_, found)| found.kind == SymbolKind::Macro)

@@ -1,14 +1,14 @@
 //! A property whose value is replaced before anything reads it.
 
 use super::super::context::{DocumentCx, elements};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::{source, unused};
 use base::{FastMap, TextRange};
 use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
 use xml::Node;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XAC016",
     name: "redefined-property",
     category: Category::Xacro,
@@ -28,6 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut last: FastMap<(FileIdx, &str), (DefinitionId, Place, Node<'_>)> = FastMap::default();
     let properties = cx
         .expansion
+        .index
         .symbols
         .iter()
         .filter(|(_, found)| found.kind == SymbolKind::Property);

@@ -1,6 +1,6 @@
 //! A property that hides a built-in symbol: whether that is news.
 
-use super::super::registry::{Category, Rule, Severity, page};
+use super::super::rule::{Category, Rule, Severity, page};
 use super::source;
 use expand::{Expansion, Place, Problem};
 use expr::{Value, global_symbol};
@@ -72,8 +72,8 @@ fn has_value(expansion: &Expansion, place: Place, node: Node<'_>, rounding: f64)
     let written = node
         .attr("value")
         .and_then(|value| decimal(value.raw().trim()));
-    let computed = expansion.bindings.iter().find_map(|binding| {
-        let definition = expansion.symbols.get(binding.definition?)?;
+    let computed = expansion.index.bindings.iter().find_map(|binding| {
+        let definition = expansion.index.symbols.get(binding.definition?)?;
         match binding.value {
             Some(Value::Float(value)) => {
                 (source::place(expansion, definition.place) == Some(place)).then_some(value)

@@ -1,7 +1,7 @@
 //! A parameter that hides a property.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::source;
 use base::FastMap;
@@ -24,7 +24,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let mut properties: FastMap<&str, &Definition> = FastMap::default();
-    for (_, definition) in cx.expansion.symbols.iter() {
+    for (_, definition) in cx.expansion.index.symbols.iter() {
         match definition.kind {
             SymbolKind::Property if !definition.in_macro => {
                 properties.entry(&definition.name).or_insert(definition);

@@ -5,7 +5,7 @@ use std::cell::LazyCell;
 use memchr::memchr;
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::source;
 use base::{FastMap, FastSet, TextRange};
@@ -72,6 +72,7 @@ fn uses(cx: &DocumentCx<'_>) -> Uses {
     let mut uses = Uses::default();
     for used in cx
         .expansion
+        .index
         .symbols
         .uses
         .iter()
@@ -173,7 +174,7 @@ fn comparison(expr: &Expr) -> Option<Comparison> {
 
 /// Whether the text `true` given to a definition becomes a truth value in any case.
 fn is_converted(cx: &DocumentCx<'_>, id: DefinitionId, uses: &Uses, steps: u32) -> bool {
-    let Some(definition) = cx.expansion.symbols.get(id).filter(|_| steps > 0) else {
+    let Some(definition) = cx.expansion.index.symbols.get(id).filter(|_| steps > 0) else {
         return false;
     };
     match definition.kind {
@@ -203,6 +204,7 @@ fn is_converted_param(
 ) -> bool {
     let given: Vec<_> = cx
         .expansion
+        .index
         .symbols
         .uses_of(id)
         .filter(|used| used.kind == UseKind::Given)

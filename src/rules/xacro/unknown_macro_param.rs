@@ -1,8 +1,8 @@
 //! An attribute of a call that is no parameter of the macro.
 
 use super::super::finding::Fix;
-use super::super::problems::ProblemCx;
-use super::super::registry::{Category, Rule, Safety, Severity, page};
+use super::super::problem_cx::ProblemCx;
+use super::super::rule::{Category, Rule, Safety, Severity, page};
 use super::unknown_xacro_attribute::without_attribute;
 
 pub(in super::super) static RULE: Rule = Rule::found(

@@ -1,7 +1,7 @@
 //! A macro called without the prefix `xacro:`.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::{is_urdf_element, outside_free_zones};
 use base::TextRange;

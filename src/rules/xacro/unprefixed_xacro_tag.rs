@@ -1,7 +1,7 @@
 //! A tag of xacro written without its prefix.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::outside_free_zones;
 use base::TextRange;

@@ -26,6 +26,7 @@ pub(super) fn in_root<'a>(
     let used = used(cx);
     let symbols = cx
         .expansion
+        .index
         .symbols
         .iter()
         .filter(|(_, definition)| kinds.contains(&definition.kind));
@@ -48,6 +49,7 @@ pub(super) fn in_root<'a>(
 pub(super) fn used(cx: &DocumentCx<'_>) -> FastSet<DefinitionId> {
     let uses = cx
         .expansion
+        .index
         .symbols
         .uses
         .iter()

@@ -1,7 +1,7 @@
 //! An include that gives nothing anybody uses.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::mentions;
 use super::source::{self, Inclusion};
@@ -110,7 +110,7 @@ fn may_give_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
 
 /// Whether other files use what some files define.
 fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     let inside = |at: SourceRange| {
         source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file))
     };

@@ -3,9 +3,9 @@
 use ecow::EcoString;
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::mentions::Mentions;
+use super::words::Mentions;
 use super::{source, unused};
 use base::{FastMap, FastSet};
 use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
@@ -30,7 +30,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let used = unused::used(cx);
     let forwards = Forwards::of(cx);
     let mut bodies: FastMap<DefinitionId, Option<Mentions>> = FastMap::default();
-    for (id, definition) in cx.expansion.symbols.iter() {
+    for (id, definition) in cx.expansion.index.symbols.iter() {
         let Some(of) = definition
             .of
             .filter(|_| !used.contains(&id) && !definition.name.starts_with('_'))
@@ -50,7 +50,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// What the body of a macro mentions; none, when that cannot be told: it is empty, includes a file, calls what
 /// is not known, or a name in it is misspelled.
 fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Mentions> {
-    let place = cx.expansion.symbols.get(of)?.place;
+    let place = cx.expansion.index.symbols.get(of)?.place;
     let (base, node) = source::tag(cx.expansion, place)?;
     let (file, range) = (
         source::place(cx.expansion, place)?.file,
@@ -179,6 +179,7 @@ impl Forwards {
 fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
     let found = cx
         .expansion
+        .index
         .symbols
         .get(of)
         .and_then(|owner| source::tag(cx.expansion, owner.place));
@@ -203,7 +204,7 @@ fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
 
 /// Whether something is lost with a block: the calls write more than poses that move nothing, or there are none yet.
 fn is_missed(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition) -> bool {
-    let symbols = &cx.expansion.symbols;
+    let symbols = &cx.expansion.index.symbols;
     let is_before = |other: &Definition| {
         let is_block = other.kind == SymbolKind::BlockParameter && other.of == Some(of);
         is_block && other.place.range.start < param.place.range.start
@@ -238,6 +239,7 @@ fn report(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition, out: &mut S
     };
     let owner = cx
         .expansion
+        .index
         .symbols
         .get(of)
         .map_or("", |owner| owner.name.as_str());

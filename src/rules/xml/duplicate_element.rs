@@ -1,14 +1,14 @@
 //! A second element where parsers read one.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
 use base::FastMap;
 use expand::{XId, XKind, XTree};
 use model::tag_start;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML012",
     name: "duplicate-element",
     category: Category::Xml,

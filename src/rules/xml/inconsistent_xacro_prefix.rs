@@ -1,9 +1,9 @@
 //! xacro's namespace bound to a prefix other than `xacro`.
 
 use super::super::context::FileCx;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::is_xacro_uri;
+use super::super::vocabulary::is_xacro_uri;
 use base::TextRange;
 use xml::Attr;
 

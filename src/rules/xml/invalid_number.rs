@@ -1,11 +1,12 @@
 //! A value that should be a number and is none.
 
+use super::super::xml::seen::Numeric;
 use std::ops::Range;
 
 use super::super::context::{DocumentCx, RootKind, is_plain_urdf};
 use super::super::edits::source_text;
 use super::super::numbers::rewrite;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::meant::{self, Meant};
 use super::walk;
@@ -44,19 +45,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .for_each(|range| report(cx, *id, name, text, range, out));
         }
     }
-}
-
-/// An attribute that holds numbers.
-#[derive(Debug)]
-pub struct Numeric {
-    /// Its element.
-    pub id: XId,
-    /// Its name.
-    pub name: &'static str,
-    /// How many numbers it holds.
-    pub count: usize,
-    /// Its value.
-    pub text: Text,
 }
 
 /// Attributes that hold numbers. Those not known are left out.
@@ -315,10 +303,10 @@ fn written_at(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>) -> Option<O
     let mut seen = 0;
     while let Some(read) = open.pop().filter(|_| seen < MOST) {
         seen += 1;
-        let Some(binding) = cx.expansion.bindings.get(read as usize) else {
+        let Some(binding) = cx.expansion.index.bindings.get(read as usize) else {
             continue;
         };
-        open.extend(cx.expansion.read_in(binding.reads));
+        open.extend(cx.expansion.index.read_in(binding.reads));
         let Some(origin) = binding.origin else {
             continue;
         };

@@ -2,7 +2,7 @@
 
 use super::super::context::{DocumentCx, is_plain_urdf};
 use super::super::schema::ElementSpec;
-use super::{unknown_attribute, walk};
+use super::walk;
 use expand::{BindingInfo, BindingKind, XId};
 use expr::is_identifier;
 use model::{Text, is_decimal};
@@ -139,7 +139,7 @@ pub(in super::super) fn attributes(
         .iter()
         .filter(|attr| spec.attribute(&attr.name).is_none())
         .take(MOST);
-    let absent = unknown_attribute::absent(cx, id, spec);
+    let absent = walk::absent(cx, id, spec);
     unknown
         .filter_map(|attr| Some(of_attribute(spec.name, &attr.name, absent.iter().copied())?.0))
         .collect()
@@ -149,7 +149,7 @@ pub(in super::super) fn attributes(
 pub(super) fn name_of_property(cx: &DocumentCx<'_>, word: &str) -> Option<String> {
     let is_property =
         |binding: &BindingInfo| binding.name == word && binding.kind == BindingKind::Property;
-    let is_known = is_identifier(word) && cx.expansion.bindings.iter().any(is_property);
+    let is_known = is_identifier(word) && cx.expansion.index.bindings.iter().any(is_property);
     is_known.then(|| format!("${{{word}}}"))
 }
 
@@ -158,6 +158,7 @@ fn is_known(cx: &DocumentCx<'_>, name: &str) -> bool {
     name == "pi"
         || cx
             .expansion
+            .index
             .bindings
             .iter()
             .any(|binding| binding.name == name)

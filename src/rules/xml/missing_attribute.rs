@@ -2,10 +2,10 @@
 
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
-use super::{meant, unknown_attribute, walk};
+use super::{meant, walk};
 use expand::XId;
 use model::{Text, element_range, tag_start};
 
@@ -99,7 +99,7 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
     {
         return Vec::new();
     }
-    let absent = unknown_attribute::absent(cx, id, spec);
+    let absent = walk::absent(cx, id, spec);
     let required = |name: &&str| {
         spec.attribute(name)
             .is_some_and(|attribute| attribute.required)

@@ -2,7 +2,7 @@
 
 use super::super::context::DocumentCx;
 use super::super::geometry::is_taken_out;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::walk;

@@ -2,7 +2,7 @@
 
 use super::super::context::{DocumentCx, RootKind};
 use super::super::finding::{Edit, Finding, Fix};
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, by_code, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::{Span, TextRange};
 use expand::{Expansion, FileIdx};
@@ -66,7 +66,7 @@ pub fn missing_robot_name(expansion: &Expansion, robot: &Robot) -> Option<Findin
             edits,
         })
     });
-    let finding = Finding::new(by_code(RULE.code)?, place(tag.range)?, "robot has no name");
+    let finding = Finding::new(&RULE, place(tag.range)?, "robot has no name");
     Some(Finding {
         help: Some(HELP.to_owned()),
         fix,

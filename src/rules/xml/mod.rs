@@ -1,6 +1,6 @@
 //! XML: well-formedness and the URDF schema.
 
-mod duplicate_element;
+pub(super) mod duplicate_element;
 pub(super) mod inconsistent_xacro_prefix;
 pub(super) mod invalid_number;
 mod meant;
@@ -10,7 +10,8 @@ pub(super) mod missing_robot_name;
 pub(super) mod missing_xacro_namespace;
 mod newer_than_version;
 pub(super) mod nonstandard_xacro_namespace;
-mod unexpected_text;
+mod seen;
+pub(super) mod unexpected_text;
 pub(super) mod unknown_attribute;
 pub(super) mod unknown_element;
 mod unknown_root_element;
@@ -20,12 +21,11 @@ pub(super) mod wrong_vector_length;
 pub(super) mod xacro_tags_in_urdf;
 pub(super) mod xml_syntax_error;
 
-use super::registry::{Category::Xml, Rule, Severity::Error, page};
+use super::rule::{Category::Xml, Rule, Severity::Error, page};
 
-pub use invalid_number::Numeric;
 pub(super) use meant::{attributes as meant_attributes, with_dollars};
 pub use missing_robot_name::missing_robot_name;
-pub use walk::Seen;
+pub use seen::{Numeric, Seen};
 pub(super) use walk::{described, known};
 
 // what expansion finds, without fixes of their own
@@ -58,19 +58,3 @@ pub(super) static RULES: &[&Rule] = &[
     &xacro_tags_in_urdf::RULE,
     &newer_than_version::RULE,
 ];
-
-/// The namespace that xacro's documentation names.
-const XACRO_URI: &str = "http://www.ros.org/wiki/xacro";
-
-/// Whether a namespace is meant to be xacro's: files in the wild spell it in many ways.
-pub(super) fn is_xacro_uri(uri: &str) -> bool {
-    let rest = uri
-        .trim_start_matches("http://")
-        .trim_start_matches("https://");
-    let host = rest
-        .split('/')
-        .next()
-        .unwrap_or("")
-        .trim_start_matches("www.");
-    matches!(host, "ros.org" | "wiki.ros.org") && rest.trim_end_matches('/').ends_with("xacro")
-}

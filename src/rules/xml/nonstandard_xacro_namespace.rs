@@ -2,9 +2,9 @@
 
 use super::super::context::FileCx;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::XACRO_URI;
+use super::super::vocabulary::XACRO_URI;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML003",

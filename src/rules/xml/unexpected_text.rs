@@ -1,14 +1,14 @@
 //! Text where URDF has elements only.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::invalid_number::is_reported;
 use super::walk;
 use base::TextRange;
 use expand::{Origin, XId, XKind};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "XML013",
     name: "unexpected-text",
     category: Category::Xml,

@@ -4,9 +4,10 @@ use super::super::context::DocumentCx;
 use super::super::edits::source_text;
 use super::super::finding::Help;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
+use super::super::xml::walk::absent;
 use super::{meant, walk};
 use expand::{Origin, XAttr, XId};
 use model::Version;
@@ -177,14 +178,6 @@ fn is_admitted(cx: &DocumentCx<'_>, name: &str) -> bool {
             .any(|allowed| allowed == name)
     };
     name.contains(':') || matches!(name, "id" | "xmlns") || allowed()
-}
-
-/// The attributes that an element could have and does not.
-pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
-    let names = spec.attributes.iter().map(|attribute| attribute.name);
-    names
-        .filter(|name| cx.expansion.tree.attr(element, name).is_none())
-        .collect()
 }
 
 fn report(

@@ -3,11 +3,12 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::finding::Help;
 use super::super::grouping::Group;
-use super::super::registry::{Activation, Category, Check, Rule, Safety, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::missing_element::bare_shape;
-use super::walk::{self, Seen};
+use super::seen::Seen;
+use super::walk;
 use base::{FastMap, TextRange};
 use expand::{FileIdx, XId};
 use model::{Text, tag_start};

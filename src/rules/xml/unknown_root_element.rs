@@ -1,7 +1,7 @@
 //! A description whose root element is not `robot`.
 
 use super::super::context::{DocumentCx, RootKind};
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::tag_start;
 

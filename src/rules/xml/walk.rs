@@ -3,20 +3,12 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
 use super::super::vocabulary::is_free_zone;
+use super::super::xml::seen::Seen;
 use base::FastSet;
 use expand::{Expansion, Origin, XId, XKind};
 use model::Text;
 use workspace::edit_distance;
 use xml::Node;
-
-/// An element outside of the free zones.
-pub struct Seen {
-    pub id: XId,
-    /// What the schema says about it; none: it may not stand there.
-    pub spec: Option<&'static ElementSpec>,
-    /// What the schema says about the element around it.
-    pub parent: Option<&'static ElementSpec>,
-}
 
 /// All elements of a robot, or of what a library gives by itself, except what stands inside of unknown
 /// elements and free zones; parents first.
@@ -228,4 +220,12 @@ mod tests {
             Some(("ab13", false))
         );
     }
+}
+
+/// The attributes that an element could have and does not.
+pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    let names = spec.attributes.iter().map(|attribute| attribute.name);
+    names
+        .filter(|name| cx.expansion.tree.attr(element, name).is_none())
+        .collect()
 }

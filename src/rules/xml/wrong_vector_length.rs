@@ -1,9 +1,10 @@
 //! A vector of too few or too many numbers.
 
 use super::super::context::DocumentCx;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::invalid_number::{Numeric, bad_words, numeric};
+use super::invalid_number::{bad_words, numeric};
+use super::seen::Numeric;
 use super::walk;
 
 pub(in super::super) static RULE: Rule = Rule {

@@ -2,7 +2,7 @@
 
 use super::super::context::FileCx;
 use super::super::package::reads_as_it_stands;
-use super::super::registry::{Activation, Category, Check, Rule, Severity, page};
+use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema;
 use super::super::sink::Sink;
 use base::TextRange;

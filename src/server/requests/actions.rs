@@ -111,7 +111,7 @@ pub fn actions(
 
 /// An action as the client takes it: one that knows commands only has the server make the edits.
 fn in_its_form(state: &State, action: CodeAction) -> Option<CodeActionOrCommand> {
-    if state.client.action_literals {
+    if state.client.actions.literals {
         return Some(CodeActionOrCommand::CodeAction(action));
     }
     let apply = |edit| Command {
@@ -122,7 +122,7 @@ fn in_its_form(state: &State, action: CodeAction) -> Option<CodeActionOrCommand>
             versions: versions(state)
         })]),
     };
-    let edit = action.edit.filter(|_| state.client.applies_edits);
+    let edit = action.edit.filter(|_| state.client.edits.on_request);
     edit.map(apply)
         .or(action.command)
         .map(CodeActionOrCommand::Command)
@@ -160,7 +160,7 @@ fn renamed_to_xacro(
         .is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
     let name = path.file_stem().filter(|_| is_urdf)?.to_str()?;
     let new = path.with_file_name(format!("{name}.urdf.xacro"));
-    if !state.client.renames_files
+    if !state.client.edits.renames_files
         || !is_ours(state, path)
         || state.world.session().vfs.exists(&new)
     {
@@ -202,7 +202,7 @@ fn quick_fixes(
         .diagnostics
         .iter()
         .any(|shown| rule(shown).is_some());
-    if is_automatic && !named && state.due.is_some() {
+    if is_automatic && !named && state.schedule.due.is_some() {
         // a sign beside the text is not to wait for a check of the whole robot; findings bring the next question
         return Ok(Vec::new());
     }

@@ -98,7 +98,7 @@ fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierar
     let file = path.file_name()?.to_string_lossy().into_owned();
     let (name_text, kind, detail) = match caller {
         Caller::Macro(id) => (
-            cx.expansion.symbols.get(*id)?.name.to_string(),
+            cx.expansion.index.symbols.get(*id)?.name.to_string(),
             SymbolKind::FUNCTION,
             Some(file),
         ),

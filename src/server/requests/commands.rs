@@ -10,7 +10,7 @@ use crate::roots::{set_args, set_root, tree};
 use lsp_types::ExecuteCommandParams;
 use serde_json::Value;
 
-use crate::client::ClientFacts;
+use crate::client::ResolvedCapabilities;
 use crate::failure::Failure;
 use crate::state::{Cause, State};
 use base::CancelFlag;
@@ -34,8 +34,8 @@ const NAMES: &[&str] = &[
 ];
 
 /// The commands that a client may run.
-pub(crate) fn offered(client: &ClientFacts) -> impl Iterator<Item = &'static str> + use<> {
-    let apply = (client.applies_edits && !client.action_literals).then_some(APPLY);
+pub(crate) fn offered(client: &ResolvedCapabilities) -> impl Iterator<Item = &'static str> + use<> {
+    let apply = (client.edits.on_request && !client.actions.literals).then_some(APPLY);
     NAMES.iter().copied().chain(apply)
 }
 

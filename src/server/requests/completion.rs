@@ -153,10 +153,10 @@ fn completion_item(
     let snippet = item
         .snippet
         .as_ref()
-        .filter(|_| state.client.snippets && state.snippets);
+        .filter(|_| state.client.completion.snippets && state.settings.snippets);
     let text = snippet.unwrap_or(&item.text).clone();
     let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
-    let edit = match state.client.insert_replace {
+    let edit = match state.client.completion.insert_replace {
         true => CompletionTextEdit::InsertAndReplace(InsertReplaceEdit {
             new_text: text,
             insert: range(all.insert),
@@ -176,9 +176,9 @@ fn completion_item(
     });
     CompletionItem {
         label: item.label.clone(),
-        label_details: details.filter(|_| state.client.label_details),
+        label_details: details.filter(|_| state.client.completion.label_details),
         kind: Some(kind(item.kind)),
-        detail: detail.or_else(|| note.filter(|_| !state.client.label_details)),
+        detail: detail.or_else(|| note.filter(|_| !state.client.completion.label_details)),
         sort_text: Some(format!("{place:04}")),
         insert_text_format: snippet.map(|_| InsertTextFormat::SNIPPET),
         text_edit: Some(edit),
@@ -207,7 +207,7 @@ pub fn resolve_completion(
     let text = scoped(state, &kept, |scope| {
         ide::documentation(scope, &origin.topic)
     });
-    item.documentation = text.map(|text| state.client.item_docs.documentation(text));
+    item.documentation = text.map(|text| state.client.completion.item_docs.documentation(text));
     Ok(item)
 }
 
@@ -237,7 +237,7 @@ fn signature(state: &State, found: Signature) -> SignatureInformation {
             .count() as u32
     };
     let parameter = |range: &TextRange| ParameterInformation {
-        label: match state.client.label_offsets {
+        label: match state.client.completion.label_offsets {
             true => ParameterLabel::LabelOffsets([width(range.start), width(range.end)]),
             false => ParameterLabel::Simple(range.slice(&found.label).to_owned()),
         },
@@ -246,7 +246,7 @@ fn signature(state: &State, found: Signature) -> SignatureInformation {
     let docs = Some(found.docs).filter(|docs| !docs.is_empty());
     SignatureInformation {
         parameters: Some(found.parameters.iter().map(parameter).collect()),
-        documentation: docs.map(|docs| state.client.signature_docs.documentation(docs)),
+        documentation: docs.map(|docs| state.client.completion.signature_docs.documentation(docs)),
         active_parameter: found.active,
         label: found.label,
     }

@@ -54,7 +54,7 @@ pub fn hints(
         }
     };
     Ok(Some(
-        ide::hints(&asked.cx(), range, state.hint_settings)
+        ide::hints(&asked.cx(), range, state.settings.hints)
             .into_iter()
             .map(hint)
             .collect(),

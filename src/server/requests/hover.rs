@@ -101,7 +101,7 @@ fn with_launch_values(state: &State, asked: &Asked, offset: u32, mut hover: Hove
     let cx = asked.cx();
     let argument = cx
         .symbol_at(offset)
-        .and_then(|(id, _)| cx.expansion.symbols.get(id))
+        .and_then(|(id, _)| cx.expansion.index.symbols.get(id))
         .filter(|definition| definition.kind == SymbolKind::Argument);
     let (Some(argument), Some(root)) = (argument, cx.expansion.files.first()) else {
         return hover;

@@ -97,7 +97,7 @@ pub fn launched(
 
 /// Where a robot declares an argument.
 fn declaration(cx: &Cx<'_>, name: &str) -> Option<Target> {
-    let mut symbols = cx.expansion.symbols.iter();
+    let mut symbols = cx.expansion.index.symbols.iter();
     let (id, _) =
         symbols.find(|(_, given)| given.kind == SymbolKind::Argument && given.name == name)?;
     definition_of(cx, id)
@@ -108,7 +108,7 @@ pub fn in_launch_files(state: &mut State, asked: &Asked) -> (Vec<Span>, Vec<Path
     let cx = asked.cx();
     let definition = cx
         .symbol_at(asked.offset)
-        .and_then(|(id, _)| Some((id, cx.expansion.symbols.get(id)?)));
+        .and_then(|(id, _)| Some((id, cx.expansion.index.symbols.get(id)?)));
     let Some((id, argument)) = definition.filter(|(_, it)| it.kind == SymbolKind::Argument) else {
         return Default::default();
     };

@@ -60,7 +60,7 @@ pub fn refactor_actions(
     cancel: &CancelFlag,
 ) -> Result<Vec<CodeAction>, Failure> {
     let (uri, range) = (&params.text_document.uri, params.range);
-    let later = state.client.resolves_actions;
+    let later = state.client.actions.resolves;
     let version = state
         .documents
         .get(&state.path(uri))
@@ -141,7 +141,8 @@ fn inlined_macro(
         "this would change the robot: the arguments of the call have another meaning there";
     Ok(state
         .client
-        .disabled_actions
+        .actions
+        .shows_disabled
         .then(|| disabled(sentence_case(&action.title), action.kind, reason.to_owned())))
 }
 
@@ -214,7 +215,7 @@ fn stays_the_same(
 
 /// What cannot be made, for clients that show it.
 fn refused(state: &State, asked: &Asked, selection: TextRange) -> Option<CodeAction> {
-    if !state.client.disabled_actions || !asked.source.document.errors().is_empty() {
+    if !state.client.actions.shows_disabled || !asked.source.document.errors().is_empty() {
         return None;
     }
     let session = state.world.session();
@@ -262,7 +263,7 @@ fn moved_to_file(
     source: &SourceFile,
     selection: TextRange,
 ) -> Option<CodeAction> {
-    if !state.client.creates_files || !is_ours(state, path) {
+    if !state.client.edits.creates_files || !is_ours(state, path) {
         return None;
     }
     let folder = path.parent()?;

@@ -197,7 +197,7 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
             "`{shown}` is in an install folder and is not changed"
         )));
     }
-    match state.client.change_annotations {
+    match state.client.edits.annotations {
         true => Ok(()),
         false => Err(Failure::Refused(format!(
             "`{shown}` is not in the workspace and is not changed"
@@ -210,7 +210,7 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
 fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
     let cx = asked.cx();
     let definition = cx.symbol_at(asked.offset).map(|(id, _)| id);
-    let argument = definition.and_then(|id| Some((id, cx.expansion.symbols.get(id)?)));
+    let argument = definition.and_then(|id| Some((id, cx.expansion.index.symbols.get(id)?)));
     let Some((id, argument)) = argument.filter(|(_, it)| it.kind == SymbolKind::Argument) else {
         return Vec::new();
     };
@@ -349,7 +349,7 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
     let Some(DocumentChanges::Edits(documents)) = &mut edit.document_changes else {
         return edit;
     };
-    if !state.client.change_annotations {
+    if !state.client.edits.annotations {
         return edit;
     }
     let mut annotations = HashMap::new();
@@ -386,7 +386,7 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
 
 /// Edits with the versions they were made for, where the client takes that.
 pub fn workspace_edit(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
-    if !state.client.document_changes {
+    if !state.client.edits.versions {
         let changes: HashMap<Url, Vec<TextEdit>> = edits.into_iter().collect();
         return WorkspaceEdit {
             changes: Some(changes),

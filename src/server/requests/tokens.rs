@@ -82,7 +82,7 @@ pub fn tokens_delta(
     cancel: &CancelFlag,
 ) -> Result<Option<SemanticTokensFullDeltaResult>, Failure> {
     let (path, data) = token_data(state, params.text_document, cancel)?;
-    let known = state.sent_tokens.get(&path);
+    let known = state.sent.tokens.get(&path);
     let known = known.filter(|sent| sent.number.to_string() == params.previous_result_id);
     let edits = known.map(|sent| difference(&sent.data, &data));
     let result_id = Some(remember(state, &path, &data));
@@ -127,9 +127,10 @@ fn remember(state: &mut State, path: &Path, data: &[SemanticToken]) -> String {
     // files that are closed are not asked about again
     let documents = &state.documents;
     state
-        .sent_tokens
+        .sent
+        .tokens
         .retain(|path, _| documents.contains_key(path));
-    let sent = state.sent_tokens.entry(path.to_path_buf()).or_default();
+    let sent = state.sent.tokens.entry(path.to_path_buf()).or_default();
     sent.number += 1;
     sent.data = data.to_vec();
     sent.number.to_string()

@@ -1,31 +1,26 @@
 //! The state of one expansion, its entry point and its limits.
 
-use std::path::Path;
-use std::sync::Arc;
-
 use ecow::EcoString;
 
+use super::before::Before;
+use super::binding_info::BindingInfo;
 use super::expansion::Expansion;
 use super::kind::ProblemKind;
-use super::late::Undefined;
-use super::memo::{Kept, Recorder};
-use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin};
-use super::problem::{Problem, Problems, Severity};
+use super::macro_table::Macros;
+use super::origin::{Frame, FrameId, FrameKind, Origin};
+use super::problem::{Problem, Severity};
+use super::problems::Problems;
 use super::record::Read;
-use super::replay::Before;
 use super::request::{Request, World};
-use super::resolve::{BindingInfo, LazyUse};
-use super::scope::{MacroDef, Macros, MacrosId, Scopes};
+use super::scope::Scopes;
 use super::stack::with_stack;
-use super::text::SplitText;
+use super::state::{EvalContext, Files, Flow, Gaps, Guards, Names, OpenFile, Probing, Steps};
 use super::tree::{XAttr, XId, XKind};
+use base::FastMap;
 use base::clock::Instant;
-use base::limits::{self, EVAL_DEPTH};
-use base::{FastMap, FastSet};
-use expr::{Budget, ScopeId, Value};
+use expr::Value;
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
-///
 pub fn expand(world: World<'_>, request: &Request) -> Expansion {
     expand_again(world, request, None)
 }
@@ -50,98 +45,23 @@ pub(super) fn raise(key: &str) -> String {
     format!("raise `{key}` under `[limits]` in xacro-lint.toml if the robot is really that large")
 }
 
-/// Where evaluation stands: the scope chains and the way that led here.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cx {
-    pub scope: ScopeId,
-    pub macros: MacrosId,
-    pub frame: FrameId,
-}
-
-/// A file being processed: what relative names are relative to.
-#[derive(Clone, Debug)]
-pub(super) struct OpenFile {
-    pub name: String,
-    pub file: Option<FileIdx>,
-    /// How many conditions stood around the include.
-    pub conditions: u32,
-}
-
-/// The machine.
+/// The state of an expansion.
 pub(super) struct Expander<'w> {
     pub world: World<'w>,
     pub request: &'w Request,
     pub result: Expansion,
     pub problems: Problems,
-    pub scopes: Scopes,
-    pub macros: Macros,
-    /// Arguments: value (none when unknown) and binding.
-    pub args: FastMap<EcoString, (Option<EcoString>, u32)>,
-    pub open_files: Vec<OpenFile>,
-    /// Files by absolute path.
-    pub by_path: FastMap<Arc<Path>, FileIdx>,
-    /// Texts of macros in their split form, and their bytes.
-    pub texts: FastMap<EcoString, Arc<SplitText>>,
-    pub text_bytes: usize,
+    pub names: Names,
+    pub files: Files,
+    pub guards: Guards,
+    pub flow: Flow,
+    pub gaps: Gaps,
+    pub probing: Probing,
+    pub steps: Steps<'w>,
     /// The one empty text node that stops comment removal; it moves around.
     pub marker: XId,
-    pub budget: Budget,
-    pub deadline: Instant,
-    /// How many entries of folders may still be looked at for includes with stars.
-    pub glob_entries: usize,
-    /// Lazy properties being evaluated, outermost first.
-    pub lazy_uses: Vec<LazyUse>,
-    /// Bindings read since the mark of whoever is interested.
-    pub reads: Vec<u32>,
     /// Room for the attributes of an element while they are evaluated.
     pub attrs: Vec<XAttr>,
-    /// An include is missing: undefined names are then no news.
-    pub include_missing: bool,
-    /// Names that undefined ones were compared with.
-    pub compared: usize,
-    /// The content of a condition or call is missing, because it could not be decided.
-    pub content_lost: bool,
-    /// How often that happened.
-    pub losses: u32,
-    /// A variable of the environment has one of several values.
-    pub guessed: bool,
-    /// Files that are not well-formed.
-    pub broken: FastSet<FileIdx>,
-    /// Problems about undefined names, in case they turn out to be defined later.
-    pub undefined: Undefined,
-    /// Macros being expanded, and how many conditions stood around each call.
-    pub calls: Vec<(usize, u32)>,
-    /// For each include being processed: whether it is optional.
-    pub optional_includes: Vec<bool>,
-    /// A file is missing inside an optional include: wind up until that include.
-    pub unwinding: bool,
-    /// Conditionals (and computed calls and includes) around the current place.
-    pub conditions: u32,
-    /// Blocks inserted inside blocks.
-    pub block_depth: u32,
-    /// Inside how many conditionals whose value is unknown.
-    pub unknown_conditions: u32,
-    /// Elements open around the current one.
-    pub nesting: u32,
-    /// A limit was reached or the request was cancelled: wind up.
-    pub stopped: bool,
-    /// Macros that may be looked into although nothing calls them.
-    pub idle_macros: Vec<(Arc<MacroDef>, Cx)>,
-    /// Properties that nothing reads are being evaluated: what they read is not used by that.
-    pub idle: bool,
-    /// The last expansion of this root.
-    pub before: Option<Before<'w>>,
-    /// Whether steps are kept for the next expansion.
-    pub keeps_steps: bool,
-    /// The steps so far.
-    pub steps: Vec<Kept>,
-    /// What the step that is evaluated now reads.
-    pub recorder: Option<Recorder>,
-    /// How many steps were taken over.
-    pub taken_over: usize,
-    /// How many nodes were not made since steps were taken over.
-    pub nodes_left_out: usize,
-    ticks: u32,
 }
 
 impl<'w> Expander<'w> {
@@ -161,50 +81,20 @@ impl<'w> Expander<'w> {
             depth: 0,
         });
         let marker = result.tree.add(XKind::Text, "\n\n".into(), Origin::NOWHERE);
-        let limits = &request.limits;
         Self {
             world,
             request,
             result,
             problems: Problems::default(),
-            scopes: Scopes::new(),
-            macros: Macros::new(),
-            args: FastMap::default(),
-            open_files: Vec::new(),
-            by_path: FastMap::default(),
-            texts: FastMap::default(),
-            text_bytes: 0,
+            names: Names::new(),
+            files: Files::new(),
+            guards: Guards::new(request),
+            flow: Flow::default(),
+            gaps: Gaps::default(),
+            probing: Probing::default(),
+            steps: Steps::new(request, before),
             marker,
-            budget: Budget::new(limits.eval_steps, limits.output_bytes, EVAL_DEPTH),
-            deadline: Instant::now() + limits.expand_time,
-            glob_entries: limits::GLOB_ENTRIES,
-            lazy_uses: Vec::new(),
-            reads: Vec::new(),
             attrs: Vec::new(),
-            include_missing: false,
-            compared: 0,
-            content_lost: false,
-            losses: 0,
-            guessed: false,
-            broken: FastSet::default(),
-            undefined: Undefined::default(),
-            calls: Vec::new(),
-            optional_includes: Vec::new(),
-            unwinding: false,
-            conditions: 0,
-            block_depth: 0,
-            unknown_conditions: 0,
-            nesting: 0,
-            stopped: false,
-            idle_macros: Vec::new(),
-            idle: false,
-            before,
-            keeps_steps: request.keep && request.forced.is_empty(),
-            steps: Vec::new(),
-            recorder: None,
-            taken_over: 0,
-            nodes_left_out: 0,
-            ticks: 0,
         }
     }
 
@@ -215,7 +105,7 @@ impl<'w> Expander<'w> {
         self.probe_macros();
         self.probe_properties();
         self.result.arguments = self.argument_values();
-        let broken = std::mem::take(&mut self.broken);
+        let broken = std::mem::take(&mut self.files.broken);
         // what the recovered tree of a broken file seems to say is not trusted
         let trusted = |p: &Problem| p.kind.is_about_text() || !broken.contains(&p.place.file);
         let (kept, doubtful) = std::mem::take(&mut self.problems.list)
@@ -223,14 +113,15 @@ impl<'w> Expander<'w> {
             .partition(trusted);
         self.result.problems = kept;
         self.result.doubtful = doubtful;
-        self.result.whole = !(self.content_lost || self.include_missing || self.stopped);
+        self.result.whole =
+            !(self.gaps.content_lost || self.gaps.include_missing || self.flow.stopped);
         self.result.complete &= !self.result.has_errors();
         if self.request.keep {
             // it will be looked at often; what it was made with is not needed any more
-            (self.texts, self.scopes) = (FastMap::default(), Scopes::new());
+            (self.files.texts, self.names.scopes) = (FastMap::default(), Scopes::new());
             let ordinals = self.step_ordinals();
-            let Expansion { tree, probes, .. } = &mut self.result;
-            tree.compact(probes.iter_mut().map(|probe| &mut probe.content));
+            let Expansion { tree, index, .. } = &mut self.result;
+            tree.compact(index.probes.iter_mut().map(|probe| &mut probe.content));
             self.result.memo = Some(Box::new(self.placed_steps(&ordinals)));
             self.result.shrink();
         }
@@ -245,7 +136,7 @@ impl<'w> Expander<'w> {
         let known = |(name, (value, _)): (&EcoString, &(Option<EcoString>, u32))| {
             Some((name.clone(), value.clone()?))
         };
-        let mut values: Vec<_> = self.args.iter().filter_map(known).collect();
+        let mut values: Vec<_> = self.names.args.iter().filter_map(known).collect();
         values.sort_unstable();
         values
     }
@@ -258,11 +149,11 @@ impl<'w> Expander<'w> {
             .list
             .iter()
             .any(|problem| problem.severity == Severity::Error);
-        let asked_for = self.guessed || !self.request.unknown_args.is_empty();
+        let asked_for = self.gaps.guessed || !self.request.unknown_args.is_empty();
         if self.result.complete
             || reported
             || asked_for
-            || self.stopped
+            || self.flow.stopped
             || self.result.root_error.is_some()
         {
             return;
@@ -295,12 +186,13 @@ impl<'w> Expander<'w> {
         let request = self.request;
         for name in &request.unknown_args {
             let info = self.add_binding(BindingInfo::given(name, Value::Unknown));
-            self.args.insert(name.as_str().into(), (None, info));
+            self.names.args.insert(name.as_str().into(), (None, info));
         }
         for (name, value) in &request.args {
             let info =
                 self.add_binding(BindingInfo::given(name, Value::Str(value.as_str().into())));
-            self.args
+            self.names
+                .args
                 .insert(name.as_str().into(), (Some(value.as_str().into()), info));
             self.result
                 .record
@@ -310,7 +202,7 @@ impl<'w> Expander<'w> {
 
     fn expand_root(&mut self) {
         let name = self.request.file.clone();
-        self.open_files.push(OpenFile {
+        self.files.open.push(OpenFile {
             name: name.clone(),
             file: None,
             conditions: 0,
@@ -318,10 +210,10 @@ impl<'w> Expander<'w> {
         let Some(file) = self.load(&name, Origin::NOWHERE, None) else {
             return;
         };
-        if let Some(open) = self.open_files.last_mut() {
+        if let Some(open) = self.files.open.last_mut() {
             open.file = Some(file);
         }
-        let cx = Cx {
+        let cx = EvalContext {
             scope: Scopes::TOP,
             macros: Macros::TOP,
             frame: FrameId::ROOT,
@@ -331,10 +223,10 @@ impl<'w> Expander<'w> {
 
     /// Note the passing of time at a node; true when expansion must wind up.
     pub fn tick(&mut self, at: Origin) -> bool {
-        if self.stopped || self.unwinding {
+        if self.flow.stopped || self.flow.unwinding {
             return true;
         }
-        self.ticks += 1;
+        self.guards.ticks += 1;
         if self.nodes_made() as u64 > self.request.limits.expand_nodes {
             let most = self.request.limits.expand_nodes;
             self.stop(
@@ -342,11 +234,11 @@ impl<'w> Expander<'w> {
                 format!("the expanded robot has more than {most} nodes"),
                 Some("expand-nodes"),
             );
-        } else if self.ticks.is_multiple_of(256) {
+        } else if self.guards.ticks.is_multiple_of(256) {
             if self.request.cancel.is_cancelled() {
-                self.stopped = true;
+                self.flow.stopped = true;
                 self.result.complete = false;
-            } else if Instant::now() > self.deadline {
+            } else if Instant::now() > self.guards.deadline {
                 let most = self.request.limits.expand_time.as_millis();
                 self.stop(
                     at,
@@ -355,15 +247,15 @@ impl<'w> Expander<'w> {
                 );
             }
         }
-        self.stopped
+        self.flow.stopped
     }
 
     /// Wind up because a limit was reached; `key` is its name in the configuration, where it has one.
     pub(super) fn stop(&mut self, at: Origin, message: String, key: Option<&str>) {
-        if self.stopped {
+        if self.flow.stopped {
             return;
         }
-        self.stopped = true;
+        self.flow.stopped = true;
         let mut problem = self.problem(ProblemKind::InfiniteMacroRecursion, at, message);
         if let Some(key) = key {
             problem = problem.help(raise(key));
@@ -398,8 +290,8 @@ impl<'w> Expander<'w> {
 
     /// A new binding; its number goes into the pieces that read it.
     pub fn add_binding(&mut self, info: BindingInfo) -> u32 {
-        let id = self.result.bindings.len() as u32;
-        self.result.bindings.push(info);
+        let id = self.result.index.bindings.len() as u32;
+        self.result.index.bindings.push(info);
         id
     }
 }

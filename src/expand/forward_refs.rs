@@ -1,63 +1,20 @@
 //! Names that are used first and defined later: not missing, only too late.
 
-use ecow::EcoString;
-
+use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::machine::Expander;
 use super::origin::Origin;
 use super::problem::{Outside, Problem, Step};
-use base::FastMap;
+use super::undefined::{Early, Missing, NameKind};
+use ecow::EcoString;
+
 use base::limits::COMPARED_NAMES;
 use expr::ScopeId;
 use workspace::{misspelled, nearest};
 
-/// What a name stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum NameKind {
-    Property,
-    Macro,
-    Arg,
-    Block,
-}
-
-impl NameKind {
-    fn noun(self) -> &'static str {
-        match self {
-            NameKind::Property => "property",
-            NameKind::Macro => "macro",
-            NameKind::Arg => "argument",
-            NameKind::Block => "block",
-        }
-    }
-}
-
-/// Problems about undefined names, by name.
-pub(super) type Undefined = FastMap<(NameKind, EcoString), Vec<Early>>;
-
-/// A use of a name that was not defined yet.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Early {
-    /// Its index in the list of problems.
-    problem: usize,
-    /// The scope that the name was looked up in.
-    scope: ScopeId,
-}
-
-/// A name that is not defined.
-#[derive(Clone, Debug)]
-pub(super) struct Missing<'n> {
-    pub(super) kind: NameKind,
-    pub(super) name: &'n str,
-    /// It is one that is there, spelled wrong: nothing from outside defines it.
-    pub(super) is_misspelled: bool,
-    /// The closest name that is there.
-    pub(super) near: Option<EcoString>,
-}
-
 impl Expander<'_> {
     /// Whether names that are unknown are still compared with those there are.
     pub fn compares(&self) -> bool {
-        self.compared < COMPARED_NAMES
+        self.names.compared < COMPARED_NAMES
     }
 
     /// What to report of a name that is not among those `known`. `None`: an include that is missing may define it, so it
@@ -78,8 +35,8 @@ impl Expander<'_> {
         let near = meant
             .or_else(|| nearest(name, known.iter().copied()))
             .map(EcoString::from);
-        self.compared += known.len();
-        if self.include_missing && !is_misspelled {
+        self.names.compared += known.len();
+        if self.gaps.include_missing && !is_misspelled {
             self.result.complete = false;
             return None;
         }
@@ -93,14 +50,14 @@ impl Expander<'_> {
 
     /// Report a problem, unless expansion is on its way out of an optional include, or looks at what is not used.
     pub fn push(&mut self, problem: Problem) {
-        if !self.unwinding && !self.idle {
+        if !self.flow.unwinding && !self.probing.quiet {
             self.problems.push(problem);
         }
     }
 
     /// Whether a problem is known or not to be reported at all; a further call that leads to it is noted.
     pub fn is_repeated(&mut self, kind: ProblemKind, at: Origin, message: &str) -> bool {
-        if self.unwinding || self.idle {
+        if self.flow.unwinding || self.probing.quiet {
             return true;
         }
         let Some(place) = self.result.place(at) else {
@@ -136,7 +93,8 @@ impl Expander<'_> {
                 problem: before,
                 scope,
             };
-            self.undefined
+            self.names
+                .undefined
                 .entry((kind, name.into()))
                 .or_default()
                 .push(early);
@@ -146,16 +104,17 @@ impl Expander<'_> {
     /// A name is defined at `at`, in `scope`: uses that see this scope came too early. A parameter of another macro that
     /// happens to have the name is no definition.
     pub fn defined(&mut self, kind: NameKind, name: &EcoString, scope: ScopeId, at: Origin) {
-        if self.undefined.is_empty() {
+        if self.names.undefined.is_empty() {
             return;
         }
-        let Some(uses) = self.undefined.remove(&(kind, name.clone())) else {
+        let Some(uses) = self.names.undefined.remove(&(kind, name.clone())) else {
             return;
         };
-        let sees = |early: &Early| kind == NameKind::Arg || self.scopes.sees(early.scope, scope);
+        let sees =
+            |early: &Early| kind == NameKind::Arg || self.names.scopes.sees(early.scope, scope);
         let (early, others): (Vec<Early>, Vec<Early>) = uses.into_iter().partition(sees);
         if !others.is_empty() {
-            self.undefined.insert((kind, name.clone()), others);
+            self.names.undefined.insert((kind, name.clone()), others);
         }
         let Some(place) = self.result.place(at) else {
             return;

@@ -1,0 +1,352 @@
+//! Macros: tables of definitions, and their parameters.
+#![allow(clippy::indexing_slicing)] // ids are made by these tables only and never outlive them
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::origin::Origin;
+use super::scope::SrcRef;
+use super::symbols::DefinitionId;
+use base::{FastMap, TextRange};
+
+/// A macro table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct MacrosId(pub u32);
+
+#[derive(Debug)]
+pub(super) enum MacroEntry {
+    Macro(Arc<MacroDef>),
+    Namespace(MacrosId),
+}
+
+#[derive(Debug, Default)]
+pub(super) struct MacroTable {
+    pub(super) parent: Option<MacrosId>,
+    entries: FastMap<EcoString, MacroEntry>,
+}
+
+/// A macro definition.
+#[derive(Debug)]
+pub(super) struct MacroDef {
+    pub name: EcoString,
+    pub body: SrcRef,
+    /// Where it stands: range of its `name` value.
+    pub origin: Origin,
+    pub definition: DefinitionId,
+    pub params: Params,
+}
+
+/// A parameter specification.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Param {
+    /// Its name; that of a block begins with `*` or `**`.
+    pub name: EcoString,
+    /// Where it stands in the (decoded) `params` text.
+    pub range: TextRange,
+    /// Where it stands in the source, and its definition; none when the list was not read from a tag.
+    pub definition: Option<(Origin, DefinitionId)>,
+    /// `^`: take the caller's property of the same name.
+    pub forward: bool,
+    /// The default, where there is one, and where it stands in that text.
+    pub default: Option<(EcoString, TextRange)>,
+    /// Where the default stands in the source.
+    pub default_at: Option<Origin>,
+}
+
+impl Param {
+    /// A parameter without default that no list names.
+    pub(super) fn named(name: EcoString) -> Self {
+        let range = TextRange::default();
+        Self {
+            name,
+            range,
+            definition: None,
+            forward: false,
+            default: None,
+            default_at: None,
+        }
+    }
+
+    /// One of the names in a name that is none, with the default if it is the last one. The places stay inside the whole.
+    pub(super) fn part(&self, name: &str, is_last: bool) -> Self {
+        let start = self.range.start + self.name.find(name).unwrap_or(0) as u32;
+        let part = Self {
+            name: name.into(),
+            range: TextRange::new(start, start + name.len() as u32),
+            ..self.clone()
+        };
+        if is_last {
+            part
+        } else {
+            Self {
+                default: None,
+                forward: false,
+                ..part
+            }
+        }
+    }
+
+    /// Whether a call gives it as a child element.
+    pub fn is_block(&self) -> bool {
+        self.name.starts_with('*')
+    }
+}
+
+/// The parameters of a macro.
+#[derive(Debug, Default)]
+pub(super) struct Params {
+    list: Vec<Param>,
+    /// Of each name, the first one.
+    first: FastMap<EcoString, usize>,
+    /// Of each name, the last one that says which value it has when a call gives none.
+    fallback: FastMap<EcoString, usize>,
+}
+
+impl Params {
+    pub fn new(list: Vec<Param>) -> Self {
+        let (mut first, mut fallback) = (FastMap::default(), FastMap::default());
+        for (index, param) in list.iter().enumerate() {
+            first.entry(param.name.clone()).or_insert(index);
+            if param.forward || param.default.is_some() {
+                fallback.insert(param.name.clone(), index);
+            }
+        }
+        Self {
+            list,
+            first,
+            fallback,
+        }
+    }
+
+    pub fn iter(&self) -> std::slice::Iter<'_, Param> {
+        self.list.iter()
+    }
+
+    /// What a parameter is when a call does not give it.
+    pub fn fallback(&self, name: &str) -> Option<&Param> {
+        self.list.get(*self.fallback.get(name)?)
+    }
+}
+
+/// The parameters that a call has not given yet.
+pub(super) struct Open<'p> {
+    params: &'p Params,
+    given: Vec<bool>,
+}
+
+impl<'p> Open<'p> {
+    pub fn new(params: &'p Params) -> Self {
+        Self {
+            params,
+            given: vec![false; params.list.len()],
+        }
+    }
+
+    /// Give the first one of that name.
+    pub fn take(&mut self, name: &str) -> Option<&'p Param> {
+        let first = *self.params.first.get(name)?;
+        let mut from = self.params.list.iter().zip(&mut self.given).skip(first);
+        let (param, given) = from.find(|(param, given)| !**given && param.name == name)?;
+        *given = true;
+        Some(param)
+    }
+
+    /// Those that are left, in order.
+    pub fn left(self) -> Vec<&'p Param> {
+        let left = self
+            .params
+            .iter()
+            .zip(self.given)
+            .filter(|(_, given)| !given);
+        left.map(|(param, _)| param).collect()
+    }
+}
+
+/// What is looked up outside of a step.
+#[derive(Debug)]
+pub(super) struct MacroWatch {
+    /// The first table of the step.
+    floor: u32,
+    /// The macros of the document.
+    names: Vec<(EcoString, Option<SrcRef>)>,
+    /// Something else was read or written.
+    unclear: bool,
+}
+
+/// All macro tables of an expansion.
+#[derive(Debug)]
+pub(super) struct Macros {
+    pub(super) list: Vec<MacroTable>,
+    pub(super) watch: Option<RefCell<MacroWatch>>,
+}
+
+impl Macros {
+    pub const TOP: MacrosId = MacrosId(0);
+
+    pub fn new() -> Self {
+        Self {
+            list: vec![MacroTable::default()],
+            watch: None,
+        }
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    pub fn push(&mut self, parent: Option<MacrosId>) -> MacrosId {
+        let id = MacrosId(self.list.len() as u32);
+        self.list.push(MacroTable {
+            parent,
+            ..MacroTable::default()
+        });
+        id
+    }
+
+    pub fn define(&mut self, at: MacrosId, def: MacroDef) -> Arc<MacroDef> {
+        self.note_change(at);
+        let def = Arc::new(def);
+        self.list[at.0 as usize]
+            .entries
+            .insert(def.name.clone(), MacroEntry::Macro(def.clone()));
+        def
+    }
+
+    pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {
+        self.note_change(at);
+        self.list[at.0 as usize]
+            .entries
+            .insert(name, MacroEntry::Namespace(table));
+    }
+
+    fn entry(&self, at: MacrosId, name: &str) -> Option<&MacroEntry> {
+        let found = self.entry_of(at, name);
+        if let Some(watch) = &self.watch {
+            self.note_lookup(watch, at, name, found);
+        }
+        found.map(|(_, entry)| entry)
+    }
+
+    fn entry_of(&self, at: MacrosId, name: &str) -> Option<(MacrosId, &MacroEntry)> {
+        let mut at = Some(at);
+        while let Some(id) = at {
+            let table = &self.list[id.0 as usize];
+            if let Some(entry) = table.entries.get(name) {
+                return Some((id, entry));
+            }
+            at = table.parent;
+        }
+        None
+    }
+
+    /// The macro called `name` in the chain from `at`.
+    pub fn find(&self, at: MacrosId, name: &str) -> Option<Arc<MacroDef>> {
+        match self.entry(at, name)? {
+            MacroEntry::Macro(def) => Some(def.clone()),
+            MacroEntry::Namespace(_) => None,
+        }
+    }
+
+    /// The table of namespace `name` in the chain from `at`.
+    pub fn namespace(&self, at: MacrosId, name: &str) -> Option<MacrosId> {
+        match self.entry(at, name)? {
+            MacroEntry::Namespace(id) => Some(*id),
+            MacroEntry::Macro(_) => None,
+        }
+    }
+
+    /// The table that the last part of a dotted `name` is looked up in, the part before it, and the last part itself; the
+    /// table at hand and the whole name where the part before is no namespace.
+    pub fn inside<'n>(&self, at: MacrosId, name: &'n str) -> (MacrosId, &'n str, &'n str) {
+        let split = name.rfind('.').map(|dot| name.split_at(dot + 1));
+        let Some((path, own)) = split else {
+            return (at, "", name);
+        };
+        let mut steps = path.trim_end_matches('.').split('.');
+        match steps.try_fold(at, |table, step| self.namespace(table, step)) {
+            Some(table) => (table, path, own),
+            None => (at, "", name),
+        }
+    }
+
+    /// Every macro name that can be called from `at` without a namespace, for suggestions.
+    pub fn visible_names(&self, at: MacrosId) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        let mut at = Some(at);
+        while let Some(id) = at {
+            let table = &self.list[id.0 as usize];
+            names.extend(
+                table
+                    .entries
+                    .iter()
+                    .filter_map(|(name, entry)| match entry {
+                        MacroEntry::Macro(_) => Some(name.as_str()),
+                        MacroEntry::Namespace(_) => None,
+                    }),
+            );
+            at = table.parent;
+        }
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    /// Count tables that were not made.
+    pub fn skip(&mut self, count: usize) {
+        self.list
+            .resize_with(self.list.len() + count, MacroTable::default);
+    }
+
+    /// Write down from now on what tables that are there say to new ones.
+    pub fn watch(&mut self) {
+        let floor = self.list.len() as u32;
+        self.watch = Some(RefCell::new(MacroWatch {
+            floor,
+            names: Vec::new(),
+            unclear: false,
+        }));
+    }
+
+    /// What was read since then; none when that is not all.
+    pub fn unwatch(&mut self) -> Option<Vec<(EcoString, Option<SrcRef>)>> {
+        let watch = self.watch.take()?.into_inner();
+        (!watch.unclear).then_some(watch.names)
+    }
+
+    pub fn note_change(&mut self, at: MacrosId) {
+        if let Some(watch) = &mut self.watch {
+            let watch = watch.get_mut();
+            watch.unclear |= at.0 < watch.floor;
+        }
+    }
+
+    pub fn note_lookup(
+        &self,
+        watch: &RefCell<MacroWatch>,
+        from: MacrosId,
+        name: &str,
+        found: Option<(MacrosId, &MacroEntry)>,
+    ) {
+        let mut watch = watch.borrow_mut();
+        if found.is_some_and(|(id, _)| id.0 >= watch.floor) {
+            return;
+        }
+        let parent = |&id: &MacrosId| self.list[id.0 as usize].parent;
+        let entry = std::iter::successors(Some(from), parent).find(|id| id.0 < watch.floor);
+        let def = match found {
+            Some((_, MacroEntry::Macro(def))) => Some(def.body),
+            Some((_, MacroEntry::Namespace(_))) => {
+                watch.unclear = true;
+                return;
+            }
+            None => None,
+        };
+        watch.unclear |= entry != Some(Self::TOP);
+        if !watch.names.iter().any(|(known, _)| known == name) {
+            watch.names.push((name.into(), def));
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! The manifests around files, and the packages that come along with them.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::super::context::Surroundings;
+use super::manifest::Manifest;
+use base::FastSet;
+use expand::FileIdx;
+
+/// Packages looked at to find what comes along with a package.
+const MOST_PACKAGES: usize = 100;
+
+/// That of the package around a file of the expansion; none when there is none that can be read.
+pub(super) fn manifest_around(world: Surroundings<'_>, file: &Path) -> Option<Arc<Manifest>> {
+    let package = world.packages.containing(file)?;
+    let path = package.folder.join("package.xml");
+    let text = world.vfs.text(&path).ok()?;
+    world
+        .manifests
+        .get(world.vfs.file_id(&path), &text, package)
+}
+
+/// Whether a package comes along with one of those that come along, as far as they are in the workspace.
+pub(super) fn brings(
+    manifest: &Manifest,
+    world: Surroundings<'_>,
+    from: &Path,
+    package: &str,
+) -> bool {
+    let mut open: Vec<String> = manifest.runtime.clone();
+    let mut seen: FastSet<String> = FastSet::default();
+    while let Some(name) = open.pop() {
+        if !seen.insert(name.clone()) || seen.len() > MOST_PACKAGES {
+            continue;
+        }
+        let Ok(folder) = world.packages.find(&name, from) else {
+            continue;
+        };
+        let Some(manifest) = manifest_around(world, &folder.path.join("package.xml")) else {
+            continue;
+        };
+        if manifest.declares(package) {
+            return true;
+        }
+        open.extend(manifest.runtime.iter().cloned());
+    }
+    false
+}
+
+/// The manifest of the package that a file of an expansion belongs to.
+pub(super) fn of_file(
+    world: Surroundings<'_>,
+    expansion: &expand::Expansion,
+    file: FileIdx,
+) -> Option<Arc<Manifest>> {
+    manifest_around(world, &expansion.files.get(file.0 as usize)?.source.path)
+}
