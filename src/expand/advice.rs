@@ -1,5 +1,4 @@
 //! What to do about a problem for which the place that found it has no better advice.
-
 use super::kind::ProblemKind;
 use super::problem::Problem;
 use expr::{ErrorKind, EvalError};

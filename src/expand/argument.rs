@@ -1,5 +1,4 @@
 //! Whose fault a text is: its own, that of the call of the macro around it, or that of an argument.
-
 use ecow::EcoString;
 
 use super::binding_info::BindingKind;

@@ -1,14 +1,13 @@
 //! The attributes of xacro's own tags.
+use std::borrow::Cow;
 
 use super::expander::Expander;
 use super::kind::ProblemKind;
+use super::meant;
 use super::origin::Origin;
 use super::scope::TextPlace;
 use super::state::EvalContext;
 use super::tag::Tag;
-use std::borrow::Cow;
-
-use super::meant;
 use base::TextRange;
 use expr::{Value, display, literal};
 

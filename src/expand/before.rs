@@ -1,5 +1,4 @@
 //! The last expansion of the same root, of which steps may be taken over.
-
 use super::expansion::Expansion;
 use super::memo::{Kept, Memo};
 use super::origin::SrcId;

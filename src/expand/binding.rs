@@ -1,5 +1,4 @@
 //! What a call gives to the parameters of its macro: attributes, blocks, defaults, values of the caller.
-
 use super::binding_info::{BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;

@@ -1,5 +1,4 @@
 //! Properties, parameters and arguments that the expanded text refers to.
-
 use ecow::EcoString;
 
 use super::origin::Origin;

@@ -1,5 +1,4 @@
 //! Which comments disappear with the tags they stand in front of.
-
 use super::expander::Expander;
 use super::params::is_space;
 use super::tree::{XId, XKind};

@@ -1,5 +1,4 @@
 //! The finished document in as little room as possible: expansions are kept for long, and read often.
-
 use super::params::is_space;
 use super::tree::{XId, XKind, XTree};
 

@@ -1,5 +1,4 @@
 //! `xacro:if`, `xacro:unless`, `xacro:arg` and `xacro:insert_block`.
-
 use ecow::EcoString;
 
 use super::binding_info::{BindingInfo, BindingKind};

@@ -1,13 +1,10 @@
 //! `xacro:macro`: definitions of macros and their parameters.
-
 use ecow::EcoString;
 
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::{MacroDef, Param, Params};
-use super::meant;
 use super::origin::Origin;
-use super::params;
 use super::problem::{Detail, Problem};
 use super::scope::{SrcRef, TextPlace};
 use super::split_text::TextSite;
@@ -16,6 +13,7 @@ use super::symbols::{DefinitionId, SymbolKind};
 use super::tag::Tag;
 use super::tree::XId;
 use super::undefined::NameKind;
+use super::{meant, params};
 use base::TextRange;
 use workspace::nearest;
 

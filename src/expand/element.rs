@@ -1,4 +1,8 @@
 //! The pass over the document: which tag does what.
+use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
+
+use ecow::EcoString;
 
 use super::expander::Expander;
 use super::kind::ProblemKind;
@@ -9,11 +13,6 @@ use super::stack::with_stack;
 use super::state::EvalContext;
 use super::tag::{Siblings, Tag};
 use super::tree::{XAttr, XId, XKind};
-use std::borrow::Cow;
-use std::sync::{Arc, OnceLock};
-
-use ecow::EcoString;
-
 use base::TextRange;
 use base::limits::ELEMENT_DEPTH;
 use expr::{Value, display, literal};

@@ -1,5 +1,4 @@
 //! What each `${...}` and `$(...)` gave, each time it was evaluated: what editors show beside it.
-
 use std::ops::Range;
 use std::sync::OnceLock;
 

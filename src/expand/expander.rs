@@ -1,5 +1,4 @@
 //! The state of one expansion, its entry point and its limits.
-
 use ecow::EcoString;
 
 use super::before::Before;

@@ -1,4 +1,7 @@
 //! The result of an expansion.
+use std::sync::Arc;
+
+use ecow::EcoString;
 
 use super::binding_info::BindingInfo;
 use super::evaluations::Evaluations;
@@ -8,10 +11,6 @@ use super::problem::{Place, Problem, Severity};
 use super::record::Record;
 use super::symbols::{DefinitionId, Symbols};
 use super::tree::{XId, XTree};
-use std::sync::Arc;
-
-use ecow::EcoString;
-
 use base::TextRange;
 use vfs::{LoadError, SourceFile};
 

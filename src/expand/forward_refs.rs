@@ -1,12 +1,11 @@
 //! Names that are used first and defined later: not missing, only too late.
+use ecow::EcoString;
 
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::Origin;
 use super::problem::{Outside, Problem, Step};
 use super::undefined::{Early, Missing, NameKind};
-use ecow::EcoString;
-
 use base::limits::COMPARED_NAMES;
 use expr::ScopeId;
 use workspace::{misspelled, nearest};

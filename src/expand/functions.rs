@@ -1,5 +1,4 @@
 //! What expressions can reach: names, and the functions of `xacro.`.
-
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;

@@ -1,5 +1,4 @@
 //! `xacro:include`, and loading files.
-
 use std::path::PathBuf;
 
 use ecow::EcoString;

@@ -1,5 +1,4 @@
 //! Loading files.
-
 use std::path::Path;
 use std::sync::Arc;
 

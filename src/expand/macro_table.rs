@@ -1,6 +1,5 @@
 //! Macros: tables of definitions, and their parameters.
 #![allow(clippy::indexing_slicing)] // ids are made by these tables only and never outlive them
-
 use std::cell::RefCell;
 use std::sync::Arc;
 

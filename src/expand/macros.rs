@@ -1,5 +1,4 @@
 //! `xacro:macro` and macro calls.
-
 use std::sync::Arc;
 
 use ecow::EcoString;

@@ -1,5 +1,4 @@
 //! What was meant by a text that says something else: the slips that many make have a name, and a text to type.
-
 use super::Problem;
 use expr::is_identifier;
 use workspace::{misspelled, nearest};

@@ -3,7 +3,6 @@
 //! A call among the children of the root element is a step. While it is evaluated, everything is written down that it reads
 //! from around it: properties, macros, arguments, packages, source items. Steps that do more than to add to the document,
 //! or that read what may change in place, are not kept and are evaluated each time. `replay.rs` takes over the others.
-
 use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;

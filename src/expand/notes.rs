@@ -1,5 +1,4 @@
 //! What is noted of definitions, uses and values while evaluation goes on.
-
 use ecow::EcoString;
 
 use super::evaluations::Evaluation;

@@ -1,5 +1,4 @@
 //! Why an expanded thing exists: the text it came from, and the calls it came through.
-
 use std::sync::Arc;
 
 use ecow::EcoString;

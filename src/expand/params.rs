@@ -2,7 +2,6 @@
 //!
 //! The reference reads it with one regular expression; its backtracking is observable (a `${...}`
 //! default may stretch to a later brace), so it is followed step by step here.
-
 use ecow::EcoString;
 
 use super::macro_table::Param;

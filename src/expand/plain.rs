@@ -1,5 +1,4 @@
 //! Values that are plain data.
-
 use expr::Value;
 
 /// Whether a value is plain data that never changes: neither a container, which can be changed in place, nor a function.

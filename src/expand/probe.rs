@@ -2,7 +2,6 @@
 //!
 //! Most files of a description only define macros, so a plain expansion never evaluates them. What does not
 //! depend on a parameter can be judged all the same.
-
 use std::sync::Arc;
 
 use super::expander::Expander;

@@ -1,5 +1,4 @@
 //! What went wrong, where, and by which way expansion came there.
-
 use ecow::EcoString;
 
 use super::kind::ProblemKind;

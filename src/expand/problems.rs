@@ -1,11 +1,9 @@
 //! The problems of an expansion while they are collected.
-
 use std::cell::Cell;
 
-use super::FileIdx;
-use super::advice;
 use super::kind::ProblemKind;
 use super::problem::{Place, Problem, Step};
+use super::{FileIdx, advice};
 use base::{FastMap, TextRange};
 
 /// Collects problems; the same problem at the same place is kept once.

@@ -1,5 +1,4 @@
 //! `xacro:property`.
-
 use std::borrow::Cow;
 
 use ecow::EcoString;

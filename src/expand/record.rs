@@ -1,5 +1,4 @@
 //! What an expansion read: the facts its result depends on.
-
 use std::path::PathBuf;
 
 use base::FastSet;

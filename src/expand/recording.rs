@@ -1,5 +1,4 @@
 //! Keeping a step: what is written down while a macro call of the root is evaluated.
-
 use std::sync::Arc;
 
 use ecow::EcoString;

@@ -1,5 +1,4 @@
 //! Taking over the steps of the last expansion that still hold.
-
 use std::ops::Range;
 use std::sync::Arc;
 

@@ -5,7 +5,6 @@
     clippy::disallowed_methods,
     clippy::print_stdout
 )] // a test may fail loudly
-
 use super::{Expansion, Request, World, expand_again};
 use base::TextRange;
 use vfs::Environment;

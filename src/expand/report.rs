@@ -1,5 +1,4 @@
 //! Reporting problems, and how expansion came to a place.
-
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FileIdx, Frame, FrameKind, Origin};

@@ -1,5 +1,4 @@
 //! What an expansion is asked for: files, arguments and budgets.
-
 use std::path::PathBuf;
 use std::time::Duration;
 

@@ -1,5 +1,4 @@
 //! Names to values: lazy evaluation, and what was read for it.
-
 use ecow::EcoString;
 
 use super::binding_info::LazyUse;

@@ -1,6 +1,5 @@
 //! Chains of property scopes.
 #![allow(clippy::indexing_slicing)] // ids are made by these tables only and never outlive them
-
 use std::cell::RefCell;
 
 use ecow::EcoString;

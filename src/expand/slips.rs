@@ -1,6 +1,5 @@
 //! Slips that show elsewhere. `7,0` and `7.0 kg` were meant to be numbers, `yes` to be `true`: they are found where they are
 //! used, and reported where they are written. Parameters that are attributes are found at the calls.
-
 use std::path::Path;
 
 use ecow::EcoString;

@@ -1,5 +1,4 @@
 //! Which stretch of the printed document came from which text of the source.
-
 use super::escape::escape;
 use super::origin::Origin;
 use super::tree::{XAttr, XId};

@@ -1,10 +1,9 @@
 //! Texts with expressions, split into their parts, and where they are in the source.
-
-use super::scope::TextPlace;
 use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::scope::TextPlace;
 use base::TextRange;
 use expr::Template;
 

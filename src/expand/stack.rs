@@ -2,7 +2,6 @@
 //!
 //! The first thread of a program goes as far as its own stack is good for and leaves for a larger one only there:
 //! for most robots no thread is started. Of other threads nothing is known, and expansions leave them at once.
-
 use std::cell::Cell;
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};

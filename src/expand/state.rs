@@ -1,5 +1,4 @@
 //! The parts of the state of an expansion.
-
 use std::path::Path;
 use std::sync::Arc;
 

@@ -1,5 +1,4 @@
 //! `$(...)`: arguments, packages, the environment.
-
 use ecow::EcoString;
 
 use super::expander::Expander;

@@ -1,5 +1,4 @@
 //! Which definition each name of the source refers to: what editors jump to, and what is never used.
-
 use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};

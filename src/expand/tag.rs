@@ -1,5 +1,4 @@
 //! An element of the source as the pass over the document sees it.
-
 use super::origin::SrcId;
 use xml::{Attr, Node};
 

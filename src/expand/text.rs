@@ -1,4 +1,8 @@
 //! Text with `${...}` and `$(...)`: to values, and to strings that know their pieces.
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use ecow::EcoString;
 
 use super::expander::{Expander, raise};
 use super::functions::ExprHost;
@@ -9,13 +13,7 @@ use super::scope::TextPlace;
 use super::split_text::{CodeSite, SplitText, TextSite};
 use super::state::EvalContext;
 use super::tree::Piece;
-use std::borrow::Cow;
-use std::sync::Arc;
-
-use ecow::EcoString;
-
-use super::advice;
-use super::meant;
+use super::{advice, meant};
 use base::TextRange;
 use base::paths::HERE;
 use expr::ast::ExprKind;

@@ -3,7 +3,6 @@
 //! Expansion splices finished subtrees (macro bodies, blocks, includes) into place, so siblings
 //! are linked lists and moving a subtree costs nothing.
 #![allow(clippy::indexing_slicing)] // ids are made by this arena only and never outlive it
-
 use std::ops::Deref;
 use std::sync::Arc;
 

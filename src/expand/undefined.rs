@@ -1,5 +1,4 @@
 //! Names that are not defined, or not yet.
-
 use ecow::EcoString;
 
 use base::FastMap;

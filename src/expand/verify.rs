@@ -1,5 +1,4 @@
 //! In builds for tests: what was taken over from the last expansion is what an expansion from scratch gives.
-
 use std::fmt::Debug;
 
 use super::expansion::Expansion;

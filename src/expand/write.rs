@@ -1,5 +1,4 @@
 //! The expanded document as text, byte for byte as the reference prints it.
-
 use super::escape::escape;
 use super::params::is_space;
 use super::source_map::{MapBuilder, MapEntry, MapKind};

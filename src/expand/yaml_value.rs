@@ -1,5 +1,4 @@
 //! YAML files as values of expressions.
-
 use std::sync::Arc;
 
 use base::TextRange;

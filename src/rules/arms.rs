@@ -1,5 +1,4 @@
 //! Serial arms: moving joints one behind the other.
-
 use base::FastSet;
 use model::{Kinematics, Robot};
 

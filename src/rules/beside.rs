@@ -1,5 +1,4 @@
 //! What rules see of a file beside a robot, such as its SRDF: the file, and the robots that it is for.
-
 use std::cell::OnceCell;
 
 use ecow::EcoString;

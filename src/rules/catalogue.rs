@@ -1,5 +1,4 @@
 //! The list of all rules for programs.
-
 use serde::Serialize;
 
 use super::registry::all;

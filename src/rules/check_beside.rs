@@ -1,5 +1,4 @@
 //! Running the rules about files beside robots.
-
 use super::beside::BesideCx;
 use super::finding::Finding;
 use super::registry::all;

@@ -1,5 +1,4 @@
 //! What rules see.
-
 use std::cell::OnceCell;
 use std::path::Path;
 

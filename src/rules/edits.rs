@@ -1,5 +1,4 @@
 //! Changes to the source that several rules offer.
-
 use super::rule::Safety;
 use super::sink::Reported;
 use base::TextRange;

@@ -1,5 +1,4 @@
 //! What a rule has to say.
-
 use ecow::EcoString;
 
 use super::grouping::Group;

@@ -1,5 +1,4 @@
 //! Which findings of a rule are one defect.
-
 use ecow::EcoString;
 
 /// What several findings of one rule and severity share when they are one defect.

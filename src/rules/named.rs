@@ -1,5 +1,4 @@
 //! Rules that others than the rules themselves speak about.
-
 use super::rule::Rule;
 use super::{control, geometry, joint, linter, moveit, package, srdf, structure, xacro, xml};
 

@@ -1,5 +1,4 @@
 //! Numbers in values: how to write them, and how to turn degrees into radians.
-
 use std::ops::Range;
 
 use super::edits::{is_called, source_text, speaks_xacro};

@@ -1,5 +1,4 @@
 //! From the places of the expander to those that the pages of the rules promise.
-
 use super::finding::Related;
 use base::{FileId, Span, TextRange};
 use xml::{Document, Node, SyntaxErrorKind};

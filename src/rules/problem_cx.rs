@@ -1,5 +1,4 @@
 //! A problem of the expansion where it is reported.
-
 use base::Span;
 use expand::Problem;
 use vfs::Vfs;

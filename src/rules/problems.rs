@@ -1,5 +1,4 @@
 //! Problems of the expansion as findings.
-
 use super::context::{Surroundings, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::package::{PACKAGE_NOT_FOUND, is_news};

@@ -1,5 +1,4 @@
 //! The list of all rules, and how they are found by name.
-
 use super::rule::Rule;
 use super::{
     consumers, control, conventions, frames, geometry, inertia, joint, linter, moveit, package,

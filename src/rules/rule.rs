@@ -1,5 +1,4 @@
 //! What a rule is.
-
 use std::fmt;
 
 use super::beside::BesideCx;

@@ -1,21 +1,18 @@
 //! Running rules.
-
-use super::context::is_whole;
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use ecow::EcoString;
 
 use super::consumers::{Tally, tally};
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements};
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements, is_whole};
 use super::finding::Finding;
 use super::package::warn_once;
 use super::problems;
 use super::registry::all;
 use super::rule::{Check, Rule};
 use super::sink::{Sink, span};
-use super::vocabulary::is_xacro_uri;
-use super::vocabulary::{is_urdf_element, outside_free_zones};
+use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, FileIdx, FileUse, Problem, ProblemKind};

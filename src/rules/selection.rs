@@ -1,5 +1,4 @@
 //! Which rules run, and how bad their findings are.
-
 use super::finding::Finding;
 use super::registry::all;
 use super::rule::{Activation, Rule, Severity};

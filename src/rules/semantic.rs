@@ -1,5 +1,4 @@
 //! Semantic descriptions (SRDF): groups, poses and collision pairs of a robot, which MoveIt reads beside the URDF.
-
 use std::path::Path;
 
 use super::rule::{Category, Check, Rule};

@@ -1,5 +1,4 @@
 //! Where rules put what they find.
-
 use std::hash::{Hash, Hasher};
 
 use super::finding::{Edit, Finding, Fix, Help, Related, Way};

@@ -1,5 +1,4 @@
 //! The numbers of rules that `thresholds.*` of the configuration can change.
-
 use workspace::config::Config;
 
 /// A number of a rule.

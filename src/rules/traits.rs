@@ -1,5 +1,4 @@
 //! What several rules have in common, for those who treat their findings alike.
-
 use super::grouping::Group;
 use super::rule::{Rule, Severity};
 use super::{

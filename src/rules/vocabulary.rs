@@ -1,5 +1,4 @@
 //! The words of URDF and of xacro.
-
 use super::schema;
 use xml::Node;
 

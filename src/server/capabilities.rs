@@ -1,5 +1,4 @@
 //! What the server offers.
-
 use lsp_types::{
     CallHierarchyServerCapability, CodeActionProviderCapability, CodeLensOptions,
     ColorProviderCapability, CompletionOptions, CompletionOptionsCompletionItem,
@@ -14,8 +13,8 @@ use lsp_types::{
 };
 use serde_json::json;
 
-use super::files;
 use crate::client::ResolvedCapabilities;
+use crate::files;
 use crate::requests::{actions, commands, tokens};
 
 /// What the server offers to a client.

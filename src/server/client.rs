@@ -1,5 +1,4 @@
 //! What the client can do.
-
 use lsp_types::{
     CodeActionClientCapabilities, GotoCapability, InitializeParams, ResourceOperationKind,
     TextDocumentClientCapabilities, WorkspaceClientCapabilities,

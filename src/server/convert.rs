@@ -1,13 +1,9 @@
 //! Between our terms and those of the protocol.
-
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
-use lsp_types::{Location, Position, Range, Url};
+use lsp_types::{Position, Range, Url};
 
-use crate::state::State;
-use base::{Encoding, FastMap, FileId, LineCol, Span, TextRange};
-use vfs::SourceFile;
+use base::{Encoding, LineCol, TextRange};
 use xml::Document;
 
 /// The path a document is kept under. What is no file keeps its whole name, below no folder.
@@ -70,55 +66,4 @@ pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding
     };
     let (a, b) = (behind(range.start), behind(range.end));
     TextRange::new(a.min(b), a.max(b))
-}
-
-/// A file as the client knows it, and what it holds.
-type File = (Url, Option<Arc<SourceFile>>);
-
-/// Places in files, for an answer that names many of them: each is worked out once.
-pub(super) struct Places<'e> {
-    pub state: &'e State,
-    files: FastMap<FileId, Option<File>>,
-    ranges: FastMap<Span, Range>,
-}
-
-impl Places<'_> {
-    /// A place in a file.
-    pub fn location(&mut self, span: Span) -> Option<Location> {
-        self.place(span)
-            .map(|(uri, range)| Location::new(uri.clone(), range))
-    }
-
-    fn place(&mut self, span: Span) -> Option<(&Url, Range)> {
-        let state = self.state;
-        let file = self
-            .files
-            .entry(span.file)
-            .or_insert_with(|| file(state, span.file));
-        let (uri, source) = file.as_ref()?;
-        let range = self.ranges.entry(span).or_insert_with(|| match source {
-            Some(source) => range(&source.document, span.range, state.encoding),
-            None => Range::default(),
-        });
-        Some((uri, *range))
-    }
-}
-
-/// Places in files as they are now.
-pub fn places(state: &State) -> Places<'_> {
-    Places {
-        state,
-        files: FastMap::default(),
-        ranges: FastMap::default(),
-    }
-}
-
-/// A place in a file.
-pub fn location(state: &State, span: Span) -> Option<Location> {
-    places(state).location(span)
-}
-
-fn file(state: &State, id: FileId) -> Option<File> {
-    let path = state.world.session().vfs.path(id);
-    Some((state.uri(&path)?, state.world.document(&path)))
 }

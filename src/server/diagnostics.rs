@@ -1,13 +1,5 @@
 //! Findings as diagnostics: pushed when there is a pause, or asked for.
-
-use crate::convert::places;
-use crate::documents::refresh_others;
-use crate::lifecycle::scan_first;
-use crate::publishing::publish;
-use crate::requests::actions::sentence_case;
-use crate::roots::tell_contexts;
 use std::collections::{BTreeMap, BTreeSet};
-use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -21,8 +13,13 @@ use lsp_types::{
     WorkspaceUnchangedDocumentDiagnosticReport,
 };
 
-use crate::convert::Places;
+use crate::contexts::tell_contexts;
 use crate::failure::Failure;
+use crate::locations::{Places, places};
+use crate::publishing::{fingerprint, publish};
+use crate::refreshing::refresh_others;
+use crate::requests::code_action::sentence_case;
+use crate::scanning::scan_first;
 use crate::state::{Cause, State};
 use analysis::Report;
 use base::CancelFlag;
@@ -311,10 +308,4 @@ fn result_id(items: &[Diagnostic]) -> String {
         "{:x}",
         fingerprint(&serde_json::to_vec(items).unwrap_or_default())
     )
-}
-
-pub(super) fn fingerprint(json: &[u8]) -> u64 {
-    let mut state = rustc_hash::FxHasher::default();
-    json.hash(&mut state);
-    state.finish()
 }

@@ -1,7 +1,4 @@
 //! Text of open documents.
-
-use crate::lifecycle::ask_for_settings;
-use crate::publishing::withdraw;
 use std::path::Path;
 
 use lsp_types::{
@@ -11,7 +8,10 @@ use lsp_types::{
 
 use crate::convert;
 use crate::framing::NO_VERSION;
-use crate::outbox::{Question, Refresh};
+use crate::outbox::Question;
+use crate::publishing::withdraw;
+use crate::refreshing::refresh;
+use crate::settings::ask_for_settings;
 use crate::state::{Cause, OpenDocument, State};
 
 pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
@@ -131,31 +131,6 @@ pub fn bad_message(state: &mut State, params: serde_json::Value) {
         .and_then(serde_json::Value::as_str)
         .unwrap_or("");
     state.outbox.log(format!("ignored a message: {reason}"));
-}
-
-/// Have the client ask again for what it has asked for before.
-pub fn refresh(state: &State) {
-    refresh_others(state);
-    refresh_when(
-        state,
-        state.client.refresh.tokens,
-        &[Refresh::SemanticTokens],
-    );
-    refresh_when(state, state.client.refresh.lenses, &[Refresh::CodeLens]);
-}
-
-/// After an edit: clients ask again for the file they changed, but findings and values in the other
-/// open files may be different now too.
-pub fn refresh_others(state: &State) {
-    let pulls = state.client.pulls_diagnostics && state.client.refresh.diagnostics;
-    refresh_when(state, pulls, &[Refresh::Diagnostics]);
-    refresh_when(state, state.client.refresh.hints, &[Refresh::InlayHints]);
-}
-
-fn refresh_when(state: &State, supported: bool, what: &'static [Refresh]) {
-    if supported && state.initialized {
-        state.outbox.ask(Question::Refresh(what));
-    }
 }
 
 /// The version that a client gives, if it gives one.

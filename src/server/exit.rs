@@ -1,5 +1,4 @@
 //! How the process ends: on `exit`, on a broken pipe, and when the client is gone.
-
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::task::{Context, Poll};

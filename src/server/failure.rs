@@ -1,5 +1,4 @@
 //! Why a request has no answer.
-
 use std::borrow::Cow;
 
 use tower_lsp::jsonrpc::{Error, ErrorCode};

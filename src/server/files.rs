@@ -1,8 +1,4 @@
 //! F29: files that are made, renamed and deleted in the editor.
-
-use crate::documents::refresh;
-use crate::requests::navigation::asked;
-use crate::requests::rename::{is_ours, workspace_edit};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -15,8 +11,11 @@ use lsp_types::{
 
 use crate::convert;
 use crate::failure::Failure;
-use crate::lifecycle::scan_all;
+use crate::refreshing::refresh;
+use crate::requests::navigation::asked;
+use crate::requests::rename::{is_ours, workspace_edit};
 use crate::requests::tokens::start_of;
+use crate::scanning::scan_all;
 use crate::state::{Cause, State};
 use base::CancelFlag;
 use base::limits::REWRITTEN_MESH_BYTES;

@@ -1,7 +1,6 @@
 //! Messages as they arrive: forgiving about headers and bodies, so that one bad message is not the end.
 //!
 //! What is a message goes on to the service, with a plain header. What is none is said to be so in the log.
-
 use std::borrow::Cow;
 use std::io::{BufRead, Read};
 

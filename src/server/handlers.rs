@@ -1,18 +1,31 @@
 //! The messages of the protocol. Each handler posts one job; nothing else happens here.
+use lsp_types::*;
+use serde_json::Value;
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::{LanguageServer, async_trait};
 
 use crate::diagnostics::{pull_diagnostics, pull_workspace};
 use crate::documents::{bad_message, changed, closed, folders_changed, opened, saved, watched};
+use crate::exit::Shutdown;
 use crate::files::{files_created, files_deleted, files_renamed, will_rename_files};
-use crate::lifecycle::{client_ready, initialize, settings_changed};
-use crate::mapping::{instances_of, sources_of};
-use crate::preview::{preview_mesh, selected, show_root, subscribe, unsubscribe};
+use crate::lifecycle::{client_ready, initialize};
+use crate::mapping::{
+    Instances, Sources, ToExpandedParams, ToSourceParams, instances_of, sources_of,
+};
+use crate::preview::{
+    Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
+    preview_mesh, selected, show_root, subscribe, unsubscribe,
+};
+use crate::queue::Queue;
 use crate::requests::actions::actions;
 use crate::requests::calls::{incoming_calls, outgoing_calls, prepare_calls};
 use crate::requests::colors::{color_texts, colors};
 use crate::requests::commands::command;
 use crate::requests::completion::{completion, on_type, resolve_completion, signature_help};
-use crate::requests::expand_at::{expand_at, set_instance};
-use crate::requests::expansion::expand;
+use crate::requests::expand_at::{
+    ExpandAtParams, ExpandedPlace, SetInstanceParams, expand_at, set_instance,
+};
+use crate::requests::expansion::{ExpandParams, Expanded, expand};
 use crate::requests::formatting::{format, format_range};
 use crate::requests::hints::{hints, resolve_hint};
 use crate::requests::hover::hover;
@@ -28,25 +41,13 @@ use crate::requests::rename::{prepare_rename, rename};
 use crate::requests::structure::{folding, linked_editing, selections, symbols};
 use crate::requests::tokens::{tokens, tokens_delta, tokens_range};
 use crate::requests::workspace_symbols::workspace_symbols;
-use crate::roots::{roots, set_root, tree};
-use lsp_types::*;
-use serde_json::Value;
-use tower_lsp::jsonrpc::Result;
-use tower_lsp::{LanguageServer, async_trait};
-
-use crate::exit::Shutdown;
-use crate::mapping::{Instances, Sources, ToExpandedParams, ToSourceParams};
-use crate::preview::{
-    Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
-};
-use crate::queue::Queue;
-use crate::requests::expand_at::{ExpandAtParams, ExpandedPlace, SetInstanceParams};
-use crate::requests::expansion::{ExpandParams, Expanded};
-use crate::roots::{Roots, RootsParams, SetRootParams, Tree, TreeParams};
+use crate::roots::{Roots, RootsParams, SetRootParams, Tree, TreeParams, roots, set_root, tree};
+use crate::settings::settings_changed;
+use crate::state::State;
 
 /// The protocol side of the server.
 pub(super) struct Handlers {
-    pub queue: Queue,
+    pub queue: Queue<State>,
     pub shutdown: Shutdown,
 }
 

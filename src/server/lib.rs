@@ -5,6 +5,8 @@
 
 mod capabilities;
 mod client;
+mod client_requests;
+mod contexts;
 mod convert;
 mod diagnostics;
 mod documents;
@@ -14,6 +16,7 @@ mod files;
 mod framing;
 mod handlers;
 mod lifecycle;
+mod locations;
 mod logging;
 mod main_loop;
 mod mapping;
@@ -22,10 +25,16 @@ mod outbox;
 mod preview;
 mod publishing;
 mod queue;
+mod refreshing;
 mod requests;
+mod root_param;
 mod roots;
+mod scanning;
+mod sent;
+mod settings;
 mod state;
 mod transport;
+mod views;
 
 use tokio::runtime::Builder;
 use tower_lsp::LspService;
@@ -71,7 +80,11 @@ async fn serve(env: Environment) -> u8 {
     }
     let (post, exit) = (queue.clone(), shutdown.clone());
     let service = LspService::build(move |client| {
-        tokio::spawn(outbox::ask_all(client, post.clone(), questions));
+        tokio::spawn(client_requests::run_client_requests(
+            client,
+            post.clone(),
+            questions,
+        ));
         Handlers {
             queue: post,
             shutdown: exit,

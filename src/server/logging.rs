@@ -1,6 +1,5 @@
 //! The log of the server: on standard error as `XACRO_LOG` asks for, at the client as `$/setTrace` asks for, and the last
 //! lines of it for reports of defects. It names files, never folders or texts.
-
 use std::collections::VecDeque;
 use std::fmt::{Debug, Write};
 use std::sync::{Arc, Mutex, PoisonError};

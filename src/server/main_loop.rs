@@ -1,5 +1,4 @@
 //! The analysis thread: it alone owns the state, and works off one job after the other.
-
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
@@ -7,16 +6,16 @@ use std::time::{Duration, Instant};
 use lsp_types::MessageType;
 
 use crate::diagnostics::make_diagnostics;
-use crate::lifecycle::scan;
 use crate::preview::make_previews;
 use crate::queue::Job;
+use crate::scanning::scan;
 use crate::state::State;
 
 /// How long an edit takes at most from its message to its job.
 const ON_ITS_WAY: Duration = Duration::from_millis(2);
 
 /// Work off jobs until nobody can post one any more.
-pub(super) fn run(mut state: State, jobs: &Receiver<Job>) {
+pub(super) fn run(mut state: State, jobs: &Receiver<Job<State>>) {
     loop {
         let job = match pause(&state) {
             None => jobs.recv().map_err(|_| RecvTimeoutError::Disconnected),
@@ -66,7 +65,7 @@ fn idle(state: &mut State) {
 }
 
 /// Run a job; a panic in it is logged and ends that job only.
-fn guarded(state: &mut State, job: Job) {
+fn guarded(state: &mut State, job: Job<State>) {
     let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(state))) else {
         return;
     };

@@ -1,7 +1,4 @@
 //! `xacro/toSource` and `xacro/toExpanded`: jumping between the expanded text and its sources.
-
-use crate::convert::location;
-use crate::requests::expansion::chosen;
 use std::sync::Arc;
 
 use lsp_types::{
@@ -10,7 +7,8 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
-use crate::requests::expansion::Root;
+use crate::locations::location;
+use crate::root_param::{Root, chosen};
 use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, TextRange};

@@ -1,5 +1,4 @@
 //! Texts for people, in the form that the client shows.
-
 use lsp_types::{Documentation, InlayHintTooltip, MarkupContent, MarkupKind};
 
 /// The form of a text that one kind of answer takes.

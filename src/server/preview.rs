@@ -4,8 +4,6 @@
 //! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
 
 #[cfg(feature = "preview")]
-use crate::mapping::named;
-use crate::requests::expansion::chosen;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
@@ -16,28 +14,14 @@ use serde_json::Value;
 #[cfg(feature = "preview")]
 use serde_json::json;
 
-use crate::convert;
-use crate::failure::Failure;
 #[cfg(feature = "preview")]
-use crate::outbox::Question;
-use crate::requests::expansion::Root;
-use crate::state::State;
 use analysis::RootChoice;
 use base::limits::VIEWS;
 use base::{CancelFlag, Encoding};
-use preview::{Location, ModelMessage, Names, Selection, Views};
-
-/// The views of the client and of browsers.
-#[derive(Default)]
-pub(super) struct Previews {
-    pub views: Views,
-    /// Something changed since the last models.
-    pub due: bool,
-    /// The views that the client subscribed to.
-    pub subscribed: BTreeSet<u32>,
-    #[cfg(feature = "preview")]
-    pub hub: Option<std::sync::Arc<preview::Hub>>,
-}
+use preview::Location;
+use preview::ModelMessage;
+use preview::Names;
+use preview::Selection;
 
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -316,8 +300,16 @@ pub fn preview_page(_: &mut State, _: Value) -> Result<Value, Failure> {
     ))
 }
 
+use crate::convert;
+use crate::failure::Failure;
+use crate::root_param::Root;
+use crate::root_param::chosen;
+use crate::state::State;
+use crate::views::Previews;
+use analysis::RootChoice;
 #[cfg(feature = "preview")]
 use pages::hub;
+use std::collections::BTreeMap;
 
 #[cfg(feature = "preview")]
 mod pages {

@@ -1,21 +1,13 @@
 //! Publishing: diagnostics are sent when they say something new.
-
 use std::collections::BTreeMap;
+use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 use lsp_types::notification::{Notification, PublishDiagnostics};
 use lsp_types::{Diagnostic, PublishDiagnosticsParams, Url};
 
-use crate::diagnostics::fingerprint;
 use crate::outbox::notification;
 use crate::state::State;
-
-/// What the client was told last.
-#[derive(Default)]
-pub(super) struct Published {
-    /// By path, a hash of the message.
-    messages: BTreeMap<PathBuf, u64>,
-}
 
 /// Send what differs from what was sent before.
 pub fn publish(state: &mut State, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>) {
@@ -58,4 +50,10 @@ pub fn withdraw(state: &mut State, path: &Path, uri: Url) {
         };
         state.outbox.tell(PublishDiagnostics::METHOD, &none);
     }
+}
+
+pub(super) fn fingerprint(json: &[u8]) -> u64 {
+    let mut state = rustc_hash::FxHasher::default();
+    json.hash(&mut state);
+    state.finish()
 }

@@ -2,7 +2,6 @@
 //!
 //! A handler may not touch state. It sends its job as its first statement and then only waits, so jobs are
 //! processed in the order in which their messages arrived.
-
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,16 +10,14 @@ use tokio::sync::oneshot;
 use tower_lsp::jsonrpc;
 
 use crate::failure::Failure;
-use crate::state::State;
 use base::CancelFlag;
 
-/// Work for the analysis thread.
-pub(super) type Job = Box<dyn FnOnce(&mut State) + Send>;
+/// Work for the analysis thread, which owns the state `S`.
+pub(super) type Job<S> = Box<dyn FnOnce(&mut S) + Send>;
 
 /// Where handlers add their jobs.
-#[derive(Clone)]
-pub(super) struct Queue {
-    jobs: Sender<Job>,
+pub(super) struct Queue<S> {
+    jobs: Sender<Job<S>>,
     status: QueueStatus,
 }
 
@@ -82,7 +79,7 @@ impl QueueStatus {
 }
 
 /// A new queue, and its other end.
-pub(super) fn queue() -> (Queue, Receiver<Job>, QueueStatus) {
+pub(super) fn queue<S>() -> (Queue<S>, Receiver<Job<S>>, QueueStatus) {
     let (jobs, taken) = mpsc::channel();
     let status = QueueStatus::default();
     (
@@ -95,9 +92,19 @@ pub(super) fn queue() -> (Queue, Receiver<Job>, QueueStatus) {
     )
 }
 
-impl Queue {
+// a derived one would ask for a state that can be cloned
+impl<S> Clone for Queue<S> {
+    fn clone(&self) -> Self {
+        Self {
+            jobs: self.jobs.clone(),
+            status: self.status.clone(),
+        }
+    }
+}
+
+impl<S: 'static> Queue<S> {
     /// Add a job.
-    pub fn send(&self, job: Job) {
+    pub fn send(&self, job: Job<S>) {
         self.status.waiting.fetch_add(1, Ordering::AcqRel);
         self.status
             .background
@@ -109,16 +116,17 @@ impl Queue {
     }
 
     /// Add an edit.
-    pub fn notify_edit<P: Send + 'static>(&self, params: P, work: fn(&mut State, P)) {
+    pub fn notify_edit<P: Send + 'static>(&self, params: P, work: fn(&mut S, P)) {
+        let status = self.status.clone();
         self.send(Box::new(move |state| {
             // said here and not by the sender, whose word could come too late: it would be waited for
-            state.status.edit_arrived();
+            status.edit_arrived();
             work(state, params);
         }));
     }
 
     /// Add a notification.
-    pub fn notify<P: Send + 'static>(&self, params: P, work: fn(&mut State, P)) {
+    pub fn notify<P: Send + 'static>(&self, params: P, work: fn(&mut S, P)) {
         self.send(Box::new(move |state| work(state, params)));
     }
 
@@ -126,7 +134,7 @@ impl Queue {
     pub async fn request<P, R>(
         &self,
         params: P,
-        work: fn(&mut State, P, &CancelFlag) -> Result<R, Failure>,
+        work: fn(&mut S, P, &CancelFlag) -> Result<R, Failure>,
     ) -> jsonrpc::Result<R>
     where
         P: Send + 'static,

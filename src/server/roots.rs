@@ -1,20 +1,18 @@
 //! `xacro/roots`, `xacro/setRoot` and `xacro/tree`: contexts and the kinematic tree.
-
-use crate::convert::location;
-use crate::documents::refresh;
-use crate::mapping::{named, shown_under};
-use crate::requests::expand_at::pinned_label;
-use crate::requests::expansion::{chosen, errors};
 use std::collections::BTreeMap;
 
 use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
+use serde_json::Value;
 
+use crate::contexts::{context_changed, context_text};
 use crate::failure::Failure;
-use crate::requests::expansion::{ExpandError, Root};
-use crate::state::{Cause, State};
-use analysis::{Analyzed, Context, RootChoice};
+use crate::locations::location;
+use crate::mapping::{named, shown_under};
+use crate::requests::expansion::{ExpandError, errors};
+use crate::root_param::{Root, chosen};
+use crate::state::State;
+use analysis::{Analyzed, RootChoice};
 use base::CancelFlag;
 use expand::Origin;
 
@@ -221,59 +219,6 @@ pub fn set_args(
         uri: params.text_document.uri,
     };
     roots(state, RootsParams { text_document }, cancel)
-}
-
-/// The user sees files in another way now.
-pub fn context_changed(state: &mut State, cancel: &CancelFlag) {
-    tell_contexts(state, cancel);
-    state.schedule(Cause::RobotPicked);
-    refresh(state);
-}
-
-/// Tell the client under which root each open file is shown, where that is news.
-pub fn tell_contexts(state: &mut State, cancel: &CancelFlag) {
-    if !state.client.own.context_changed {
-        return;
-    }
-    let open: Vec<_> = state.documents.keys().cloned().collect();
-    for path in open {
-        tell_context(state, &path, cancel);
-    }
-}
-
-/// Tell the client under which root a file is shown now.
-fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
-    let context = state.world.context(path);
-    let Some(uri) = state.uri(path) else { return };
-    let active = context
-        .root
-        .as_ref()
-        .and_then(|root| named(state, root).ok());
-    let text = context_text(state, path, &context, cancel);
-    let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
-    if state
-        .sent
-        .contexts
-        .insert(path.to_path_buf(), params.clone())
-        .as_ref()
-        == Some(&params)
-    {
-        return;
-    }
-    state.outbox.tell("xacro/contextChanged", &params);
-}
-
-/// The call that was picked, or else the root with its arguments, or else why there is none.
-fn context_text(
-    state: &mut State,
-    path: &std::path::Path,
-    context: &Context,
-    cancel: &CancelFlag,
-) -> String {
-    let Some(root) = &context.root else {
-        return context.reason.text().to_owned();
-    };
-    pinned_label(state, path, root, cancel).unwrap_or_else(|| root.label())
 }
 
 pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {

@@ -1,6 +1,5 @@
 //! The state of the server: what is open, what was said, what is due.
-
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -13,6 +12,7 @@ use crate::failure::Failure;
 use crate::logging::Log;
 use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
+use crate::sent::Sent;
 use analysis::World;
 use base::Encoding;
 use vfs::{Environment, SourceFile};
@@ -75,23 +75,6 @@ impl std::fmt::Display for Cause {
     }
 }
 
-/// What the client was told last.
-#[derive(Default)]
-pub(super) struct Sent {
-    /// What was published last.
-    pub diagnostics: crate::publishing::Published,
-    /// The files that the client was told findings of when it asked for those of the workspace.
-    pub workspace_files: BTreeSet<PathBuf>,
-    /// Semantic tokens by path.
-    pub tokens: BTreeMap<PathBuf, crate::requests::tokens::Sent>,
-    /// Under which root each open file is shown.
-    pub contexts: BTreeMap<PathBuf, serde_json::Value>,
-    /// Messages about settings.
-    pub warnings: BTreeSet<String>,
-    /// Whether the user was told of an internal fault.
-    pub fault: bool,
-}
-
 /// When diagnostics are to be made, and why.
 pub(super) struct Schedule {
     pub due: Option<Instant>,
@@ -127,9 +110,9 @@ pub(super) struct State {
     /// Where the last lines of the log are.
     pub log: Log,
     /// What is shown in 3D.
-    pub previews: crate::preview::Previews,
+    pub previews: crate::views::Previews,
     /// Where others may post jobs.
-    pub queue: Option<crate::queue::Queue>,
+    pub queue: Option<crate::queue::Queue<State>>,
     /// The client is ready for requests.
     pub initialized: bool,
     /// The token of the progress that is shown.
@@ -166,7 +149,7 @@ impl State {
             },
             pins: BTreeMap::new(),
             log,
-            previews: crate::preview::Previews::default(),
+            previews: crate::views::Previews::default(),
             queue: None,
             initialized: false,
             progress: None,

@@ -4,7 +4,6 @@
 //! between. Whatever takes longer than its first step, and all that goes out, is left to the thread that writes.
 //! `tower_lsp::Server` would do, but its buffers stay as large as the longest message was, it passes each message
 //! through more hands, and it stops reading while a hundred answers wait.
-
 use std::future::poll_fn;
 use std::io::{self, Write};
 use std::pin::Pin;
@@ -21,7 +20,8 @@ use tower_lsp::ClientSocket;
 use tower_lsp::jsonrpc::{Request, Response};
 
 use crate::exit::Shutdown;
-use crate::framing::{self, Incoming};
+use crate::framing;
+use crate::framing::Incoming;
 use vfs::unbuffered_stdout;
 
 /// Handlers only wait, so there may be many of them: a slow answer never holds back an edit.

@@ -1,7 +1,7 @@
 //! Rigid bodies: links with all that is fixed to them, which simulators take for one.
+use nalgebra::{Isometry3, Matrix3, Vector3};
 
 use model::{Inertial, JointType, Kinematics, Link, Robot, transform};
-use nalgebra::{Isometry3, Matrix3, Vector3};
 
 /// A link that is the root or moves, with the links that are fixed below it.
 #[derive(Debug)]

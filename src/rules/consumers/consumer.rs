@@ -1,5 +1,4 @@
 //! The programs that read URDF.
-
 use workspace::nearest;
 
 /// A program or library that reads URDF.

@@ -1,5 +1,4 @@
 //! The XML, and elements outside of links and joints.
-
 use super::facts::{Facts, Found};
 use expand::XId;
 use model::{Text, decimal};

@@ -1,5 +1,4 @@
 //! Finding the constructs of a robot that the table knows.
-
 use std::collections::BTreeMap;
 
 use super::super::context::{DocumentCx, RootKind, Surroundings, is_plain_urdf, is_whole};

@@ -1,5 +1,4 @@
 //! What detectors look at, and where they put what they find.
-
 use super::super::consumers::met::Met;
 use super::super::context::{DocumentCx, is_plain_urdf};
 use super::super::edits::source_text;

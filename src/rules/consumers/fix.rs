@@ -1,5 +1,4 @@
 //! What to write instead of a construct.
-
 use super::super::finding::Edit;
 use super::super::rule::Safety;
 

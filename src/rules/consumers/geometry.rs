@@ -1,5 +1,4 @@
 //! Shapes of visuals and collisions.
-
 use super::facts::{Facts, Found, link_owner};
 use expand::XId;
 use model::{Body, Link, Shape, ShapeKind, Text, Version};

@@ -1,5 +1,4 @@
 //! Mass and inertia.
-
 use super::super::inertia::principal;
 use super::bodies::RigidBody;
 use super::facts::{Facts, Found, link_owner};

@@ -1,5 +1,4 @@
 //! Joints: types, limits, axes, dynamics.
-
 use super::super::context::RootKind;
 use super::facts::{Facts, Found, joint_owner};
 use model::{Joint, JointType, Limit, Text, Version};

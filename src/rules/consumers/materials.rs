@@ -1,7 +1,5 @@
 //! Materials of the robot and of visuals.
-
-use super::super::geometry::FileTarget;
-use super::super::geometry::resolve_file;
+use super::super::geometry::{FileTarget, resolve_file};
 use super::facts::{Facts, Found, link_owner};
 use base::FastMap;
 use model::{Material, Text};

@@ -1,5 +1,4 @@
 //! Mesh files: how they are named, where they are, what is in them.
-
 use std::path::Path;
 
 use super::super::geometry::{FileTarget, MeshUse};

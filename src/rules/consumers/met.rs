@@ -1,5 +1,4 @@
 //! A construct of the table, where a robot has it.
-
 use super::table::Construct;
 use expand::Origin;
 

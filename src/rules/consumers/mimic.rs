@@ -1,5 +1,4 @@
 //! Joints that mimic others.
-
 use super::facts::{Facts, Found, joint_owner};
 use model::{Joint, JointType, Text};
 

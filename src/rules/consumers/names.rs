@@ -1,5 +1,4 @@
 //! Names of links and joints that some consumers reserve, change or reject.
-
 use super::facts::{Facts, Found, joint_owner, link_owner};
 use base::FastSet;
 use expand::{Origin, XId};

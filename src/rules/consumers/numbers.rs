@@ -1,5 +1,4 @@
 //! Numbers: the same mistakes in each attribute that holds them.
-
 use super::super::xml::{described, known};
 use super::facts::{Facts, Found};
 use super::met::Met;

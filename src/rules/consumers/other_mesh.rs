@@ -1,5 +1,4 @@
 //! Another name or file for a mesh that some consumer does not read.
-
 use std::path::Path;
 
 use super::super::context::{DocumentCx, is_plain_urdf};

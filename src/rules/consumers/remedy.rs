@@ -2,7 +2,6 @@
 //!
 //! A fix is only offered when all consumers that the user names accept what it writes. It is safe when the robot stays
 //! what it is: the same numbers with other white space, the same shape in another format.
-
 use super::super::context::DocumentCx;
 use super::super::conventions::{Named, names, rename};
 use super::super::edits::{is_called, removal, source_text, with_blanks};

@@ -2,7 +2,6 @@
 //!
 //! It is data, in `table/*.toml`; `tests/consumers` loads a robot for each construct with the real readers and
 //! compares.
-
 use std::sync::LazyLock;
 
 use serde::Deserialize;

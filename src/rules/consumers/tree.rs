@@ -1,5 +1,4 @@
 //! The tree of links and joints.
-
 use super::facts::{Facts, Found, joint_owner, link_owner};
 use base::FastMap;
 use model::{JointType, Link, Text, Version};

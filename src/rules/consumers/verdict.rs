@@ -1,5 +1,4 @@
 //! What the consumers that the user names make of the robot.
-
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

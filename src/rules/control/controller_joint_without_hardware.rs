@@ -1,5 +1,4 @@
 //! A controller with a joint that is in no `<ros2_control>` of the robot.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

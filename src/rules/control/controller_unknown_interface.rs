@@ -1,5 +1,4 @@
 //! A controller with an interface that its joints do not offer.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

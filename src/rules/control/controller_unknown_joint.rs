@@ -1,5 +1,4 @@
 //! A controller with a joint that the robot does not have.
-
 use super::super::beside::{BesideCx, PairedRobot};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A controller without parameters, or parameters of no controller.
-
 use super::super::beside::BesideCx;
 use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};

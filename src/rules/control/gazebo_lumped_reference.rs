@@ -1,5 +1,4 @@
 //! A sensor or plugin on a link that becomes part of its parent.
-
 use super::super::context::RobotCx;
 use super::super::edits::{indent, is_called, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Settings of a link for Gazebo that name no link.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

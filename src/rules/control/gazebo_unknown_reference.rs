@@ -1,5 +1,4 @@
 //! A gazebo element about nothing.
-
 use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::finding::Help;

@@ -1,5 +1,4 @@
 //! The joints and interfaces that the hardware of a robot offers to controllers.
-
 use super::super::beside::{BesideCx, PairedRobot};
 use super::ros2_control_unknown_interface::is_misspelled;
 use super::ros2_control_unknown_tag::is_known_in_joint;

@@ -1,5 +1,4 @@
 //! From blocks about joints to the joints of the robot.
-
 use super::super::context::{DocumentCx, RobotCx};
 use super::super::edits::{rename, source_text};
 use super::super::finding::Help;

@@ -1,5 +1,4 @@
 //! A plugin whose name is almost that of a well-known one.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::numbers::rewrite;

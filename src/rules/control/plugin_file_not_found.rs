@@ -1,5 +1,4 @@
 //! A file that is given to a plugin and is not there.
-
 use std::path::Path;
 
 use super::super::context::DocumentCx;

@@ -1,5 +1,4 @@
 //! A plugin of Gazebo with a joint that the robot does not have.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

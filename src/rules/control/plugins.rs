@@ -1,5 +1,4 @@
 //! Plugins of Gazebo.
-
 use super::super::context::DocumentCx;
 use expand::{XId, XTree};
 use model::Robot;

@@ -1,5 +1,4 @@
 //! One interface of a joint in two ros2_control blocks, or a joint twice in one.
-
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! An initial position that the joint cannot have.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::short;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A ros2_control of an unknown type.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

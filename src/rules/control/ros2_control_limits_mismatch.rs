@@ -1,5 +1,4 @@
 //! Command limits beyond the limits of the joint.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, rewrite, short};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Hardware of ros2_control without a plugin.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,9 +1,7 @@
 //! A number of interfaces that is no positive integer.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-
 use model::Text;
 
 pub(super) static RULE: Rule = Rule {

@@ -1,5 +1,4 @@
 //! An interface whose name looks misspelled.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::numbers::rewrite;

@@ -1,5 +1,4 @@
 //! An element that ros2_control does not know.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

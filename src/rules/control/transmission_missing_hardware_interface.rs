@@ -1,11 +1,9 @@
 //! A simple transmission that does not say what it commands.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XTree;
-use model::Text;
-use model::{Transmission, tag_start};
+use model::{Text, Transmission, tag_start};
 use workspace::Target;
 
 pub(super) static RULE: Rule = Rule {

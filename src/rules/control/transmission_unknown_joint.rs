@@ -1,5 +1,4 @@
 //! A transmission for a joint that does not exist.
-
 use ecow::EcoString;
 
 use super::super::context::RobotCx;

@@ -1,5 +1,4 @@
 //! A transmission whose type looks misspelled.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::numbers::rewrite;

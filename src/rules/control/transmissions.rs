@@ -1,5 +1,4 @@
 //! What the rules about transmissions share.
-
 use super::super::context::DocumentCx;
 use super::super::rule::Severity;
 use expand::{XId, XTree};

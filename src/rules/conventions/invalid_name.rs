@@ -1,5 +1,4 @@
 //! A name with characters that other tools do not take.
-
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Links of an arm that are not called `link_1`, `link_2` and so on.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A file of macros that also gives elements, or a top-level file that defines macros.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! The names of links and joints, and what refers to them.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Edit;
 use base::FastSet;

@@ -1,5 +1,4 @@
 //! A fixed name in a macro that gives its other names a prefix.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

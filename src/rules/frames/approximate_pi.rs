@@ -1,5 +1,4 @@
 //! Angles that are almost a multiple of a quarter of pi.
-
 use std::f64::consts::FRAC_PI_4;
 
 use super::super::context::DocumentCx;

@@ -1,5 +1,4 @@
 //! A base that is tilted against its footprint.
-
 use nalgebra::UnitQuaternion;
 
 use super::super::context::RobotCx;
@@ -7,8 +6,7 @@ use super::super::numbers::{comes_from_a_name, short};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use model::Text;
-use model::transform;
+use model::{Text, transform};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM010",

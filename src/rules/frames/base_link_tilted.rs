@@ -1,5 +1,4 @@
 //! base_link lies on its side.
-
 use super::super::context::RobotCx;
 use super::super::numbers::comes_from_a_name;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A joint moves between base_link and base.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A tool0 that is not where the flange is.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A pure frame with geometry or inertia.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

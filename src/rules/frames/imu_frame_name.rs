@@ -1,5 +1,4 @@
 //! An IMU in a frame of an unusual name.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

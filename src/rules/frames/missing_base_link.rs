@@ -1,5 +1,4 @@
 //! A robot without a base_link.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

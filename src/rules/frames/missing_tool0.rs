@@ -1,5 +1,4 @@
 //! An arm without a tool0 frame.
-
 use super::super::arms::serial_arms;
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

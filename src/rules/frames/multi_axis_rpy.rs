@@ -1,5 +1,4 @@
 //! The frame of a moving joint is turned about several axes.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! Names of frames with their prefixes.
-
 use model::Robot;
 
 /// What stands in front of `frame` in a name: nothing, or a prefix with its separator. None when the name is

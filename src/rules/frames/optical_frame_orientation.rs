@@ -1,5 +1,4 @@
 //! An optical frame that is not turned as cameras expect.
-
 use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{UnitQuaternion, Vector3};

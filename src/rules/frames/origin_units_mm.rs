@@ -1,5 +1,4 @@
 //! The origin of a joint looks like millimeters.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::{rewrite, short, vector};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

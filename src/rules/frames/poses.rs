@@ -1,5 +1,4 @@
 //! All origins of a document.
-
 use super::super::context::DocumentCx;
 use model::{Body, Pose};
 

@@ -1,5 +1,4 @@
 //! A link with the name of a frame that localisation publishes.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A root link with an unusual name.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! Angles of an orientation that look like degrees.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::{from_degrees, is_part_of_pi};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

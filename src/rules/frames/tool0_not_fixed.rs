@@ -1,5 +1,4 @@
 //! A tool frame that moves against the last link.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

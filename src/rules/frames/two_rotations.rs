@@ -1,5 +1,4 @@
 //! An origin with its rotation in both ways.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

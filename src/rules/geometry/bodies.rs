@@ -1,5 +1,4 @@
 //! How large visuals and collisions are, in the frame of their link.
-
 use super::super::context::{DocumentCx, RootKind, Surroundings};
 use super::resources::factors;
 use expand::Expansion;

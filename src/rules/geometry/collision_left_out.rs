@@ -1,5 +1,4 @@
 //! The one link of an arm that has no collision.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A collision that does not hold the visual.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A color outside of 0 to 1.
-
 use ecow::EcoString;
 
 use super::super::context::DocumentCx;

@@ -1,5 +1,4 @@
 //! A mesh that cannot be read.
-
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A Collada file that is not in meters.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

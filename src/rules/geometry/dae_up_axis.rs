@@ -1,5 +1,4 @@
 //! A Collada file whose up axis is not z.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A geometry without shape.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

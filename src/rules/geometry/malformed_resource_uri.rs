@@ -1,12 +1,9 @@
 //! A URI of a mesh or texture that cannot be resolved.
-
-use super::super::geometry::uri::Readers;
-use super::super::geometry::uri::UriDefect;
-use super::super::geometry::uri::defect;
 use std::path::Path;
 
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
+use super::super::geometry::uri::{Readers, UriDefect, defect};
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

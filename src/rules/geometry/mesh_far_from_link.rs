@@ -1,5 +1,4 @@
 //! A mesh far away from the frame of its link.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A mesh of which some triangles face the wrong way.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A mesh whose textures, materials or buffers are missing.
-
 use std::cell::OnceCell;
 use std::path::Path;
 

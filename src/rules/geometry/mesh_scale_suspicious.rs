@@ -1,5 +1,4 @@
 //! A mesh in another unit than meters.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

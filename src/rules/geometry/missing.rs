@@ -1,5 +1,4 @@
 //! Reporting files that are not there: one finding for those of a robot that are missing in one folder of a package.
-
 use std::path::{Path, PathBuf};
 
 use indexmap::IndexMap;

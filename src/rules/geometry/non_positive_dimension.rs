@@ -1,5 +1,4 @@
 //! A length of a shape that is zero or less.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

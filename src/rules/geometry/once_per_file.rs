@@ -1,5 +1,4 @@
 //! What is said of a mesh file once, however often it is used.
-
 use super::super::context::DocumentCx;
 use super::resources::MeshUse;
 use base::FastMap;

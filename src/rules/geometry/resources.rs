@@ -1,13 +1,11 @@
 //! The files that a description names: where they are, and the meshes in them.
-
-use super::super::geometry::target::Resources;
-use super::super::geometry::target::Target;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::super::context::{DocumentCx, Surroundings};
+use super::super::geometry::target::{Resources, Target};
 use super::super::grouping::Group;
 use super::uri::defect;
 use base::FastMap;

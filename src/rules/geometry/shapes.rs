@@ -1,5 +1,4 @@
 //! The bodies and materials of a robot.
-
 use super::super::context::DocumentCx;
 use expand::{XId, XKind, XTree};
 use model::{Body, Link, Material, Robot, ShapeKind, Text};

@@ -1,5 +1,4 @@
 //! Where the names of files lead, and the meshes that were read.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

@@ -1,5 +1,4 @@
 //! A material that is defined nowhere.
-
 use super::super::context::RobotCx;
 use super::super::finding::Help;
 use super::super::grouping::Group;

@@ -1,5 +1,4 @@
 //! A shape that URDF does not know.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

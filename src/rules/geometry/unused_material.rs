@@ -1,5 +1,4 @@
 //! A material that nothing uses.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A visual and a collision of one link that do not overlap.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A mass that does not fit the volume of the link.
-
 use super::super::context::DocumentCx;
 use super::super::geometry::{is_scaled_wrong, volume};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

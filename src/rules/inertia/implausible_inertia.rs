@@ -1,5 +1,4 @@
 //! An inertia that does not fit the size of the link.
-
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent, is_scaled_wrong};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! Moments of inertia that belong to other axes.
-
 use super::super::context::DocumentCx;
 use super::super::geometry::is_scaled_wrong;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

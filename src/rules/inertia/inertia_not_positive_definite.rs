@@ -1,5 +1,4 @@
 //! An inertia that no body has.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,4 +1,5 @@
 //! Principal moments that no body has.
+use nalgebra::{Matrix3, Vector3};
 
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
@@ -7,7 +8,6 @@ use super::super::sink::Sink;
 use super::joined::is_small_part;
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 use model::{Inertial, JointType, Link, transform};
-use nalgebra::{Matrix3, Vector3};
 
 pub(super) static RULE: Rule = Rule {
     code: "INR005",

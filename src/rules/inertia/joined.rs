@@ -1,12 +1,12 @@
 //! Links whose mass and inertia have little or no effect: fixed to another link, fixed to the world, or without a shape
 //! of their own.
+use nalgebra::Isometry3;
 
 use super::super::context::DocumentCx;
 use super::super::geometry::{Extent, extent_of};
 use super::super::vocabulary::is_surroundings;
 use base::FastSet;
 use model::{Bounds, Joint, JointType, Link, transform};
-use nalgebra::Isometry3;
 
 /// A geometry whose box has half a diagonal up to this length in meters is a marker: it does not show the shape.
 pub(super) const MARKER: f64 = 0.01;

@@ -1,5 +1,4 @@
 //! A moving link that a simulator would drop.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

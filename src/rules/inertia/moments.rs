@@ -1,5 +1,4 @@
 //! Principal moments of inertia.
-
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::super::context::DocumentCx;

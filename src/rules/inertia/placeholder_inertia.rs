@@ -1,5 +1,4 @@
 //! An inertia that was copied from an example.
-
 use super::super::context::DocumentCx;
 use super::super::geometry::extent;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

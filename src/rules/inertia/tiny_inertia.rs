@@ -1,5 +1,4 @@
 //! An inertia so small that solvers suffer.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

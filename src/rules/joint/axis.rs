@@ -1,5 +1,4 @@
 //! Axes of joints, as numbers.
-
 use model::{Joint, JointType, Text};
 
 /// What counts as no length at all.

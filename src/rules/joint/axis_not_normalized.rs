@@ -1,10 +1,8 @@
 //! An axis whose length is not 1.
-
 use super::super::context::DocumentCx;
+use super::super::numbers::{rewrite, short, vector};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-
-use super::super::numbers::{rewrite, short, vector};
 use super::axis::{NO_LENGTH, length, moving_axes};
 
 pub(super) static RULE: Rule = Rule {

@@ -1,5 +1,4 @@
 //! Axis, limits or dynamics of a fixed joint.
-
 use super::super::context::DocumentCx;
 use super::super::edits::delete_element;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

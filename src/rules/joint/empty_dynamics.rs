@@ -1,5 +1,4 @@
 //! Dynamics that say nothing.
-
 use super::super::context::DocumentCx;
 use super::super::edits::delete_element;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

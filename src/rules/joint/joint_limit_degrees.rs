@@ -1,5 +1,4 @@
 //! Limits of a joint that look like degrees.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, is_part_of_pi, short, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! A lower limit above the upper one.
-
 use super::super::context::DocumentCx;
 use super::super::edits::{is_called, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! A negative effort or velocity.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Limits that leave no room to move.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! Joints of an arm that are not numbered from the base on.
-
 use super::super::arms::serial_arms;
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

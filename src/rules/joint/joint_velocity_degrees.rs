@@ -1,5 +1,4 @@
 //! A velocity of a joint that looks like degrees per second.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Position limits of a joint that has none.
-
 use super::super::context::DocumentCx;
 use super::super::edits::delete_attrs;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

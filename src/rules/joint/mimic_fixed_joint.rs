@@ -1,5 +1,4 @@
 //! A joint that follows one which never moves.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,13 +1,11 @@
 //! A joint that follows another beyond its own limits.
-
 use super::super::context::RobotCx;
 use super::super::numbers::short;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::mimicking;
 use model::JointType::{Prismatic, Revolute};
-use model::Text;
-use model::{Joint, tag_start};
+use model::{Joint, Text, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT024",

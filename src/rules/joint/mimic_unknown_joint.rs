@@ -1,5 +1,4 @@
 //! A joint that follows one which does not exist.
-
 use super::super::context::RobotCx;
 use super::super::edits::rename;
 use super::super::finding::Help;

@@ -1,5 +1,4 @@
 //! Which joint follows which.
-
 use base::FastMap;
 use model::{Joint, Robot, Text};
 

@@ -1,5 +1,4 @@
 //! A moving joint without an axis.
-
 use super::super::context::DocumentCx;
 use super::super::edits::{indent, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

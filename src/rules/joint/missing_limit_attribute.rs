@@ -1,5 +1,4 @@
 //! A limit without effort or velocity.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema;

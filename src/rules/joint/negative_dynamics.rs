@@ -1,5 +1,4 @@
 //! Negative damping or friction.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

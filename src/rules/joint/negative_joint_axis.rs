@@ -1,9 +1,7 @@
 //! An axis along a negative coordinate axis.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-
 use super::axis::moving_axes;
 
 pub(super) static RULE: Rule = Rule {

@@ -1,5 +1,4 @@
 //! Soft limits beyond the limits.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::short;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A type of joint that URDF does not know.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Help;
 use super::super::numbers::rewrite;

@@ -1,13 +1,11 @@
 //! Wheels that drive backwards when they turn forwards.
-
 use nalgebra::Vector3;
 
 use super::super::context::RobotCx;
 use super::super::numbers::{rewrite, vector};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::Robot;
-use model::{Joint, JointType, Kinematics, transform};
+use model::{Joint, JointType, Kinematics, Robot, transform};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT015",

@@ -1,5 +1,4 @@
 //! Wheels left and right that turn against each other.
-
 use super::super::context::DocumentCx;
 use super::super::numbers::{rewrite, vector};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Wheels: pairs of them, and where their axes point.
-
 use nalgebra::Vector3;
 
 use model::{Joint, transform};

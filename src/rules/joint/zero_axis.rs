@@ -1,9 +1,7 @@
 //! An axis without direction.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-
 use super::axis::{NO_LENGTH, length, moving_axes};
 
 pub(in super::super) static RULE: Rule = Rule {

@@ -1,5 +1,4 @@
 //! Joints that may not move because effort or velocity is zero.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! What a suppression comment says.
-
 use super::super::rule::Rule;
 use base::TextRange;
 

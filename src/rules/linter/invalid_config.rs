@@ -1,5 +1,4 @@
 //! Something in the configuration that has no effect.
-
 use super::super::finding::{Finding, Help};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::{FileId, Span};

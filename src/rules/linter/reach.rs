@@ -1,12 +1,9 @@
 //! Which comment hides a finding, without a look at every comment for every finding.
-
 use std::collections::BTreeMap;
 
 use super::super::registry::all;
 use super::super::rule::Rule;
-use super::directive::Directive;
-use super::directive::Selector;
-use super::directive::Suppression;
+use super::directive::{Directive, Selector, Suppression};
 use base::{FastMap, TextRange};
 
 /// The suppressions of a file, by the words they name rules with.

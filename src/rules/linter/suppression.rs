@@ -1,8 +1,5 @@
 //! Comments that hide findings: `<!-- xacro-lint: disable-next-line RULE, RULE: reason -->`.
-
-use super::super::linter::directive::Directive;
-use super::super::linter::directive::Selector;
-use super::super::linter::directive::Suppression;
+use super::super::linter::directive::{Directive, Selector, Suppression};
 use super::super::rule::Rule;
 use super::reach::Reach;
 use base::{Encoding, TextRange};

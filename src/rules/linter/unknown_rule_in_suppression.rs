@@ -1,5 +1,4 @@
 //! A suppression that names no rule there is.
-
 use super::super::context::FileCx;
 use super::super::finding::Help;
 use super::super::registry::{find, nearest_selector};

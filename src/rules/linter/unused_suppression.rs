@@ -1,10 +1,7 @@
 //! A suppression that hides nothing.
-
 use super::super::finding::{Edit, Finding, Fix};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
-use super::directive::Directive;
-use super::directive::Selector;
-use super::directive::Suppression;
+use super::directive::{Directive, Selector, Suppression};
 use base::{FastSet, Span, TextRange};
 use vfs::SourceFile;
 use xml::Document;

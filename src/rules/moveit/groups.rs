@@ -1,5 +1,4 @@
 //! Groups in settings of MoveIt.
-
 use super::super::beside::BesideCx;
 use super::super::rule::Severity;
 use super::super::sink::Sink;

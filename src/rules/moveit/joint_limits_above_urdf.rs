@@ -1,5 +1,4 @@
 //! A limit of velocity above that of the URDF.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

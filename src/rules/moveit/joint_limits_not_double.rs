@@ -1,5 +1,4 @@
 //! A limit that is written as an integer.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

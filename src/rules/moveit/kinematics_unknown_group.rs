@@ -1,5 +1,4 @@
 //! A solver for a group that the SRDF does not define.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A controller of MoveIt with a joint that the robot does not have.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A controller of MoveIt that no controller manager of the robot lists.
-
 use super::super::beside::BesideCx;
 use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};

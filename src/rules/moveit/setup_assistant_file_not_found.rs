@@ -1,5 +1,4 @@
 //! A file of `.setup_assistant` that is not there.
-
 use super::super::finding::Finding;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;

@@ -1,5 +1,4 @@
 //! A robot that xacro rejects with the arguments of `.setup_assistant`.
-
 use super::super::finding::{Finding, Related};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;

@@ -1,5 +1,4 @@
 //! An argument of `.setup_assistant` that the robot does not know.
-
 use super::super::finding::{Finding, Help};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;

@@ -1,5 +1,4 @@
 //! An argument of a robot that no launch file passes.
-
 use super::super::finding::Finding;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;

@@ -1,5 +1,4 @@
 //! The manifests around files, and the packages that come along with them.
-
 use std::path::Path;
 use std::sync::Arc;
 

@@ -1,5 +1,4 @@
 //! A launch file that calls xacro in a way of the past.
-
 use std::path::Path;
 
 use super::super::context::{DocumentCx, RootKind};

@@ -1,5 +1,4 @@
 //! The name of a package that holds a description.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

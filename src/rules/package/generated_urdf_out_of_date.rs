@@ -1,5 +1,4 @@
 //! A file that xacro generated, and that differs from what its source gives.
-
 use super::super::finding::Finding;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use base::Span;

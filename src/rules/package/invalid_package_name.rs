@@ -1,5 +1,4 @@
 //! The name of a package that tools do not take.
-
 use super::super::context::FileCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

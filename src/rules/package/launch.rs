@@ -1,9 +1,8 @@
 //! The launch files of a package.
-
-use super::super::package::dependencies::manifest_around;
 use std::path::{Path, PathBuf};
 
 use super::super::context::{FileCx, Surroundings};
+use super::super::package::dependencies::manifest_around;
 
 /// The launch files in the folder `launch` of the package that a file belongs to.
 pub(super) fn files(world: Surroundings<'_>, file: &Path) -> Vec<PathBuf> {

@@ -1,5 +1,4 @@
 //! A launch file that calls xacro for a description that is not there.
-
 use super::super::finding::Finding;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;

@@ -1,5 +1,4 @@
 //! A `package.xml` that is not well-formed.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! What a `package.xml` says about dependencies.
-
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -1,5 +1,4 @@
 //! A package that a text names.
-
 use base::TextRange;
 
 /// A package that a text names.

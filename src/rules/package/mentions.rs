@@ -1,12 +1,11 @@
 //! The packages that a file names.
-
-use super::super::package::mention::Mention;
 use std::sync::LazyLock;
 
 use memchr::memchr2;
 use memchr::memmem::Finder;
 
 use super::super::context::FileCx;
+use super::super::package::mention::Mention;
 use base::TextRange;
 use xml::{Node, NodeKind};
 

@@ -1,5 +1,4 @@
 //! An argument that the robot reads and a launch file does not pass.
-
 use std::path::Path;
 
 use super::super::finding::{Finding, Related};

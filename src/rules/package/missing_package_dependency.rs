@@ -1,15 +1,12 @@
 //! A package that is used and not declared as a dependency.
-
 use super::super::context::FileCx;
 use super::super::finding::Edit;
 use super::super::grouping::Group;
-use super::super::package::dependencies::brings;
-use super::super::package::dependencies::manifest_around;
+use super::super::package::dependencies::{brings, manifest_around};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::dependencies;
 use super::mention::Mention;
-use super::mentions;
+use super::{dependencies, mentions};
 use base::FastSet;
 
 pub(super) static RULE: Rule = Rule {

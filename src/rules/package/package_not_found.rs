@@ -1,5 +1,4 @@
 //! A package that nothing knows.
-
 use std::collections::BTreeSet;
 use std::path::Path;
 

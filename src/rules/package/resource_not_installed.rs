@@ -1,5 +1,4 @@
 //! A folder that is used and not installed.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! An argument that a launch file passes and the robot does not know.
-
 use std::path::Path;
 
 use super::super::finding::{Finding, Help};

@@ -1,5 +1,4 @@
 //! A value of an argument that no condition of the robot compares with.
-
 use std::path::Path;
 
 use super::super::finding::{Finding, Help};

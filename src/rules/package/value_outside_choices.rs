@@ -1,5 +1,4 @@
 //! A value of an argument of a launch file that its choices rule out.
-
 use super::super::finding::{Finding, Help};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use base::Span;

@@ -1,5 +1,4 @@
 //! A package with xacro files that does not depend on xacro.
-
 use super::super::context::DocumentCx;
 use super::super::finding::Edit;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

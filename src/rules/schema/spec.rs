@@ -1,5 +1,4 @@
 //! What the vocabulary says about an element and its attributes.
-
 use model::Version;
 
 /// An element below certain parents. Elements of one name below different parents have entries of their own.

@@ -1,6 +1,5 @@
 //! The elements of SRDF, which MoveIt reads beside the URDF.
 //! Source: the parser of `srdfdom`.
-
 use super::spec::AttributeKind::{Choice, Group, Joint, Link, Name, Number, Text, Vector};
 use super::spec::{AttributeKind, AttributeSpec, ElementSpec};
 

@@ -1,6 +1,5 @@
 //! Which links are adjacent: those that a joint connects, or that only links without collision geometry are between.
 //! Source: `computeConnectionGraph` of the MoveIt setup assistant.
-
 use super::super::beside::PairedRobot;
 use base::FastSet;
 use model::{Joint, Link};

@@ -1,5 +1,4 @@
 //! The joints of planning groups.
-
 use ecow::EcoString;
 
 use super::super::beside::{BesideCx, PairedRobot};

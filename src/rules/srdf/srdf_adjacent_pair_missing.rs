@@ -1,5 +1,4 @@
 //! Adjacent links whose collisions are not disabled, while those of others are.
-
 use super::super::beside::BesideCx;
 use super::super::context::is_whole;
 use super::super::rule::{Category, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! Two groups, states, end effectors or virtual joints of one name.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

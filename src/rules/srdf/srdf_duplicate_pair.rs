@@ -1,5 +1,4 @@
 //! A pair of links whose collisions are disabled twice.
-
 use super::super::beside::BesideCx;
 use super::super::grouping::Group;
 use super::super::rule::{Category, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A group state that says nothing of some joints of its group.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A chain that does not lead from its base down to its tip.
-
 use super::super::beside::{BesideCx, PairedRobot};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A pair of links with the reason `Adjacent` that are not adjacent.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

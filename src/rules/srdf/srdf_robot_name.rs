@@ -1,5 +1,4 @@
 //! An SRDF that is for a robot of another name.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A group state that sets a joint of another group.
-
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

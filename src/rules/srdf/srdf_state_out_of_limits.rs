@@ -1,5 +1,4 @@
 //! A group state that puts a joint outside of its limits.
-
 use super::super::beside::BesideCx;
 use super::super::control::limits_of;
 use super::super::rule::{Category, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A group in an SRDF that it does not define.
-
 use super::super::beside::{BesideCx, unknown};
 use super::super::context::is_whole;
 use super::super::rule::{Category, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A link in an SRDF that the robot does not have.
-
 use super::super::beside::{BesideCx, unknown};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;

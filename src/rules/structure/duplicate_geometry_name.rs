@@ -1,11 +1,9 @@
 //! Two visuals or two collisions of one name in a link.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::Text;
-use model::{Body, Link};
+use model::{Body, Link, Text};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR010",

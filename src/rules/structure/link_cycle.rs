@@ -1,5 +1,4 @@
 //! Links that hang on each other in a circle.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A link and a joint of one name.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

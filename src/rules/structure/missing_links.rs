@@ -1,5 +1,4 @@
 //! Links that joints name and nobody defines.
-
 use ecow::EcoString;
 use indexmap::IndexMap;
 

@@ -1,5 +1,4 @@
 //! A link that is the child of several joints.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

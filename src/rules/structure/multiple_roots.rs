@@ -1,5 +1,4 @@
 //! Several links that nothing holds.
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! Names that differ only in their case.
-
 use ecow::EcoString;
 
 use super::super::context::DocumentCx;

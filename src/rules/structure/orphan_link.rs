@@ -1,5 +1,4 @@
 //! A link in no joint.
-
 use std::cell::OnceCell;
 
 use ecow::EcoString;

@@ -1,5 +1,4 @@
 //! Two calls of one macro that give the same names: one mistake, however many names the macro gives.
-
 use super::super::context::RobotCx;
 use base::{FastMap, FastSet, TextRange};
 use expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place};

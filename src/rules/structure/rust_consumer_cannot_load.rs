@@ -1,5 +1,4 @@
 //! A robot that urdf-rs does not load.
-
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use roxmltree::{Document, Node, ParsingOptions};

@@ -1,5 +1,4 @@
 //! A joint that names a link which does not exist.
-
 use super::super::context::RobotCx;
 use super::super::finding::{Edit, Help};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

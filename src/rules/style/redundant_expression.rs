@@ -1,5 +1,4 @@
 //! An expression that is a plain literal.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

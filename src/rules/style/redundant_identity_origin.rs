@@ -1,5 +1,4 @@
 //! An origin that says what holds without it.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A comment about something left to do.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! Rules whose findings come from expansion as they are: message, place and replacement.
-
 use super::super::rule::Category::Xacro;
 use super::super::rule::Safety::{Safe, Unsafe};
 use super::super::rule::Severity::{Error, Info, Warning};

@@ -1,5 +1,4 @@
 //! Elements inside an include.
-
 use super::super::finding::{Edit, Fix};
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};

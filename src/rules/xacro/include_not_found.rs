@@ -1,5 +1,4 @@
 //! An include of a file that cannot be read.
-
 use std::path::Path;
 
 use super::super::finding::{Edit, Fix};

@@ -1,5 +1,4 @@
 //! A name of a property or parameter that no expression can read.
-
 use super::super::finding::{Edit, Fix};
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! What the texts of a description mention, whether expansion came by or not.
-
 use super::super::context::DocumentCx;
 use super::super::xacro::words::Mentions;
 use super::untaken;

@@ -1,5 +1,4 @@
 //! A call without a parameter that has no default.
-
 use ecow::EcoString;
 
 use super::super::finding::{Edit, Fix};

@@ -1,5 +1,4 @@
 //! A macro that replaces another one of its name.
-
 use std::collections::BTreeMap;
 
 use super::super::context::DocumentCx;

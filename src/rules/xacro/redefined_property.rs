@@ -1,5 +1,4 @@
 //! A property whose value is replaced before anything reads it.
-
 use super::super::context::{DocumentCx, elements};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A property that hides a built-in symbol: whether that is news.
-
 use super::super::rule::{Category, Rule, Severity, page};
 use super::source;
 use expand::{Expansion, Place, Problem};

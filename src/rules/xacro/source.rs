@@ -1,5 +1,4 @@
 //! From definitions and uses back to the tags of the source.
-
 use std::path::Path;
 
 use super::super::context::{DocumentCx, Surroundings};

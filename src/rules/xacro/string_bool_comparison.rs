@@ -1,5 +1,4 @@
 //! A truth value compared with the text 'true' or 'false'.
-
 use std::cell::LazyCell;
 
 use memchr::memchr;

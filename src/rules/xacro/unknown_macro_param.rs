@@ -1,5 +1,4 @@
 //! An attribute of a call that is no parameter of the macro.
-
 use super::super::finding::Fix;
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};

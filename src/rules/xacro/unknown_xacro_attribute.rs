@@ -1,5 +1,4 @@
 //! An attribute that the xacro element does not have.
-
 use super::super::finding::{Edit, Fix};
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};

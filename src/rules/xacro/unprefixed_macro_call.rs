@@ -1,5 +1,4 @@
 //! A macro called without the prefix `xacro:`.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

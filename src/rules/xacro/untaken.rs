@@ -1,5 +1,4 @@
 //! Files that are not included with these arguments: those of branches that are not taken, and the others that a computed name admits.
-
 use std::path::Path;
 use std::sync::Arc;
 

@@ -1,5 +1,4 @@
 //! Definitions that nothing reads: what the rules about them share.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::source;
 use base::{FastSet, TextRange};

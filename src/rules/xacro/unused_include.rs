@@ -1,5 +1,4 @@
 //! An include that gives nothing anybody uses.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

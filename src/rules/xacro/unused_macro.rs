@@ -1,10 +1,8 @@
 //! A macro that nothing calls.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::mentions;
-use super::unused;
+use super::{mentions, unused};
 use expand::SymbolKind;
 
 pub(in super::super) static RULE: Rule = Rule {

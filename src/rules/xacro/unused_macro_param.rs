@@ -1,5 +1,4 @@
 //! A parameter that its macro does not use.
-
 use ecow::EcoString;
 
 use super::super::context::DocumentCx;

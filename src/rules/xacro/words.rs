@@ -1,5 +1,4 @@
 //! The words that the texts of a description mention.
-
 use ecow::EcoString;
 use memchr::memchr;
 

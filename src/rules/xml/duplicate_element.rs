@@ -1,5 +1,4 @@
 //! A second element where parsers read one.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

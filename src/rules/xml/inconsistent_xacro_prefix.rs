@@ -1,5 +1,4 @@
 //! xacro's namespace bound to a prefix other than `xacro`.
-
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;

@@ -1,6 +1,4 @@
 //! A value that should be a number and is none.
-
-use super::super::xml::seen::Numeric;
 use std::ops::Range;
 
 use super::super::context::{DocumentCx, RootKind, is_plain_urdf};
@@ -8,6 +6,7 @@ use super::super::edits::source_text;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
+use super::super::xml::seen::Numeric;
 use super::meant::{self, Meant};
 use super::walk;
 use expand::{Origin, Place, XId, meant_number};

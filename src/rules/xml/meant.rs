@@ -1,5 +1,4 @@
 //! What a value was meant to be that is no number: signs of a word processor, commas, expressions without their brackets.
-
 use super::super::context::{DocumentCx, is_plain_urdf};
 use super::super::schema::ElementSpec;
 use super::walk;

@@ -1,5 +1,4 @@
 //! An element without an attribute that parsers insist on.
-
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

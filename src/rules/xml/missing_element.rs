@@ -1,5 +1,4 @@
 //! An element without a child that parsers insist on.
-
 use super::super::context::DocumentCx;
 use super::super::geometry::is_taken_out;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A robot without name.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::super::finding::{Edit, Finding, Fix};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

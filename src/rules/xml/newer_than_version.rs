@@ -1,5 +1,4 @@
 //! An attribute of a newer URDF than the robot is written in.
-
 use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! `xmlns:xacro` bound to something else than the documented namespace.
-
 use super::super::context::FileCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};

@@ -1,5 +1,4 @@
 //! Elements and attributes of a document, as the schema sees them.
-
 use super::super::schema::ElementSpec;
 use expand::XId;
 use model::Text;

@@ -1,5 +1,4 @@
 //! Text where URDF has elements only.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

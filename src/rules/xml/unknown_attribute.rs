@@ -1,5 +1,4 @@
 //! An attribute that URDF does not know on its element.
-
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
 use super::super::finding::Help;

@@ -1,5 +1,4 @@
 //! An element that URDF does not know at its place.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::super::finding::Help;
 use super::super::grouping::Group;

@@ -1,5 +1,4 @@
 //! A description whose root element is not `robot`.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

@@ -1,5 +1,4 @@
 //! A version of URDF that parsers do not admit.
-
 use super::super::context::DocumentCx;
 use super::super::place;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! The expanded document seen through the schema.
-
 use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
 use super::super::vocabulary::is_free_zone;

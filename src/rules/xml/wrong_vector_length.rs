@@ -1,5 +1,4 @@
 //! A vector of too few or too many numbers.
-
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;

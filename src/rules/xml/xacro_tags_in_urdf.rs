@@ -1,5 +1,4 @@
 //! xacro tags in a file that calls itself plain URDF.
-
 use super::super::context::FileCx;
 use super::super::package::reads_as_it_stands;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};

@@ -1,5 +1,4 @@
 //! A file that is not well-formed.
-
 use super::super::finding::{Edit, Fix};
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};

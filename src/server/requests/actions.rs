@@ -2,13 +2,6 @@
 //!
 //! Fixes are taken from the findings for the text as it is now, never from what a client sends along: a
 //! diagnostic may be older than the text, and its data may come from anywhere.
-
-use super::arguments::set_argument;
-use super::navigation::{about_files, asked};
-use super::refactorings::refactor_actions;
-use super::rename::{is_ours, workspace_edit};
-use crate::convert::{location, places};
-use crate::diagnostics::diagnostic;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
@@ -16,16 +9,22 @@ use std::sync::Arc;
 use lsp_types::{
     CodeAction, CodeActionKind, CodeActionOptions, CodeActionOrCommand, CodeActionParams,
     CodeActionTriggerKind, Command, Diagnostic, DocumentChangeOperation, DocumentChanges,
-    NumberOrString, RenameFile, ResourceOp, TextDocumentPositionParams, TextEdit, Url,
+    NumberOrString, RenameFile, ResourceOp, TextDocumentPositionParams, Url,
     WorkDoneProgressOptions, WorkspaceEdit,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::commands;
 use crate::convert;
+use crate::diagnostics::diagnostic;
 use crate::failure::Failure;
+use crate::locations::places;
 use crate::outbox::Question;
+use crate::requests::arguments::set_argument;
+use crate::requests::code_action::{APPLY, code_action, refactor};
+use crate::requests::navigation::{about_files, asked};
+use crate::requests::refactorings::refactor_actions;
+use crate::requests::rename::is_ours;
 use crate::state::State;
 use analysis::{Report, apply};
 use base::limits::{PROOF_EXPANSIONS, QUICK_PROOF_EXPANSIONS};
@@ -116,7 +115,7 @@ fn in_its_form(state: &State, action: CodeAction) -> Option<CodeActionOrCommand>
     }
     let apply = |edit| Command {
         title: action.title.clone(),
-        command: commands::APPLY.to_owned(),
+        command: APPLY.to_owned(),
         arguments: Some(vec![json!(MadeFor {
             edit,
             versions: versions(state)
@@ -519,42 +518,6 @@ fn fix_all(
     }))
 }
 
-/// An action for the client; none when it would change a file that is not the user's.
-pub(crate) fn code_action(
-    state: &State,
-    action: Action,
-    diagnostic: Option<&Diagnostic>,
-) -> Option<CodeAction> {
-    Some(CodeAction {
-        title: sentence_case(&action.title),
-        kind: Some(kind(action.kind)),
-        diagnostics: diagnostic.map(|diagnostic| vec![diagnostic.clone()]),
-        edit: Some(edits_of(state, &action.edits)?),
-        ..CodeAction::default()
-    })
-}
-
-/// A title as editors show them: messages begin with a small letter, titles do not.
-pub(crate) fn sentence_case(title: &str) -> String {
-    let mut chars = title.chars();
-    chars.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(chars).collect()
-    })
-}
-
-fn edits_of(state: &State, edits: &[Edit]) -> Option<WorkspaceEdit> {
-    let mut changes: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
-    for edit in edits {
-        let path = state.world.session().vfs.path(edit.span.file);
-        let place = location(state, edit.span).filter(|_| is_ours(state, &path))?;
-        changes
-            .entry(place.uri)
-            .or_default()
-            .push(TextEdit::new(place.range, edit.content.clone()));
-    }
-    (!changes.is_empty()).then(|| workspace_edit(state, changes))
-}
-
 /// Whether two ranges have a place in common.
 fn touch(a: TextRange, b: TextRange) -> bool {
     a.start <= b.end && b.start <= a.end
@@ -578,17 +541,4 @@ fn wants(only: Option<&[CodeActionKind]>, kind: &CodeActionKind) -> bool {
         wanted.as_str().is_empty()
             || below.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
     })
-}
-
-fn refactor(name: &str) -> CodeActionKind {
-    CodeActionKind::from(format!("refactor.{name}"))
-}
-
-pub(crate) fn kind(kind: ActionKind) -> CodeActionKind {
-    match kind {
-        ActionKind::Fix => CodeActionKind::QUICKFIX,
-        ActionKind::Extract => CodeActionKind::REFACTOR_EXTRACT,
-        ActionKind::Inline => CodeActionKind::REFACTOR_INLINE,
-        ActionKind::Rewrite => CodeActionKind::REFACTOR_REWRITE,
-    }
 }

@@ -1,5 +1,4 @@
 //! The action that sets an argument of the robot, for a finding that another value may settle.
-
 use std::path::Path;
 
 use lsp_types::{CodeAction, CodeActionKind, CodeActionParams, Command, Diagnostic};

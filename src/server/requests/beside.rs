@@ -1,17 +1,17 @@
 //! Positions in files beside robots, and the names that these files hold.
-
 use std::path::Path;
 use std::sync::Arc;
 
-use super::navigation::Asked;
-use super::of_description::is_not_described;
+use lsp_types::TextDocumentPositionParams;
+
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::asked::Asked;
+use crate::requests::of_description::is_not_described;
 use crate::state::State;
 use analysis::{Analyzed, Beside, RootChoice};
 use base::CancelFlag;
 use ide::{self, BesideName, BesideSources, Completions, Cx};
-use lsp_types::TextDocumentPositionParams;
 use project::word_at;
 use vfs::SourceFile;
 

@@ -1,15 +1,15 @@
 //! Names of links, joints and materials in branches that are not taken: seen in the expansion that takes them.
+use std::sync::Arc;
 
-use super::beside::names_beside;
-use super::navigation::Asked;
 use crate::failure::Failure;
+use crate::requests::asked::Asked;
+use crate::requests::beside::names_beside;
 use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, FileId, Span, TextRange};
 use expand::Forced;
 use ide::{self, BesideName, Cx, TextNames};
-use std::sync::Arc;
 
 /// Ways to texts that are looked at in one robot.
 const MOST_WAYS: usize = 400;

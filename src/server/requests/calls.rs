@@ -1,15 +1,14 @@
 //! F27: which macro calls which.
-
-use super::navigation::asked;
-use crate::convert::location;
 use lsp_types::{
     CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem,
     CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams,
     SymbolKind, TextDocumentIdentifier, TextDocumentPositionParams,
 };
 
-use super::navigation::Asked;
 use crate::failure::Failure;
+use crate::locations::location;
+use crate::requests::asked::Asked;
+use crate::requests::navigation::asked;
 use crate::state::State;
 use base::{CancelFlag, Span};
 use ide::{self, Caller};

@@ -1,14 +1,13 @@
 //! F26: colors.
-
-use super::navigation::asked;
 use lsp_types::{
     Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams,
     TextEdit,
 };
 
-use super::tokens::start_of;
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::navigation::asked;
+use crate::requests::tokens::start_of;
 use crate::state::State;
 use base::CancelFlag;
 

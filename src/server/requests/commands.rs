@@ -1,22 +1,19 @@
 //! The operations of our own protocol as commands, for clients without custom requests.
-
-use super::actions::apply_offered;
-use super::expand_at::{expand_at, set_instance};
-use super::expansion::expand;
-use super::lenses::calls_of;
-use crate::files::rewrite_mesh;
-use crate::preview::preview_page;
-use crate::roots::{set_args, set_root, tree};
 use lsp_types::ExecuteCommandParams;
 use serde_json::Value;
 
 use crate::client::ResolvedCapabilities;
 use crate::failure::Failure;
+use crate::files::rewrite_mesh;
+use crate::preview::preview_page;
+use crate::requests::actions::apply_offered;
+use crate::requests::code_action::APPLY;
+use crate::requests::expand_at::{expand_at, set_instance};
+use crate::requests::expansion::expand;
+use crate::requests::lenses::calls_of;
+use crate::roots::{set_args, set_root, tree};
 use crate::state::{Cause, State};
 use base::CancelFlag;
-
-/// Makes the edits of an action, for clients that take actions as commands only.
-pub(crate) const APPLY: &str = "xacro.applyEdit";
 
 /// The commands for all clients.
 const NAMES: &[&str] = &[

@@ -1,5 +1,4 @@
 //! What helps while somebody types: completion, signatures, end tags and indentation.
-
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -11,12 +10,13 @@ use lsp_types::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::beside::{self, robots_described};
-use super::configuration::{self, is_about_config};
-use super::formatting::indent;
-use super::launch::{self, is_about_launch};
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::beside::robots_described;
+use crate::requests::configuration::is_about_config;
+use crate::requests::formatting::indent;
+use crate::requests::launch::is_about_launch;
+use crate::requests::{beside, configuration, launch};
 use crate::state::State;
 use analysis::{Analyzed, RootChoice, is_settings};
 use base::{CancelFlag, TextRange};

@@ -1,5 +1,4 @@
 //! Requests about configuration files, where a client opens one.
-
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionList, CompletionResponse, CompletionTextEdit,
     Documentation, HoverContents, TextDocumentPositionParams, TextEdit,

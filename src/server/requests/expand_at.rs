@@ -1,21 +1,15 @@
 //! F34: what one place expands to, and which call of a macro is looked at.
-
-use super::expansion::chosen;
-use super::navigation::asked;
-use crate::mapping::label;
-use crate::roots::context_changed;
-use std::path::Path;
-
 use lsp_types::{Range, TextDocumentPositionParams};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::expansion::Root;
-use super::navigation::Asked;
+use crate::contexts::context_changed;
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::asked::Asked;
+use crate::requests::navigation::asked;
+use crate::root_param::{Root, chosen};
 use crate::state::State;
-use analysis::RootChoice;
 use base::CancelFlag;
 
 #[derive(Clone, Debug, Deserialize)]
@@ -101,21 +95,4 @@ pub fn set_instance(
     }
     context_changed(state, cancel);
     Ok(Value::Null)
-}
-
-/// The call that was picked under a root, when it is a call of a macro of the file.
-pub fn pinned_label(
-    state: &mut State,
-    path: &Path,
-    root: &RootChoice,
-    cancel: &CancelFlag,
-) -> Option<String> {
-    let pin = state
-        .pins
-        .get(&root.file)
-        .filter(|pin| pin.file == path)?
-        .clone();
-    let analyzed = state.world.analyzed(root, cancel)?;
-    let frame = ide::pinned(&analyzed.expansion, &pin)?;
-    Some(label(state, &analyzed, frame))
 }

@@ -1,7 +1,4 @@
 //! `xacro/expand`: the expanded document of a root.
-
-use crate::convert::location;
-use crate::mapping::{map_of, named};
 use std::collections::BTreeMap;
 use std::time::Instant;
 
@@ -9,21 +6,14 @@ use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
+use crate::locations::location;
+use crate::mapping::{map_of, named};
+use crate::root_param::{Root, chosen};
 use crate::state::State;
 use analysis::{RootChoice, World};
 use base::{CancelFlag, Span};
 use expand::{Expansion, Place, Severity};
 use ide::SourceMap;
-
-/// A root as the protocol names it.
-#[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
-pub(crate) struct Root {
-    pub uri: Url,
-    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub args: BTreeMap<String, String>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub preset: Option<String>,
-}
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -121,16 +111,6 @@ fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
         world.set_text(&state.path(&uri), text);
     }
     world
-}
-
-/// A root that the client names.
-pub fn chosen(state: &State, root: Root) -> Result<RootChoice, Failure> {
-    let (file, _) = state.source(&root.uri)?;
-    Ok(RootChoice {
-        file,
-        args: root.args.into_iter().collect(),
-        preset: root.preset,
-    })
 }
 
 pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {

@@ -1,5 +1,4 @@
 //! Formatting of documents and ranges.
-
 use std::path::Path;
 
 use lsp_types::{

@@ -1,6 +1,4 @@
 //! F6: inlay hints.
-
-use super::navigation::asked;
 use lsp_types::{
     InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, TextDocumentIdentifier,
     TextDocumentPositionParams,
@@ -8,9 +6,10 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::tokens::start_of;
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::navigation::asked;
+use crate::requests::tokens::start_of;
 use crate::state::State;
 use base::CancelFlag;
 use ide::{self, HintKind, HintSettings};

@@ -1,13 +1,13 @@
 //! F4: what is shown under the pointer.
-
-use super::configuration::{self, is_about_config};
-use super::launch::{is_about_launch, launched};
-use super::navigation::asked_for_name;
 use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
 
-use super::navigation::Asked;
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::asked::Asked;
+use crate::requests::configuration;
+use crate::requests::configuration::is_about_config;
+use crate::requests::launch::{is_about_launch, launched};
+use crate::requests::navigation::asked_for_name;
 use crate::state::State;
 use base::CancelFlag;
 use expand::SymbolKind;

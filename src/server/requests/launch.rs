@@ -1,5 +1,4 @@
 //! Requests about launch files, where a client opens one: names of arguments of robots are answered for and nothing else.
-
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -8,9 +7,9 @@ use lsp_types::{
     TextDocumentPositionParams, TextEdit,
 };
 
-use super::navigation::Asked;
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::asked::Asked;
 use crate::state::State;
 use analysis::{RootChoice, is_launch};
 use base::{CancelFlag, Span, TextRange};

@@ -1,7 +1,4 @@
 //! F23: lines above macros and the robot: how often it is called, commands.
-
-use super::navigation::asked;
-use crate::convert::location;
 use std::collections::BTreeMap;
 
 use lsp_types::{
@@ -11,10 +8,12 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::navigation::Asked;
-use super::tokens::start_of;
 use crate::convert;
 use crate::failure::Failure;
+use crate::locations::location;
+use crate::requests::asked::Asked;
+use crate::requests::navigation::asked;
+use crate::requests::tokens::start_of;
 use crate::state::State;
 use base::{CancelFlag, TextRange};
 

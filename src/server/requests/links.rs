@@ -1,11 +1,10 @@
 //! F22: names of files as links.
-
-use super::navigation::asked;
 use lsp_types::{DocumentLink, DocumentLinkParams};
 
-use super::tokens::start_of;
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::navigation::asked;
+use crate::requests::tokens::start_of;
 use crate::state::State;
 use base::CancelFlag;
 use ide::{self, FileName, FileTarget};

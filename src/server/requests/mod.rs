@@ -2,9 +2,11 @@
 
 pub(crate) mod actions;
 mod arguments;
+pub(crate) mod asked;
 mod beside;
 mod branches;
 pub(crate) mod calls;
+pub(crate) mod code_action;
 pub(crate) mod colors;
 pub(crate) mod commands;
 pub(crate) mod completion;

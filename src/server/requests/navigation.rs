@@ -1,12 +1,4 @@
 //! Going to definitions, finding references.
-
-use super::beside::{asked_beside, names_beside};
-use super::branches::inside;
-use super::launch::{is_about_launch, launched};
-use super::of_description::is_not_described;
-use crate::convert::location;
-use std::sync::Arc;
-
 use lsp_types::{
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, GotoDefinitionParams,
     GotoDefinitionResponse, Location, LocationLink, Range, TextDocumentPositionParams, Url,
@@ -14,53 +6,17 @@ use lsp_types::{
 
 use crate::convert;
 use crate::failure::Failure;
+use crate::locations::location;
+use crate::requests::asked::Asked;
+use crate::requests::beside::{asked_beside, names_beside};
+use crate::requests::branches::inside;
+use crate::requests::launch::{is_about_launch, launched};
+use crate::requests::of_description::is_not_described;
 use crate::state::State;
-use analysis::{Analyzed, RootChoice};
+use analysis::RootChoice;
 use base::{CancelFlag, Span, TextRange};
-use expand::FrameId;
-use ide::{self, BesideName, Cx, FilePlace, Target, TextNames};
-use vfs::SourceFile;
-
-/// A place in a file under its active root.
-pub(crate) struct Asked {
-    pub source: Arc<SourceFile>,
-    pub analyzed: Arc<Analyzed>,
-    /// Bytes from the start of the file.
-    pub offset: u32,
-    /// The active root of the file, whether its expansion came by the file or not.
-    pub around: Arc<Analyzed>,
-    /// The names in files beside the robot.
-    pub beside: Vec<BesideName>,
-    /// The call that the user picked under this root.
-    pub pinned: Option<FrameId>,
-}
-
-impl Asked {
-    /// The file in the expansion of its root.
-    pub fn cx(&self) -> Cx<'_> {
-        Cx {
-            source: &self.source,
-            expansion: &self.analyzed.expansion,
-            robot: self.analyzed.robot.as_ref(),
-            kinematics: self.analyzed.kinematics.as_ref(),
-            beside: &self.beside,
-            pinned: self.pinned,
-        }
-    }
-
-    /// What names mean by the texts of the robot.
-    pub fn names(&self, state: &State) -> TextNames {
-        let session = state.world.session();
-        let settings = session.settings(&self.source.path);
-        let names = |expansion| TextNames::of(expansion, session.surroundings(&settings.config));
-        let around = names(&self.around.expansion);
-        if around.knows(self.source.id) {
-            around
-        } else {
-            names(&self.analyzed.expansion)
-        }
-    }
-}
+use ide;
+use ide::{Cx, FilePlace, Target};
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
 /// itself.

@@ -1,13 +1,13 @@
 //! Requests about descriptions. In YAML, launch and configuration files, which other servers know better, names of the robot
 //! are answered for and nothing else.
-
 use std::path::Path;
+
+use lsp_types::*;
 
 use crate::failure::Failure;
 use crate::state::State;
 use analysis::{is_config, is_launch, is_settings};
 use base::CancelFlag;
-use lsp_types::*;
 
 /// What answers a request.
 pub type Work<P, R> = fn(&mut State, P, &CancelFlag) -> Result<R, Failure>;

@@ -2,9 +2,6 @@
 //!
 //! A client that asks for edits when an action is picked gets none before. They are worked out for the text as it is
 //! then; when that is another one, the client is told to ask again.
-
-use super::navigation::asked;
-use super::rename::is_ours;
 use std::path::Path;
 
 use lsp_types::{
@@ -14,13 +11,13 @@ use lsp_types::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::actions::code_action;
-use super::actions::kind;
-use super::actions::sentence_case;
-use super::navigation::Asked;
 use crate::convert;
 use crate::failure::Failure;
-use crate::lifecycle::scan_all;
+use crate::requests::asked::Asked;
+use crate::requests::code_action::{code_action, kind, sentence_case};
+use crate::requests::navigation::asked;
+use crate::requests::rename::is_ours;
+use crate::scanning::scan_all;
 use crate::state::State;
 use base::limits::QUICK_PROOF_EXPANSIONS;
 use base::{CancelFlag, TextRange};

@@ -1,16 +1,15 @@
 //! All uses of a name: in the robot that the file is shown under, in the others that share it, and in YAML files.
-
-use super::branches::inside;
-use super::launch::{in_launch_files, launched};
-use super::navigation::asked_for_name;
-use crate::convert::places;
 use std::path::PathBuf;
 
 use lsp_types::{Location, ReferenceParams};
 
-use super::navigation::Asked;
 use crate::failure::Failure;
-use crate::lifecycle::scan_all;
+use crate::locations::places;
+use crate::requests::asked::Asked;
+use crate::requests::branches::inside;
+use crate::requests::launch::{in_launch_files, launched};
+use crate::requests::navigation::asked_for_name;
+use crate::scanning::scan_all;
 use crate::state::State;
 use analysis::Analyzed;
 use base::limits::RENAME_ROBOTS;

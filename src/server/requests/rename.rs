@@ -1,9 +1,4 @@
 //! Renaming names in all files that use them.
-
-use super::branches::{in_all_robots, inside};
-use super::launch::{in_launch_files, launched};
-use super::navigation::asked_for_name;
-use crate::convert::location;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 
@@ -13,10 +8,14 @@ use lsp_types::{
     TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
 };
 
-use super::navigation::Asked;
 use crate::convert;
 use crate::failure::Failure;
-use crate::lifecycle::scan_all;
+use crate::locations::location;
+use crate::requests::asked::Asked;
+use crate::requests::branches::{in_all_robots, inside};
+use crate::requests::launch::{in_launch_files, launched};
+use crate::requests::navigation::asked_for_name;
+use crate::scanning::scan_all;
 use crate::state::State;
 use analysis::{NewName, Obstacle, RootChoice};
 use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};

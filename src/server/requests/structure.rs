@@ -1,5 +1,4 @@
 //! What the text of a file alone answers: symbols, folding, selection, linked editing.
-
 use lsp_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, FoldingRange, FoldingRangeKind,
     FoldingRangeParams, LinkedEditingRangeParams, LinkedEditingRanges, Location, SelectionRange,

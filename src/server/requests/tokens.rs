@@ -1,6 +1,4 @@
 //! F28: semantic tokens, all, changed or of a range.
-
-use super::navigation::asked;
 use std::path::{Path, PathBuf};
 
 use lsp_types::{
@@ -13,6 +11,7 @@ use lsp_types::{
 
 use crate::convert;
 use crate::failure::Failure;
+use crate::requests::navigation::asked;
 use crate::state::State;
 use base::{CancelFlag, Encoding, TextRange};
 use ide::{self, Token, TokenKind};
@@ -34,13 +33,6 @@ const KINDS: &[(TokenKind, SemanticTokenType)] = &[
     (TokenKind::Event, SemanticTokenType::EVENT),
     (TokenKind::Comment, SemanticTokenType::COMMENT),
 ];
-
-/// What was sent last for a file.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Sent {
-    number: u64,
-    data: Vec<SemanticToken>,
-}
 
 /// What the server offers.
 pub(crate) fn offered() -> SemanticTokensOptions {

@@ -1,10 +1,9 @@
 //! F13: named things of the whole workspace.
-
 use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 
 use crate::convert;
 use crate::failure::Failure;
-use crate::lifecycle::scan_all;
+use crate::scanning::scan_all;
 use crate::state::State;
 use base::CancelFlag;
 use base::limits::WORKSPACE_SYMBOLS;

@@ -1,0 +1,115 @@
+//! Requests to the client, and what its answers lead to.
+use std::collections::HashMap;
+use std::time::Duration;
+
+use lsp_types::{MessageActionItem, MessageType, ShowDocumentParams, Url};
+use tokio::sync::mpsc::UnboundedReceiver;
+use tower_lsp::Client;
+
+use crate::outbox::{Question, Refresh};
+use crate::queue::Queue;
+use crate::scanning::progress_created;
+use crate::settings::configured;
+use crate::state::State;
+
+/// Requests to the client wait no longer than this for an answer.
+const CLIENT_TIMEOUT: Duration = Duration::from_secs(10);
+
+/// Requests that the user answers wait longer.
+const USER_TIMEOUT: Duration = Duration::from_secs(600);
+
+/// Send requests until the process ends. What waits for an answer does not hold up what follows.
+pub(super) async fn run_client_requests(
+    client: Client,
+    queue: Queue<State>,
+    mut questions: UnboundedReceiver<Question>,
+) {
+    while let Some(question) = questions.recv().await {
+        let timeout = match question {
+            Question::Offer { .. } => USER_TIMEOUT,
+            _ => CLIENT_TIMEOUT,
+        };
+        let asked = run(client.clone(), queue.clone(), question);
+        drop(tokio::spawn(tokio::time::timeout(timeout, asked)));
+    }
+}
+
+async fn run(client: Client, queue: Queue<State>, question: Question) {
+    match question {
+        Question::Register(registrations) => drop(client.register_capability(registrations).await),
+        Question::Configuration(scopes) => configuration(&client, &queue, scopes).await,
+        Question::Refresh(what) => send_refresh(&client, what).await,
+        Question::ShowDocument(uri, range) => {
+            let selection = Some(range);
+            let params = ShowDocumentParams {
+                uri,
+                external: None,
+                take_focus: Some(true),
+                selection,
+            };
+            let _ = client.show_document(params).await;
+        }
+        Question::ShowPage(uri) => {
+            let external = Some(true);
+            let params = ShowDocumentParams {
+                uri,
+                external,
+                take_focus: None,
+                selection: None,
+            };
+            let _ = client.show_document(params).await;
+        }
+        Question::Offer {
+            message,
+            action,
+            uri,
+        } => {
+            let item = MessageActionItem {
+                title: action.to_owned(),
+                properties: HashMap::new(),
+            };
+            let chosen = client
+                .show_message_request(MessageType::INFO, message, Some(vec![item]))
+                .await;
+            if let Ok(Some(_)) = chosen {
+                let params = ShowDocumentParams {
+                    uri,
+                    external: None,
+                    take_focus: Some(true),
+                    selection: None,
+                };
+                let _ = client.show_document(params).await;
+            }
+        }
+        Question::ApplyEdit(edit) => drop(client.apply_edit(*edit).await),
+        Question::CreateProgress(token) => {
+            let token = lsp_types::NumberOrString::String(token);
+            let params = lsp_types::WorkDoneProgressCreateParams { token };
+            let created = client
+                .send_request::<lsp_types::request::WorkDoneProgressCreate>(params)
+                .await;
+            queue.notify(created.is_ok(), progress_created);
+        }
+    }
+}
+
+pub(super) async fn configuration(client: &Client, queue: &Queue<State>, scopes: Vec<Option<Url>>) {
+    let items = scopes.iter().map(|scope| lsp_types::ConfigurationItem {
+        scope_uri: scope.clone(),
+        section: Some("xacro".to_owned()),
+    });
+    if let Ok(values) = client.configuration(items.collect()).await {
+        queue.notify((scopes, values), configured);
+    }
+}
+
+async fn send_refresh(client: &Client, what: &[Refresh]) {
+    for kind in what {
+        let _ = match kind {
+            Refresh::Diagnostics => client.workspace_diagnostic_refresh().await,
+            Refresh::SemanticTokens => client.semantic_tokens_refresh().await,
+            Refresh::InlayHints => client.inlay_hint_refresh().await,
+            Refresh::CodeLens => client.code_lens_refresh().await,
+        };
+    }
+}

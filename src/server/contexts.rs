@@ -1,0 +1,80 @@
+//! Telling the client under which root its files are shown.
+use std::path::Path;
+
+use serde_json::json;
+
+use crate::mapping::{label, named};
+use crate::refreshing::refresh;
+use crate::state::{Cause, State};
+use analysis::{Context, RootChoice};
+use base::CancelFlag;
+
+/// The user sees files in another way now.
+pub fn context_changed(state: &mut State, cancel: &CancelFlag) {
+    tell_contexts(state, cancel);
+    state.schedule(Cause::RobotPicked);
+    refresh(state);
+}
+
+/// Tell the client under which root each open file is shown, where that is news.
+pub fn tell_contexts(state: &mut State, cancel: &CancelFlag) {
+    if !state.client.own.context_changed {
+        return;
+    }
+    let open: Vec<_> = state.documents.keys().cloned().collect();
+    for path in open {
+        tell_context(state, &path, cancel);
+    }
+}
+
+/// Tell the client under which root a file is shown now.
+fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
+    let context = state.world.context(path);
+    let Some(uri) = state.uri(path) else { return };
+    let active = context
+        .root
+        .as_ref()
+        .and_then(|root| named(state, root).ok());
+    let text = context_text(state, path, &context, cancel);
+    let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
+    if state
+        .sent
+        .contexts
+        .insert(path.to_path_buf(), params.clone())
+        .as_ref()
+        == Some(&params)
+    {
+        return;
+    }
+    state.outbox.tell("xacro/contextChanged", &params);
+}
+
+/// The call that was picked, or else the root with its arguments, or else why there is none.
+pub(super) fn context_text(
+    state: &mut State,
+    path: &std::path::Path,
+    context: &Context,
+    cancel: &CancelFlag,
+) -> String {
+    let Some(root) = &context.root else {
+        return context.reason.text().to_owned();
+    };
+    pinned_label(state, path, root, cancel).unwrap_or_else(|| root.label())
+}
+
+/// The call that was picked under a root, when it is a call of a macro of the file.
+pub fn pinned_label(
+    state: &mut State,
+    path: &Path,
+    root: &RootChoice,
+    cancel: &CancelFlag,
+) -> Option<String> {
+    let pin = state
+        .pins
+        .get(&root.file)
+        .filter(|pin| pin.file == path)?
+        .clone();
+    let analyzed = state.world.analyzed(root, cancel)?;
+    let frame = ide::pinned(&analyzed.expansion, &pin)?;
+    Some(label(state, &analyzed, frame))
+}

@@ -1,0 +1,49 @@
+//! A position that the client asks about.
+use std::sync::Arc;
+
+use crate::state::State;
+use analysis::Analyzed;
+use expand::FrameId;
+use ide::{BesideName, Cx, TextNames};
+use vfs::SourceFile;
+
+/// A place in a file under its active root.
+pub(crate) struct Asked {
+    pub source: Arc<SourceFile>,
+    pub analyzed: Arc<Analyzed>,
+    /// Bytes from the start of the file.
+    pub offset: u32,
+    /// The active root of the file, whether its expansion came by the file or not.
+    pub around: Arc<Analyzed>,
+    /// The names in files beside the robot.
+    pub beside: Vec<BesideName>,
+    /// The call that the user picked under this root.
+    pub pinned: Option<FrameId>,
+}
+
+impl Asked {
+    /// The file in the expansion of its root.
+    pub fn cx(&self) -> Cx<'_> {
+        Cx {
+            source: &self.source,
+            expansion: &self.analyzed.expansion,
+            robot: self.analyzed.robot.as_ref(),
+            kinematics: self.analyzed.kinematics.as_ref(),
+            beside: &self.beside,
+            pinned: self.pinned,
+        }
+    }
+
+    /// What names mean by the texts of the robot.
+    pub fn names(&self, state: &State) -> TextNames {
+        let session = state.world.session();
+        let settings = session.settings(&self.source.path);
+        let names = |expansion| TextNames::of(expansion, session.surroundings(&settings.config));
+        let around = names(&self.around.expansion);
+        if around.knows(self.source.id) {
+            around
+        } else {
+            names(&self.analyzed.expansion)
+        }
+    }
+}

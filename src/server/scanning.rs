@@ -1,0 +1,98 @@
+//! The scan of the workspace, with progress.
+use std::time::Instant;
+
+use serde_json::{Value, json};
+
+use crate::failure::Failure;
+use crate::refreshing::refresh;
+use crate::state::{Cause, State};
+use base::CancelFlag;
+
+/// The client made the token for the scan, or will not show it.
+pub fn progress_created(state: &mut State, made: bool) {
+    if made {
+        state.progress = Some("xacro/scan".to_owned());
+        report_progress(
+            state,
+            json!({ "kind": "begin", "title": "Indexing robot descriptions" }),
+        );
+    }
+    // some clients turn their sign from here on, whether it began or not
+    if made && state.world.is_scanned() {
+        end_progress(state);
+    }
+}
+
+/// Look at more files of the workspace, until a job comes in.
+pub fn scan(state: &mut State) {
+    let status = state.status.clone();
+    scan_until(state, &|| status.has_waiting());
+}
+
+/// Look at more files of the workspace, with progress, until `stop` says so; whether all were looked at.
+fn scan_until(state: &mut State, stop: &dyn Fn() -> bool) -> bool {
+    match state.world.scan(stop) {
+        // still searching for them
+        Some((_, 0)) => false,
+        Some((done, total)) => {
+            let message = format!("{done} of {total} files");
+            report_progress(state, json!({ "kind": "report", "message": message }));
+            false
+        }
+        None => {
+            scanned(state);
+            true
+        }
+    }
+}
+
+/// Look at all files of the workspace before an answer that would be wrong without one of them.
+///
+/// # Errors
+/// The request was cancelled.
+pub fn scan_all(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
+    while !state.world.is_scanned() {
+        let end = Instant::now() + State::SCAN_REPORT;
+        if !scan_until(state, &|| cancel.is_cancelled() || Instant::now() >= end)
+            && cancel.is_cancelled()
+        {
+            return Err(Failure::Cancelled);
+        }
+    }
+    Ok(())
+}
+
+/// Look at the workspace before an answer that depends on it, when that takes a moment only: who asks for
+/// diagnostics of a part as soon as it is open gets those of the robot around it.
+pub fn scan_first(state: &mut State) {
+    if state.initialized && !state.world.is_scanned() && state.world.scan_within(State::SCAN_FIRST)
+    {
+        scanned(state);
+    }
+}
+
+/// Other roots may be known now.
+fn scanned(state: &mut State) {
+    tracing::info!(
+        descriptions = state.world.known_files().len(),
+        "workspace indexed"
+    );
+    end_progress(state);
+    if !state.documents.is_empty() {
+        state.schedule(Cause::Indexed);
+        refresh(state);
+    }
+}
+
+fn end_progress(state: &mut State) {
+    report_progress(state, json!({ "kind": "end" }));
+    state.progress = None;
+}
+
+fn report_progress(state: &State, value: Value) {
+    if let Some(token) = &state.progress {
+        state
+            .outbox
+            .tell("$/progress", &json!({ "token": token, "value": value }));
+    }
+}

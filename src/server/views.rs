@@ -1,0 +1,16 @@
+//! The robots that are shown in 3D.
+use std::collections::BTreeSet;
+
+use preview::Views;
+
+/// The views of the client and of browsers.
+#[derive(Default)]
+pub(super) struct Previews {
+    pub views: Views,
+    /// Something changed since the last models.
+    pub due: bool,
+    /// The views that the client subscribed to.
+    pub subscribed: BTreeSet<u32>,
+    #[cfg(feature = "preview")]
+    pub hub: Option<std::sync::Arc<preview::Hub>>,
+}
