@@ -3,8 +3,7 @@
 //! Clients with requests of their own subscribe and pass messages on to the viewer; all others open the address that
 //! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
 
-#[cfg(feature = "preview")]
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use base64::Engine as _;
@@ -14,14 +13,21 @@ use serde_json::Value;
 #[cfg(feature = "preview")]
 use serde_json::json;
 
+use crate::convert;
+use crate::failure::Failure;
 #[cfg(feature = "preview")]
+use crate::mapping::named;
+#[cfg(feature = "preview")]
+use crate::outbox::Question;
+use crate::root_param::{Root, chosen};
+use crate::state::State;
+use crate::views::Previews;
 use analysis::RootChoice;
 use base::limits::VIEWS;
 use base::{CancelFlag, Encoding};
-use preview::Location;
-use preview::ModelMessage;
-use preview::Names;
-use preview::Selection;
+#[cfg(feature = "preview")]
+use pages::hub;
+use preview::{Location, ModelMessage, Names, Selection};
 
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -299,17 +305,6 @@ pub fn preview_page(_: &mut State, _: Value) -> Result<Value, Failure> {
         "this build does not include the preview: build it with the feature `preview`".to_owned(),
     ))
 }
-
-use crate::convert;
-use crate::failure::Failure;
-use crate::root_param::Root;
-use crate::root_param::chosen;
-use crate::state::State;
-use crate::views::Previews;
-use analysis::RootChoice;
-#[cfg(feature = "preview")]
-use pages::hub;
-use std::collections::BTreeMap;
 
 #[cfg(feature = "preview")]
 mod pages {
