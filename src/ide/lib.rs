@@ -38,6 +38,7 @@ mod tags;
 mod text_names;
 mod tokens;
 mod typed;
+mod unseen;
 mod values;
 
 pub use actions::{
@@ -80,4 +81,5 @@ pub use text_names::{
     occurrences,
 };
 pub use tokens::{Modifiers, Token, TokenKind, tokens};
+pub use unseen::unseen_name;
 pub use values::cut;

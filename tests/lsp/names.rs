@@ -273,6 +273,32 @@ fn what_would_change_a_branch_is_refused() {
 }
 
 #[test]
+fn names_that_no_robot_has_are_refused_with_the_reason() {
+    let mut client = arm();
+    client.edit(
+        PART,
+        "</xacro:macro>\n</robot>",
+        "<link name=\"${depth}_tip\"/></xacro:macro>\n</robot>",
+    );
+    let at = client.at(PART, "${depth}_ti|p");
+    let id = client.post("textDocument/prepareRename", at);
+    let reply = client.reply(id);
+    let reason = reply["error"]["message"].as_str().unwrap_or_default();
+    assert!(
+        reason.contains("`${depth}_tip`") && reason.contains("calls macro `idle`"),
+        "{reply}"
+    );
+    // what is no name is still nothing to rename
+    let at = client.at(PART, "<xacro:insert_blo|ck");
+    let id = client.post("textDocument/prepareRename", at);
+    let reply = client.reply(id);
+    assert!(
+        reply["result"].is_null() && reply.get("error").is_none(),
+        "{reply}"
+    );
+}
+
+#[test]
 fn links_are_renamed_in_branches_that_are_not_taken() {
     let mut client = arm();
     client.edit(

@@ -41,10 +41,16 @@ pub fn prepare_rename(
     let Some(asked) = asked_to_rename(state, &params, cancel)? else {
         return Ok(None);
     };
-    let found = ide::renameable(&asked.cx(), &asked.names(state), asked.offset);
-    Ok(found.map(|(range, placeholder)| {
-        let range = convert::range(&asked.source.document, range, state.encoding);
-        PrepareRenameResponse::RangeWithPlaceholder { range, placeholder }
+    let Some((range, placeholder)) =
+        ide::renameable(&asked.cx(), &asked.names(state), asked.offset)
+    else {
+        let unseen = ide::unseen_name(&asked.cx(), asked.offset);
+        return unseen.map_or(Ok(None), |reason| Err(Failure::Refused(reason)));
+    };
+    let range = convert::range(&asked.source.document, range, state.encoding);
+    Ok(Some(PrepareRenameResponse::RangeWithPlaceholder {
+        range,
+        placeholder,
     }))
 }
 
