@@ -9,6 +9,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+#[path = "architecture/imports.rs"]
+mod imports;
+
 const REPOSITORY: &str = env!("CARGO_MANIFEST_DIR");
 
 fn read(path: &str) -> String {
@@ -208,4 +211,56 @@ fn files_are_short() {
         .map(|(path, lines)| format!("{}: {lines} lines", path.display()))
         .collect();
     assert!(long.is_empty(), "{}", long.join("\n"));
+}
+
+/// Who reads a file should not have to read all others first: files that use each other in a circle are few.
+#[test]
+fn files_use_each_other_in_one_direction() {
+    for (crate_name, most) in [("rules", 17), ("expand", 5), ("analysis", 5), ("server", 3)] {
+        let circles = imports::circles(crate_name);
+        let count: usize = circles.iter().map(|circle| circle.len()).sum();
+        assert!(
+            count <= most,
+            "{crate_name}: {count} files, of at most {most}, use each other in circles: {circles:?}"
+        );
+    }
+}
+
+/// A struct with many fields is several: the parts have names.
+#[test]
+fn structs_have_few_fields() {
+    const MOST: usize = 16;
+    for (path, crate_name, code) in sources() {
+        if !["server", "analysis", "expand"].contains(&&*crate_name) {
+            continue;
+        }
+        let mut name = None;
+        let mut fields = 0;
+        for line in code.lines() {
+            let start = line.trim_start();
+            if let Some((_, rest)) = start.split_once("struct ").filter(|_| start.ends_with('{')) {
+                (name, fields) = (Some(rest.trim_end_matches(" {").to_owned()), 0);
+            } else if line == "}" {
+                name = None;
+            }
+            let is_field = line.starts_with("    ")
+                && !line.starts_with("     ")
+                && start
+                    .trim_start_matches("pub ")
+                    .trim_start_matches("pub(super) ")
+                    .trim_start_matches("pub(crate) ")
+                    .split_once(": ")
+                    .is_some_and(|(field, _)| {
+                        field.chars().all(|c| c.is_alphanumeric() || c == '_')
+                    });
+            if let Some(name) = &name {
+                fields += usize::from(is_field);
+                assert!(
+                    fields <= MOST,
+                    "{}: {name} has more than {MOST} fields",
+                    path.display()
+                );
+            }
+        }
+    }
 }

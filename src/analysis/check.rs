@@ -116,7 +116,7 @@ impl Session {
 
     /// The same; what `done` holds is not done again, and what is done is put there.
     pub(super) fn check_with(&self, options: &CheckOptions, done: Option<&mut Done>) -> Report {
-        let _held = self.vfs.hold();
+        let _held = self.vfs.freeze();
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
         options.progress.begin(jobs.len());

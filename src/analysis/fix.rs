@@ -86,7 +86,7 @@ impl Session {
     /// where it is [proved](Session::proves) that they are; a fix that would break the XML is left out, and so is one for
     /// files outside of the workspace.
     pub fn fix(&self, options: &CheckOptions, how: FixOptions) -> Fixed {
-        let _held = self.vfs.hold();
+        let _held = self.vfs.freeze();
         let mut done = Done::default();
         let found = self.check_with(options, Some(&mut done));
         let mut work = Work::new(self, options, how);

@@ -11,7 +11,7 @@ use analysis::Session;
 use expand::Expansion;
 use model::Robot;
 use picture::{
-    Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, Shot, View, movable,
+    Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, View, Viewport, movable,
     picture_png, picture_svg,
 };
 use preview::{Joint, Model, still};
@@ -75,7 +75,7 @@ fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, Str
 fn picture(
     args: &RenderArgs,
     form: Form,
-    shot: &Shot,
+    shot: &Viewport,
     (session, expansion, robot): (&Session, &Expansion, &Robot),
     io: &mut Io<'_>,
 ) -> Result<Option<(Vec<u8>, bool)>, String> {
@@ -128,7 +128,7 @@ fn form(output: &Path, tree: bool) -> Result<Form, String> {
 }
 
 /// How the picture is taken.
-fn shot(args: &RenderArgs) -> Result<Shot, String> {
+fn shot(args: &RenderArgs) -> Result<Viewport, String> {
     let view = match args.view {
         Viewpoint::Iso => View::Iso,
         Viewpoint::Front => View::Front,
@@ -141,7 +141,7 @@ fn shot(args: &RenderArgs) -> Result<Shot, String> {
             args.background
         )
     })?;
-    Ok(Shot {
+    Ok(Viewport {
         view,
         size: size(&args.size)?,
         background,

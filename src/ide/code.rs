@@ -2,7 +2,7 @@
 
 /// What a text ends in the middle of; the offset is that of what is inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Hole {
+pub(super) enum UnclosedDelimiter {
     /// `$`; its own offset.
     Dollar(usize),
     /// `${…`
@@ -12,7 +12,7 @@ pub(super) enum Hole {
 }
 
 /// What is open at the end of a text, the innermost.
-pub(super) fn hole(text: &str) -> Option<Hole> {
+pub(super) fn hole(text: &str) -> Option<UnclosedDelimiter> {
     let mut pos = 0;
     loop {
         let rest = text.get(pos..)?;
@@ -24,11 +24,11 @@ pub(super) fn hole(text: &str) -> Option<Hole> {
             .count();
         let behind = dollar + dollars;
         let open = text.get(behind..)?.chars().next();
-        let (close, make): (char, fn(usize) -> Hole) = match open {
-            None if dollars == 1 => return Some(Hole::Dollar(dollar)),
+        let (close, make): (char, fn(usize) -> UnclosedDelimiter) = match open {
+            None if dollars == 1 => return Some(UnclosedDelimiter::Dollar(dollar)),
             None => return None,
-            Some('{') if dollars == 1 => ('}', Hole::Code),
-            Some('(') if dollars == 1 => (')', Hole::Substitution),
+            Some('{') if dollars == 1 => ('}', UnclosedDelimiter::Code),
+            Some('(') if dollars == 1 => (')', UnclosedDelimiter::Substitution),
             Some(_) => {
                 pos = behind;
                 continue;
@@ -47,12 +47,12 @@ pub(super) fn hole(text: &str) -> Option<Hole> {
     }
 }
 
-impl Hole {
+impl UnclosedDelimiter {
     fn shifted(self, by: usize) -> Self {
         match self {
-            Hole::Dollar(at) => Hole::Dollar(at + by),
-            Hole::Code(at) => Hole::Code(at + by),
-            Hole::Substitution(at) => Hole::Substitution(at + by),
+            UnclosedDelimiter::Dollar(at) => UnclosedDelimiter::Dollar(at + by),
+            UnclosedDelimiter::Code(at) => UnclosedDelimiter::Code(at + by),
+            UnclosedDelimiter::Substitution(at) => UnclosedDelimiter::Substitution(at + by),
         }
     }
 }
@@ -61,7 +61,7 @@ impl Hole {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cursor<'t> {
     /// Behind a number, or something else that no name can follow.
-    Nowhere,
+    Outside,
     /// In a string; what is in it begins at `start`.
     Text { start: usize },
     /// Behind the dot of `object`, in a name that begins at `start`.
@@ -86,16 +86,16 @@ pub(super) fn cursor(code: &str) -> Cursor<'_> {
         code.get(start..).unwrap_or(""),
     );
     if word.starts_with(|c: char| c.is_ascii_digit()) {
-        return Cursor::Nowhere;
+        return Cursor::Outside;
     }
     let before = before.trim_end();
     match before.strip_suffix('.') {
         Some(object) => match chain_before(object) {
-            "" => Cursor::Nowhere,
-            number if number.bytes().all(|b| b.is_ascii_digit()) => Cursor::Nowhere,
+            "" => Cursor::Outside,
+            number if number.bytes().all(|b| b.is_ascii_digit()) => Cursor::Outside,
             object => Cursor::Member { object, start },
         },
-        None if word.is_empty() && before.ends_with(['\'', '"', ']', ')']) => Cursor::Nowhere,
+        None if word.is_empty() && before.ends_with(['\'', '"', ']', ')']) => Cursor::Outside,
         None => Cursor::Name { start },
     }
 }
@@ -200,15 +200,18 @@ pub(super) fn open_call(code: &str) -> Option<(&str, usize)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cursor, Hole, chain_before, cursor, hole, open_call};
+    use super::{Cursor, UnclosedDelimiter, chain_before, cursor, hole, open_call};
 
     #[test]
     fn holes() {
         for (text, expected) in [
-            ("a ${b", Some(Hole::Code(4))),
-            ("a ${b} $(arg c", Some(Hole::Substitution(9))),
-            ("${xacro.load_yaml('$(find ", Some(Hole::Substitution(21))),
-            ("a$", Some(Hole::Dollar(1))),
+            ("a ${b", Some(UnclosedDelimiter::Code(4))),
+            ("a ${b} $(arg c", Some(UnclosedDelimiter::Substitution(9))),
+            (
+                "${xacro.load_yaml('$(find ",
+                Some(UnclosedDelimiter::Substitution(21)),
+            ),
+            ("a$", Some(UnclosedDelimiter::Dollar(1))),
             ("$${a", None),
             ("$$", None),
             ("${a}", None),
@@ -222,8 +225,8 @@ mod tests {
         for (code, expected) in [
             ("", Cursor::Name { start: 0 }),
             ("2 * m", Cursor::Name { start: 4 }),
-            ("1.5", Cursor::Nowhere),
-            ("12", Cursor::Nowhere),
+            ("1.5", Cursor::Outside),
+            ("12", Cursor::Outside),
             (
                 "cam.ma",
                 Cursor::Member {
@@ -239,7 +242,7 @@ mod tests {
                 },
             ),
             ("cam['", Cursor::Text { start: 5 }),
-            ("cam['a']", Cursor::Nowhere),
+            ("cam['a']", Cursor::Outside),
         ] {
             assert_eq!(cursor(code), expected, "{code}");
         }

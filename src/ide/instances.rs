@@ -13,7 +13,7 @@ use xml::{Node, NodeKind};
 
 /// A call that was picked, in terms that hold after an edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Pin {
+pub struct SelectedInstance {
     /// The macro.
     pub name: EcoString,
     /// The file that defines it.
@@ -100,7 +100,7 @@ fn choices(cx: &Cx<'_>, offset: u32) -> Vec<FrameId> {
 ///
 /// # Errors
 /// How many there are to choose from.
-pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<Pin, usize> {
+pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<SelectedInstance, usize> {
     let choices = choices(cx, offset);
     let Some(&chosen) = choices.get(index) else {
         return Err(choices.len());
@@ -119,7 +119,7 @@ pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<Pin, usize> {
         let index = frames_of_macro(cx.expansion, id)
             .iter()
             .position(|known| *known == chosen)?;
-        Some(Pin {
+        Some(SelectedInstance {
             name: frame.name.clone(),
             file,
             index,
@@ -159,7 +159,7 @@ fn tags(expansion: &Expansion, frame: FrameId) -> Vec<String> {
 }
 
 /// The frame of the call that was picked; none when it is gone.
-pub fn pinned(expansion: &Expansion, pin: &Pin) -> Option<FrameId> {
+pub fn pinned(expansion: &Expansion, pin: &SelectedInstance) -> Option<FrameId> {
     let own = |place: SourceRange| {
         let source = expansion.sources.get(place.src.0 as usize)?;
         let file = expansion.files.get(source.file.0 as usize)?;

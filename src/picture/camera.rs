@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Vector3};
 
-use super::Shot;
+use super::Viewport;
 use model::Bounds;
 
 /// Directions to look from; x points forward and z up, as REP-103 has it.
@@ -58,7 +58,7 @@ impl Camera {
     /// A camera that has all points in the picture, with at least `room` pixels around them.
     pub fn around<'a>(
         points: impl Iterator<Item = &'a [f64; 3]> + Clone,
-        shot: &Shot,
+        shot: &Viewport,
         room: f64,
     ) -> Self {
         let bounds =

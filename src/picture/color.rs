@@ -16,7 +16,7 @@ pub(super) const AXES: [Rgba; 3] = [
     [0.16, 0.35, 0.9, 1.0],
 ];
 /// Lines from frame to frame.
-pub(super) const BONE: Rgba = [0.25, 0.29, 0.36, 1.0];
+pub(super) const LINK_LINE_COLOR: Rgba = [0.25, 0.29, 0.36, 1.0];
 
 /// Colors of collisions, one link after the other.
 const COLLISIONS: [Rgba; 6] = [

@@ -23,7 +23,7 @@ pub use svg::picture_svg;
 
 /// How a picture is taken.
 #[derive(Clone, Copy, Debug)]
-pub struct Shot {
+pub struct Viewport {
     /// From where.
     pub view: View,
     /// Width and height, pixels.

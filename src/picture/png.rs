@@ -2,13 +2,13 @@
 
 use super::raster::pixels;
 use super::scene::Scene;
-use super::{Background, Shot};
+use super::{Background, Viewport};
 
 /// The picture as a PNG file.
 ///
 /// # Errors
 /// When the file cannot be made, in words.
-pub fn picture_png(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
+pub fn picture_png(scene: &Scene, shot: &Viewport) -> Result<Vec<u8>, String> {
     let pixels = pixels(scene, shot)?;
     let [width, height] = shot.size;
     let mut file = Vec::new();

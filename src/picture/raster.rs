@@ -2,7 +2,7 @@
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::Shot;
+use super::Viewport;
 use super::camera::Camera;
 use super::color::{self, Background, Rgba};
 use super::normals::normals;
@@ -40,7 +40,7 @@ impl Facet {
 ///
 /// # Errors
 /// When it would take too long.
-pub(super) fn pixels(scene: &Scene, shot: &Shot) -> Result<Vec<u8>, String> {
+pub(super) fn pixels(scene: &Scene, shot: &Viewport) -> Result<Vec<u8>, String> {
     let camera = Camera::around(scene.points(), shot, 0.0);
     let (mut solid, mut translucent): (Vec<Facet>, Vec<Facet>) = (Vec::new(), Vec::new());
     for part in &scene.parts {
@@ -150,7 +150,7 @@ struct Band {
 }
 
 impl Band {
-    fn new(shot: &Shot, top: usize, rows: usize) -> Self {
+    fn new(shot: &Viewport, top: usize, rows: usize) -> Self {
         let (width, height) = (shot.size[0] as usize * SAMPLES, rows * SAMPLES);
         let count = width * height;
         let top = (top * SAMPLES) as f64;

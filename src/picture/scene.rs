@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Isometry3;
 
 use super::MOST_TRIANGLES;
-use super::color::{self, AXES, BONE, MISSING, PLAIN, Rgba};
+use super::color::{self, AXES, LINK_LINE_COLOR, MISSING, PLAIN, Rgba};
 use super::joints::{Placed, Positions, place, transform};
 use super::solids::Solid;
 use base::FastMap;
@@ -219,7 +219,7 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
         if to.coords.norm() > unit * 1e-3 {
             let mut solid = Solid::beam(to.coords.into(), unit * 0.05);
             solid.place([1.0; 3], &frame.at);
-            parts.push(Part::new(solid, BONE));
+            parts.push(Part::new(solid, LINK_LINE_COLOR));
         }
     }
     parts

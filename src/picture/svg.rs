@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use super::Shot;
+use super::Viewport;
 use super::camera::{Camera, ROOM};
-use super::color::{AXES, BONE, Background, hex};
+use super::color::{AXES, Background, LINK_LINE_COLOR, hex};
 use super::scene::{Frame, Part, Scene};
 use base::escape_xml;
 
@@ -29,7 +29,7 @@ stroke:#fff;stroke-width:3px;stroke-linejoin:round;paint-order:stroke}\
 .axis{stroke-width:1.8;stroke-linecap:round}.leader{stroke:#8a94a6;stroke-width:.8}";
 
 /// The picture as an SVG file: every shape as the outline of its convex hull, far ones first.
-pub fn picture_svg(scene: &Scene, robot: &str, shot: &Shot) -> String {
+pub fn picture_svg(scene: &Scene, robot: &str, shot: &Viewport) -> String {
     let frames: Vec<[f64; 3]> = scene
         .frames
         .iter()
@@ -146,7 +146,7 @@ fn bones(scene: &Scene, camera: &Camera, out: &mut String) {
         let _ = writeln!(
             out,
             "{}<title>{title}</title></line>",
-            line(from, to, class, &hex(BONE))
+            line(from, to, class, &hex(LINK_LINE_COLOR))
         );
     }
 }
@@ -167,7 +167,7 @@ fn axes(scene: &Scene, camera: &Camera, out: &mut String) {
 }
 
 /// The names of the links, beside their frames where there is room.
-fn names(scene: &Scene, camera: &Camera, shot: &Shot, out: &mut String) {
+fn names(scene: &Scene, camera: &Camera, shot: &Viewport, out: &mut String) {
     let mut points: Vec<([f64; 2], Vec<&str>)> = Vec::new();
     for frame in &scene.frames {
         let at = origin(frame, camera);

@@ -1,6 +1,6 @@
 //! Pictures of small robots.
 
-use super::{Background, Content, MOST_PIXELS, Scene, Shot, View, picture_png, picture_svg};
+use super::{Background, Content, MOST_PIXELS, Scene, View, Viewport, picture_png, picture_svg};
 use analysis::{Session, Setup};
 use expand::{Request, World, expand};
 use model::Robot;
@@ -60,8 +60,8 @@ fn scene(tree: &Tree, robot: &str, content: &Content) -> Scene {
     Scene::of(&model, &files, &session.vfs, content).unwrap()
 }
 
-fn shot(view: View) -> Shot {
-    Shot {
+fn shot(view: View) -> Viewport {
+    Viewport {
         view,
         size: [60, 40],
         background: WHITE,
@@ -83,7 +83,7 @@ fn decoded(file: &[u8]) -> Vec<Vec<Vec<u8>>> {
     bytes.chunks(info.line_size).map(row).collect()
 }
 
-fn drawn(scene: &Scene, shot: &Shot) -> Vec<Vec<Vec<u8>>> {
+fn drawn(scene: &Scene, shot: &Viewport) -> Vec<Vec<Vec<u8>>> {
     decoded(&picture_png(scene, shot).unwrap())
 }
 
@@ -291,7 +291,7 @@ fn pictures_are_the_same_each_time_and_may_be_transparent() {
         "type=\"fixed\">",
     );
     let scene = scene(&tree, &robot, &Content::default());
-    let shot = Shot {
+    let shot = Viewport {
         background: Background::Transparent,
         ..shot(View::Iso)
     };
@@ -349,7 +349,7 @@ fn outlines_frames_and_names_in_svg() {
     let svg = picture_svg(
         &scene,
         "a < b",
-        &Shot {
+        &Viewport {
             size: [400, 300],
             ..shot(View::Iso)
         },
@@ -391,7 +391,7 @@ fn names_do_not_lie_over_each_other() {
     let svg = picture_svg(
         &scene,
         "bot",
-        &Shot {
+        &Viewport {
             size: [600, 400],
             ..shot(View::Top)
         },
@@ -440,7 +440,7 @@ fn what_would_take_too_long_is_refused() {
         ),
         &Content::default(),
     );
-    let large = Shot {
+    let large = Viewport {
         size: [2000, 2000],
         ..shot(View::Front)
     };

@@ -6,7 +6,7 @@ use lsp_types::{MessageActionItem, MessageType, ShowDocumentParams, Url};
 use tokio::sync::mpsc::UnboundedReceiver;
 use tower_lsp::Client;
 
-use crate::outbox::{Question, Refresh};
+use crate::outbox::{ClientRequest, Refresh};
 use crate::queue::Queue;
 use crate::scanning::progress_created;
 use crate::settings::configured;
@@ -22,24 +22,26 @@ const USER_TIMEOUT: Duration = Duration::from_secs(600);
 pub(super) async fn run_client_requests(
     client: Client,
     queue: Queue<State>,
-    mut questions: UnboundedReceiver<Question>,
+    mut requests: UnboundedReceiver<ClientRequest>,
 ) {
-    while let Some(question) = questions.recv().await {
-        let timeout = match question {
-            Question::Offer { .. } => USER_TIMEOUT,
+    while let Some(request) = requests.recv().await {
+        let timeout = match request {
+            ClientRequest::Offer { .. } => USER_TIMEOUT,
             _ => CLIENT_TIMEOUT,
         };
-        let asked = run(client.clone(), queue.clone(), question);
+        let asked = run(client.clone(), queue.clone(), request);
         drop(tokio::spawn(tokio::time::timeout(timeout, asked)));
     }
 }
 
-async fn run(client: Client, queue: Queue<State>, question: Question) {
-    match question {
-        Question::Register(registrations) => drop(client.register_capability(registrations).await),
-        Question::Configuration(scopes) => configuration(&client, &queue, scopes).await,
-        Question::Refresh(what) => send_refresh(&client, what).await,
-        Question::ShowDocument(uri, range) => {
+async fn run(client: Client, queue: Queue<State>, request: ClientRequest) {
+    match request {
+        ClientRequest::Register(registrations) => {
+            drop(client.register_capability(registrations).await)
+        }
+        ClientRequest::Configuration(scopes) => configuration(&client, &queue, scopes).await,
+        ClientRequest::Refresh(what) => send_refresh(&client, what).await,
+        ClientRequest::ShowDocument(uri, range) => {
             let selection = Some(range);
             let params = ShowDocumentParams {
                 uri,
@@ -49,7 +51,7 @@ async fn run(client: Client, queue: Queue<State>, question: Question) {
             };
             let _ = client.show_document(params).await;
         }
-        Question::ShowPage(uri) => {
+        ClientRequest::ShowPage(uri) => {
             let external = Some(true);
             let params = ShowDocumentParams {
                 uri,
@@ -59,7 +61,7 @@ async fn run(client: Client, queue: Queue<State>, question: Question) {
             };
             let _ = client.show_document(params).await;
         }
-        Question::Offer {
+        ClientRequest::Offer {
             message,
             action,
             uri,
@@ -81,8 +83,8 @@ async fn run(client: Client, queue: Queue<State>, question: Question) {
                 let _ = client.show_document(params).await;
             }
         }
-        Question::ApplyEdit(edit) => drop(client.apply_edit(*edit).await),
-        Question::CreateProgress(token) => {
+        ClientRequest::ApplyEdit(edit) => drop(client.apply_edit(*edit).await),
+        ClientRequest::CreateProgress(token) => {
             let token = lsp_types::NumberOrString::String(token);
             let params = lsp_types::WorkDoneProgressCreateParams { token };
             let created = client

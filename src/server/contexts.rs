@@ -11,24 +11,24 @@ use base::CancelFlag;
 
 /// The user sees files in another way now.
 pub fn context_changed(state: &mut State, cancel: &CancelFlag) {
-    tell_contexts(state, cancel);
+    announce_contexts(state, cancel);
     state.schedule(Cause::RobotPicked);
     refresh(state);
 }
 
 /// Tell the client under which root each open file is shown, where that is news.
-pub fn tell_contexts(state: &mut State, cancel: &CancelFlag) {
+pub fn announce_contexts(state: &mut State, cancel: &CancelFlag) {
     if !state.client.own.context_changed {
         return;
     }
     let open: Vec<_> = state.documents.keys().cloned().collect();
     for path in open {
-        tell_context(state, &path, cancel);
+        announce_context(state, &path, cancel);
     }
 }
 
 /// Tell the client under which root a file is shown now.
-fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
+fn announce_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
     let context = state.world.context(path);
     let Some(uri) = state.uri(path) else { return };
     let active = context
@@ -46,7 +46,7 @@ fn tell_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) 
     {
         return;
     }
-    state.outbox.tell("xacro/contextChanged", &params);
+    state.outbox.notify("xacro/contextChanged", &params);
 }
 
 /// The call that was picked, or else the root with its arguments, or else why there is none.

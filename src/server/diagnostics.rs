@@ -13,7 +13,7 @@ use lsp_types::{
     WorkspaceUnchangedDocumentDiagnosticReport,
 };
 
-use crate::contexts::tell_contexts;
+use crate::contexts::announce_contexts;
 use crate::failure::Failure;
 use crate::locations::{Places, places};
 use crate::publishing::{fingerprint, publish};
@@ -31,7 +31,7 @@ pub fn make_diagnostics(state: &mut State) {
     if state.client.pulls_diagnostics {
         state.schedule.due = None;
         let cancel = state.status.background();
-        tell_contexts(state, &cancel);
+        announce_contexts(state, &cancel);
     } else {
         push_diagnostics(state);
     }
@@ -47,7 +47,7 @@ fn push_diagnostics(state: &mut State) {
         state.schedule.due = None;
         publish(state, found);
     }
-    tell_contexts(state, &cancel);
+    announce_contexts(state, &cancel);
 }
 
 /// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file

@@ -8,10 +8,10 @@ use lsp_types::{
 
 use crate::convert;
 use crate::framing::NO_VERSION;
-use crate::outbox::Question;
+use crate::outbox::ClientRequest;
 use crate::publishing::withdraw;
 use crate::refreshing::refresh;
-use crate::settings::ask_for_settings;
+use crate::settings::request_settings;
 use crate::state::{Cause, OpenDocument, State};
 
 pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
@@ -43,7 +43,7 @@ fn offer_source(state: &State, path: &Path) {
         vfs::slashed(&source)
     );
     if state.client.shows_documents {
-        state.outbox.ask(Question::Offer {
+        state.outbox.request(ClientRequest::Offer {
             message,
             action: "Open Source",
             uri,
@@ -119,7 +119,7 @@ pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParam
         }
     }
     state.world.set_folders(folders);
-    ask_for_settings(state);
+    request_settings(state);
     state.schedule(Cause::FoldersChanged);
     refresh(state);
 }

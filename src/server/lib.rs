@@ -69,7 +69,7 @@ pub fn reframe(input: &[u8]) -> Vec<u8> {
 async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
     let (queue, jobs, status) = queue::queue();
-    let (outbox, notifications, questions) = Outbox::new();
+    let (outbox, notifications, requests) = Outbox::new();
     let announced = status.clone();
     let log = Log::start(&env, outbox.clone());
     tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
@@ -83,7 +83,7 @@ async fn serve(env: Environment) -> u8 {
         tokio::spawn(client_requests::run_client_requests(
             client,
             post.clone(),
-            questions,
+            requests,
         ));
         Handlers {
             queue: post,

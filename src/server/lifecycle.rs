@@ -11,8 +11,8 @@ use crate::capabilities;
 use crate::client::{CLIENT_OPTIONS, ResolvedCapabilities, options};
 use crate::exit::{Shutdown, watch_process};
 use crate::failure::Failure;
-use crate::outbox::Question;
-use crate::settings::{ask_for_settings, settings};
+use crate::outbox::ClientRequest;
+use crate::settings::{request_settings, settings};
 use crate::state::State;
 use base::{CancelFlag, Encoding};
 use vfs::is_process_alive;
@@ -89,13 +89,13 @@ pub fn client_ready(state: &mut State, (): ()) {
         ));
     }
     if !registrations.is_empty() {
-        state.outbox.ask(Question::Register(registrations));
+        state.outbox.request(ClientRequest::Register(registrations));
     }
-    ask_for_settings(state);
+    request_settings(state);
     if state.client.progress && !state.world.folders().is_empty() {
         state
             .outbox
-            .ask(Question::CreateProgress("xacro/scan".to_owned()));
+            .request(ClientRequest::CreateProgress("xacro/scan".to_owned()));
     }
 }
 

@@ -105,7 +105,7 @@ impl<S: Subscriber> Layer<S> for Log {
                 message: text.message.clone(),
                 verbose,
             };
-            self.0.outbox.tell(LogTrace::METHOD, &params);
+            self.0.outbox.notify(LogTrace::METHOD, &params);
         }
         let level = event.metadata().level().as_str().to_lowercase();
         let Text { message, fields } = text;

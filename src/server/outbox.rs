@@ -12,7 +12,7 @@ use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 use crate::framing::framed;
 
 /// A request to the client.
-pub(super) enum Question {
+pub(super) enum ClientRequest {
     /// Capabilities to be registered.
     Register(Vec<Registration>),
     /// Ask for the settings of each folder (none: of the whole workspace).
@@ -48,7 +48,7 @@ pub(super) enum Refresh {
 #[derive(Clone)]
 pub(super) struct Outbox {
     notifications: UnboundedSender<Vec<u8>>,
-    questions: UnboundedSender<Question>,
+    requests: UnboundedSender<ClientRequest>,
 }
 
 impl Outbox {
@@ -56,14 +56,14 @@ impl Outbox {
     pub fn new() -> (
         Self,
         UnboundedReceiver<Vec<u8>>,
-        UnboundedReceiver<Question>,
+        UnboundedReceiver<ClientRequest>,
     ) {
         let (notifications, written) = unbounded_channel();
-        let (questions, asked) = unbounded_channel();
+        let (requests, asked) = unbounded_channel();
         (
             Self {
                 notifications,
-                questions,
+                requests,
             },
             written,
             asked,
@@ -71,18 +71,18 @@ impl Outbox {
     }
 
     /// Send a notification.
-    pub fn tell(&self, method: &str, params: &impl Serialize) {
-        self.tell_encoded(&notification(method, params));
+    pub fn notify(&self, method: &str, params: &impl Serialize) {
+        self.notify_encoded(&notification(method, params));
     }
 
     /// Send a notification that is JSON already.
-    pub fn tell_encoded(&self, notification: &[u8]) {
+    pub fn notify_encoded(&self, notification: &[u8]) {
         let _ = self.notifications.send(framed(notification));
     }
 
     /// Send a request.
-    pub fn ask(&self, question: Question) {
-        let _ = self.questions.send(question);
+    pub fn request(&self, request: ClientRequest) {
+        let _ = self.requests.send(request);
     }
 
     /// Write a line to the client's log.
@@ -92,7 +92,7 @@ impl Outbox {
 
     /// Write a line of some weight to the client's log.
     pub fn log_as(&self, typ: MessageType, message: impl Into<String>) {
-        self.tell(
+        self.notify(
             LogMessage::METHOD,
             &LogMessageParams {
                 typ,
@@ -103,7 +103,7 @@ impl Outbox {
 
     /// Show the user a line.
     pub fn show(&self, typ: MessageType, message: impl Into<String>) {
-        self.tell(
+        self.notify(
             ShowMessage::METHOD,
             &ShowMessageParams {
                 typ,

@@ -18,7 +18,7 @@ use crate::failure::Failure;
 #[cfg(feature = "preview")]
 use crate::mapping::named;
 #[cfg(feature = "preview")]
-use crate::outbox::Question;
+use crate::outbox::ClientRequest;
 use crate::root_param::{Root, chosen};
 use crate::state::State;
 use crate::views::Previews;
@@ -170,19 +170,19 @@ pub fn selected(state: &mut State, params: SelectParams) {
             },
         );
         if let Some(selection) = found {
-            tell_selection(state, &selection);
+            send_selection(state, &selection);
         }
     }
 }
 
-fn tell_selection(state: &State, selection: &Selection) {
+fn send_selection(state: &State, selection: &Selection) {
     #[cfg(feature = "preview")]
     if let Some(hub) = &state.previews.hub {
         hub.select(selection);
     }
     if state.previews.subscribed.contains(&selection.id) {
         let params = serde_json::to_value(selection).unwrap_or_default();
-        state.outbox.tell("xacro/preview/select", &params);
+        state.outbox.notify("xacro/preview/select", &params);
     }
 }
 
@@ -206,18 +206,18 @@ pub fn make_previews(state: &mut State) {
     // given up because a job came in: after it
     state.previews.due |= !finished;
     for message in &messages {
-        tell_model(state, message);
+        send_model(state, message);
     }
 }
 
-fn tell_model(state: &State, message: &ModelMessage) {
+fn send_model(state: &State, message: &ModelMessage) {
     #[cfg(feature = "preview")]
     if let Some(hub) = &state.previews.hub {
         hub.tell(message);
     }
     if state.previews.subscribed.contains(&message.id) {
         let params = serde_json::to_value(message).unwrap_or_default();
-        state.outbox.tell("xacro/preview/model", &params);
+        state.outbox.notify("xacro/preview/model", &params);
     }
 }
 
@@ -293,7 +293,7 @@ pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure
     let url = hub.url(id);
     if shown && state.client.shows_documents {
         let page = Url::parse(&url).map_err(|error| Failure::Invalid(error.to_string()))?;
-        state.outbox.ask(Question::ShowPage(page));
+        state.outbox.request(ClientRequest::ShowPage(page));
     }
     Ok(json!({ "url": url, "id": id }))
 }
@@ -313,10 +313,10 @@ mod pages {
     use std::sync::Arc;
 
     use super::{
-        Failure, Location, Root, ShowParams, State, Url, client_names, convert, show_root,
-        tell_selection,
+        Failure, Location, Root, ShowParams, State, Url, client_names, convert, send_selection,
+        show_root,
     };
-    use crate::outbox::Question;
+    use crate::outbox::ClientRequest;
     use base::CancelFlag;
     use preview::{FromViewer, Hub, Received, RootName};
 
@@ -356,7 +356,7 @@ mod pages {
                 };
                 selection.location = location.or(selection.location);
                 show_location(state, selection.location.as_ref());
-                tell_selection(state, &selection);
+                send_selection(state, &selection);
             }
             FromViewer::Open { location } => show_location(state, Some(&location)),
             FromViewer::Root { root, compare } => {
@@ -395,7 +395,9 @@ mod pages {
         if state.client.shows_documents && state.may_read(&convert::path(&uri)) {
             let range =
                 lsp_types::Range::new(point(location.range.start), point(location.range.end));
-            state.outbox.ask(Question::ShowDocument(uri, range));
+            state
+                .outbox
+                .request(ClientRequest::ShowDocument(uri, range));
         }
     }
 

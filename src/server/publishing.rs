@@ -37,7 +37,7 @@ fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) 
         true => state.sent.diagnostics.messages.remove(&path),
         false => state.sent.diagnostics.messages.insert(path, hash),
     };
-    state.outbox.tell_encoded(&message);
+    state.outbox.notify_encoded(&message);
 }
 
 /// A closed file has no diagnostics of its own any more.
@@ -48,7 +48,7 @@ pub fn withdraw(state: &mut State, path: &Path, uri: Url) {
             diagnostics: Vec::new(),
             version: None,
         };
-        state.outbox.tell(PublishDiagnostics::METHOD, &none);
+        state.outbox.notify(PublishDiagnostics::METHOD, &none);
     }
 }
 

@@ -1,5 +1,5 @@
 //! Telling the client to ask again.
-use crate::outbox::{Question, Refresh};
+use crate::outbox::{ClientRequest, Refresh};
 use crate::state::State;
 
 /// Have the client ask again for what it has asked for before.
@@ -23,6 +23,6 @@ pub fn refresh_others(state: &State) {
 
 fn refresh_when(state: &State, supported: bool, what: &'static [Refresh]) {
     if supported && state.initialized {
-        state.outbox.ask(Question::Refresh(what));
+        state.outbox.request(ClientRequest::Refresh(what));
     }
 }

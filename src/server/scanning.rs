@@ -93,6 +93,6 @@ fn report_progress(state: &State, value: Value) {
     if let Some(token) = &state.progress {
         state
             .outbox
-            .tell("$/progress", &json!({ "token": token, "value": value }));
+            .notify("$/progress", &json!({ "token": token, "value": value }));
     }
 }

@@ -5,13 +5,13 @@ use std::time::Duration;
 use lsp_types::{DidChangeConfigurationParams, MessageType, Url};
 use serde_json::Value;
 
-use crate::outbox::Question;
+use crate::outbox::ClientRequest;
 use crate::state::{Cause, State};
 use ide::HintSettings;
 use workspace::config::unknown_settings;
 
 /// Ask for the settings of each folder, where the client answers that.
-pub fn ask_for_settings(state: &State) {
+pub fn request_settings(state: &State) {
     if state.client.configuration {
         let folders = state
             .world
@@ -22,14 +22,14 @@ pub fn ask_for_settings(state: &State) {
         if scopes.is_empty() {
             scopes.push(None);
         }
-        state.outbox.ask(Question::Configuration(scopes));
+        state.outbox.request(ClientRequest::Configuration(scopes));
     }
 }
 
 pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams) {
     match state.client.configuration {
         // the settings sent along are those of no folder in particular
-        true => ask_for_settings(state),
+        true => request_settings(state),
         false => settings(state, &params.settings),
     }
     state.schedule(Cause::SettingsChanged);

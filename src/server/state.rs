@@ -106,7 +106,7 @@ pub(super) struct State {
     pub schedule: Schedule,
     pub settings: ServerSettings,
     /// Macro calls that the user selected, by root.
-    pub pins: BTreeMap<PathBuf, ide::Pin>,
+    pub pins: BTreeMap<PathBuf, ide::SelectedInstance>,
     /// Where the last lines of the log are.
     pub log: Log,
     /// What is shown in 3D.

@@ -54,21 +54,21 @@ pub(super) async fn serve<S>(
     let (outgoing, answers) = unbounded_channel();
     let (replies, replied) = unbounded_channel();
     let (requests, asked) = socket.split();
-    let reception = Reception {
+    let reader = MessageReader {
         service,
         replies,
         outgoing,
         runtime: Handle::current(),
         handlers: Arc::new(Semaphore::new(HANDLERS_AT_ONCE)),
     };
-    std::thread::spawn(move || reception.read(announce));
+    std::thread::spawn(move || reader.read(announce));
     let passing_on = tokio::spawn(pass_on(replied, asked));
     write(answers, notifications, requests, shutdown).await;
     passing_on.abort();
 }
 
 /// Where messages come in.
-struct Reception<S> {
+struct MessageReader<S> {
     service: S,
     /// Replies to requests of ours, on their way to who asked.
     replies: UnboundedSender<Response>,
@@ -78,7 +78,7 @@ struct Reception<S> {
     handlers: Arc<Semaphore>,
 }
 
-impl<S> Reception<S>
+impl<S> MessageReader<S>
 where
     S: Service<Request, Response = Option<Response>, Future: Send + Unpin + 'static>,
     S::Error: Send + 'static,

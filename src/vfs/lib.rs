@@ -14,12 +14,12 @@ mod disk;
 mod environment;
 mod error;
 mod glob;
-mod held;
 mod ids;
 mod output;
 mod process;
 mod read;
 mod relative;
+mod stat_cache;
 #[doc(hidden)]
 pub mod testing;
 #[cfg(test)]
@@ -33,18 +33,18 @@ pub use derived::{FileCache, text_of};
 pub use environment::Environment;
 pub use error::{LoadError, LoadErrorKind};
 pub use glob::{TooMany, Wildcard, covers, has_magic};
-pub use held::Held;
 pub use output::write_atomically;
 pub use process::{first_stack, is_process_alive, unbuffered_stdout};
 pub use relative::{relative, shown_path, slashed, spelled, without_parents};
+pub use stat_cache::StatSnapshot;
 
 use base::{FastMap, FileId, TextRange};
 use buffer::Buffer;
 use cache::Cache;
 use disk::Disk;
-use held::Asked;
 use ids::Ids;
 use read::{Identity, Kind, Stamp, Stat};
+use stat_cache::StatCache;
 use xml::Document;
 use yaml::{self, Node, YamlError};
 
@@ -156,7 +156,7 @@ struct Shared {
     sources: Cache<SourceFile>,
     yaml: Cache<YamlFile>,
     folders: Cache<Vec<DirEntry>>,
-    asked: Asked,
+    stats: StatCache,
 }
 
 impl Vfs {

@@ -56,7 +56,7 @@ impl Chunk {
     fn sum(&mut self) {
         self.bytes = self.items.iter().map(|item| item.len()).sum();
         self.lines = self.items.iter().map(|item| item.lines).sum();
-        self.far = self.items.iter().any(|item| item.reach() > item.len());
+        self.far = self.items.iter().any(|item| item.lookahead() > item.len());
         self.loud = false;
         self.prefixes.clear();
         for item in self.items.iter() {
@@ -209,7 +209,7 @@ impl Chunks {
                 if mark.bytes > offset {
                     return None;
                 }
-                if mark.bytes.saturating_add(item.reach()) > offset {
+                if mark.bytes.saturating_add(item.lookahead()) > offset {
                     return Some(mark);
                 }
                 mark.index += 1;

@@ -131,7 +131,7 @@ impl Document {
 
     /// The first part that a change of the text from `offset` on touches, and its offset.
     fn first_dirty(&self, offset: u32) -> (Part, u32) {
-        if self.header.reach() > offset {
+        if self.header.lookahead() > offset {
             return (Part::Header, 0);
         }
         let head = self.header.len();
@@ -262,7 +262,7 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
         loop {
             let mut parser = Parser::new(&self.text, "", self.is_final);
             let header = parser.header();
-            if !parser.starved() {
+            if !parser.needs_more_input() {
                 let done = parser.pos();
                 self.drop_front(done);
                 return header;
@@ -286,7 +286,7 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
                     break;
                 }
                 let step = parser.step();
-                if parser.starved() {
+                if parser.needs_more_input() {
                     break;
                 }
                 done = parser.pos();

@@ -111,8 +111,8 @@ fn assert_same(edited: &Document, fresh: &Document) {
         let errors = |item: &Item| item.errors().map(Cow::into_owned).collect::<Vec<_>>();
         assert_eq!(errors(one), errors(&two), "{one:?}");
         assert_eq!(
-            (one.reach(), one.entity_uses()),
-            (two.reach(), two.entity_uses()),
+            (one.lookahead(), one.entity_uses()),
+            (two.lookahead(), two.entity_uses()),
             "{one:?}"
         );
     }

@@ -36,7 +36,7 @@ impl OuterPrefix {
         let Extra {
             errors,
             entity_uses,
-            reach: 0,
+            lookahead: 0,
             needs_root_name: false,
         } = extra
         else {
@@ -81,7 +81,7 @@ pub(super) struct Extra {
     pub(super) errors: Box<[ItemError]>,
     /// Length of the text the parser looked at to shape this item, when that goes beyond its end;
     /// `u32::MAX`: to the end of the file.
-    pub(super) reach: u32,
+    pub(super) lookahead: u32,
     /// References to entities that must be declared: name, whether in an attribute, how many.
     pub(super) entity_uses: Vec<EntityUse>,
     /// Whether the shape depends on the name of the root.
@@ -183,10 +183,10 @@ impl Item {
     }
 
     /// Length of the text this item depends on; at least its own.
-    pub(super) fn reach(&self) -> u32 {
+    pub(super) fn lookahead(&self) -> u32 {
         self.extra
             .as_ref()
-            .map_or(0, |extra| extra.reach)
+            .map_or(0, |extra| extra.lookahead)
             .max(self.len())
     }
 

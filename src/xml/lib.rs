@@ -9,13 +9,13 @@ mod document;
 mod edit;
 mod entities;
 mod error;
+mod expat_error;
 mod item;
 mod line_table;
 mod name_table;
 mod node;
 mod parse;
 mod positions;
-mod verdict;
 
 pub use decode::{decode as decode_text, source_offset, source_offsets};
 pub use doctype::printed_doctype;

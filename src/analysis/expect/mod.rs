@@ -91,7 +91,7 @@ pub struct Tests {
 impl Session {
     /// Test the configured roots among files and below folders.
     pub fn test(&self, options: &TestOptions) -> Tests {
-        let _held = self.vfs.hold();
+        let _held = self.vfs.freeze();
         let mut tests = Tests::default();
         let cases = self.cases(&options.check, &mut tests);
         if !tests.invalid.is_empty() {

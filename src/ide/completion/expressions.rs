@@ -7,7 +7,7 @@ use super::members;
 use super::paths;
 use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
-use crate::code::{Cursor, Hole, chain_before, cursor, hole};
+use crate::code::{Cursor, UnclosedDelimiter, chain_before, cursor, hole};
 use crate::typed::Typed;
 use base::limits::COMPLETIONS;
 use expand::parse_params;
@@ -18,9 +18,9 @@ pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions
     let text = &typed.before;
     let at = |inside: usize| typed.offset - (text.len() - inside) as u32;
     match hole(text)? {
-        Hole::Dollar(start) => Some(dollar(typed, at(start))),
-        Hole::Code(start) => Some(code(scope, typed, text.get(start..)?, false)),
-        Hole::Substitution(start) => {
+        UnclosedDelimiter::Dollar(start) => Some(dollar(typed, at(start))),
+        UnclosedDelimiter::Code(start) => Some(code(scope, typed, text.get(start..)?, false)),
+        UnclosedDelimiter::Substitution(start) => {
             let inner = text.get(start..)?;
             match inner.strip_prefix("eval ") {
                 Some(inner) => Some(code(scope, typed, inner, true)),
@@ -53,7 +53,7 @@ fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completi
     let rest = typed.rest_of_word(is_word);
     let answer = |start: usize, items| Completions::new(at(start), typed.offset, rest, items);
     match cursor(code) {
-        Cursor::Nowhere => Completions::default(),
+        Cursor::Outside => Completions::default(),
         Cursor::Text { start, .. } => {
             let before = code.get(..start.saturating_sub(1)).unwrap_or("").trim_end();
             let within = code.get(start..).unwrap_or("");

@@ -3,7 +3,7 @@
 use super::docs::{parameter, signature};
 use super::scope::{MacroInfo, Scope};
 use super::tags::is_required;
-use crate::code::{Hole, hole, open_call};
+use crate::code::{UnclosedDelimiter, hole, open_call};
 use crate::tag_reader::Open;
 use crate::typed::{Typed, Typing, is_name_char, typed};
 use base::TextRange;
@@ -26,9 +26,11 @@ pub struct Signature {
 pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
     let typed = typed(&scope.sources.source.document, offset);
     let of_function = || match hole(&typed.before)? {
-        Hole::Code(start) => of_code(typed.before.get(start..)?),
-        Hole::Substitution(start) => of_code(typed.before.get(start..)?.strip_prefix("eval ")?),
-        Hole::Dollar(_) => None,
+        UnclosedDelimiter::Code(start) => of_code(typed.before.get(start..)?),
+        UnclosedDelimiter::Substitution(start) => {
+            of_code(typed.before.get(start..)?.strip_prefix("eval ")?)
+        }
+        UnclosedDelimiter::Dollar(_) => None,
     };
     match &typed.what {
         Typing::Value(tag, name) => of_function().or_else(|| {

@@ -19,7 +19,7 @@ use crate::convert;
 use crate::diagnostics::diagnostic;
 use crate::failure::Failure;
 use crate::locations::places;
-use crate::outbox::Question;
+use crate::outbox::ClientRequest;
 use crate::requests::arguments::set_argument;
 use crate::requests::code_action::{APPLY, code_action, refactor};
 use crate::requests::navigation::{about_files, asked};
@@ -143,7 +143,7 @@ pub fn apply_offered(state: &mut State, offered: MadeFor) -> Result<(), Failure>
     }
     state
         .outbox
-        .ask(Question::ApplyEdit(Box::new(offered.edit)));
+        .request(ClientRequest::ApplyEdit(Box::new(offered.edit)));
     Ok(())
 }
 
@@ -202,7 +202,7 @@ fn quick_fixes(
         .iter()
         .any(|shown| rule(shown).is_some());
     if is_automatic && !named && state.schedule.due.is_some() {
-        // a sign beside the text is not to wait for a check of the whole robot; findings bring the next question
+        // a sign beside the text is not to wait for a check of the whole robot; findings bring the next request
         return Ok(Vec::new());
     }
     let report = state

@@ -128,7 +128,7 @@ fn remember(state: &mut State, path: &Path, data: &[SemanticToken]) -> String {
     sent.number.to_string()
 }
 
-/// The start of a document, for questions about all of it.
+/// The start of a document, for requests about all of it.
 pub(crate) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPositionParams {
     TextDocumentPositionParams {
         text_document,

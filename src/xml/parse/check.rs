@@ -111,9 +111,9 @@ impl<'t> Parser<'t> {
             0 => raw.to_owned(),
             _ => decode(raw, &Entities::default(), true).into_owned(),
         };
-        if let Some((verdict, message)) = declaration_fault(prefix, &uri) {
+        if let Some((expat_error, message)) = declaration_fault(prefix, &uri) {
             let range = (start, start + raw.len());
-            self.error(Kind::BadNamespace, range, (verdict, tag), message);
+            self.error(Kind::BadNamespace, range, (expat_error, tag), message);
         }
         if !prefix.is_empty() && prefix != "xml" {
             self.scopes.bind(prefix, uri, self.open.len() + 1);

@@ -1,13 +1,13 @@
 //! The DOCTYPE with its internal subset: checked in full, kept only as far as general entities go.
 
 use super::token::Token;
-use super::{Parser, Verdict};
+use super::{ExpatError, Parser};
 use crate::decode::{Reference, decode, read_reference};
 use crate::entities::{Entities, Entity};
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::{CLOSED, NodeKind};
 
-type Checked<T = ()> = Result<T, Verdict>;
+type Checked<T = ()> = Result<T, ExpatError>;
 
 /// Types of attributes that are one word.
 const ATTRIBUTE_TYPES: [&str; 8] = [
@@ -25,13 +25,13 @@ impl<'t> Parser<'t> {
             Ok(()) => {
                 self.push_node(NodeKind::Doctype, start, CLOSED);
             }
-            Err(verdict) => {
+            Err(expat_error) => {
                 self.pos = start + 9;
                 let closed = self.skip_doctype();
                 self.push_node(NodeKind::Doctype, start, if closed { CLOSED } else { 0 });
                 if self.errors.len() == first_error {
                     let message = "malformed DOCTYPE\nremove the DOCTYPE; a robot description does not need one";
-                    self.error(Kind::BadDoctype, (start, start + 9), verdict, message);
+                    self.error(Kind::BadDoctype, (start, start + 9), expat_error, message);
                 }
                 self.mark_divergence();
             }
@@ -413,7 +413,7 @@ impl<'t> Parser<'t> {
 }
 
 /// What expat says to a token that has no place where it stands.
-fn unexpected((token, start, _): (Token, usize, &str)) -> Verdict {
+fn unexpected((token, start, _): (Token, usize, &str)) -> ExpatError {
     match token {
         Token::ParameterReference => (expat::PARAMETER_REFERENCE, start),
         _ => (expat::SYNTAX, start),

@@ -1,6 +1,6 @@
 //! End tags, and elements that end without one.
 
-use super::{Parser, Stop, Verdict};
+use super::{ExpatError, Parser, Stop};
 use crate::chars::{name_char, skip_ascii_name};
 use crate::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::node::NodeKind;
@@ -22,10 +22,10 @@ impl Parser<'_> {
     /// Read an end tag.
     pub(super) fn end_tag(&mut self) -> Option<Stop> {
         let start = self.pos;
-        let (name_end, verdict) = self.scan_end_tag();
+        let (name_end, expat_error) = self.scan_end_tag();
         let complete = self.bytes.get(self.pos - 1) == Some(&b'>');
         let name = self.slice(start + 2, name_end);
-        let mismatch = verdict.unwrap_or((expat::MISMATCH, start + 2));
+        let mismatch = expat_error.unwrap_or((expat::MISMATCH, start + 2));
         let found = self
             .open
             .iter()
@@ -33,7 +33,7 @@ impl Parser<'_> {
             .take(MAX_LOOK)
             .position(|&id| self.name_of(id) == name);
         if let Some(above) = found {
-            self.report_end_tag(start, verdict);
+            self.report_end_tag(start, expat_error);
             let depth = self.open.len() - above;
             let tag_end = std::mem::replace(&mut self.pos, start);
             self.close_unclosed(depth, Some((start, tag_end)), mismatch);
@@ -49,7 +49,7 @@ impl Parser<'_> {
             self.close_unclosed(0, Some((start, tag_end)), mismatch);
             return Some(Stop::RootEnd);
         }
-        self.report_end_tag(start, verdict);
+        self.report_end_tag(start, expat_error);
         if self.closes_innermost(start, name, complete) {
             if complete {
                 self.report_renamed(start, name_end, mismatch);
@@ -65,7 +65,7 @@ impl Parser<'_> {
     }
 
     /// An end tag of another name, taken for that of the innermost element.
-    fn report_renamed(&mut self, start: usize, name_end: usize, verdict: Verdict) {
+    fn report_renamed(&mut self, start: usize, name_end: usize, expat_error: ExpatError) {
         let Some(node) = self.open.last().and_then(|&id| self.nodes.get(id as usize)) else {
             return;
         };
@@ -79,24 +79,24 @@ impl Parser<'_> {
             message: format!(
                 "end tag `</{name}>` does not match start tag `<{own}>`\nwrite `</{own}>`, or rename the start tag"
             ),
-            expat: verdict.0,
-            expat_offset: self.rel(verdict.1),
+            expat: expat_error.0,
+            expat_offset: self.rel(expat_error.1),
         };
         self.push_error(Condition::Always, error);
     }
 
-    /// Move behind an end tag. Gives the end of its name and, if the tag is malformed, expat's verdict.
-    pub(super) fn scan_end_tag(&mut self) -> (usize, Option<Verdict>) {
+    /// Move behind an end tag. Gives the end of its name and, if the tag is malformed, the error of expat.
+    pub(super) fn scan_end_tag(&mut self) -> (usize, Option<ExpatError>) {
         let start = self.pos;
         self.pos += 2;
         if name_char(self.text, self.pos, true) == 0 {
             let at = self.pos;
-            let verdict = if self.peek().is_none() {
+            let expat_error = if self.peek().is_none() {
                 (expat::UNCLOSED_TOKEN, start)
             } else {
                 (expat::INVALID, at)
             };
-            return (at, Some(verdict));
+            return (at, Some(expat_error));
         }
         self.pos = skip_ascii_name(self.bytes, self.pos);
         loop {
@@ -123,13 +123,13 @@ impl Parser<'_> {
         }
     }
 
-    pub(super) fn report_end_tag(&mut self, start: usize, verdict: Option<Verdict>) {
-        if let Some(verdict) = verdict {
+    pub(super) fn report_end_tag(&mut self, start: usize, expat_error: Option<ExpatError>) {
+        if let Some(expat_error) = expat_error {
             let message = format!(
                 "end tag `{}` has no `>`\nadd `>`",
                 self.slice(start, self.pos)
             );
-            self.error(Kind::UnclosedTag, (start, self.pos), verdict, message);
+            self.error(Kind::UnclosedTag, (start, self.pos), expat_error, message);
         }
     }
 
@@ -138,20 +138,25 @@ impl Parser<'_> {
         &mut self,
         depth: usize,
         end_tag: Option<(usize, usize)>,
-        verdict: Verdict,
+        expat_error: ExpatError,
     ) {
         let mut reported = 0;
         while self.open.len() > depth {
             let Some(&id) = self.open.last() else { return };
             if reported < MAX_UNCLOSED {
-                self.report_unclosed(id, end_tag, verdict);
+                self.report_unclosed(id, end_tag, expat_error);
                 reported += 1;
             }
             self.close(None);
         }
     }
 
-    fn report_unclosed(&mut self, id: u32, end_tag: Option<(usize, usize)>, verdict: Verdict) {
+    fn report_unclosed(
+        &mut self,
+        id: u32,
+        end_tag: Option<(usize, usize)>,
+        expat_error: ExpatError,
+    ) {
         let Some(node) = self.nodes.get(id as usize) else {
             return;
         };
@@ -173,8 +178,8 @@ impl Parser<'_> {
             related: end_tag
                 .map(|(from, to)| (self.range(from, to), "expected the end tag before this")),
             message,
-            expat: verdict.0,
-            expat_offset: self.rel(verdict.1),
+            expat: expat_error.0,
+            expat_offset: self.rel(expat_error.1),
         };
         self.push_error(Condition::Always, error);
     }

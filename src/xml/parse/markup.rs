@@ -1,6 +1,6 @@
 //! Comments, CDATA sections, instructions, and what else begins with `<!`.
 
-use super::{Parser, Verdict};
+use super::{ExpatError, Parser};
 use crate::chars::{first_illegal, is_space, name_char};
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::{CLOSED, NodeKind};
@@ -35,7 +35,7 @@ const INSTRUCTION: Shape = Shape {
 impl Parser<'_> {
     /// Read what begins with `<!` inside the root.
     pub(super) fn bang(&mut self) {
-        self.floor = Some(0);
+        self.min_offset = Some(0);
         if self.starts_with(b"<!--") {
             self.comment();
         } else if self.starts_with(b"<![CDATA[") {
@@ -43,7 +43,7 @@ impl Parser<'_> {
         } else {
             self.junk_markup();
         }
-        self.floor = None;
+        self.min_offset = None;
     }
 
     /// Where `needle` occurs from `from` on. What is nowhere is looked for once only: each piece of unclosed
@@ -103,9 +103,9 @@ impl Parser<'_> {
                 .is_some_and(|before| before.ends_with(b"<!"));
             if opens {
                 if let Some(next) = self.next_line_markup(searched, dashes + 2) {
-                    let verdict = (expat::INVALID, dashes + 2);
+                    let expat_error = (expat::INVALID, dashes + 2);
                     self.look(dashes + 3);
-                    return self.resume_at(&COMMENT, start, (next, first_error), verdict);
+                    return self.resume_at(&COMMENT, start, (next, first_error), expat_error);
                 }
                 searched = dashes;
             }
@@ -143,7 +143,7 @@ impl Parser<'_> {
     fn unclosed_markup(&mut self, shape: &Shape, start: usize, first_error: usize) {
         self.hit_end = true;
         let (inner, end) = (start + shape.open, self.bytes.len());
-        let verdict = match self.next_illegal(inner) {
+        let expat_error = match self.next_illegal(inner) {
             Some(at) => (expat::INVALID, at),
             None if shape.kind == NodeKind::CData => {
                 (expat::UNCLOSED_CDATA, self.cdata_stop(inner))
@@ -151,14 +151,14 @@ impl Parser<'_> {
             None => (expat::UNCLOSED_TOKEN, start),
         };
         if let Some(next) = self.next_line_markup(inner, end) {
-            return self.resume_at(shape, start, (next, first_error), verdict);
+            return self.resume_at(shape, start, (next, first_error), expat_error);
         }
         self.pos = end;
         if self.errors.len() == first_error {
             self.check_characters(inner, end);
         }
         self.push_node(shape.kind, start, 0);
-        self.report_unclosed_markup(shape, start, verdict);
+        self.report_unclosed_markup(shape, start, expat_error);
     }
 
     /// Where expat waits for the rest of an unclosed CDATA section: before what may be half of its end.
@@ -172,21 +172,27 @@ impl Parser<'_> {
 
     /// End unclosed markup before `next`. What was found since `first_error` may lie behind that; there it
     /// will be found again, as something else.
-    fn resume_at(&mut self, shape: &Shape, start: usize, next: (usize, usize), verdict: Verdict) {
+    fn resume_at(
+        &mut self,
+        shape: &Shape,
+        start: usize,
+        next: (usize, usize),
+        expat_error: ExpatError,
+    ) {
         let (next, first_error) = next;
         let found = self.errors.get(first_error);
-        let verdict = found.map_or(verdict, |e| {
+        let expat_error = found.map_or(expat_error, |e| {
             (e.error.expat, self.base + e.error.expat_offset as usize)
         });
         self.errors.truncate(first_error);
-        self.floor = Some(0);
+        self.min_offset = Some(0);
         self.pos = self.trimmed(next).max(start + shape.open);
         self.push_node(shape.kind, start, 0);
-        self.report_unclosed_markup(shape, start, verdict);
+        self.report_unclosed_markup(shape, start, expat_error);
         self.mark_divergence();
     }
 
-    fn report_unclosed_markup(&mut self, shape: &Shape, start: usize, verdict: Verdict) {
+    fn report_unclosed_markup(&mut self, shape: &Shape, start: usize, expat_error: ExpatError) {
         let (what, close) = (shape.what, shape.close);
         let line = self
             .slice(start + shape.open, self.pos)
@@ -200,13 +206,13 @@ impl Parser<'_> {
             false => format!("unclosed {what}: `{close}` is missing\nadd `{close}`"),
         };
         let end = (start + shape.open).min(self.pos);
-        self.error(Kind::UnclosedMarkup, (start, end), verdict, message);
+        self.error(Kind::UnclosedMarkup, (start, end), expat_error, message);
     }
 
     /// Read an instruction. An XML declaration has its place at the start of the file only.
     pub(super) fn instruction(&mut self) {
         let start = self.pos;
-        self.floor = Some(0);
+        self.min_offset = Some(0);
         let first_error = self.errors.len();
         let name_end = self.instruction_target();
         let target = self.slice(start + 2, name_end);
@@ -266,7 +272,7 @@ impl Parser<'_> {
                 message,
             );
         }
-        self.floor = None;
+        self.min_offset = None;
     }
 
     fn starts_declaration(&self, start: usize) -> bool {
@@ -317,7 +323,7 @@ impl Parser<'_> {
             self.pos += 1;
         }
         self.push_node(NodeKind::Junk, start, 0);
-        let verdict = match self.bytes.get(at) {
+        let expat_error = match self.bytes.get(at) {
             // expat waits for all of `<![CDATA[` before it looks at it.
             Some(_) if expected.len() < 9 || text.len() >= 9 => (expat::INVALID, at),
             _ => {
@@ -326,6 +332,11 @@ impl Parser<'_> {
             }
         };
         let message = "invalid markup after `<!`\nwrite a comment: <!-- ... -->";
-        self.error(Kind::UnclosedMarkup, (start, self.pos), verdict, message);
+        self.error(
+            Kind::UnclosedMarkup,
+            (start, self.pos),
+            expat_error,
+            message,
+        );
     }
 }

@@ -26,7 +26,7 @@ use names::Scopes;
 pub(super) use prolog::{Footer, Header, RootState};
 
 /// What expat says, and the offset where it stops.
-type Verdict = (&'static str, usize);
+type ExpatError = (&'static str, usize);
 
 /// What ended a run of content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +57,7 @@ pub(super) struct Parser<'t> {
     /// Where the current item starts.
     base: usize,
     /// How far the parser had to look to shape the current item.
-    reach: usize,
+    lookahead: usize,
     /// The shape of the current item depends on the text ending here.
     hit_end: bool,
     needs_root_name: bool,
@@ -65,7 +65,7 @@ pub(super) struct Parser<'t> {
     in_header: bool,
     /// Inside a piece of markup: the largest offset of its errors so far. What is found later comes later
     /// for expat too, even if it would name an earlier offset.
-    floor: Option<u32>,
+    min_offset: Option<u32>,
     root_name: &'t str,
     /// No forbidden characters in the text.
     clean: bool,
@@ -94,11 +94,11 @@ impl<'t> Parser<'t> {
             is_final,
             pos: 0,
             base: 0,
-            reach: 0,
+            lookahead: 0,
             hit_end: false,
             needs_root_name: false,
             in_header: false,
-            floor: None,
+            min_offset: None,
             root_name,
             clean: super::chars::first_illegal(text).is_none(),
             has_cdata_end: memchr::memmem::find(bytes, b"]]>").is_some(),
@@ -119,7 +119,7 @@ impl<'t> Parser<'t> {
         self.pos
     }
 
-    /// Read the next item. It is worthless when [`starved`](Self::starved) says so.
+    /// Read the next item. It is worthless when [`needs_more_input`](Self::needs_more_input) says so.
     pub(super) fn step(&mut self) -> Step {
         self.begin_item();
         let stop = self.content();
@@ -130,17 +130,17 @@ impl<'t> Parser<'t> {
     }
 
     /// Whether the last item would need text beyond the window.
-    pub(super) fn starved(&self) -> bool {
+    pub(super) fn needs_more_input(&self) -> bool {
         self.hit_end && !self.is_final
     }
 
     fn begin_item(&mut self) {
         self.base = self.pos;
-        self.reach = self.pos;
+        self.lookahead = self.pos;
         self.hit_end = false;
         self.needs_root_name = false;
         self.in_header = false;
-        self.floor = None;
+        self.min_offset = None;
         self.nodes.clear();
         self.attrs.clear();
         self.errors.clear();
@@ -151,22 +151,22 @@ impl<'t> Parser<'t> {
 
     fn finish_item(&mut self) -> Item {
         let text = self.text.get(self.base..self.pos).unwrap_or("");
-        let reach = if self.hit_end {
+        let lookahead = if self.hit_end {
             u32::MAX
         } else {
-            (self.reach.max(self.pos) - self.base) as u32
+            (self.lookahead.max(self.pos) - self.base) as u32
         };
         let plain = self.errors.is_empty()
             && self.entity_uses.is_empty()
             && !self.needs_root_name
-            && reach as usize == text.len();
+            && lookahead as usize == text.len();
         let extra = (!plain).then(|| Extra {
             errors: self.errors.drain(..).collect(),
             entity_uses: self.take_entity_uses(),
-            reach: if reach as usize == text.len() {
+            lookahead: if lookahead as usize == text.len() {
                 0
             } else {
-                reach
+                lookahead
             },
             needs_root_name: self.needs_root_name,
         });
@@ -187,7 +187,7 @@ impl<'t> Parser<'t> {
 
     /// The shape of the current item depends on the text before `to`.
     fn look(&mut self, to: usize) {
-        self.reach = self.reach.max(to);
+        self.lookahead = self.lookahead.max(to);
         self.hit_end |= to > self.bytes.len();
     }
 
@@ -246,10 +246,10 @@ impl<'t> Parser<'t> {
     }
 
     fn push_error(&mut self, condition: Condition, mut error: SyntaxError) {
-        if let Some(floor) = self.floor.as_mut() {
-            error.expat_offset = error.expat_offset.max(*floor);
+        if let Some(min_offset) = self.min_offset.as_mut() {
+            error.expat_offset = error.expat_offset.max(*min_offset);
             if condition == Condition::Always {
-                *floor = error.expat_offset;
+                *min_offset = error.expat_offset;
             }
         }
         if self.errors.len() < ITEM_ERRORS {
@@ -273,7 +273,7 @@ impl<'t> Parser<'t> {
         &mut self,
         kind: SyntaxErrorKind,
         (start, end): (usize, usize),
-        (expat, at): Verdict,
+        (expat, at): ExpatError,
         message: impl Into<String>,
     ) {
         let error = SyntaxError {

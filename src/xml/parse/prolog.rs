@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::declaration::check_declaration;
 use super::token::Token;
-use super::{Parser, Stop, Verdict};
+use super::{ExpatError, Parser, Stop};
 use crate::chars::name_char;
 use crate::decode::decode;
 use crate::entities::Entities;
@@ -194,7 +194,7 @@ impl<'t> Parser<'t> {
     /// Text or markup that has no place outside the root.
     fn junk_outside(&mut self, in_prolog: bool) {
         let start = self.pos;
-        let verdict = self.verdict_outside(
+        let expat_error = self.expat_error_outside(
             start,
             if in_prolog {
                 expat::SYNTAX
@@ -212,12 +212,12 @@ impl<'t> Parser<'t> {
             false => "text outside the root element\nremove the text, or put it in a comment <!-- ... -->"
                 .to_owned(),
         };
-        self.error(Kind::OutsideRoot, (start, end), verdict, message);
+        self.error(Kind::OutsideRoot, (start, end), expat_error, message);
         self.mark_divergence();
     }
 
     /// What expat says to the text at `start`, where it expects another kind of token.
-    fn verdict_outside(&mut self, start: usize, unexpected: &'static str) -> Verdict {
+    fn expat_error_outside(&mut self, start: usize, unexpected: &'static str) -> ExpatError {
         let (token, end) = self.token(start);
         self.look(end + 1);
         match token {
@@ -251,8 +251,8 @@ impl<'t> Parser<'t> {
         let mut root_end = None;
         if stop == Stop::RootEnd {
             let start = self.pos;
-            let (_, verdict) = self.scan_end_tag();
-            self.report_end_tag(start, verdict);
+            let (_, expat_error) = self.scan_end_tag();
+            self.report_end_tag(start, expat_error);
             root_end = Some(self.range(start, self.pos));
             self.epilog();
         } else {
@@ -297,8 +297,8 @@ impl<'t> Parser<'t> {
             let message = format!(
                 "`<{text}>` is after the end of the root element\nmove it before the end tag of the root element"
             );
-            let verdict = self.verdict_outside(start, expat::JUNK);
-            self.error(Kind::OutsideRoot, (start, name.end), verdict, message);
+            let expat_error = self.expat_error_outside(start, expat::JUNK);
+            self.error(Kind::OutsideRoot, (start, name.end), expat_error, message);
             if self.start_tag().is_none() {
                 self.content();
             }

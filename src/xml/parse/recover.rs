@@ -136,7 +136,7 @@ impl Parser<'_> {
         self.nodes.truncate(cut);
         self.errors.retain(|e| e.error.range.start < at);
         self.open.truncate(1);
-        self.reach = self.reach.max(self.pos);
+        self.lookahead = self.lookahead.max(self.pos);
         self.pos = self.base + at as usize;
     }
 }

@@ -1,7 +1,7 @@
 //! Start tags and their attributes.
 #![allow(clippy::indexing_slicing)] // ids and attribute numbers this parser made itself
 
-use super::{Parser, Stop, Verdict};
+use super::{ExpatError, Parser, Stop};
 use crate::chars::is_space;
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::{AttrData, HAS_EQUALS, NO_CONTENT, NodeKind, PREFIXED, SELF_CLOSING};
@@ -11,7 +11,7 @@ impl Parser<'_> {
     pub(super) fn start_tag(&mut self) -> Option<Stop> {
         let start = self.pos;
         let name = self.qname(start + 1);
-        self.floor = Some(0);
+        self.min_offset = Some(0);
         self.pos = name.end;
         let id = self.push_node(NodeKind::Element, start, 0) as usize;
         let first_attr = self.attrs.len();
@@ -31,7 +31,7 @@ impl Parser<'_> {
             start
         };
         self.check_tag(start, prefix, first_attr);
-        self.floor = None;
+        self.min_offset = None;
         if flags & NO_CONTENT == 0 {
             self.open.push(id as u32);
             return None;
@@ -111,7 +111,7 @@ impl Parser<'_> {
         }
     }
 
-    fn unclosed_tag(&mut self, start: usize, gap: usize, verdict: Verdict) -> u8 {
+    fn unclosed_tag(&mut self, start: usize, gap: usize, expat_error: ExpatError) -> u8 {
         let next = self.pos;
         self.look(next + 1);
         self.pos = gap;
@@ -120,7 +120,7 @@ impl Parser<'_> {
             "unclosed tag `<{}`: `>` or `/>` is missing\nadd `>` or `/>`",
             self.slice(start + 1, name.end)
         );
-        self.error(Kind::UnclosedTag, (start, name.end), verdict, message);
+        self.error(Kind::UnclosedTag, (start, name.end), expat_error, message);
         // Whatever follows the root is meant to be in it.
         if self.in_header || self.keeps_content(start, name.end, next) {
             0

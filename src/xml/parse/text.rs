@@ -100,7 +100,7 @@ impl<'t> Parser<'t> {
 
     /// The `&` at `at` begins no reference; `stop` is where that shows.
     pub(super) fn bad_reference(&mut self, at: usize, stop: usize) {
-        let verdict = if stop >= self.bytes.len() {
+        let expat_error = if stop >= self.bytes.len() {
             self.hit_end = true;
             (expat::UNCLOSED_TOKEN, at)
         } else {
@@ -115,7 +115,12 @@ impl<'t> Parser<'t> {
                 "`&{name}` is not followed by `;`\nwrite `&amp;` for a literal `&`, or add `;`"
             ),
         };
-        self.error(Kind::BadReference, (at, stop.max(at + 1)), verdict, message);
+        self.error(
+            Kind::BadReference,
+            (at, stop.max(at + 1)),
+            expat_error,
+            message,
+        );
     }
 
     pub(super) fn bad_character_reference(&mut self, at: usize, end: usize, stop: usize) {

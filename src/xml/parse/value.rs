@@ -1,6 +1,6 @@
 //! Attribute values.
 
-use super::{Parser, Verdict};
+use super::{ExpatError, Parser};
 use crate::chars::{is_space, name_char, stops_value};
 use crate::decode::{Reference, read_reference};
 use crate::error::{SyntaxErrorKind as Kind, expat};
@@ -14,7 +14,7 @@ impl Parser<'_> {
     pub(super) fn quoted_value(&mut self, name: (usize, usize), quote: u8, mut flags: u8) -> bool {
         let start = self.pos + 1;
         let first_error = self.errors.len();
-        let floor = self.floor.take();
+        let min_offset = self.min_offset.take();
         self.pos = start;
         flags |= self.scan_value(quote);
         let end = self.pos;
@@ -22,7 +22,8 @@ impl Parser<'_> {
         if let Some(errors) = self.errors.get_mut(first_error..) {
             errors.sort_by_key(|e| e.error.expat_offset);
         }
-        self.floor = floor.max(self.errors.get(first_error).map(|e| e.error.expat_offset));
+        self.min_offset =
+            min_offset.max(self.errors.get(first_error).map(|e| e.error.expat_offset));
         if self.bytes.get(end) != Some(&quote) {
             return self.broken_value(name, start, quote, flags);
         }
@@ -107,13 +108,13 @@ impl Parser<'_> {
             .strip_suffix("/>")
             .or(text.strip_suffix('>'))
             .unwrap_or(text);
-        let verdict = if stop < self.bytes.len() {
+        let expat_error = if stop < self.bytes.len() {
             (expat::INVALID, stop)
         } else {
             let tag = self.nodes.last().map_or(0, |node| node.start as usize);
             (expat::UNCLOSED_TOKEN, self.base + tag)
         };
-        self.cut_value(name, (start, start + text.len()), flags, verdict);
+        self.cut_value(name, (start, start + text.len()), flags, expat_error);
         false
     }
 
@@ -166,17 +167,17 @@ impl Parser<'_> {
         name: (usize, usize),
         value: (usize, usize),
         flags: u8,
-        verdict: Verdict,
+        expat_error: ExpatError,
     ) {
         // What was found behind the cut will be found again, as something else.
         let behind = self.rel(value.1);
         let dropped = self.errors.iter().find(|e| e.error.range.start >= behind);
-        let verdict = dropped.map_or(verdict, |e| {
+        let expat_error = dropped.map_or(expat_error, |e| {
             (e.error.expat, self.base + e.error.expat_offset as usize)
         });
         self.errors.retain(|e| e.error.range.start < behind);
         self.pos = value.1;
-        self.look(verdict.1 + 1);
+        self.look(expat_error.1 + 1);
         let message = format!(
             "value of `{}` has no closing quote\nadd the closing quote",
             self.slice(name.0, name.1)
@@ -184,7 +185,7 @@ impl Parser<'_> {
         self.error(
             Kind::UnclosedValue,
             (value.0 - 1, value.1),
-            verdict,
+            expat_error,
             message,
         );
         self.mark_divergence();

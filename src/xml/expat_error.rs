@@ -39,7 +39,7 @@ struct Found<'a> {
     /// Where the tree becomes a guess, and where expat stops because of that: the first such place and the
     /// last one so far.
     divergence: Option<(u32, u32)>,
-    floor: u32,
+    min_offset: u32,
 }
 
 impl<'a> Found<'a> {
@@ -61,9 +61,9 @@ impl<'a> Found<'a> {
             error.related = error
                 .related
                 .map(|(range, label)| (range.shift(start), label));
-            error.expat_offset = (error.expat_offset + start).max(self.floor);
+            error.expat_offset = (error.expat_offset + start).max(self.min_offset);
             if stored.diverges {
-                self.floor = error.expat_offset;
+                self.min_offset = error.expat_offset;
                 self.divergence
                     .get_or_insert((error.range.start, error.expat_offset));
             }
@@ -150,10 +150,10 @@ impl Context {
             }
             Condition::Entity { name, in_attribute } => {
                 let fault = self.entities.value(name, *in_attribute).err()?;
-                let (kind, verdict, message) = describe(fault, name);
+                let (kind, expat_error, message) = describe(fault, name);
                 Some(SyntaxError {
                     kind,
-                    expat: verdict,
+                    expat: expat_error,
                     message,
                     ..error()
                 })
@@ -205,9 +205,9 @@ fn describe(fault: EntityFault, name: &str) -> (SyntaxErrorKind, &'static str, S
             expat::UNCLOSED_TOKEN,
             format!("text of entity `{name}` ends inside a reference"),
         ),
-        EntityFault::Markup(verdict) => {
+        EntityFault::Markup(expat_error) => {
             let message = format!("markup in entity `{name}` is not well-formed");
-            (BadEntity, verdict, message)
+            (BadEntity, expat_error, message)
         }
         EntityFault::Malformed => (
             BadEntity,

@@ -10,7 +10,7 @@ use base::{FastMap, FileId};
 
 /// What was asked about files since somebody began to hold them.
 #[derive(Default)]
-pub(super) struct Asked(Mutex<Answers>);
+pub(super) struct StatCache(Mutex<Answers>);
 
 #[derive(Default)]
 struct Answers {
@@ -21,11 +21,11 @@ struct Answers {
 }
 
 /// As long as this lives, the disk is asked once about each file and folder.
-pub struct Held<'a>(&'a Vfs);
+pub struct StatSnapshot<'a>(&'a Vfs);
 
-impl Drop for Held<'_> {
+impl Drop for StatSnapshot<'_> {
     fn drop(&mut self) {
-        self.0.shared.asked.with(|answers| {
+        self.0.shared.stats.with(|answers| {
             answers.holders -= 1;
             if answers.holders == 0 {
                 *answers = Answers::default();
@@ -34,7 +34,7 @@ impl Drop for Held<'_> {
     }
 }
 
-impl Asked {
+impl StatCache {
     fn with<T>(&self, work: impl FnOnce(&mut Answers) -> T) -> T {
         work(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
@@ -47,20 +47,20 @@ impl Asked {
 impl Vfs {
     /// Take the files on the disk to stay as they are, until the result is dropped: a run over many robots reads
     /// the same files again and again.
-    pub fn hold(&self) -> Held<'_> {
-        self.shared.asked.with(|answers| answers.holders += 1);
-        Held(self)
+    pub fn freeze(&self) -> StatSnapshot<'_> {
+        self.shared.stats.with(|answers| answers.holders += 1);
+        StatSnapshot(self)
     }
 
     /// The state of a file or folder.
     pub(super) fn stat(&self, id: FileId, path: &Path) -> Result<Stat, LoadError> {
         let known = self
             .shared
-            .asked
+            .stats
             .with(|answers| answers.known.get(&id).cloned());
         known.unwrap_or_else(|| {
             let found = self.shared.disk.stat(path);
-            self.shared.asked.with(|answers| {
+            self.shared.stats.with(|answers| {
                 if answers.holders > 0 {
                     answers.known.insert(id, found.clone());
                 }
@@ -73,11 +73,11 @@ impl Vfs {
     /// would never be taken back, unless the answer is to be remembered.
     pub(super) fn look(&self, path: &Path) -> Option<Stat> {
         let path = self.absolute(path);
-        if !self.shared.asked.are_held() {
+        if !self.shared.stats.are_held() {
             return self.shared.disk.stat(&path).ok();
         }
         let id = self.shared.ids.id(path);
-        let known = self.shared.asked.with(|answers| {
+        let known = self.shared.stats.with(|answers| {
             answers
                 .known
                 .get(&id)
@@ -92,17 +92,17 @@ impl Vfs {
         path: PathBuf,
         list: impl FnOnce(&Path) -> Vec<DirEntry>,
     ) -> Arc<Vec<DirEntry>> {
-        if !self.shared.asked.are_held() {
+        if !self.shared.stats.are_held() {
             return Arc::new(list(&path));
         }
         let id = self.shared.ids.id(path);
         self.shared
-            .asked
+            .stats
             .with(|answers| answers.listed.get(&id).cloned())
             .unwrap_or_else(|| {
                 let names = Arc::new(list(&self.path(id)));
                 self.shared
-                    .asked
+                    .stats
                     .with(|answers| answers.listed.insert(id, names.clone()));
                 names
             })
@@ -123,8 +123,8 @@ mod tests {
                 .ok()
         };
         {
-            let _outer = tree.vfs().hold();
-            drop(tree.vfs().hold());
+            let _outer = tree.vfs().freeze();
+            drop(tree.vfs().freeze());
             assert_eq!(text(), None);
             tree.write("a", "1");
             assert_eq!(text(), None);
@@ -147,7 +147,7 @@ mod tests {
             )
         };
         {
-            let _held = tree.vfs().hold();
+            let _held = tree.vfs().freeze();
             assert_eq!(answers(), (false, false, false, None, 0));
             tree.write("d/a", "12");
             assert_eq!(answers(), (false, false, false, None, 0));
