@@ -221,6 +221,12 @@ impl Session {
         self.callers.load(file, &self.packages)
     }
 
+    /// Whether a description is there for the tests of its package and nothing else.
+    pub(super) fn is_for_tests(&self, file: &Path) -> bool {
+        let includers = |file: &Path| self.includers(file);
+        self.callers.is_for_tests(file, &self.packages, includers)
+    }
+
     /// The xacro that the launch files of a description are for.
     pub(super) fn era(&self, file: &Path) -> Era {
         self.callers.era(file, &self.packages)

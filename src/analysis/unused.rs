@@ -55,7 +55,10 @@ impl Session {
 
     /// What is wrong in settings of controllers is an info where no text names the file, and others name such a file of the same
     /// package. Not when somebody asks for the file.
-    pub(super) fn settle_settings(&self, options: &CheckOptions, findings: &mut [Finding]) {
+    pub(super) fn settle_settings(&self, options: &CheckOptions, findings: &mut Vec<Finding>) {
+        findings.retain(|finding| {
+            finding.rule != named::CONTROLLER_WITHOUT_PARAMETERS || !self.is_spawned_with(finding)
+        });
         if !options.entries.is_empty() {
             return;
         }
@@ -83,6 +86,19 @@ impl Session {
                 finding.severity = Severity::Info;
             }
         }
+    }
+
+    /// Whether a launch file that names the controller of a finding gives a spawner a file of parameters.
+    fn is_spawned_with(&self, finding: &Finding) -> bool {
+        const FILES: [&str; 4] = ["--param-file", "'-p'", "\"-p\"", " -p "];
+        let file = self.vfs.path(finding.span.file);
+        let name = finding.message.split('`').nth(1).unwrap_or_default();
+        let gives = |path: &PathBuf| {
+            self.vfs.text(path).is_ok_and(|text| {
+                has_name(&text.text, name) && FILES.iter().any(|word| text.text.contains(word))
+            })
+        };
+        self.starters(&file).iter().any(gives)
     }
 
     /// Whether a finding is about a controller that nothing starts, while others of the same file are started by their names.

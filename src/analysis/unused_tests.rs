@@ -405,3 +405,76 @@ fn files_of_tests_that_have_to_be_refused() {
         );
     }
 }
+
+#[test]
+fn files_that_only_tests_name() {
+    let manifest = manifest("parser", "me@lab.org");
+    let severity = |file: &str, tests: &[(&str, &str)]| {
+        let mut files = vec![("package.xml", manifest.as_str()), (file, BROKEN)];
+        files.extend(tests);
+        severity_in("missing-element", &files)
+    };
+    let cpp = ("test/test_parser.cpp", "read(\"test/urdf/arm.urdf\");");
+    assert_eq!(severity("test/urdf/arm.urdf", &[cpp]), Some(Severity::Info));
+    let cmake = ("CMakeLists.txt", "add_rostest_gtest(t test/urdf/arm.urdf)");
+    assert_eq!(
+        severity("test/urdf/arm.urdf", &[cmake]),
+        Some(Severity::Info)
+    );
+    // a launch file loads it as well, or no test does
+    let launch = (
+        "launch/arm.launch",
+        "<param textfile='$(find parser)/test/urdf/arm.urdf'/>",
+    );
+    assert_eq!(
+        severity("test/urdf/arm.urdf", &[cpp, launch]),
+        Some(Severity::Error)
+    );
+    assert_eq!(severity("test/urdf/arm.urdf", &[]), Some(Severity::Error));
+    assert_eq!(severity("urdf/arm.urdf", &[cpp]), Some(Severity::Error));
+}
+
+#[test]
+fn parameters_that_a_spawner_is_given() {
+    let robot = "<robot name='r'><link name='base'/><link name='w'/><joint name='j' type='continuous'><parent link='base'/>\
+                 <child link='w'/></joint><ros2_control name='c' type='system'><hardware><plugin>mock_components/GenericSystem</plugin>\
+                 </hardware><joint name='j'><command_interface name='velocity'/></joint></ros2_control></robot>";
+    let listed = "controller_manager:\n  ros__parameters:\n    drive:\n      type: diff_drive_controller/DiffDriveController\n";
+    let severity = |launch: &str| {
+        let files = [
+            ("package.xml", &*manifest("r", "me@lab.org")),
+            ("urdf/r.urdf", robot),
+            ("config/c.yaml", listed),
+            ("launch/r.launch.py", launch),
+        ];
+        severity_in("controller-without-parameters", &files)
+    };
+    let plain = "Node(executable='spawner', arguments=['drive'])  # r.urdf";
+    let given = "Node(executable='spawner', arguments=['drive', '--param-file', path])";
+    assert_eq!(severity(plain), Some(Severity::Warning));
+    assert_eq!(severity(given), None);
+}
+
+#[test]
+fn joints_of_an_absent_package() {
+    let robot = |package: &str| {
+        format!(
+            "<robot name='r' xmlns:xacro='x'><xacro:arg name='tool' default='none'/><link name='base'/><link name='w'/>\
+             <joint name='j' type='continuous'><parent link='base'/><child link='w'/></joint>\
+             <xacro:if value=\"${{'$(arg tool)' != 'none'}}\"><xacro:include filename='$(find {package})/tool.xacro'/></xacro:if></robot>"
+        )
+    };
+    let settings =
+        "grip:\n  ros__parameters:\n    joints: [j, finger]\n    command_interfaces: [position]\n";
+    let severity = |package: &str| {
+        let files = [
+            ("package.xml", &*manifest("r", "me@lab.org")),
+            ("tool.xacro", "<robot/>"),
+            ("urdf/r.urdf.xacro", &robot(package)),
+            ("config/c.yaml", settings),
+        ];
+        severity_in("controller-unknown-joint", &files)
+    };
+    assert_eq!(severity("somebodys_tool"), Some(Severity::Info));
+    assert_eq!(severity("r"), Some(Severity::Error));
+}

@@ -149,10 +149,11 @@ impl Expander<'_> {
         }
         let message =
             format!("`{text}`, the value of `{name}`, is used as a condition and is not a boolean");
-        Some(
-            self.problem(ProblemKind::InvalidCondition, at, message)
-                .help("write `true` or `false`"),
-        )
+        let mut problem = self
+            .problem(ProblemKind::InvalidCondition, at, message)
+            .help("write `true` or `false`");
+        problem.outside = self.empty_argument(mark).map(Outside::Argument);
+        Some(problem)
     }
 
     /// What to write for an include that leads nowhere, where one file of that name is near: relative to the file with the

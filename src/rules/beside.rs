@@ -73,6 +73,8 @@ pub struct Names {
     pub groups: FastSet<EcoString>,
     /// Interfaces of hardware that conditions decide on.
     pub interfaces: FastSet<EcoString>,
+    /// Whether other arguments bring in a file of a package that is absent: nobody knows what names it brings.
+    pub is_open: bool,
 }
 
 impl Names {
@@ -98,6 +100,7 @@ impl Names {
         self.joints.extend(other.joints.iter().cloned());
         self.groups.extend(other.groups.iter().cloned());
         self.interfaces.extend(other.interfaces.iter().cloned());
+        self.is_open |= other.is_open;
     }
 
     fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
@@ -202,6 +205,11 @@ impl<'a> BesideCx<'a> {
             .get_or_init(|| (self.further)())
             .interfaces
             .contains(interface)
+    }
+
+    /// Whether the robots may include a file of a package that is absent, with other arguments.
+    pub(super) fn is_open(&self) -> bool {
+        self.known.get_or_init(|| (self.further)()).is_open
     }
 
     /// Whether a joint is a virtual joint of an SRDF.

@@ -4,6 +4,8 @@ use super::{control, geometry, joint, linter, moveit, package, srdf, structure, 
 
 /// `gazebo-unknown-reference`
 pub const GAZEBO_UNKNOWN_REFERENCE: &Rule = &control::gazebo_unknown_reference::RULE;
+/// `controller-without-parameters`
+pub const CONTROLLER_WITHOUT_PARAMETERS: &Rule = &control::controller_without_parameters::RULE;
 /// `moveit-unknown-controller`
 pub const MOVEIT_UNKNOWN_CONTROLLER: &Rule = &moveit::moveit_unknown_controller::RULE;
 /// `srdf-unknown-link`

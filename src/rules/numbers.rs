@@ -5,12 +5,14 @@ use super::edits::{is_called, source_text, speaks_xacro};
 use super::rule::Safety;
 use super::sink::Reported;
 use base::FastSet;
-use expand::{BindingKind, Expansion};
+use expand::{BindingKind, Expansion, Origin};
 use model::{Text, decimal};
 
 /// From here on, a limit, an effort or a velocity means "unknown" or "unlimited", whatever its unit.
 pub(super) const UNLIMITED: f64 = 1e3;
 
+/// Bindings that are looked at to see what a value was made with.
+const MOST_READS: usize = 64;
 /// Bindings that are looked at to explain a value.
 const MOST_DEFINITIONS: usize = 8;
 
@@ -113,6 +115,38 @@ pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range
             continue;
         };
         if binding.kind != BindingKind::Parameter && binding.origin.is_some() {
+            return true;
+        }
+        reads.extend(expansion.index.read_in(binding.reads));
+    }
+    false
+}
+
+/// Whether one of these names stands in the expressions that the part `range` of a value was made with.
+pub(super) fn is_made_with(
+    expansion: &Expansion,
+    text: &Text,
+    range: Range<usize>,
+    names: &[&str],
+) -> bool {
+    let has_name = |origin: Origin| {
+        let source = source_text(expansion, origin).map_or_else(String::new, |(_, _, text)| text);
+        let mut words = source.split(|c: char| !c.is_alphanumeric() && c != '_');
+        source.contains("${") && words.any(|word| names.contains(&word))
+    };
+    if has_name(text.part(range.clone())) {
+        return true;
+    }
+    let mut reads: Vec<u32> = text.reads(expansion, range).collect();
+    let mut seen = FastSet::default();
+    while let Some(read) = reads.pop() {
+        if seen.len() > MOST_READS || !seen.insert(read) {
+            continue;
+        }
+        let Some(binding) = expansion.index.bindings.get(read as usize) else {
+            continue;
+        };
+        if binding.origin.is_some_and(has_name) || names.contains(&binding.name.as_str()) {
             return true;
         }
         reads.extend(expansion.index.read_in(binding.reads));

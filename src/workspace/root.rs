@@ -7,7 +7,15 @@ use super::manifest::MANIFEST;
 use vfs::Vfs;
 
 /// Folders that colcon and catkin make beside `src`; nothing in them is a source.
-const BUILT: [&str; 4] = ["install", "build", "devel", "log"];
+const BUILT: [&str; 7] = [
+    "install",
+    "build",
+    "devel",
+    "log",
+    "install_isolated",
+    "build_isolated",
+    "devel_isolated",
+];
 
 /// Whether a folder of that name is made by a build tool of ROS.
 pub fn is_built(name: impl AsRef<OsStr>) -> bool {

@@ -4,7 +4,7 @@
     tests/precision/sample.py CHECKOUTS --bin BIN --seed N [--errors 150] [--warnings 150] --out sheet.csv
     tests/precision/sample.py --summary sheet.csv
 
-CHECKOUTS holds one folder per repository. The sample is stratified: of each rule at most 12 errors and 8 warnings, of
+CHECKOUTS holds one folder per repository, and is not named `src`. The sample is stratified: of each rule at most 12 errors and 8 warnings, of
 these at most 3 (2) from one repository; where that gives too few, further findings are taken rule by rule. The same
 seed and the same findings give the same sheet. Missing meshes and textures that `.not-there` of a checkout lists (files
 that the copy lacks) are left out. Verdicts: true, noise (right and of no interest), false, doubtful.
@@ -29,6 +29,9 @@ PER_REPOSITORY = {'error': 3, 'warning': 2}
 FILE = re.compile(r'[^/\s`"\']+\.[A-Za-z]\w{1,4}(?=[`"\'\s:,;)]|$)')
 FILE_RULES = ('mesh-not-found', 'texture-not-found')
 VARIABLES = ('ROS', 'AMENT', 'CMAKE_PREFIX', 'COLCON')
+
+# the folder of a workspace that holds its packages: of one repository, those of all others would be found there
+WORKSPACE = 'src'
 
 Finding = collections.namedtuple('Finding', 'repository place rule severity message')
 
@@ -148,6 +151,8 @@ def main():
         return
     if not (options.checkouts and options.bin and options.out and options.seed is not None):
         parser.error('CHECKOUTS, --bin, --seed and --out are needed, or --summary')
+    if options.checkouts.resolve().name == WORKSPACE:
+        parser.error('CHECKOUTS is named %s, which the program takes for a workspace of all repositories in it: move them' % WORKSPACE)
     findings, per_repository = [], []
     for checkout in sorted(path for path in options.checkouts.iterdir() if path.is_dir()):
         not_there = checkout / '.not-there'

@@ -2,6 +2,7 @@
 import collections
 import csv
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -59,6 +60,16 @@ class Drawing(unittest.TestCase):
     def test_only_errors_and_warnings(self):
         found = sample.collect('o/r', [finding('a', 'info'), finding('b', 'hint'), finding('c', 'warning')])
         self.assertEqual([f.rule for f in found], ['c'])
+
+
+class Checkouts(unittest.TestCase):
+    def test_no_workspace(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, expected in (('src', 2), ('checkouts', 0)):
+                pathlib.Path(folder, name).mkdir()
+                command = [sys.executable, sample.__file__, name, '--bin', 'none', '--seed', '1', '--out', 'sheet.csv']
+                run = subprocess.run(command, cwd=folder, capture_output=True, check=False)
+                self.assertEqual(run.returncode, expected, run.stderr)
 
 
 class Summary(unittest.TestCase):

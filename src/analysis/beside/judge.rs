@@ -3,20 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::super::analyzed::{Analyzed, job_of};
+use super::super::analyzed::Analyzed;
 use super::super::check::CheckOptions;
 use super::super::context::RootChoice;
 use super::super::includes::reach;
-use super::super::job;
-use super::super::proof::turned_over;
 use super::super::session::Session;
 use super::files::{Beside, Sort, sort};
 use super::pairing::{Pairing, stem};
 use ecow::EcoString;
 
 use base::{CancelFlag, FastMap, FastSet};
-use expand::{Expansion, Request, expand};
-use model::Robot;
+use expand::Expansion;
 use rules::{
     Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole,
 };
@@ -35,10 +32,6 @@ pub(in super::super) struct Compared {
     pub files: Vec<PathBuf>,
 }
 
-/// Arguments of a robot that are turned over.
-const MOST_SWITCHES: usize = 8;
-/// Values that launch files let somebody choose from for arguments of a robot, which are tried.
-const MOST_CHOICES: usize = 16;
 /// The part of the names of links and joints that has to fit when nothing but the name of the robot says for which one a
 /// file is, and when a file says so.
 const LIKE: f64 = 0.5;
@@ -300,49 +293,6 @@ impl Session {
         }
         names
     }
-
-    fn names_otherwise(&self, analyzed: &Analyzed, cancel: &CancelFlag) -> Names {
-        let mut names = Names::default();
-        let turned = |(name, value): &(EcoString, EcoString)| match turned_over(value).as_slice() {
-            [other] => Some((name.to_string(), (*other).to_owned())),
-            _ => None,
-        };
-        let switches: Vec<(String, String)> = analyzed
-            .expansion
-            .arguments
-            .iter()
-            .filter_map(turned)
-            .take(MOST_SWITCHES)
-            .collect();
-        let chosen = self.launch_choices(&analyzed.root.file).into_iter();
-        let chosen = chosen
-            .flat_map(|(name, values)| values.into_iter().map(move |value| (name.clone(), value)));
-        let chosen: Vec<(String, String)> = chosen.take(MOST_CHOICES).collect();
-        let single = switches
-            .iter()
-            .chain(&chosen)
-            .map(|switch| vec![switch.clone()]);
-        let together = (switches.len() > 1).then(|| switches.clone());
-        for more in single
-            .chain(together)
-            .take_while(|_| !cancel.is_cancelled())
-        {
-            let base = job::request(self, cancel, &job_of(&analyzed.root));
-            let args = base.args.iter().cloned().chain(more).collect();
-            let expansion = expand(
-                job::world(self),
-                &Request {
-                    args,
-                    probe: false,
-                    ..base
-                },
-            );
-            Robot::of(&expansion)
-                .iter()
-                .for_each(|robot| names.add(robot));
-        }
-        names
-    }
 }
 
 impl Session {
@@ -360,6 +310,18 @@ impl Session {
         names.links.contains(name)
     }
 
+    /// Whether a tag includes a file of a package that is absent.
+    fn is_absent(&self, include: Node<'_>, from: &Path) -> bool {
+        let name = include.attr("filename").map(|name| name.raw().to_owned());
+        let package = name.as_ref().and_then(|name| {
+            let (_, after) = name.split_once("$(find ")?;
+            Some(after.split_once(')')?.0.trim())
+        });
+        package.is_some_and(|package| {
+            !package.contains('$') && self.packages.find(package, from).is_err()
+        })
+    }
+
     /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
     /// no part too.
     fn add_written(&self, root: &Path, names: &mut Names) {
@@ -375,6 +337,10 @@ impl Session {
             for node in nodes {
                 if ["xacro:if", "xacro:unless"].contains(&node.name()) {
                     add_interfaces(node, names);
+                }
+                // what a robot that is whole includes is there: this is for other arguments
+                if node.name() == "xacro:include" {
+                    names.is_open |= self.is_absent(node, &source.path);
                 }
                 let has = |tag: &str| node.child_elements().any(|inner| inner.name() == tag);
                 let list = match node.name() {

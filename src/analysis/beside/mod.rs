@@ -4,6 +4,7 @@ mod assistant;
 mod edited;
 mod files;
 mod judge;
+mod otherwise;
 mod pairing;
 
 pub use files::{Beside, is_settings};

@@ -49,7 +49,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "`{key}` of controller `{}` has unknown joint `{}`",
                 controller.name.name, joint.name
             );
-            let severity = if registers_joints(cx) {
+            let severity = if registers_joints(cx) || cx.is_open() {
                 Severity::Info
             } else {
                 RULE.severity

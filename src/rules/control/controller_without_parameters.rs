@@ -7,7 +7,7 @@ use base::FastSet;
 use project::Settings;
 use workspace::nearest;
 
-pub(super) static RULE: Rule = Rule::beside(
+pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL028",
     "controller-without-parameters",
     Category::Control,

@@ -3,7 +3,7 @@
 mod controller_joint_without_hardware;
 pub(super) mod controller_unknown_interface;
 pub(super) mod controller_unknown_joint;
-mod controller_without_parameters;
+pub(super) mod controller_without_parameters;
 mod gazebo_classic_plugin;
 mod gazebo_lumped_reference;
 mod gazebo_missing_reference;

@@ -1,12 +1,10 @@
 //! A transmission for a joint that does not exist.
-use ecow::EcoString;
-
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use model::Text;
-use workspace::{Target, misspelled};
+use workspace::Target;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL012",
@@ -27,16 +25,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .iter()
         .flat_map(|transmission| &transmission.joints);
     let names: Vec<&Text> = listed.filter_map(|(_, name)| name.as_ref()).collect();
-    let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
-    let is_meant = |name: &EcoString| {
-        joints().any(|joint| joint == name) || misspelled(name, joints()).is_some()
-    };
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    // nothing in ROS 2 reads these elements: not one that fits is what is left of ROS 1
+    // nothing in ROS 2 reads these elements
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
-        Some(Target::Ros2) if names.iter().filter_map(|text| text.name()).any(is_meant) => {
-            Severity::Warning
-        }
         Some(Target::Ros2) => Severity::Info,
         _ if is_driven_by_plugin(cx) => Severity::Info,
         _ => RULE.severity,

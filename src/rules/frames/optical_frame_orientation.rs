@@ -24,6 +24,8 @@ pub(super) static RULE: Rule = Rule {
 
 /// Rounding of what people write for half of pi.
 const TOLERANCE: f64 = 0.01;
+/// How far a camera may be off by what was measured.
+const CALIBRATED: f64 = 0.1;
 /// The part of a direction along x up to which it is across.
 const ASIDE: f64 = 0.1;
 
@@ -49,13 +51,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
         // on a part that is no camera, the joint holds the pose of the camera as well
         let is_mounted = turned.angle() > TOLERANCE && first_word(parent) != first_word(child);
-        let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > TOLERANCE;
+        let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > CALIBRATED;
         if is_off(&turned)
             && !is_mounted
             && !is_of_ranges(cx, parent, child)
             && turns_above(cx, parent, turned).iter().all(is_off)
         {
-            let severity = if looks_aside(&turned) {
+            let severity = if looks_aside(&turned) || looks_back(&turned) {
                 Severity::Info
             } else {
                 Severity::Warning
@@ -132,6 +134,12 @@ fn turns_above(
 fn looks_aside(turned: &UnitQuaternion<f64>) -> bool {
     let forward = turned * Vector3::z();
     turned.angle() > TOLERANCE && forward.x.abs() < ASIDE
+}
+
+/// Whether a frame is the optical one of a camera that looks against x of its frame.
+fn looks_back(turned: &UnitQuaternion<f64>) -> bool {
+    let reversed = UnitQuaternion::from_euler_angles(-FRAC_PI_2, 0.0, FRAC_PI_2);
+    turned.angle_to(&reversed) < TOLERANCE
 }
 
 /// Whether an `insert_block` without its prefix is in a joint: the origin that it would insert is not known.

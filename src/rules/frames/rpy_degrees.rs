@@ -1,6 +1,6 @@
 //! Angles of an orientation that look like degrees.
 use super::super::context::DocumentCx;
-use super::super::numbers::{from_degrees, is_part_of_pi};
+use super::super::numbers::{from_degrees, is_made_with, is_part_of_pi};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::poses::{ANGLES, poses};
@@ -20,6 +20,14 @@ pub(super) static RULE: Rule = Rule {
 /// A full turn and some.
 const MOST: f64 = std::f64::consts::TAU + 0.01;
 
+/// Two full turns and some: up to here, a sum of angles is more than a turn.
+const MOST_COMPUTED: f64 = 2.0 * MOST;
+
+/// What an expression holds that gives radians.
+const IN_RADIANS: [&str; 9] = [
+    "pi", "tau", "M_PI", "PI", "radians", "asin", "acos", "atan", "atan2",
+];
+
 /// Angles that people write in degrees.
 const ROUND: [f64; 10] = [
     30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 180.0, 270.0, 360.0,
@@ -34,7 +42,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
-            if angle.abs() > MOST && !is_part_of_pi(angle) || ROUND.contains(&angle.abs()) {
+            let is_angle = || {
+                is_part_of_pi(angle)
+                    || angle.abs() < MOST_COMPUTED
+                        && is_made_with(cx.expansion, text, range.clone(), &IN_RADIANS)
+            };
+            if angle.abs() > MOST && !is_angle() || ROUND.contains(&angle.abs()) {
                 let shown = text.value.get(range.clone()).unwrap_or_default();
                 let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
                 let report = out

@@ -148,7 +148,10 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
             let key = (file, named.file.value.as_str());
             known
                 .entry(key)
-                .or_insert_with(|| resolve(cx.expansion, cx.world, named.file))
+                .or_insert_with(|| {
+                    let target = resolve(cx.expansion, cx.world, named.file);
+                    in_mesh_folder(cx, &named.file.value, &target).unwrap_or(target)
+                })
                 .clone()
         } else {
             Target::Unknown
@@ -180,6 +183,31 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
             .map(|(id, target)| (*id, (target.clone(), mesh(target))))
             .collect(),
     }
+}
+
+/// Where MuJoCo finds a mesh that is missing elsewhere: in the folder that `<mujoco><compiler meshdir="..."/>` of the robot
+/// names, by the name of the file alone unless it says `strippath="false"`.
+fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &Target) -> Option<Target> {
+    if !matches!(target, Target::Missing(..)) {
+        return None;
+    }
+    let tree = &cx.expansion.tree;
+    let child = |around: XId, tag: &str| {
+        let mut all = tree.elements(around);
+        all.find(|&child| tree.get(child).text == tag)
+    };
+    let compiler = child(child(tree.root()?, "mujoco")?, "compiler")?;
+    let said = |name: &str| tree.attr(compiler, name).map(|attr| attr.value.as_str());
+    let keeps_path = said("strippath") == Some("false");
+    let name = if keeps_path {
+        name
+    } else {
+        name.rsplit(['/', '\\']).next()?
+    };
+    let root = &cx.expansion.files.first()?.source.path;
+    let path = root.parent()?.join(said("meshdir")?).join(name);
+    let path = vfs::without_parents(&path);
+    cx.world.vfs.is_file(&path).then_some(Target::File(path))
 }
 
 /// Find the file that an attribute names.

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, is_part_of_pi, short, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::JointType;
+use model::{JointType, Limit, Text};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT006",
@@ -29,13 +29,27 @@ fn is_in_half_turns(value: f64) -> bool {
     turns <= MOST_TURNS && (turns - turns.round()).abs() < 1e-6
 }
 
+/// Whether limits stand for none: equal both ways, and a number that no joint has in degrees either, such as 999 or 10000.
+fn is_for_none(limit: &Limit) -> bool {
+    /// From here on, a number is no angle in degrees.
+    const LEAST: f64 = 999.0;
+    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
+    let (Some(lower), Some(upper)) = (number(&limit.lower), number(&limit.upper)) else {
+        return false;
+    };
+    let is_nines = |value: f64| (value + 1.0).log10().fract() == 0.0;
+    lower == -upper && upper >= LEAST && (is_nines(upper) || upper.log10().fract() == 0.0)
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx
         .joints()
         .iter()
         .filter(|joint| joint.is(&[JointType::Revolute]))
     {
-        let Some(limit) = &joint.limit else { continue };
+        let Some(limit) = joint.limit.as_ref().filter(|limit| !is_for_none(limit)) else {
+            continue;
+        };
         for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {
             let Some(text) = text else { continue };
             let is_large = |value: &f64| {

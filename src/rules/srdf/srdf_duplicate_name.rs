@@ -21,30 +21,31 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     }
     report(
         out,
-        "group",
+        ("group", RULE.severity),
         srdf.groups.iter().map(|group| own(&group.name)),
     );
     report(
         out,
-        "end effector",
+        ("end effector", RULE.severity),
         srdf.effectors.iter().map(|effector| own(&effector.name)),
     );
+    // MoveIt takes one of them, for the root of the robot
     report(
         out,
-        "virtual joint",
+        ("virtual joint", Severity::Warning),
         srdf.virtual_joints.iter().map(|joint| own(&joint.name)),
     );
     let states = srdf.states.iter().filter_map(|state| {
         let group = state.group.as_ref()?.name()?;
         Some((group.as_str(), state.name.as_ref()))
     });
-    report(out, "group state", states);
+    report(out, ("group state", RULE.severity), states);
 }
 
 /// Report the names that are there twice in the same scope.
 fn report<'a>(
     out: &mut Sink<'_>,
-    kind: &str,
+    (kind, severity): (&str, Severity),
     names: impl Iterator<Item = (&'a str, Option<&'a Text>)>,
 ) {
     let mut first: FastMap<(&str, &str), &Text> = FastMap::default();
@@ -57,6 +58,7 @@ fn report<'a>(
             let message = format!("duplicate {kind} name `{name}`");
             let first = format!("first {kind} named `{name}`");
             out.report(text.origin, message)
+                .severity(severity)
                 .also(known.origin, first)
                 .help("use another name")
                 .done();

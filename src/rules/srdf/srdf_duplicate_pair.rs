@@ -34,9 +34,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .group(Group::File);
         // a full matrix has each pair both ways
         let reason = |pair: &Pair| pair.reason.as_ref().map(|reason| reason.value.clone());
-        let is_mirrored = pair.link1.as_ref().map(|link| &link.value)
-            == known.link2.as_ref().map(|link| &link.value);
-        let is_same = is_mirrored && reason(pair) == reason(known);
+        let is_same = reason(pair) == reason(known);
         let report = report.severity(if is_same {
             Severity::Info
         } else {

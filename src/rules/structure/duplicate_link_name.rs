@@ -2,7 +2,7 @@
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::repeated_calls::{HELP, RepeatedCalls};
+use super::repeated_calls::{HELP, RepeatedCalls, differ_when_given};
 use base::FastMap;
 use model::Text;
 
@@ -32,7 +32,13 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if call.as_ref().is_some_and(|call| !call.is_first) {
             continue;
         }
+        let severity = if differ_when_given(cx.expansion, earlier, name) {
+            Severity::Info
+        } else {
+            RULE.severity
+        };
         out.report(name.origin, format!("duplicate link name `{text}`"))
+            .severity(severity)
             .also(earlier.origin, format!("first link named `{text}`"))
             .help(call.map_or_else(|| HELP.to_owned(), |call| call.help()))
             .done();

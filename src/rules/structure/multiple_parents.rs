@@ -62,7 +62,15 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                         .to_owned()
                 }
             };
+            // parsers take the tree that the links make, in which joints beside each other are one
+            let is_beside = joint.ends().map(|ends| ends.0) == first.ends().map(|ends| ends.0);
+            let severity = if is_beside {
+                Severity::Warning
+            } else {
+                RULE.severity
+            };
             out.report(child.origin, message)
+                .severity(severity)
                 .also(
                     earlier.origin,
                     format!("joint `{}` is the first parent joint", first.shown()),

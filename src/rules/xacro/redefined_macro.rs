@@ -101,8 +101,17 @@ fn content(node: Node<'_>) -> Vec<Node<'_>> {
 /// The attributes of an element in any order.
 fn attributes(node: Node<'_>) -> BTreeMap<String, Vec<String>> {
     node.attrs()
-        .map(|attr| (attr.name().to_owned(), words(attr.raw())))
+        .map(|attr| match attr.name() {
+            "params" => (attr.name().to_owned(), in_order(words(attr.raw()))),
+            name => (name.to_owned(), words(attr.raw())),
+        })
         .collect()
+}
+
+/// Parameters in the order of their names, since calls give them by name; but for blocks, which calls give in their order.
+fn in_order(mut params: Vec<String>) -> Vec<String> {
+    params.sort_by_key(|param| (!param.starts_with('*')).then(|| param.clone()));
+    params
 }
 
 fn words(text: &str) -> Vec<String> {

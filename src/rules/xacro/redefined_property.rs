@@ -46,7 +46,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             && !mentioned_between(cx, first, place, node, &definition.name)
             && !included_between(cx, first, place)
         {
-            let is_same = written(first_node).is_some() && written(first_node) == written(node);
+            let is_same = match (written(first_node), written(node)) {
+                (Some(one), Some(two)) => one == two || are_close(&one, &two),
+                _ => false,
+            };
             out.report_in(
                 place.file,
                 place.range,
@@ -81,6 +84,15 @@ fn plain<'a>(cx: &DocumentCx<'a>, definition: &Definition) -> Option<(Place, Nod
 /// The value that a tag spells out.
 fn written(node: Node<'_>) -> Option<String> {
     Some(node.attr("value")?.raw().trim().to_owned())
+}
+
+/// Whether two texts are the same number, but for how it was rounded.
+fn are_close(one: &str, two: &str) -> bool {
+    const TOLERANCE: f64 = 1e-4;
+    let (Ok(one), Ok(two)) = (one.parse::<f64>(), two.parse::<f64>()) else {
+        return false;
+    };
+    (one - two).abs() <= TOLERANCE * one.abs()
 }
 
 /// Whether a file is included between two definitions: it may read the first one, in another branch or in the macros that

@@ -46,7 +46,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .iter()
             .map(|name| format!("{name}=\"...\""))
             .collect();
+        let severity = if is_second_material(cx, id, spec) {
+            Severity::Info
+        } else {
+            RULE.severity
+        };
         out.report(tag_start(cx.expansion, id), message)
+            .severity(severity)
             .help(format!("add {}", add.join(" ")))
             .done();
     }
@@ -108,6 +114,23 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
         .into_iter()
         .filter(|name| required(name) && !misspelled.contains(name))
         .collect()
+}
+
+/// Whether an element is an empty `material` behind another one, which parsers do not look at.
+fn is_second_material(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> bool {
+    let tree = &cx.expansion.tree;
+    let is_empty = || tree.get(id).attrs.is_empty() && tree.elements(id).next().is_none();
+    let is_first = |around: XId| {
+        let mut materials = tree
+            .elements(around)
+            .filter(|&child| tree.get(child).text == "material");
+        materials.next() == Some(id)
+    };
+    spec.name == "material"
+        && is_empty()
+        && tree
+            .parent(id)
+            .is_some_and(|around| tree.get(around).text == "visual" && !is_first(around))
 }
 
 /// The text of an element that holds nothing but a number.

@@ -223,7 +223,7 @@ fn report(
                 spec.name,
                 taken.join(", ")
             );
-            let severity = if is_of_other_shape(spec, name) {
+            let severity = if is_of_other_shape(spec, name) && !is_scale_of_ones(attr) {
                 Severity::Warning
             } else {
                 Severity::Hint
@@ -248,6 +248,12 @@ fn is_needed(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, name: &str) -> bo
     // urdfdom rejects dynamics without any of its attributes
     let is_only = spec.name == "dynamics" && tree.get(id).attrs.len() == 1;
     is_required || is_only || is_strength && !Version::V1_2.is_in(tree) && !is_fixed()
+}
+
+/// Whether an attribute would scale nothing if it were read.
+fn is_scale_of_ones(attr: &XAttr) -> bool {
+    let mut numbers = attr.value.split_whitespace().map(str::parse::<f64>);
+    attr.name == "scale" && numbers.all(|number| number == Ok(1.0))
 }
 
 /// Whether another shape has an attribute of this name.

@@ -173,12 +173,12 @@ fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
 
 /// Whether an element is the pose of SDF and moves nothing.
 fn is_zero_pose(cx: &DocumentCx<'_>, id: XId, name: &str) -> bool {
-    let text = Text::content(&cx.expansion.tree, id);
-    name == "pose"
-        && text.is_some_and(|text| {
-            text.numbers::<6>()
-                .is_some_and(|numbers| numbers == [0.0; 6])
-        })
+    let text = Text::content(&cx.expansion.tree, id).filter(|text| !text.value.trim().is_empty());
+    let is_zero = |text: Text| {
+        text.numbers::<6>()
+            .is_some_and(|numbers| numbers == [0.0; 6])
+    };
+    name == "pose" && text.map_or_else(|| is_identity(cx, id, "origin"), is_zero)
 }
 
 /// Whether an element is meant as an `origin` that moves nothing: without it, all is the same.

@@ -88,6 +88,32 @@ impl Callers {
         true
     }
 
+    /// Whether nothing but tests names a file in a folder of tests of its package: it is what they need, right or wrong.
+    pub fn is_for_tests(
+        &self,
+        file: &Path,
+        packages: &Packages,
+        includers: impl Fn(&Path) -> Vec<PathBuf>,
+    ) -> bool {
+        let package = packages.containing(file).map(|package| package.folder);
+        let Some(package) = package.filter(|_| is_of_tests(file, packages)) else {
+            return false;
+        };
+        let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
+            return false;
+        };
+        let is_test = |path: &Path| {
+            let is_listed = || path.ends_with("CMakeLists.txt") || path.ends_with("package.xml");
+            path.starts_with(&package) && (is_listed() || is_of_tests(path, packages))
+        };
+        let mut named = mentions
+            .of(file)
+            .filter(|by| packages.may_mean(by, file))
+            .peekable();
+        let is_included = |by: &PathBuf| !is_test(by);
+        named.peek().is_some() && named.all(is_test) && !includers(file).iter().any(is_included)
+    }
+
     /// The texts that lead to a file of a copy, but for includes; none when something that runs names its package, or not all
     /// texts are known.
     fn users(&self, file: &Path, copies: &Copies, packages: &Packages) -> Option<Vec<PathBuf>> {
