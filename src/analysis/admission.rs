@@ -1,12 +1,10 @@
 //! Which fixes can be made together.
-
-use super::fix::claim;
 use super::plan::{Plan, apply, choose};
 use super::proof::{Changed, Claim, Effort};
 use super::report::Report;
 use super::session::Session;
 use base::{FastSet, FileId, TextRange};
-use rules::Safety;
+use rules::{Category, Finding, Safety, Severity};
 use vfs::Vfs;
 use xml::Document;
 
@@ -147,4 +145,19 @@ pub(super) fn files_of(report: &Report, number: usize) -> Vec<FileId> {
 /// How many mistakes of syntax a text has.
 fn errors(text: &str) -> usize {
     Document::parse(text).errors().len()
+}
+
+/// What a fix that is said to be safe promises.
+pub(super) fn claim(finding: &Finding) -> Claim {
+    use Category::{Consumers, Joint, Structure, Xacro, Xml};
+    if finding.rule.category == Consumers {
+        return Claim::Fitted;
+    }
+    let is_refused = finding.rule.severity == Severity::Error
+        && matches!(finding.rule.category, Joint | Structure | Xacro | Xml);
+    if is_refused {
+        Claim::Repaired
+    } else {
+        Claim::Same
+    }
 }

@@ -1,16 +1,17 @@
 //! A root expanded, with what was read off it: kept until something it rests on has changed.
-
 use std::path::Path;
 use std::sync::OnceLock;
 
-use super::check::CheckOptions;
-use super::context::RootChoice;
-use super::job::{self, Outcome};
-use super::roots::{Job, Reason};
+use super::job;
+use super::job::{expanded, judge, request};
+use super::options::CheckOptions;
+use super::outcome::Outcome;
+use super::root_choice::RootChoice;
 use super::session::Session;
+use super::task::{Job, Reason};
 use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
-use expand::{Expansion, Read, SymbolKind, Written, write_mapped};
+use expand::{Expansion, Read, Request, SymbolKind, Written, write_mapped};
 use model::{Kinematics, Robot};
 use rules::Names;
 use vfs::Vfs;
@@ -139,4 +140,23 @@ pub(super) fn job_of(root: &RootChoice) -> Job {
         preset,
         ..Job::new(file, Reason::Named, args)
     }
+}
+
+/// The same, for somebody who keeps the expansion.
+pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
+    let kept = Request {
+        keep: true,
+        ..request(session, &options.cancel, &job)
+    };
+    let (expansion, is_as_called) = expanded(session, &job, &kept, None);
+    let analyzed = Analyzed::new(job.root(), expansion, 0);
+    let robot = analyzed.robot.as_ref();
+    let outcome = judge(session, options, job, &analyzed.expansion, robot);
+    (
+        Outcome {
+            is_as_called,
+            ..outcome
+        },
+        analyzed,
+    )
 }

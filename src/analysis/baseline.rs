@@ -1,5 +1,4 @@
 //! Findings that are known and accepted, kept in a file: only what exceeds them is reported.
-
 use std::collections::BTreeMap;
 use std::path::Path;
 

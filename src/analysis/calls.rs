@@ -1,5 +1,4 @@
 //! Robots that the defaults of their arguments do not give: expanded with what launch files and scripts pass.
-
 use std::path::Path;
 
 use super::session::Session;

@@ -1,16 +1,15 @@
 //! The robots of workspaces and what they include: searched for once, for many changes that are tried one after the
 //! other.
-
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::change::Change;
-use super::check::CheckOptions;
 use super::includes::{self, Reach};
+use super::options::CheckOptions;
 use super::report::Report;
-use super::roots::Job;
-use super::runs::Runs;
+use super::run_cache::Runs;
 use super::session::Session;
+use super::task::Job;
 use base::FastMap;
 use vfs::SourceFile;
 

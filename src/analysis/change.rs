@@ -1,16 +1,15 @@
 //! Checks of a change: which robots it reaches, and which findings are about it.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::candidates::Candidates;
-use super::check::CheckOptions;
 use super::includes::Reach;
-use super::job::Outcome;
-use super::roots::{Job, Reason};
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::session::Session;
+use super::task::{Job, Reason};
 use super::walk::is_description;
 use base::{FastSet, FileId};
 use rules::{Category, Check, Finding, Severity};

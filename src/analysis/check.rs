@@ -1,47 +1,28 @@
 //! Checking files and folders.
-
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::analyzed::Analyzed;
+use super::analyzed::{Analyzed, run_kept};
 use super::beside::{Compared, Robots, Sort, sort};
 use super::change::Change;
-use super::context::RootChoice;
-use super::job::{self, Outcome};
+use super::job;
 use super::launched::prefer_calls;
 use super::merge::merge;
-use super::progress::Progress;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
-use super::roots::{Job, Reason};
+use super::root_choice::RootChoice;
 use super::session::Session;
 use super::suppress::Hiding;
+use super::task::{Job, Reason};
 use base::limits::MESSAGE_LETTERS;
-use base::{CancelFlag, FastMap, FastSet, FileId};
+use base::{FastMap, FastSet, FileId};
 use expand::large_stacks;
 use rules::{Finding, Severity, named};
 use workspace::UNQUOTED;
-
-/// What to check.
-#[derive(Clone, Debug, Default)]
-pub struct CheckOptions {
-    /// Files and folders.
-    pub paths: Vec<PathBuf>,
-    /// Files that are robots, whatever their content looks like.
-    pub entries: Vec<PathBuf>,
-    /// Files that changed, when only what concerns them is asked for; below `paths`, or elsewhere.
-    pub changed: Vec<PathBuf>,
-    /// Arguments of every expansion, over those of configured roots.
-    pub args: Vec<(String, String)>,
-    /// Whether to count what programs reject or change that nobody named.
-    pub count_consumers: bool,
-    /// Set to stop early.
-    pub cancel: CancelFlag,
-    /// Says how far the check is.
-    pub progress: Progress,
-}
 
 /// What a check did, for another one of the same files.
 #[derive(Default)]
@@ -263,7 +244,7 @@ impl Session {
                 Some(known) => Outcome { job, ..known },
                 None => match kept.filter(|_| is_kept) {
                     Some(kept) => {
-                        let (outcome, analyzed) = job::run_kept(self, options, job);
+                        let (outcome, analyzed) = run_kept(self, options, job);
                         kept.add(analyzed);
                         outcome
                     }

@@ -1,10 +1,9 @@
 //! What may be written at a place in a configuration file.
-
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::context::RootChoice;
 use super::launch_values::compared_words;
+use super::root_choice::RootChoice;
 use super::world::World;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;

@@ -1,13 +1,12 @@
 //! What has no effect in the configurations that hold for a check.
-
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::check::CheckOptions;
 use super::configs::Settings;
-use super::job::Outcome;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::report::Report;
 use super::session::Session;
 use base::FastSet;

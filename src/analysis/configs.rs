@@ -1,5 +1,4 @@
 //! Which settings hold for a file: those of the configuration nearest to it, under those of the command line.
-
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 

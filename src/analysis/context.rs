@@ -2,76 +2,15 @@
 //!
 //! A macro file has no meaning alone. The root is chosen by what the user picked, a comment in the file, the
 //! configuration, and else by the includes of the workspace.
-
 use std::path::{Path, PathBuf};
 
+use indexmap::IndexSet;
+
+use super::root_choice::{Context, Reason, RootChoice};
 use super::world::World;
 use base::{Span, TextRange};
 use vfs::SourceFile;
-
-/// A root and the arguments it is expanded with.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct RootChoice {
-    /// The file, absolute.
-    pub file: PathBuf,
-    /// Arguments over the defaults of the file.
-    pub args: Vec<(String, String)>,
-    /// The preset of the configuration they come from.
-    pub preset: Option<String>,
-}
-
-impl RootChoice {
-    /// A file with the defaults of its arguments.
-    pub fn plain(file: &Path) -> Self {
-        Self {
-            file: file.to_path_buf(),
-            args: Vec::new(),
-            preset: None,
-        }
-    }
-}
-
-/// Why a root was chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// The user picked it.
-    Picked,
-    /// A comment `xacro-root:` at the top of the file names it.
-    Comment,
-    /// The configuration lists it.
-    Configured,
-    /// The file is a robot itself.
-    Itself,
-    /// It includes the file.
-    Includes,
-    /// No robot includes the file.
-    None,
-}
-
-impl Reason {
-    /// For a status line.
-    pub fn text(self) -> &'static str {
-        match self {
-            Reason::Picked => "selected in this session",
-            Reason::Comment => "set by the xacro-root comment",
-            Reason::Configured => "set in the configuration",
-            Reason::Itself => "the file is a robot",
-            Reason::Includes => "it includes the file",
-            Reason::None => "no root includes this file",
-        }
-    }
-}
-
-/// The context of a file.
-#[derive(Clone, Debug)]
-pub struct Context {
-    /// The active root; none for a file that no robot includes.
-    pub root: Option<RootChoice>,
-    /// Why it is active.
-    pub reason: Reason,
-    /// All roots that reach the file, with their distance in includes.
-    pub candidates: Vec<(RootChoice, u32)>,
-}
+use workspace::config::Variant;
 
 impl World {
     /// The runs of a file that the configuration lists.
@@ -211,4 +150,30 @@ fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> 
         .filter_map(|word| word.split_once(":="))
         .map(|(n, v)| (n.to_owned(), v.to_owned()));
     Some((name, args.collect()))
+}
+
+impl World {
+    /// Every configured root with each of its presets, by the configurations that hold for files and for the folders.
+    pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootChoice> {
+        let session = self.session();
+        let of_folders = self
+            .folders()
+            .iter()
+            .map(|folder| session.folder_settings(folder));
+        let mut found: IndexSet<RootChoice> = IndexSet::new();
+        for settings in of_folders.chain(paths.iter().map(|path| session.settings(path))) {
+            for root in &settings.config.roots {
+                for file in root.files(&session.vfs) {
+                    let file = session.vfs.absolute(&file);
+                    let choice = |Variant { preset, args }| RootChoice {
+                        file: file.clone(),
+                        args,
+                        preset,
+                    };
+                    found.extend(session.variants(root, &file).into_iter().map(choice));
+                }
+            }
+        }
+        found.into_iter().collect()
+    }
 }

@@ -1,19 +1,14 @@
 //! The contexts of a check: the configured roots, each with each of its presets, and how findings speak of them.
-
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
-use indexmap::IndexSet;
 
-use super::context::RootChoice;
-use super::job::Outcome;
-use super::launched::Called;
-use super::roots::Job;
-use super::world::World;
+use super::outcome::Outcome;
+use super::root_choice::RootChoice;
+use super::task::{Called, Job};
 use base::{FastSet, FileId, Span, TextRange};
 use rules::Related;
 use vfs::SourceFile;
-use workspace::config::Variant;
 
 /// Contexts listed with a finding.
 const MOST_PLACES: usize = 10;
@@ -294,32 +289,6 @@ impl RootChoice {
     /// For people: the name of the file and the arguments.
     pub fn label(&self) -> String {
         label(name(&self.file), &self.args)
-    }
-}
-
-impl World {
-    /// Every configured root with each of its presets, by the configurations that hold for files and for the folders.
-    pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootChoice> {
-        let session = self.session();
-        let of_folders = self
-            .folders()
-            .iter()
-            .map(|folder| session.folder_settings(folder));
-        let mut found: IndexSet<RootChoice> = IndexSet::new();
-        for settings in of_folders.chain(paths.iter().map(|path| session.settings(path))) {
-            for root in &settings.config.roots {
-                for file in root.files(&session.vfs) {
-                    let file = session.vfs.absolute(&file);
-                    let choice = |Variant { preset, args }| RootChoice {
-                        file: file.clone(),
-                        args,
-                        preset,
-                    };
-                    found.extend(session.variants(root, &file).into_iter().map(choice));
-                }
-            }
-        }
-        found.into_iter().collect()
     }
 }
 

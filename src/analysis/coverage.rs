@@ -1,14 +1,13 @@
 //! What one expansion covers needs no other: which files are expanded at all, and which results are kept.
-
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
 use super::includes::Included;
-use super::job::Outcome;
-use super::roots::{Job, Reason};
+use super::outcome::Outcome;
 use super::session::Session;
 use super::set_aside::leave_out_copies;
+use super::task::{Job, Reason};
 use base::FastSet;
 
 impl Session {

@@ -1,8 +1,6 @@
 //! What errors keep from being checked, said at the error: without it, silence would look like success.
-
 use std::path::Path;
 
-use super::report::Report;
 use base::Span;
 use expand::Expansion;
 use rules::{Finding, Rule, Severity, losses, needs_whole};
@@ -32,7 +30,7 @@ impl Cut {
     }
 
     /// The number of the finding that is about what left out a part: the first one, in the order of the expansion.
-    fn cause(&self, findings: &[Finding]) -> Option<usize> {
+    pub fn cause(&self, findings: &[Finding]) -> Option<usize> {
         let shown = |finding: &Finding| finding.severity >= Severity::Warning;
         let is_at = |finding: &Finding, at: &Span| {
             finding.span.file == at.file && finding.span.range.touches(at.range.start)
@@ -50,7 +48,8 @@ impl Cut {
         self.at.iter().find_map(at).or_else(first_error)
     }
 
-    fn sentence(&self, robot: &Path) -> Option<String> {
+    /// The sentence of a help that says what was not checked of `robot`.
+    pub fn sentence(&self, robot: &Path) -> Option<String> {
         let robot = robot.file_name()?.to_string_lossy().into_owned();
         let (named, more) = self.rules.split_at(NAMED.min(self.rules.len()));
         let named: Vec<String> = named.iter().map(|name| format!("`{name}`")).collect();
@@ -63,25 +62,5 @@ impl Cut {
         (!named.is_empty()).then(|| {
             format!("until this is fixed, `{robot}` is not checked in full: rules about missing or unused parts did not run ({which})")
         })
-    }
-}
-
-impl Report {
-    /// Say at the errors that left out parts of robots which rules did not run because of them, once a robot.
-    pub fn mark_cuts(&mut self) {
-        for (robot, cut) in &self.partial {
-            let finding = cut
-                .cause(&self.findings)
-                .and_then(|number| self.findings.get_mut(number));
-            let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else {
-                continue;
-            };
-            finding.help = Some(match finding.help.take() {
-                // one robot is enough where several suffer
-                Some(help) if help.contains("is not checked in full") => help,
-                Some(help) => format!("{help}\n{sentence}"),
-                None => sentence,
-            });
-        }
     }
 }

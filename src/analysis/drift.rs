@@ -1,16 +1,16 @@
 //! Files that xacro generated, and that differ from what their sources give now.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::check::CheckOptions;
 use super::expect::{entry_at, filled, worded};
-use super::job::{self, Outcome};
-use super::roots::{Job, Reason};
-use super::runs::{Run, Setting};
+use super::job;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
+use super::run_cache::{Run, Setting};
 use super::session::Session;
+use super::task::{Job, Reason};
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};

@@ -1,15 +1,15 @@
 //! Fixing files: from findings to edits, and on until nothing is left to do.
-
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::admission::{Admission, Admitted, changes, files_of, groups};
+use super::admission::{Admission, Admitted, changes, claim, files_of, groups};
 use super::change::Change;
-use super::check::{CheckOptions, Done};
+use super::check::Done;
 use super::guard::harms;
+use super::options::CheckOptions;
 use super::plan::{Plan, choose};
 use super::proof::{Changed, Claim, Effort, Roots};
 use super::report::Report;
@@ -17,7 +17,7 @@ use super::session::Session;
 use super::walk::is_description;
 use base::limits::{FIX_ROUNDS, PROOF_EXPANSIONS};
 use base::{FastMap, FastSet, FileId};
-use rules::{Category, Finding, Fix, Safety, Severity};
+use rules::{Finding, Fix, Safety, Severity};
 use workspace::is_built;
 
 /// Which findings are fixed.
@@ -217,21 +217,6 @@ pub fn is_said_safe(finding: &Finding) -> bool {
         .fix
         .as_ref()
         .is_some_and(|fix| fix.safety == Safety::Safe)
-}
-
-/// What a fix that is said to be safe promises.
-pub(super) fn claim(finding: &Finding) -> Claim {
-    use Category::{Consumers, Joint, Structure, Xacro, Xml};
-    if finding.rule.category == Consumers {
-        return Claim::Fitted;
-    }
-    let is_refused = finding.rule.severity == Severity::Error
-        && matches!(finding.rule.category, Joint | Structure | Xacro | Xml);
-    if is_refused {
-        Claim::Repaired
-    } else {
-        Claim::Same
-    }
 }
 
 /// The state of a run.

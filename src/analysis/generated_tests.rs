@@ -1,6 +1,5 @@
 //! Which findings are infos in files that programs make, keep or leave out.
-
-use crate::set_aside_tests::{BROKEN, found};
+use super::set_aside_tests::{BROKEN, found};
 use rules::Severity;
 
 #[test]

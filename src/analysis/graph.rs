@@ -1,5 +1,4 @@
 //! Which file may include which, over a whole workspace: what decides under which root a file is shown.
-
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

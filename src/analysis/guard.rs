@@ -1,5 +1,4 @@
 //! A fix that causes new errors is taken back.
-
 use super::report::Report;
 use base::FastSet;
 use rules::{Category, Finding, Severity, Trait};

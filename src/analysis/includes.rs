@@ -1,5 +1,4 @@
 //! Who may include whom, read off the texts alone: conditions and arguments are not looked at.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 

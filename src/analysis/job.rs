@@ -1,20 +1,17 @@
 //! One expansion, and what the rules say about it.
-
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ecow::EcoString;
-
-use super::analyzed::Analyzed;
 use super::calls::as_called;
-use super::check::CheckOptions;
 use super::configs::Settings;
 use super::cut::Cut;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::roles::Checked;
-use super::roots::{Job, Reason};
 use super::session::Session;
+use super::task::{Job, Reason};
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{
     Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand_again,
@@ -25,40 +22,7 @@ use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, check_expansion,
     check_files, holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages, named,
 };
-use vfs::{LoadError, LoadErrorKind, SourceFile};
-
-/// What a job gave.
-#[derive(Clone)]
-pub(super) struct Outcome {
-    pub(super) job: Job,
-    /// Whether the file is a robot on its own.
-    pub(super) is_robot: bool,
-    /// Whether only a name is missing to make it one.
-    pub(super) is_nameless: bool,
-    /// The packages of a robot that were not found.
-    pub(super) unfound: BTreeSet<String>,
-    /// What was not checked of it: it is a robot, and errors left out a part of it.
-    pub(super) cut: Option<Cut>,
-    /// Whether it is one of the contexts that are checked: findings say in which of these they occur.
-    pub(super) is_context: bool,
-    /// Whether it has arguments of a caller, since it fails with the defaults.
-    pub(super) is_as_called: bool,
-    /// Whether everything was read and expanded, so that what was not found is not there.
-    pub(super) complete: bool,
-    /// Files that were read, the root file left out.
-    pub(super) reads: Vec<PathBuf>,
-    /// Descriptions that were read.
-    pub(super) files: Vec<Arc<SourceFile>>,
-    pub(super) findings: Vec<Finding>,
-    /// Its arguments with their values: with others it may be another robot.
-    pub(super) arguments: Vec<(EcoString, EcoString)>,
-    /// The files that were included, each with the tag that did.
-    pub(super) includes: Vec<(FileId, Span)>,
-    /// The macros that were called: where each is defined.
-    pub(super) called: FastSet<Span>,
-    /// What programs reject or change that nobody named, where somebody asked.
-    pub(super) consumers: Tally,
-}
+use vfs::{LoadError, LoadErrorKind};
 
 /// Expand a file and check the result.
 pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
@@ -70,25 +34,6 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
         is_as_called,
         ..outcome
     }
-}
-
-/// The same, for somebody who keeps the expansion.
-pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
-    let kept = Request {
-        keep: true,
-        ..request(session, &options.cancel, &job)
-    };
-    let (expansion, is_as_called) = expanded(session, &job, &kept, None);
-    let analyzed = Analyzed::new(job.root(), expansion, 0);
-    let robot = analyzed.robot.as_ref();
-    let outcome = judge(session, options, job, &analyzed.expansion, robot);
-    (
-        Outcome {
-            is_as_called,
-            ..outcome
-        },
-        analyzed,
-    )
 }
 
 /// Expand a file, for somebody who keeps the result; `before` is what was kept of the last time.
@@ -131,7 +76,7 @@ pub(super) fn forced(
 }
 
 /// The expansion, and whether its arguments are those of a caller, since it fails with the defaults.
-fn expanded(
+pub(super) fn expanded(
     session: &Session,
     job: &Job,
     request: &Request,

@@ -1,5 +1,4 @@
 //! Which files a check is about, and how each is to be expanded.
-
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,11 +6,11 @@ use std::sync::Arc;
 use super::beside::{Sort, sort};
 use super::candidates::Candidates;
 use super::change::Change;
-use super::check::CheckOptions;
 use super::configs::Settings;
+use super::options::CheckOptions;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
-use super::roots::{Job, Reason};
 use super::session::Session;
+use super::task::{Job, Reason};
 use super::walk;
 use base::FastSet;
 

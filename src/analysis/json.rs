@@ -1,5 +1,4 @@
 //! Findings as JSON.
-
 use std::path::Path;
 
 use serde::Serialize;

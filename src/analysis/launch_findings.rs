@@ -1,61 +1,28 @@
 //! What launch files say of robots that is not so: arguments that no robot knows, descriptions that are not there.
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::check::CheckOptions;
 use super::config_findings::arguments;
+use super::declared::Declared;
 use super::includes::reach;
-use super::launch_names::is_launch;
+use super::options::CheckOptions;
 use super::session::Session;
+use super::walk::is_launch;
 use base::{CancelFlag, FastSet, Span, TextRange};
 use rules::{Finding, Severity, launched_file_not_found, unknown_launch_argument};
-use vfs::SourceFile;
 use workspace::launch::{Argument, Call};
 use workspace::{RobotCall, has_name, nearest};
 
 /// Descriptions that are read for the arguments of one robot.
 const MOST_FILES: usize = 500;
 
-/// The arguments that a description knows.
-#[derive(Default)]
-pub(super) struct Known {
-    pub(super) names: FastSet<EcoString>,
-    /// Whether all that may be included was read, and each name is written out.
-    pub(super) complete: bool,
-    /// The files that were read.
-    pub(super) files: Vec<Arc<SourceFile>>,
-}
-
-impl Known {
-    /// The arguments that are declared, each with its default where it has one.
-    pub(super) fn defaults(&self) -> Vec<(String, Option<String>)> {
-        let mut found = Vec::new();
-        for file in &self.files {
-            let entities = file.document.entities();
-            for (_, item) in file.document.parts() {
-                for node in item.all_nodes().filter(|node| node.name() == "xacro:arg") {
-                    let Some(name) = node.attr("name") else {
-                        continue;
-                    };
-                    let default = node
-                        .attr("default")
-                        .map(|default| default.value(entities).into_owned());
-                    found.push((name.raw().to_owned(), default));
-                }
-            }
-        }
-        found
-    }
-}
-
 impl Session {
     /// What is wrong in the calls of the launch files below the folders that are checked.
     pub(super) fn launch_findings(&self, options: &CheckOptions) -> Vec<Finding> {
-        let mut known: BTreeMap<PathBuf, Arc<Known>> = BTreeMap::new();
+        let mut known: BTreeMap<PathBuf, Arc<Declared>> = BTreeMap::new();
         let mut found = Vec::new();
         // an editor asks about the files that it shows
         if !options.entries.is_empty() {
@@ -87,7 +54,7 @@ impl Session {
         cancel: &CancelFlag,
     ) -> Vec<Finding> {
         let mut found = Vec::new();
-        let mut known: BTreeMap<PathBuf, Arc<Known>> = BTreeMap::new();
+        let mut known: BTreeMap<PathBuf, Arc<Declared>> = BTreeMap::new();
         let launch_files: Vec<&PathBuf> = shown.iter().filter(|path| is_launch(path)).collect();
         let mut calls: Vec<RobotCall> = Vec::new();
         for path in robots.iter().chain(launch_files.iter().copied()) {
@@ -110,7 +77,7 @@ impl Session {
         &self,
         calls: &[RobotCall],
         cancel: &CancelFlag,
-        known: &mut BTreeMap<PathBuf, Arc<Known>>,
+        known: &mut BTreeMap<PathBuf, Arc<Declared>>,
         found: &mut Vec<Finding>,
     ) {
         let is_checked =
@@ -184,7 +151,7 @@ impl Session {
         if args.is_empty() {
             return Vec::new();
         }
-        let known: Vec<Known> = robots.iter().map(|robot| self.known(robot)).collect();
+        let known: Vec<Declared> = robots.iter().map(|robot| self.known(robot)).collect();
         if !known.iter().all(|known| known.complete) {
             return Vec::new();
         }
@@ -207,7 +174,7 @@ impl Session {
     fn findings_of(
         &self,
         group: &[RobotCall],
-        known: &mut BTreeMap<PathBuf, Arc<Known>>,
+        known: &mut BTreeMap<PathBuf, Arc<Declared>>,
         found: &mut Vec<Finding>,
     ) {
         let targets: Vec<&PathBuf> = group
@@ -225,7 +192,7 @@ impl Session {
             };
             found.push(launched_file_not_found(span, &missing.call.file.shown()));
         }
-        let robots: Vec<(&PathBuf, Arc<Known>)> = targets
+        let robots: Vec<(&PathBuf, Arc<Declared>)> = targets
             .iter()
             .filter(is_there)
             .map(|path| {
@@ -241,7 +208,7 @@ impl Session {
         let mut seen: FastSet<&str> = FastSet::default();
         for argument in group.iter().flat_map(|call| &call.call.args) {
             let name = argument.name.as_str();
-            let has = |known: &Known| known.names.contains(name);
+            let has = |known: &Declared| known.names.contains(name);
             if robots.iter().any(|(_, known)| has(known)) || !seen.insert(name) {
                 continue;
             }
@@ -304,10 +271,10 @@ impl Session {
     }
 
     /// The arguments that a description and everything that it may include declare or read, in any branch.
-    pub(super) fn known(&self, robot: &Path) -> Known {
-        let mut known = Known {
+    pub(super) fn known(&self, robot: &Path) -> Declared {
+        let mut known = Declared {
             complete: true,
-            ..Known::default()
+            ..Declared::default()
         };
         let mut seen: FastSet<PathBuf> = FastSet::default();
         let mut open = vec![robot.to_owned()];

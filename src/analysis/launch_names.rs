@@ -1,5 +1,4 @@
 //! Names of arguments of robots in launch files: where they are spelled, and what they mean.
-
 use std::path::{Path, PathBuf};
 
 use super::session::Session;
@@ -16,26 +15,6 @@ pub struct LaunchName {
     pub robots: Vec<PathBuf>,
     /// Where the name stands.
     pub span: Span,
-}
-
-/// Whether a file is a launch file or script, by its name: no description, and other servers know it better.
-pub fn is_launch(path: &Path) -> bool {
-    let name = path
-        .file_name()
-        .and_then(|name| name.to_str())
-        .unwrap_or("")
-        .to_ascii_lowercase();
-    let endings = [
-        ".py",
-        ".launch",
-        ".launch.xml",
-        ".launch.yaml",
-        ".launch.yml",
-        ".sh",
-        ".bash",
-        ".test",
-    ];
-    endings.iter().any(|ending| name.ends_with(ending))
 }
 
 impl Session {
@@ -250,7 +229,8 @@ fn starts_argument(before: &str) -> Option<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_launch, starts_argument};
+    use super::super::walk::is_launch;
+    use super::starts_argument;
     use std::path::Path;
 
     #[test]

@@ -1,10 +1,9 @@
 //! Values that launch files give to arguments and that nothing is made for, and arguments that they never give.
-
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::launch_findings::Known;
+use super::declared::Declared;
 use super::session::Session;
 use base::{FastMap, FastSet, Span, TextRange};
 use facts::{FactKind, MentionKind, facts_of};
@@ -53,7 +52,7 @@ impl Session {
     pub(super) fn value_findings(
         &self,
         robot: &Path,
-        known: &Known,
+        known: &Declared,
         calls: &[&RobotCall],
     ) -> Vec<Finding> {
         if !known.complete {
@@ -64,7 +63,7 @@ impl Session {
         found
     }
 
-    fn never_compared(&self, robot: &Path, known: &Known, calls: &[&RobotCall]) -> Vec<Finding> {
+    fn never_compared(&self, robot: &Path, known: &Declared, calls: &[&RobotCall]) -> Vec<Finding> {
         let compared = comparisons(known);
         let mut found = Vec::new();
         for call in calls {
@@ -95,7 +94,7 @@ impl Session {
         found
     }
 
-    fn never_set(&self, robot: &Path, known: &Known) -> Vec<Finding> {
+    fn never_set(&self, robot: &Path, known: &Declared) -> Vec<Finding> {
         // calls in launch files that are not checked give arguments too
         let mut all = self.robot_calls(robot);
         all.retain(|call| call.target.as_deref() == Some(robot));
@@ -151,7 +150,7 @@ fn is_expected(value: &str, compared: &Compared) -> bool {
 
 /// The arguments that a robot does nothing with but compare them with words, and these words. The default of an
 /// argument counts as one.
-fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
+fn comparisons(known: &Declared) -> FastMap<EcoString, Compared> {
     let mut found = all_comparisons(known);
     let mut mentions: FastMap<EcoString, usize> = FastMap::default();
     for (_, item) in known.files.iter().flat_map(|file| file.document.parts()) {
@@ -176,7 +175,7 @@ fn comparisons(known: &Known) -> FastMap<EcoString, Compared> {
 }
 
 /// The words that a robot compares an argument with, whatever else it does with it.
-pub(super) fn compared_words(known: &Known, name: &str) -> Vec<String> {
+pub(super) fn compared_words(known: &Declared, name: &str) -> Vec<String> {
     all_comparisons(known)
         .remove(name)
         .map(|compared| compared.words)
@@ -184,7 +183,7 @@ pub(super) fn compared_words(known: &Known, name: &str) -> Vec<String> {
 }
 
 /// The comparisons of all arguments.
-fn all_comparisons(known: &Known) -> FastMap<EcoString, Compared> {
+fn all_comparisons(known: &Declared) -> FastMap<EcoString, Compared> {
     let mut found: FastMap<EcoString, Compared> = FastMap::default();
     for file in &known.files {
         for node in file.document.parts().flat_map(|(_, item)| item.all_nodes()) {

@@ -1,14 +1,13 @@
 //! Robots as launch files call them: each distinct call is expanded and checked as well.
-
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::context::RootChoice;
-use super::job::Outcome;
-use super::launch_findings::Known;
-use super::roots::Job;
+use super::declared::Declared;
+use super::outcome::Outcome;
+use super::root_choice::RootChoice;
 use super::session::Session;
+use super::task::{Called, Job};
 use base::limits::CALL_RUNS;
 use base::{FastMap, FastSet, Span};
 use rules::{Finding, missing_launch_argument};
@@ -24,15 +23,6 @@ pub(super) struct Launched {
     pub args: Args,
     /// The calls.
     pub calls: Vec<Span>,
-}
-
-/// The calls that an expansion is made for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Called {
-    /// The calls.
-    pub calls: Vec<Span>,
-    /// How many calls of the robot are checked.
-    pub of: usize,
 }
 
 impl Session {
@@ -53,7 +43,7 @@ impl Session {
             args.retain(|(name, _)| {
                 let is_own = own.iter().any(|(own, _)| own == name);
                 let may_read =
-                    |known: &Known| !known.complete || known.names.contains(name.as_str());
+                    |known: &Declared| !known.complete || known.names.contains(name.as_str());
                 is_own || may_read(known.get_or_insert_with(|| self.known(robot)))
             });
             let site = Span {

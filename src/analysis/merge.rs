@@ -1,7 +1,6 @@
 //! Many expansions, one list of findings.
-
 use super::contexts::{Contexts, Run};
-use super::job::Outcome;
+use super::outcome::Outcome;
 use base::{FastMap, Span};
 use rules::{Finding, Severity, Trait, named};
 

@@ -1,5 +1,4 @@
 //! Meshes that came, went or changed without a word of the client: no record tells of them.
-
 use std::path::PathBuf;
 
 use super::world::World;

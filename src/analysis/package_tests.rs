@@ -1,5 +1,4 @@
 //! Packages as they are installed, and packages that are not there, seen from a whole check.
-
 use super::{CheckOptions, Report, Session, Setup};
 use rules::Severity;
 use vfs::testing::Tree;

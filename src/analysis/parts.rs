@@ -1,9 +1,8 @@
 //! Checks of files that are only parts of robots: the robots that include them are checked, for what concerns these files.
-
 use std::path::{Path, PathBuf};
 
 use super::candidates::Candidates;
-use super::check::CheckOptions;
+use super::options::CheckOptions;
 use super::session::Session;
 use super::walk::is_description;
 

@@ -1,6 +1,5 @@
 //! Where an editor shows a finding in the body of a macro: at the call whose argument is wrong, or that is the only
 //! one in which it holds; else in the body, and once more as a note at the calls in files that are open.
-
 use std::path::Path;
 
 use indexmap::IndexMap;

@@ -1,5 +1,4 @@
 //! Which fixes can be made together, and texts with edits made.
-
 use std::collections::BTreeMap;
 
 use base::{FileId, TextRange};

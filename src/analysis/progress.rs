@@ -1,5 +1,4 @@
 //! How far a check is.
-
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -4,15 +4,14 @@
 //! expressions give, so do all robots made of it. For the others, every robot that reads a changed file is expanded
 //! before and after: with its defaults, its presets and the arguments of its callers, with each switch turned over, and
 //! with the branches taken that hold an edit. The files themselves are never touched: the texts after lie in an overlay.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::candidates::Candidates;
 use super::plan::apply;
-use super::roots::{Job, Reason};
-use super::runs::{Run, Runs, Setting};
+use super::run_cache::{Run, Runs, Setting};
 use super::session::Session;
+use super::task::{Job, Reason};
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
 use expand::Forced;

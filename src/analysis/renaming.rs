@@ -1,19 +1,19 @@
 //! Proof that a rename leaves every robot as it is, but for the name.
 //!
 //! All robots that read a changed file are expanded before and after: as their arguments say, with their presets, with each switch turned over, and with each condition of a changed file taken and not, one at a time.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ecow::EcoString;
+
 use super::analyzed::job_of;
-use super::context::RootChoice;
 use super::plan::apply;
 use super::proof::{CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over};
-use super::roots::Job;
-use super::runs::{Run, Setting};
+use super::root_choice::RootChoice;
+use super::run_cache::{Run, Setting};
 use super::session::Session;
+use super::task::Job;
 use base::{CancelFlag, TextRange};
-use ecow::EcoString;
 use expand::Forced;
 use model::{other_difference, same_robot};
 use xml::{Document, Node, NodeKind};

@@ -1,5 +1,4 @@
 //! The result of a check.
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -2,18 +2,16 @@
 //!
 //! Much of what is wrong in a file by itself is right in the file that includes it: names that are defined there, links
 //! that are added there. So such findings are judged by the role of the file.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use ecow::EcoString;
 use rayon::prelude::*;
 
-use super::graph;
 use super::includes::Included;
-use super::roots::{Job, Reason};
 use super::session::Session;
-use super::walk;
+use super::task::{Job, Reason};
+use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
 use model::{Kinematics, Robot};

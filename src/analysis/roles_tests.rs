@@ -1,6 +1,7 @@
 //! What files are for, and what is said of them.
-
-use crate::{CheckOptions, Session, Setup};
+use super::super::options::CheckOptions;
+use super::super::session::Setup;
+use super::Session;
 use vfs::testing::Tree;
 
 /// Check a workspace of files (name and text; `robot` stands around texts of descriptions) and compare what is

@@ -1,60 +1,9 @@
 //! Which files are expanded, and with which arguments.
+use std::path::Path;
 
-use std::path::{Path, PathBuf};
-
-use super::context::RootChoice;
-use super::launched::Called;
 use super::session::Session;
-use workspace::config::{Args, Axes, Root, Variant};
-
-/// Why a file is expanded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) enum Reason {
-    /// It lies below a folder that is checked.
-    Walked,
-    /// It was named on the command line, or is shown in an editor.
-    Named,
-    /// It is all that was named on the command line: what is asked for is whether this file works.
-    Alone,
-    /// It is configured as a root.
-    Root,
-}
-
-/// One expansion to be made.
-#[derive(Clone, Debug)]
-pub(super) struct Job {
-    /// The file, absolute.
-    pub(super) file: PathBuf,
-    /// Why.
-    pub(super) reason: Reason,
-    /// Arguments; later ones win.
-    pub(super) args: Args,
-    /// Name of the preset.
-    pub(super) preset: Option<String>,
-    /// The calls in launch files that it is made for.
-    pub(super) called: Option<Called>,
-}
-
-impl Job {
-    /// A file with arguments.
-    pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
-        Self {
-            file,
-            reason,
-            args,
-            preset: None,
-            called: None,
-        }
-    }
-
-    /// What is expanded.
-    pub(super) fn root(&self) -> RootChoice {
-        let Self {
-            file, args, preset, ..
-        } = self.clone();
-        RootChoice { file, args, preset }
-    }
-}
+use super::task::{Job, Reason};
+use workspace::config::{Axes, Root, Variant};
 
 impl Session {
     /// The runs of one file of a configured root.

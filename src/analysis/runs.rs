@@ -1,45 +1,17 @@
 //! Expansions that proofs compare, kept while the files that they read stay the same.
-
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, PoisonError};
 
 use super::job;
-use super::roots::Job;
+use super::run_cache::{Run, Runs, Setting};
 use super::session::Session;
-use base::{CancelFlag, FastMap, TextRange};
-use ecow::EcoString;
+use super::task::Job;
+use base::{CancelFlag, TextRange};
 use expand::{
-    Expansion, FileUse, Forced, FrameKind, Problem, ProblemKind, Read, Request, Severity, World,
-    expand, write,
+    Expansion, FileUse, FrameKind, Problem, ProblemKind, Read, Request, Severity, World, expand,
+    write,
 };
 use vfs::Vfs;
-
-/// One way to expand a robot.
-#[derive(Clone, Default, PartialEq, Eq, Hash)]
-pub(super) struct Setting {
-    /// Arguments: names and values.
-    pub args: Vec<(String, String)>,
-    /// Conditions whose outcome is given.
-    pub forced: Vec<Forced>,
-}
-
-/// What an expansion gave.
-pub(super) struct Run {
-    /// The expanded document.
-    pub text: String,
-    /// Whether it has errors.
-    pub refused: bool,
-    /// Its errors: code, file and place.
-    pub failures: Vec<(ProblemKind, PathBuf, u32)>,
-    /// The values of all arguments.
-    pub arguments: Vec<(EcoString, EcoString)>,
-    /// Where the macros stand that were called.
-    called: Vec<(PathBuf, TextRange)>,
-    /// The descriptions it is made of.
-    files: Vec<PathBuf>,
-    /// All texts it read, with their hashes.
-    texts: Vec<(PathBuf, u64)>,
-}
 
 impl Run {
     /// Expand a robot from the files that `vfs` shows.
@@ -91,12 +63,6 @@ impl Run {
             .iter()
             .any(|(file, place)| file == path && range.contains_range(*place))
     }
-
-    fn is_current(&self, vfs: &Vfs) -> bool {
-        self.texts
-            .iter()
-            .all(|(path, hash)| vfs.document_hash(path) == Some(*hash))
-    }
 }
 
 /// The errors of an expansion: code, file and place.
@@ -133,23 +99,6 @@ fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
         .collect()
 }
 
-/// Bytes of expanded texts that are kept; beyond, robots are expanded again.
-const MOST_BYTES: usize = 64 << 20;
-
-/// What tells an expansion from others.
-type Key = (PathBuf, Setting);
-
-/// Expansions that were made, while there is room.
-#[derive(Default)]
-pub(super) struct Runs(Mutex<Kept>);
-
-#[derive(Default)]
-struct Kept {
-    /// The last two of each: before and after the last change that was tried.
-    by_key: FastMap<Key, Vec<Arc<Run>>>,
-    bytes: usize,
-}
-
 impl Runs {
     /// A robot expanded from the files that `vfs` shows. It is made again only when one of them has another text: packages
     /// and folders are taken to stay as they are.
@@ -172,19 +121,5 @@ impl Runs {
             kept().add(key, run.clone());
         }
         run
-    }
-}
-
-impl Kept {
-    fn add(&mut self, key: Key, run: Arc<Run>) {
-        if self.bytes > MOST_BYTES {
-            *self = Self::default();
-        }
-        self.bytes += run.text.len();
-        let own = self.by_key.entry(key).or_default();
-        if own.len() > 1 {
-            self.bytes -= own.remove(0).text.len();
-        }
-        own.push(run);
     }
 }

@@ -1,5 +1,4 @@
 //! The scan of a workspace for descriptions: it goes on between other work, since a folder can be as large as the disk.
-
 use std::path::PathBuf;
 
 use super::session::Session;

@@ -1,5 +1,4 @@
 //! Files, packages, environment and configuration that checks and commands share.
-
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -7,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::beside::Pairing;
 use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
-use super::runs::Runs;
+use super::run_cache::Runs;
 use base::{FastMap, FastSet};
 use model::Meshes;
 use rules::{Manifests, Surroundings};

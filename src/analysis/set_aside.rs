@@ -1,14 +1,12 @@
 //! Files that nobody uses: copies and old versions, and what xacro generated.
-
 use std::path::{Path, PathBuf};
 
 use super::beside::stem;
 use super::drift::banner;
-use super::graph;
-use super::job::Outcome;
-use super::roots::{Job, Reason};
+use super::outcome::Outcome;
 use super::session::Session;
-use super::walk;
+use super::task::{Job, Reason};
+use super::{graph, walk};
 use base::FastSet;
 use expand::ProblemKind;
 use model::{Joint, Robot};

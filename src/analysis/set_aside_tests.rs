@@ -1,6 +1,5 @@
 //! Which findings are infos where a file is not in use, or for another program.
-
-use crate::{CheckOptions, Session, Setup};
+use super::{CheckOptions, Session, Setup};
 use rules::Severity;
 use vfs::testing::Tree;
 

@@ -1,14 +1,13 @@
 //! Hiding findings as comments in the files ask for, and finding the comments that hide nothing.
-
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::check::CheckOptions;
-use super::job::Outcome;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::proof::enclosing;
-use super::roots::Reason;
 use super::session::Session;
+use super::task::Reason;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::{
     Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, named,

@@ -1,13 +1,12 @@
 //! What is wrong in files that nothing in a workspace uses: in repositories of others that were copied into it, and in settings of
 //! controllers.
-
 use std::path::{Path, PathBuf};
 
 use super::beside::{is_settings, sort};
-use super::check::CheckOptions;
-use super::job::Outcome;
-use super::roots::Reason;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::session::Session;
+use super::task::Reason;
 use base::{FastMap, FastSet, FileId};
 use project::Controller;
 use rules::{Finding, Severity, Trait, named};

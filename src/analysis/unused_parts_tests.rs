@@ -1,6 +1,5 @@
 //! Which findings are infos in parts of robots that nothing uses.
-
-use crate::set_aside_tests::found;
+use super::set_aside_tests::found;
 use rules::Severity;
 
 /// The severity of the only place of a rule in a package of these files.

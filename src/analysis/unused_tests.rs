@@ -1,6 +1,5 @@
 //! Which findings are infos where nothing in a workspace leads to a file.
-
-use crate::{CheckOptions, Session, Setup};
+use super::{CheckOptions, Session, Setup};
 use rules::Severity;
 use vfs::testing::Tree;
 

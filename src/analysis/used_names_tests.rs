@@ -1,6 +1,5 @@
 //! What counts as used: what any file may use that some arguments bring in.
-
-use crate::set_aside_tests::found;
+use super::set_aside_tests::found;
 
 #[test]
 fn files_that_other_arguments_include_use_names() {

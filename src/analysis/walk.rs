@@ -1,11 +1,9 @@
 //! The descriptions below a folder.
-
 use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
-use super::launch_names::is_launch;
 use super::report::{SkipReason, Skipped};
 use super::session::Session;
 use base::limits::SCAN_FILES;
@@ -232,4 +230,24 @@ mod tests {
             assert_eq!(is_description(Path::new(name)), expected, "{name}");
         }
     }
+}
+
+/// Whether a file is a launch file or script, by its name: no description, and other servers know it better.
+pub fn is_launch(path: &Path) -> bool {
+    let name = path
+        .file_name()
+        .and_then(|name| name.to_str())
+        .unwrap_or("")
+        .to_ascii_lowercase();
+    let endings = [
+        ".py",
+        ".launch",
+        ".launch.xml",
+        ".launch.yaml",
+        ".launch.yml",
+        ".sh",
+        ".bash",
+        ".test",
+    ];
+    endings.iter().any(|ending| name.ends_with(ending))
 }

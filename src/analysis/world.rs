@@ -1,6 +1,5 @@
 //! The state of a language server: open files, roots, and expansions that are made again only when something
 //! they read has changed.
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,17 +7,16 @@ use std::time::Duration;
 
 use super::analyzed::{Analyzed, job_of};
 use super::beside::sort;
-use super::check::CheckOptions;
-use super::context::RootChoice;
 use super::graph::Graph;
-use super::job::{self, Outcome};
-use super::launch_names::is_launch;
-use super::placing;
+use super::options::CheckOptions;
+use super::outcome::Outcome;
 use super::proof::{Effort, Roots};
 use super::report::Report;
+use super::root_choice::RootChoice;
 use super::scan::Scan;
 use super::session::Session;
-use super::walk::{self, Listing};
+use super::walk::{self, Listing, is_launch};
+use super::{job, placing};
 use base::clock::Instant;
 use base::{CancelFlag, FastMap, TextRange};
 use expand::Forced;

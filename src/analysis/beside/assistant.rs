@@ -1,13 +1,11 @@
 //! What `.setup_assistant` of MoveIt says, compared with the files that it names.
-
 use std::path::{Path, PathBuf};
 
 use super::super::analyzed::Analyzed;
-use super::super::check::CheckOptions;
-use super::super::context::RootChoice;
+use super::super::options::CheckOptions;
+use super::super::root_choice::RootChoice;
 use super::super::session::Session;
-use super::files::Beside;
-use super::judge::Robots;
+use super::files::{Beside, Robots};
 use super::pairing::stem;
 use base::{CancelFlag, Span, TextRange};
 use expand::{Expansion, Problem, ProblemKind, Severity};

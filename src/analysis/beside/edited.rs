@@ -1,13 +1,12 @@
 //! Files beside robots in an editor.
-
 use std::path::{Path, PathBuf};
 
-use super::super::context::RootChoice;
-use super::super::launch_names::is_launch;
+use super::super::root_choice::RootChoice;
 use super::super::session::Session;
+use super::super::walk::is_launch;
 use super::super::world::World;
-use super::files::{Beside, Sort, sort};
-use super::judge::{Compared, Robots};
+use super::files::{Beside, Robots, Sort, sort};
+use super::judge::Compared;
 use base::CancelFlag;
 
 impl Session {

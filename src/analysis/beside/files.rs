@@ -1,13 +1,11 @@
 //! Reading files beside robots.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::super::analyzed::Analyzed;
-use super::super::context::RootChoice;
+use super::super::root_choice::RootChoice;
 use super::super::session::Session;
-use super::judge::Robots;
-use base::FileId;
+use base::{FastMap, FileId};
 use project::{Settings, Srdf, may_be_settings};
 use rules::{Content, is_semantic_name};
 
@@ -160,3 +158,6 @@ impl Session {
         Some(Arc::new(Settings::of(yaml.value.as_ref().ok()?)?))
     }
 }
+
+/// Robots and SRDFs, expanded.
+pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;

@@ -1,17 +1,17 @@
 //! Findings in files beside robots.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::super::analyzed::Analyzed;
-use super::super::check::CheckOptions;
-use super::super::context::RootChoice;
-use super::super::includes::reach;
-use super::super::session::Session;
-use super::files::{Beside, Sort, sort};
-use super::pairing::{Pairing, stem};
 use ecow::EcoString;
 
+use super::super::analyzed::Analyzed;
+use super::super::includes::reach;
+use super::super::options::CheckOptions;
+use super::super::root_choice::RootChoice;
+use super::super::session::Session;
+use super::files::{Beside, Robots, Sort, sort};
+use super::paired::Pairing;
+use super::pairing::stem;
 use base::{CancelFlag, FastMap, FastSet};
 use expand::Expansion;
 use rules::{
@@ -19,9 +19,6 @@ use rules::{
 };
 use workspace::Target;
 use xml::Node;
-
-/// Robots and SRDFs, expanded.
-pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
 
 /// What a comparison of files with their robots gave.
 #[derive(Default)]

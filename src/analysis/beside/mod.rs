@@ -5,9 +5,12 @@ mod edited;
 mod files;
 mod judge;
 mod otherwise;
+mod paired;
 mod pairing;
 
+pub(super) use files::Robots;
 pub use files::{Beside, is_settings};
 pub(super) use files::{Sort, sort};
-pub(super) use judge::{Compared, Robots};
-pub(super) use pairing::{Pairing, stem};
+pub(super) use judge::Compared;
+pub(super) use paired::Pairing;
+pub(super) use pairing::stem;

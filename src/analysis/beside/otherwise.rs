@@ -1,11 +1,10 @@
 //! The names of links and joints that a robot has with other arguments, and in another environment.
-
 use ecow::EcoString;
 
 use super::super::analyzed::{Analyzed, job_of};
-use super::super::context::RootChoice;
 use super::super::job;
 use super::super::proof::{CONDITIONS, turned_over};
+use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use base::CancelFlag;
 use expand::{Expansion, Forced, Request, World, expand};

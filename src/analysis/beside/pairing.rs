@@ -3,43 +3,17 @@
 //! First counts what another file says: the setup assistant of MoveIt, the `<parameters>` of a plugin, a launch file that
 //! names both. Else a robot of the same name is meant, in the same package before others; then most of the names have to
 //! fit. From likeness alone nothing is concluded.
-
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::super::context::RootChoice;
 use super::super::graph::gives_robot;
 use super::super::includes::reach;
+use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use super::files::{Sort, sort};
+use super::paired::{MOST_ROBOTS, Pairing};
 use facts::{Fact, FactKind, facts};
 use workspace::{RobotCall, has_name};
-
-/// Robots that one file is compared with.
-const MOST_ROBOTS: usize = 8;
-
-/// The robots that a file may be for.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in super::super) struct Pairing {
-    /// Their roots.
-    pub roots: Vec<RootChoice>,
-    /// Whether a file says so.
-    pub is_named: bool,
-    /// The SRDF through which a YAML file is for them: the only one in its package.
-    pub srdf: Option<PathBuf>,
-}
-
-impl Pairing {
-    fn named(mut roots: Vec<RootChoice>) -> Option<Self> {
-        roots.dedup();
-        roots.truncate(MOST_ROBOTS);
-        (!roots.is_empty()).then_some(Self {
-            roots,
-            is_named: true,
-            srdf: None,
-        })
-    }
-}
 
 impl Session {
     /// The robots that a file beside them may be for.

@@ -1,11 +1,10 @@
 //! One robot with one set of arguments, expanded and compared with what is expected of it.
-
 use std::path::Path;
 use std::sync::Arc;
 
 use super::super::configs::Settings;
-use super::super::context::RootChoice;
 use super::super::job;
+use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use super::evaluate::Evaluation;
 use super::snapshot::Snapshot;

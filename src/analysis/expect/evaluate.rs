@@ -1,13 +1,13 @@
 //! One expectation and one robot: each thing that is not as expected, with the source text that is responsible.
-
 use std::cell::OnceCell;
+
+use ecow::EcoString;
 
 use super::super::session::Session;
 use super::RULE;
 use super::case::Case;
 use super::snapshot::Snapshot;
 use base::Span;
-use ecow::EcoString;
 use expand::{Expansion, Origin, Written, XId, write_mapped};
 use model::{ControlJoint, Joint, JointType, Kinematics, Link, Robot, Text, tag_start};
 use rules::{Finding, Related, calls, span_of};

@@ -1,5 +1,4 @@
 //! `expands-to`: files that describe the same robot.
-
 use std::path::{Path, PathBuf};
 
 use super::super::session::Session;

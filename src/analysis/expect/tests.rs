@@ -1,4 +1,4 @@
-use crate::{CheckOptions, Session, Setup, TestOptions, Tests};
+use super::super::{CheckOptions, Session, Setup, TestOptions, Tests};
 use vfs::testing::Tree;
 
 const ROBOT: &str = "<robot name='r' xmlns:xacro='x'>

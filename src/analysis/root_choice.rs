@@ -1,0 +1,66 @@
+//! Under which root a file is shown.
+use std::path::{Path, PathBuf};
+
+/// A root and the arguments it is expanded with.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct RootChoice {
+    /// The file, absolute.
+    pub file: PathBuf,
+    /// Arguments over the defaults of the file.
+    pub args: Vec<(String, String)>,
+    /// The preset of the configuration they come from.
+    pub preset: Option<String>,
+}
+
+impl RootChoice {
+    /// A file with the defaults of its arguments.
+    pub fn plain(file: &Path) -> Self {
+        Self {
+            file: file.to_path_buf(),
+            args: Vec::new(),
+            preset: None,
+        }
+    }
+}
+
+/// Why a root was chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The user picked it.
+    Picked,
+    /// A comment `xacro-root:` at the top of the file names it.
+    Comment,
+    /// The configuration lists it.
+    Configured,
+    /// The file is a robot itself.
+    Itself,
+    /// It includes the file.
+    Includes,
+    /// No robot includes the file.
+    None,
+}
+
+impl Reason {
+    /// For a status line.
+    pub fn text(self) -> &'static str {
+        match self {
+            Reason::Picked => "selected in this session",
+            Reason::Comment => "set by the xacro-root comment",
+            Reason::Configured => "set in the configuration",
+            Reason::Itself => "the file is a robot",
+            Reason::Includes => "it includes the file",
+            Reason::None => "no root includes this file",
+        }
+    }
+}
+
+/// The context of a file.
+#[derive(Clone, Debug)]
+pub struct Context {
+    /// The active root; none for a file that no robot includes.
+    pub root: Option<RootChoice>,
+    /// Why it is active.
+    pub reason: Reason,
+    /// All roots that reach the file, with their distance in includes.
+    pub candidates: Vec<(RootChoice, u32)>,
+}

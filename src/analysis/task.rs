@@ -1,0 +1,64 @@
+//! An expansion to be made.
+use std::path::PathBuf;
+
+use super::root_choice::RootChoice;
+use base::Span;
+use workspace::config::Args;
+
+/// Why a file is expanded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) enum Reason {
+    /// It lies below a folder that is checked.
+    Walked,
+    /// It was named on the command line, or is shown in an editor.
+    Named,
+    /// It is all that was named on the command line: what is asked for is whether this file works.
+    Alone,
+    /// It is configured as a root.
+    Root,
+}
+
+/// One expansion to be made.
+#[derive(Clone, Debug)]
+pub(super) struct Job {
+    /// The file, absolute.
+    pub(super) file: PathBuf,
+    /// Why.
+    pub(super) reason: Reason,
+    /// Arguments; later ones win.
+    pub(super) args: Args,
+    /// Name of the preset.
+    pub(super) preset: Option<String>,
+    /// The calls in launch files that it is made for.
+    pub(super) called: Option<Called>,
+}
+
+impl Job {
+    /// A file with arguments.
+    pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
+        Self {
+            file,
+            reason,
+            args,
+            preset: None,
+            called: None,
+        }
+    }
+
+    /// What is expanded.
+    pub(super) fn root(&self) -> RootChoice {
+        let Self {
+            file, args, preset, ..
+        } = self.clone();
+        RootChoice { file, args, preset }
+    }
+}
+
+/// The calls that an expansion is made for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Called {
+    /// The calls.
+    pub calls: Vec<Span>,
+    /// How many calls of the robot are checked.
+    pub of: usize,
+}
