@@ -24,7 +24,7 @@ CHECKS = {
 RULE = '''//! TODO: what is wrong, as the beginning of a sentence.
 
 use super::super::context::{context};
-use super::super::registry::{{Activation, Category, Check, Rule, Severity, page}};
+use super::super::rule::{{Activation, Category, Check, Rule, Severity, page}};
 use super::super::sink::Sink;
 
 pub(super) static RULE: Rule = Rule {{
