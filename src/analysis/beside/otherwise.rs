@@ -51,9 +51,7 @@ impl Session {
         // one package may hold the settings of several robots, which its launch files make of one description
         let called = self.called_otherwise(&analyzed.root).into_iter();
         let called = called.flat_map(|args| {
-            let is_free = |(name, _): &&(String, String)| !args.iter().any(|(own, _)| own == name);
-            let turned = switches.iter().filter(is_free).cloned();
-            let with_turned: Args = args.iter().cloned().chain(turned).collect();
+            let with_turned: Args = args.iter().chain(&switches).cloned().collect();
             [args, with_turned]
         });
         for more in single
