@@ -48,7 +48,11 @@ impl Session {
             .map(|switch| vec![switch.clone()]);
         let together = (switches.len() > 1).then(|| switches.clone());
         // one package may hold the settings of several robots, which its launch files make of one description
-        let called = self.called_otherwise(&analyzed.root);
+        let called = self.called_otherwise(&analyzed.root).into_iter();
+        let called = called.flat_map(|args| {
+            let with_turned: Args = args.iter().chain(&switches).cloned().collect();
+            [args, with_turned]
+        });
         for more in single
             .chain(together)
             .chain(called)

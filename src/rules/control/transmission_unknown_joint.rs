@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use model::Text;
-use workspace::Target;
+use workspace::{Target, misspelled};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL012",
@@ -18,6 +18,9 @@ pub(in super::super) static RULE: Rule = Rule {
     check: Check::Whole(check),
 };
 
+/// What the messages say.
+const BLOCK: &str = "a transmission";
+
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let listed = cx
         .robot
@@ -26,13 +29,22 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .flat_map(|transmission| &transmission.joints);
     let names: Vec<&Text> = listed.filter_map(|(_, name)| name.as_ref()).collect();
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    // nothing in ROS 2 reads these elements
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
-        Some(Target::Ros2) => Severity::Info,
+        // nothing in ROS 2 reads these elements: what resembles no joint is left over from ROS 1
+        Some(Target::Ros2) => {
+            let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
+            let is_slip = |text: &&Text| {
+                text.name()
+                    .is_some_and(|name| misspelled(name, joints()).is_some())
+            };
+            let (slips, others): (Vec<&Text>, Vec<&Text>) = names.into_iter().partition(is_slip);
+            unknown_joints(cx, out, slips.into_iter(), BLOCK, Severity::Warning);
+            return unknown_joints(cx, out, others.into_iter(), BLOCK, Severity::Info);
+        }
         _ if is_driven_by_plugin(cx) => Severity::Info,
         _ => RULE.severity,
     };
-    unknown_joints(cx, out, names.into_iter(), "a transmission", severity);
+    unknown_joints(cx, out, names.into_iter(), BLOCK, severity);
 }
 
 /// Whether a plugin of Gazebo drives the wheels, and none reads transmissions.

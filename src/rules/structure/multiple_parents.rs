@@ -3,7 +3,7 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::Joint;
+use model::{Joint, JointType};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR004",
@@ -63,7 +63,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 }
             };
             // parsers take the tree that the links make, in which joints beside each other are one
-            let is_beside = joint.ends().map(|ends| ends.0) == first.ends().map(|ends| ends.0);
+            let is_beside = joint.ends().map(|ends| ends.0) == first.ends().map(|ends| ends.0)
+                && !joint.is(&[JointType::Fixed])
+                && !first.is(&[JointType::Fixed]);
             let severity = if is_beside {
                 Severity::Warning
             } else {

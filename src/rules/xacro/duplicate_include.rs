@@ -141,7 +141,6 @@ fn report(
     let range = TextRange::new(start, start + element.len());
     let removal = source::removal(&file.source.document, range);
     report
-        .severity(Severity::Info)
         .help("remove this include; everything it defines is already defined")
         .fix(
             Safety::Safe,

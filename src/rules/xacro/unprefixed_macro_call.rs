@@ -39,34 +39,52 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a tag with the name of a macro is meant for the robot: the macro itself writes it, or it has attributes and the
-/// macro has no parameter for any of them.
+/// Whether a tag with the name of a macro is meant for the robot: the macro itself writes it and does not call itself with
+/// what it needs, or it has attributes and the macro has no parameter for any of them.
 fn is_output(cx: &FileCx<'_>, node: Node<'_>) -> bool {
     let name = node.name();
-    let is_own = |around: Node<'_>| around.name() == "xacro:macro" && defines(around, name);
-    if ancestors(node).any(is_own) {
-        return true;
+    let is_own = |around: &Node<'_>| around.name() == "xacro:macro" && defines(*around, name);
+    if let Some(own) = ancestors(node).find(is_own) {
+        return !may_call(node, own);
     }
-    let given: Vec<&str> = node
-        .attrs()
-        .map(|attr| attr.name())
-        .filter(|name| !name.starts_with("xmlns"))
-        .collect();
     let files = &cx.expansion.files;
     let items = files.iter().flat_map(|file| file.source.document.parts());
     let mut macros = items
         .flat_map(|(_, item)| item.all_nodes())
         .filter(|node| node.name() == "xacro:macro" && defines(*node, name))
         .peekable();
-    let takes = |one: Node<'_>| {
-        let params = one.attr("params").map(|params| params.raw().to_owned());
-        let params = params.unwrap_or_default();
-        let mut names = params
-            .split_whitespace()
-            .map(|param| param.split(':').next().unwrap_or(param));
-        names.any(|param| given.contains(&param))
-    };
+    let given = given(node);
+    let takes = |one: Node<'_>| params(one).iter().any(|(name, _)| given.contains(name));
     !given.is_empty() && macros.peek().is_some() && !macros.any(takes)
+}
+
+/// Whether a tag gives a macro what it needs, and nothing else.
+fn may_call(node: Node<'_>, own: Node<'_>) -> bool {
+    let (given, params) = (given(node), params(own));
+    let is_known = |name: &String| params.iter().any(|(param, _)| param == name);
+    let is_given = |(name, is_needed): &(String, bool)| !is_needed || given.contains(name);
+    given.iter().all(is_known) && params.iter().all(is_given)
+}
+
+/// The attributes of a tag.
+fn given(node: Node<'_>) -> Vec<String> {
+    let names = node.attrs().map(|attr| attr.name().to_owned());
+    names.filter(|name| !name.starts_with("xmlns")).collect()
+}
+
+/// The parameters of a macro, blocks left out, and whether each has to be given.
+fn params(own: Node<'_>) -> Vec<(String, bool)> {
+    let params = own.attr("params").map(|params| params.raw().to_owned());
+    let params = params.unwrap_or_default();
+    let param = |param: &str| match param.split_once([':', '=']) {
+        Some((name, _)) => (name.to_owned(), false),
+        None => (param.to_owned(), true),
+    };
+    params
+        .split_whitespace()
+        .filter(|word| !word.starts_with('*'))
+        .map(param)
+        .collect()
 }
 
 /// Whether a tag defines the macro of a name.
