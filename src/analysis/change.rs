@@ -129,7 +129,7 @@ impl<'a> Change<'a> {
     /// there, or is an error elsewhere that the change may have caused.
     pub(super) fn concerns(&self, finding: &Finding) -> bool {
         let related = finding.related.iter().map(|related| related.span);
-        let ways = finding.ways.iter().map(|way| way.call);
+        let ways = finding.call_sites.iter().map(|way| way.call);
         let files: FastSet<FileId> = std::iter::once(finding.span)
             .chain(related)
             .chain(ways)

@@ -16,7 +16,7 @@ use super::outcome::Outcome;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::root_choice::RootChoice;
 use super::session::Session;
-use super::suppress::Hiding;
+use super::suppress::SuppressionFilter;
 use super::task::{Job, Reason};
 use base::limits::MESSAGE_LETTERS;
 use base::{FastMap, FastSet, FileId};
@@ -208,7 +208,7 @@ impl Session {
                 (finding.help, finding.fix) = (None, None);
                 // the include in the robot that led there stays
                 finding.related.retain(|related| belongs(related.span.file));
-                finding.ways.clear();
+                finding.call_sites.clear();
             }
         }
     }
@@ -334,7 +334,7 @@ impl Session {
                 .extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
         }
         let homes = self.homes(options);
-        let mut hiding = Hiding::new(self, options, &kept);
+        let mut hiding = SuppressionFilter::new(self, options, &kept);
         for outcome in &mut kept {
             let includes = std::mem::take(&mut outcome.includes);
             outcome

@@ -34,8 +34,8 @@ pub(super) fn banner(file: &SourceFile) -> Option<(String, TextRange)> {
     (!name.is_empty()).then(|| (name.to_owned(), range))
 }
 
-/// A way to generate a file.
-struct Way {
+/// The arguments with which a file may have been generated.
+struct Generation {
     source: PathBuf,
     args: Vec<(String, String)>,
     /// Whether the configuration lists it.
@@ -44,15 +44,15 @@ struct Way {
     is_meant: bool,
 }
 
-/// A way with what it gives.
+/// Such arguments with what they give.
 struct Tried {
-    way: Way,
+    variant: Generation,
     run: Arc<Run>,
     difference: Difference,
 }
 
 impl Session {
-    /// Generated files that no known way to generate them gives any more.
+    /// Generated files that no known arguments give any more.
     pub(super) fn drift_findings(
         &self,
         options: &CheckOptions,
@@ -77,44 +77,44 @@ impl Session {
     fn drift(&self, file: &SourceFile, cancel: &CancelFlag) -> Option<Finding> {
         let (name, range) = banner(file)?;
         let text = file.document.text();
-        let mut ways: Vec<(Way, Arc<Run>)> = Vec::new();
+        let mut variants: Vec<(Generation, Arc<Run>)> = Vec::new();
         for source in self.sources_named(&name, &file.path) {
-            for way in self.ways(&source) {
+            for variant in self.generations(&source) {
                 let (job, setting) = (
-                    way.job(),
+                    variant.job(),
                     Setting {
-                        args: way.args.clone(),
+                        args: variant.args.clone(),
                         ..Setting::default()
                     },
                 );
                 let run = self.drift_runs.get(self, &self.vfs, cancel, &job, &setting);
-                let way = Way {
-                    is_meant: self.is_meant(&way, &run, &file.path),
-                    ..way
+                let variant = Generation {
+                    is_meant: self.is_meant(&variant, &run, &file.path),
+                    ..variant
                 };
-                ways.push((way, run));
+                variants.push((variant, run));
             }
         }
-        if ways.iter().any(|(way, _)| way.is_meant) {
-            ways.retain(|(way, _)| way.is_meant);
+        if variants.iter().any(|(variant, _)| variant.is_meant) {
+            variants.retain(|(variant, _)| variant.is_meant);
         }
         let mut tried = Vec::new();
-        for (way, run) in ways
+        for (variant, run) in variants
             .into_iter()
             .filter(|(_, run)| !run.refused && !is_for_old_xacro(&run.text))
         {
             match compare(&run.text, &text) {
                 Comparison::Same => return None,
                 Comparison::Different(difference) => tried.push(Tried {
-                    way,
+                    variant,
                     run,
                     difference,
                 }),
                 Comparison::Unknown => {}
             }
         }
-        // the way that gives most of the file
-        let likeness = |tried: &Tried| (tried.way.is_configured, tried.difference.other.start);
+        // the arguments that give most of the file
+        let likeness = |tried: &Tried| (tried.variant.is_configured, tried.difference.other.start);
         let mut best: Option<Tried> = None;
         for tried in tried {
             if best
@@ -163,14 +163,14 @@ impl Session {
         found
     }
 
-    /// The known ways to expand a file: as the configuration says, with its defaults, and as launch files call it.
-    fn ways(&self, source: &Path) -> Vec<Way> {
+    /// The arguments with which a file may be expanded: those of the configuration, its defaults, and those of launch files.
+    fn generations(&self, source: &Path) -> Vec<Generation> {
         let settings = self.settings(source);
-        let mut ways: Vec<Way> = Vec::new();
+        let mut variants: Vec<Generation> = Vec::new();
         let mut add = |args: Vec<(String, String)>, is_configured: bool| {
-            let is_new = ways.iter().all(|way| way.args != args);
-            if is_new && ways.len() < DRIFT_RUNS {
-                ways.push(Way {
+            let is_new = variants.iter().all(|variant| variant.args != args);
+            if is_new && variants.len() < DRIFT_RUNS {
+                variants.push(Generation {
                     source: source.to_owned(),
                     args,
                     is_configured,
@@ -197,15 +197,15 @@ impl Session {
             });
             add(known.collect(), false);
         }
-        ways
+        variants
     }
 
     /// Whether the configuration expects a robot to be the content of a file.
-    fn is_meant(&self, way: &Way, run: &Run, file: &Path) -> bool {
-        let settings = self.settings(&way.source);
+    fn is_meant(&self, variant: &Generation, run: &Run, file: &Path) -> bool {
+        let settings = self.settings(&variant.source);
         let roots = settings.config.roots.iter();
         let mut expected = roots
-            .filter(|_| way.is_configured)
+            .filter(|_| variant.is_configured)
             .flat_map(|root| &root.expect);
         expected.any(|expected| {
             let name = expected
@@ -224,11 +224,11 @@ impl Session {
         (name, range): (&str, TextRange),
         best: Tried,
     ) -> Option<Finding> {
-        let way = &best.way;
-        let source_name = way.source.file_name()?.to_string_lossy().into_owned();
+        let variant = &best.variant;
+        let source_name = variant.source.file_name()?.to_string_lossy().into_owned();
         let own_name = file.path.file_name()?.to_string_lossy().into_owned();
-        let is_known = way.is_configured || way.is_meant;
-        let command = self.command(way, &file.path);
+        let is_known = variant.is_configured || variant.is_meant;
+        let command = self.command(variant, &file.path);
         let help = match is_known {
             true => format!("run `{command}`"),
             false => format!("if it is in use, generate it again, for example with `{command}`"),
@@ -246,7 +246,7 @@ impl Session {
         } else {
             Severity::Info
         };
-        let (text, place) = self.regenerated(way, name, &best.difference)?;
+        let (text, place) = self.regenerated(variant, name, &best.difference)?;
         let what = worded(&best.difference.what, &own_name);
         finding.related.extend(place.map(|span| Related {
             span,
@@ -283,14 +283,14 @@ impl Session {
     /// configuration does not say with which arguments the file was generated.
     fn regenerated(
         &self,
-        way: &Way,
+        variant: &Generation,
         name: &str,
         difference: &Difference,
     ) -> Option<(String, Option<Span>)> {
         let request = Request {
             probe: false,
-            args: way.args.clone(),
-            ..job::request(self, &CancelFlag::default(), &way.job())
+            args: variant.args.clone(),
+            ..job::request(self, &CancelFlag::default(), &variant.job())
         };
         let expansion = expand(job::world(self), &request);
         // what was compared has no name in its banner
@@ -300,7 +300,7 @@ impl Session {
             .into_iter()
             .flat_map(|entry| expansion.index.read_in(entry.reads))
             .filter_map(|&binding| expansion.index.bindings.get(binding as usize));
-        if !way.is_configured && read.any(|binding| binding.kind == BindingKind::Argument) {
+        if !variant.is_configured && read.any(|binding| binding.kind == BindingKind::Argument) {
             return None;
         }
         let place = entry.and_then(|entry| span_of(&expansion, entry.origin));
@@ -308,9 +308,9 @@ impl Session {
     }
 
     /// The command that generates a file again.
-    fn command(&self, way: &Way, file: &Path) -> String {
+    fn command(&self, variant: &Generation, file: &Path) -> String {
         let shown = |path: &Path| vfs::slashed(path.strip_prefix(&self.env.cwd).unwrap_or(path));
-        let source = super::contexts::label(shown(&way.source), &way.args);
+        let source = super::contexts::label(shown(&variant.source), &variant.args);
         format!("xacro-lint expand {source} -o {}", shown(file))
     }
 }
@@ -323,7 +323,7 @@ fn is_for_old_xacro(text: &str) -> bool {
         .any(|line| TAGS.iter().any(|tag| line.starts_with(tag)))
 }
 
-impl Way {
+impl Generation {
     fn job(&self) -> Job {
         Job::new(self.source.clone(), Reason::Named, self.args.clone())
     }

@@ -121,7 +121,7 @@ pub(super) fn judge(
     robot: Option<&Robot>,
 ) -> Outcome {
     let settings = session.settings(&job.file);
-    let around = session.surroundings(&settings.config);
+    let around = session.rule_env(&settings.config);
     let kind = kind(expansion, robot, &job);
     let explicit = job.reason != Reason::Walked;
     let mut rules = wanted(session, expansion, settings.clone());

@@ -47,7 +47,7 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {
-        let by_way = vec![vec![number]; finding.ways.len()];
+        let by_way = vec![vec![number]; finding.call_sites.len()];
         Self {
             finding,
             outcomes: vec![number],
@@ -66,10 +66,10 @@ impl Merged {
         self.outcomes.push(number);
         self.finding.severity = self.finding.severity.max(finding.severity);
         self.finding.partial |= finding.partial;
-        for way in finding.ways {
+        for way in finding.call_sites {
             match self
                 .finding
-                .ways
+                .call_sites
                 .iter()
                 .position(|known| known.call == way.call)
             {
@@ -79,7 +79,7 @@ impl Merged {
                     .into_iter()
                     .for_each(|own| own.push(number)),
                 None => {
-                    self.finding.ways.push(way);
+                    self.finding.call_sites.push(way);
                     self.by_way.push(vec![number]);
                 }
             }
@@ -134,7 +134,7 @@ impl Merged {
         if self.finding.rule.has(Trait::Unnecessary) {
             return None;
         }
-        for (way, own) in self.finding.ways.iter_mut().zip(&self.by_way) {
+        for (way, own) in self.finding.call_sites.iter_mut().zip(&self.by_way) {
             way.message.push_str(&contexts.suffix(own));
         }
         self.finding

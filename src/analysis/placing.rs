@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 
 use super::report::Report;
 use base::Span;
-use rules::{Finding, Related, Severity, Way};
+use rules::{CallSite, Finding, Related, Severity};
 use vfs::Vfs;
 
 /// Calls that get a note, of one finding.
@@ -18,17 +18,17 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
     let mut placed: Vec<Finding> = Vec::new();
     let mut calls: IndexMap<Span, Leads> = IndexMap::new();
     for finding in std::mem::take(&mut report.findings) {
-        let moves = |way: &&Way| way.argument.is_some() || finding.partial;
+        let moves = |site: &&CallSite| site.argument.is_some() || finding.partial;
         let moved: Vec<Finding> = finding
-            .ways
+            .call_sites
             .iter()
             .filter(moves)
-            .map(|way| at_call(&finding, way))
+            .map(|site| at_call(&finding, site))
             .collect();
-        if moved.is_empty() || moved.len() < finding.ways.len() {
+        if moved.is_empty() || moved.len() < finding.call_sites.len() {
             // the calls are told apart from here on: nobody asks for them again
             let finding = Finding {
-                ways: Vec::new(),
+                call_sites: Vec::new(),
                 ..finding
             };
             for call in noted(&finding, &moved, vfs, open) {
@@ -176,32 +176,39 @@ fn closed(finding: &Finding, open: impl Fn(Span) -> bool) -> Option<Span> {
 }
 
 /// A finding at the call that caused it.
-fn at_call(finding: &Finding, way: &Way) -> Finding {
+fn at_call(finding: &Finding, site: &CallSite) -> Finding {
     let body = Related {
         span: finding.span,
-        message: format!("here in macro `{}`", way.name),
+        message: format!("here in macro `{}`", site.name),
         is_call: false,
     };
-    let span = way.argument.unwrap_or(way.call);
+    let span = site.argument.unwrap_or(site.call);
     let others = finding
         .related
         .iter()
-        .filter(|related| related.span != span && related.span != way.call);
+        .filter(|related| related.span != span && related.span != site.call);
     let own = |related: &&Related| {
-        !related.is_call || finding.ways.iter().all(|way| way.call != related.span)
+        !related.is_call
+            || finding
+                .call_sites
+                .iter()
+                .all(|site| site.call != related.span)
     };
-    let alone = finding.ways.len() == 1;
+    let alone = finding.call_sites.len() == 1;
     Finding {
         span,
-        message: way.message.clone(),
-        help: way.help.clone(),
+        message: site.message.clone(),
+        help: site.help.clone(),
         related: std::iter::once(body)
             .chain(others.filter(own).cloned())
             .collect(),
-        similar: finding.similar.clone().filter(|_| way.help == finding.help),
+        similar: finding
+            .similar
+            .clone()
+            .filter(|_| site.help == finding.help),
         fix: finding.fix.clone().filter(|_| alone),
         suggestion: None,
-        ways: Vec::new(),
+        call_sites: Vec::new(),
         ..finding.clone()
     }
 }

@@ -9,7 +9,7 @@ use super::includes::Included;
 use super::run_cache::Runs;
 use base::{FastMap, FastSet};
 use model::Meshes;
-use rules::{Manifests, Surroundings};
+use rules::{Manifests, RuleEnv};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Axes, Config, ConfigWarning};
 use workspace::{Caller, Callers, Era, Excluded, GivenArg, PackageOptions, Packages, RobotCall};
@@ -374,7 +374,7 @@ impl Session {
     }
 
     /// What rules see around a file with these settings.
-    pub fn surroundings<'a>(&'a self, config: &'a Config) -> Surroundings<'a> {
+    pub fn rule_env<'a>(&'a self, config: &'a Config) -> RuleEnv<'a> {
         let variables = [
             "AMENT_PREFIX_PATH",
             "COLCON_PREFIX_PATH",
@@ -385,7 +385,7 @@ impl Session {
             .any(|name| self.env.var(name).is_some_and(|value| !value.is_empty()));
         let has_ros = sourced || self.vfs.is_dir(Path::new("/opt/ros"));
         let (vfs, meshes, manifests) = (&self.vfs, &self.meshes, &self.manifests);
-        Surroundings {
+        RuleEnv {
             packages: &self.packages,
             has_ros,
             vfs,

@@ -394,7 +394,7 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
             continue;
         };
         let said = |finding: &Finding| {
-            let ways = finding.ways.iter().map(|way| way.message.clone());
+            let ways = finding.call_sites.iter().map(|way| way.message.clone());
             let code = finding.rule.code;
             ways.chain([finding.message.clone()])
                 .map(|message| (code, message))

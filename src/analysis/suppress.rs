@@ -1,4 +1,4 @@
-//! Hiding findings as comments in the files ask for, and finding the comments that hide nothing.
+//! SuppressionFilter findings as comments in the files ask for, and finding the comments that hide nothing.
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use vfs::SourceFile;
 type Used = (FileId, usize, usize);
 
 /// The suppressions of all files of a run.
-pub(super) struct Hiding<'a> {
+pub(super) struct SuppressionFilter<'a> {
     session: &'a Session,
     files: BTreeMap<FileId, (Arc<SourceFile>, Suppressions)>,
     /// Files about which all rules had their say.
@@ -31,7 +31,7 @@ pub(super) struct Hiding<'a> {
     variable: FastSet<FileId>,
 }
 
-impl<'a> Hiding<'a> {
+impl<'a> SuppressionFilter<'a> {
     /// Those of the files that `outcomes` read.
     pub(super) fn new(session: &'a Session, options: &CheckOptions, outcomes: &[Outcome]) -> Self {
         let mut files = BTreeMap::new();

@@ -79,7 +79,7 @@ fn met(session: &Session, expansion: &Expansion, file: &str) -> Vec<Met> {
     constructs(
         expansion,
         Robot::of(expansion).as_ref(),
-        session.surroundings(&settings.config),
+        session.rule_env(&settings.config),
     )
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::context::Cx;
 use super::paths::{FileTarget, file_names};
 use base::TextRange;
-use rules::Surroundings;
+use rules::RuleEnv;
 use vfs::{relative, slashed};
 
 /// A file or folder that gets another path.
@@ -34,11 +34,7 @@ fn moved(path: &Path, moves: &[Move]) -> PathBuf {
 }
 
 /// The texts of the file that name other files, as they have to read after the moves.
-pub fn renamed_files(
-    cx: &Cx<'_>,
-    world: Surroundings<'_>,
-    moves: &[Move],
-) -> Vec<(TextRange, String)> {
+pub fn renamed_files(cx: &Cx<'_>, world: RuleEnv<'_>, moves: &[Move]) -> Vec<(TextRange, String)> {
     let mut found = Vec::new();
     for name in file_names(cx, world) {
         let FileTarget::Found(target) = name.target else {
@@ -118,7 +114,7 @@ fn stripped(target: &Path, tail: &str) -> Option<PathBuf> {
 }
 
 /// The name of a path in the package that holds it, written as `head` is.
-fn in_package(world: Surroundings<'_>, head: &str, path: &Path) -> Option<String> {
+fn in_package(world: RuleEnv<'_>, head: &str, path: &Path) -> Option<String> {
     let package = world.packages.containing(path)?;
     if head.starts_with("package://") {
         return package.uri(path);

@@ -13,7 +13,7 @@ use base::TextRange;
 use expand::{DefinitionId, SymbolKind, Written};
 use expr::Token;
 use expr::ast::{Const, Expr, ExprKind};
-use rules::Surroundings;
+use rules::RuleEnv;
 
 /// A place in a file that need not be a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,7 +39,7 @@ const MOST_STEPS: u32 = 8;
 /// The file, the manifest of a package, or the key of a YAML file that the text at an offset names.
 pub fn file_definition(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     offset: u32,
 ) -> Option<(TextRange, FilePlace)> {
     let at = locate(&cx.source.document, offset);
@@ -57,7 +57,7 @@ pub fn file_definition(
 }
 
 /// `$(find package)`
-fn package(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
+fn package(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (range, name) = super::hover::package_at(&text, at.offset)?;
     let found = world.packages.find(name, &cx.source.path).ok()?;
@@ -69,7 +69,7 @@ fn package(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRan
 }
 
 /// A key of a value that came from YAML: `cam['mass']`, `cam.mass`.
-fn key(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
+fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (expr, start) = parsed(text.token_at(at.offset)?)?;
     let inside = text.offset(at.offset).checked_sub(start)?;
@@ -92,7 +92,7 @@ struct Loaded {
 
 impl Loaded {
     /// Follow names and keys of an expression back to the file they were read from.
-    fn of(cx: &Cx<'_>, world: Surroundings<'_>, expr: &Expr, steps: u32) -> Option<Self> {
+    fn of(cx: &Cx<'_>, world: RuleEnv<'_>, expr: &Expr, steps: u32) -> Option<Self> {
         let (inner, key) = match &expr.kind {
             ExprKind::Subscript { value, index } => match &index.kind {
                 ExprKind::Const(Const::Str(key)) => (value, key.to_string()),
@@ -108,7 +108,7 @@ impl Loaded {
     }
 
     /// The file that the only property of this name was read from.
-    fn of_property(cx: &Cx<'_>, world: Surroundings<'_>, name: &str, steps: u32) -> Option<Self> {
+    fn of_property(cx: &Cx<'_>, world: RuleEnv<'_>, name: &str, steps: u32) -> Option<Self> {
         let own = |kind: SymbolKind| kind == SymbolKind::Property;
         let mut given = cx
             .expansion
@@ -125,7 +125,7 @@ impl Loaded {
     /// The file that the value of a property was read from.
     fn of_definition(
         cx: &Cx<'_>,
-        world: Surroundings<'_>,
+        world: RuleEnv<'_>,
         id: DefinitionId,
         steps: u32,
     ) -> Option<Self> {
@@ -171,7 +171,7 @@ impl Loaded {
     }
 
     /// Where the value of the last key is named.
-    fn place(self, world: Surroundings<'_>) -> Option<FilePlace> {
+    fn place(self, world: RuleEnv<'_>) -> Option<FilePlace> {
         let file = world.vfs.yaml(&self.path, &vfs::slashed(&self.path)).ok()?;
         let mut node = file.value.as_ref().ok()?;
         let mut range = TextRange::default();
@@ -193,7 +193,7 @@ impl Loaded {
 /// What a value is made of: the file that a name leads to, or the YAML file behind a property.
 pub fn type_definition(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     offset: u32,
 ) -> Option<(TextRange, FilePlace)> {
     if let Some((id, range)) = cx.symbol_at(offset) {

@@ -9,7 +9,7 @@ use super::locate::{At, Part};
 use super::values::{distinct, instances};
 use base::TextRange;
 use expr::{self, Subst, Token, Value, display, parse_substitution};
-use rules::Surroundings;
+use rules::RuleEnv;
 use workspace::UriOutcome;
 use xml::{Attr, Node, NodeKind};
 
@@ -47,7 +47,7 @@ pub enum FileKind {
 }
 
 /// All names of files in a file, in document order.
-pub fn file_names(cx: &Cx<'_>, world: Surroundings<'_>) -> Vec<FileName> {
+pub fn file_names(cx: &Cx<'_>, world: RuleEnv<'_>) -> Vec<FileName> {
     let document = &cx.source.document;
     let mut found = Vec::new();
     for (base, item) in document.parts() {
@@ -69,7 +69,7 @@ pub fn file_names(cx: &Cx<'_>, world: Surroundings<'_>) -> Vec<FileName> {
 }
 
 /// The name of a file at a place.
-pub fn file_name_at(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>) -> Option<FileName> {
+pub fn file_name_at(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<FileName> {
     let node = at.node?;
     let names = match at.part {
         Part::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
@@ -89,7 +89,7 @@ fn may_name(raw: &str) -> bool {
 
 fn of_attr(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     base: u32,
     node: Node<'_>,
     attr: Attr<'_>,
@@ -111,7 +111,7 @@ fn of_attr(
 }
 
 /// Names in a text of any kind: what begins with a package, and what `load_yaml` reads.
-fn of_text(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Vec<FileName> {
+fn of_text(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>) -> Vec<FileName> {
     let mut found: Vec<FileName> = text
         .template
         .tokens
@@ -141,7 +141,7 @@ fn trimmed(text: &ExprText<'_>) -> TextRange {
     ))
 }
 
-fn include(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Option<FileName> {
+fn include(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>) -> Option<FileName> {
     let name = folded(cx, world, text, TextRange::new(0, text.text.len() as u32))?;
     if name.is_empty() || name.contains(['*', '?', '[']) {
         return None;
@@ -154,7 +154,7 @@ fn include(cx: &Cx<'_>, world: Surroundings<'_>, text: &ExprText<'_>) -> Option<
 }
 
 /// A path that counts from the folder of the file.
-fn beside(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> FileTarget {
+fn beside(cx: &Cx<'_>, world: RuleEnv<'_>, name: &str) -> FileTarget {
     let folder = cx.source.path.parent().unwrap_or(Path::new(""));
     existing(
         world,
@@ -162,7 +162,7 @@ fn beside(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> FileTarget {
     )
 }
 
-fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
+fn existing(world: RuleEnv<'_>, path: PathBuf) -> FileTarget {
     let present = world.packages.present(&path);
     if world.vfs.exists(&present) {
         FileTarget::Found(present.into_owned())
@@ -173,7 +173,7 @@ fn existing(world: Surroundings<'_>, path: PathBuf) -> FileTarget {
 
 fn resource(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     text: &ExprText<'_>,
     kind: FileKind,
 ) -> Option<FileName> {
@@ -199,12 +199,7 @@ fn resource(
 }
 
 /// The name that `load_yaml` reads in an expression.
-fn yaml(
-    cx: &Cx<'_>,
-    world: Surroundings<'_>,
-    text: &ExprText<'_>,
-    token: &Token,
-) -> Option<FileName> {
+fn yaml(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, token: &Token) -> Option<FileName> {
     let Token::Expr { inner, .. } = token else {
         return None;
     };
@@ -227,12 +222,7 @@ fn yaml(
 }
 
 /// What a part of a text reads once its expressions are evaluated; none when that is unknown or differs by call.
-fn folded(
-    cx: &Cx<'_>,
-    world: Surroundings<'_>,
-    text: &ExprText<'_>,
-    part: TextRange,
-) -> Option<String> {
+fn folded(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, part: TextRange) -> Option<String> {
     let mut out = String::new();
     let template = expr::split(part.slice(&text.text));
     for token in &template.tokens {
@@ -259,7 +249,7 @@ fn folded(
     Some(out)
 }
 
-fn found_package(cx: &Cx<'_>, world: Surroundings<'_>, token: &str) -> Option<String> {
+fn found_package(cx: &Cx<'_>, world: RuleEnv<'_>, token: &str) -> Option<String> {
     let inner = token.strip_prefix("$(")?.strip_suffix(')')?;
     let Subst::Find(package) = parse_substitution(inner) else {
         return None;

@@ -37,7 +37,7 @@ pub struct FileCx<'a> {
     /// The macros that the files of the expansion define or call.
     pub macros: &'a FastSet<String>,
     /// What lies around it.
-    pub world: Surroundings<'a>,
+    pub world: RuleEnv<'a>,
     /// The packages that it names, once a rule has asked.
     pub(super) packages: OnceCell<Vec<Mention>>,
 }
@@ -99,7 +99,7 @@ pub struct DocumentCx<'a> {
     /// The robot in it.
     pub robot: Option<&'a Robot>,
     /// What lies around it.
-    pub world: Surroundings<'a>,
+    pub world: RuleEnv<'a>,
     /// Whether all elements of the expansion are there.
     pub complete: bool,
     /// The meshes that the robot names, once a rule has asked.
@@ -133,7 +133,7 @@ impl<'a> DocumentCx<'a> {
         element: XId,
         (kind, explicit): (RootKind, bool),
         robot: Option<&'a Robot>,
-        world: Surroundings<'a>,
+        world: RuleEnv<'a>,
         complete: bool,
     ) -> Self {
         Self {
@@ -240,7 +240,7 @@ impl<'a> DocumentCx<'a> {
 
 /// What lies around a description: packages, files, settings.
 #[derive(Clone, Copy)]
-pub struct Surroundings<'a> {
+pub struct RuleEnv<'a> {
     /// Where packages are looked for.
     pub packages: &'a Packages,
     /// Whether any ROS is around: without one, that a package is not found says little.
@@ -264,7 +264,7 @@ pub struct RobotCx<'a> {
     /// How its links hang together.
     pub kinematics: &'a Kinematics,
     /// What lies around it.
-    pub world: Surroundings<'a>,
+    pub world: RuleEnv<'a>,
     /// Whether all links and joints are there, with all their names known. When an include, a macro or a
     /// condition could not be resolved, nothing may be said about what is missing.
     pub whole: bool,

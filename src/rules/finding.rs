@@ -28,7 +28,7 @@ pub struct Finding {
     /// A change that editors offer where there is no fix: a person has to complete it.
     pub suggestion: Option<Fix>,
     /// The macro calls in which it holds, when the text that is wrong stands in the body of a macro.
-    pub ways: Vec<Way>,
+    pub call_sites: Vec<CallSite>,
     /// Whether it holds in some calls of that macro only, because the text reads differently in others.
     pub partial: bool,
     /// What expansion reported, where the finding comes from it.
@@ -45,7 +45,7 @@ pub struct Finding {
 
 /// A macro call in which a finding holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Way {
+pub struct CallSite {
     /// The tag of the call.
     pub call: Span,
     /// The macro.
@@ -71,7 +71,7 @@ impl Finding {
             similar: None,
             fix: None,
             suggestion: None,
-            ways: Vec::new(),
+            call_sites: Vec::new(),
             partial: false,
             problem: None,
             outside: None,

@@ -45,8 +45,8 @@ mod xml;
 pub use beside::{BesideCx, Content, Names, PairedRobot};
 pub use catalogue::{catalogue, catalogue_of};
 pub use check_beside::check_beside;
-pub use context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, is_plain_urdf, is_whole};
-pub use finding::{Edit, Finding, Fix, Help, Related, Way};
+pub use context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, is_plain_urdf, is_whole};
+pub use finding::{CallSite, Edit, Finding, Fix, Help, Related};
 pub use geometry::{FileTarget, factors, link_bounds, resolve_file};
 pub use grouping::Group;
 pub use linter::{

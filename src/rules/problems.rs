@@ -1,5 +1,5 @@
 //! Problems of the expansion as findings.
-use super::context::{Surroundings, is_plain_urdf};
+use super::context::{RuleEnv, is_plain_urdf};
 use super::finding::{Edit, Finding, Fix, Related};
 use super::package::{PACKAGE_NOT_FOUND, is_news};
 use super::place;
@@ -116,7 +116,7 @@ impl Conversion {
 }
 
 /// A missing package is reported once for each name and file; where no ROS is, as a note.
-fn excuse_packages(findings: &mut Vec<Finding>, world: Surroundings<'_>) {
+fn excuse_packages(findings: &mut Vec<Finding>, world: RuleEnv<'_>) {
     let mut first: FastMap<(FileId, String), usize> = FastMap::default();
     let mut kept: Vec<Finding> = Vec::with_capacity(findings.len());
     for mut finding in findings.drain(..) {
@@ -155,7 +155,7 @@ pub fn rule_of(kind: ProblemKind) -> &'static Rule {
 pub(super) fn findings(
     expansion: &Expansion,
     explained: impl Fn(&Problem) -> bool,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
 ) -> Vec<Finding> {
     let root = expansion.files.first().map(|file| &*file.source.path);
     let problems = expansion

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use ecow::EcoString;
 
 use super::consumers::{Tally, tally};
-use super::context::{DocumentCx, FileCx, RobotCx, RootKind, Surroundings, elements, is_whole};
+use super::context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, elements, is_whole};
 use super::finding::Finding;
 use super::package::warn_once;
 use super::problems;
@@ -57,7 +57,7 @@ pub fn check_expansion(
     expansion: &Expansion,
     robot: Option<&Robot>,
     (kind, explicit): (RootKind, bool),
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     chosen: Chosen<'_>,
 ) -> Vec<Finding> {
     let unprefixed = Unprefixed::of(expansion);
@@ -188,11 +188,7 @@ pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
 
 /// What rules say about the source files of an expansion. Of a file that is not well-formed, only that
 /// is said.
-pub fn check_files(
-    expansion: &Expansion,
-    world: Surroundings<'_>,
-    chosen: Chosen<'_>,
-) -> Vec<Finding> {
+pub fn check_files(expansion: &Expansion, world: RuleEnv<'_>, chosen: Chosen<'_>) -> Vec<Finding> {
     let Some(first) = all().next() else {
         return Vec::new();
     };

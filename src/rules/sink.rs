@@ -1,7 +1,7 @@
 //! Where rules put what they find.
 use std::hash::{Hash, Hasher};
 
-use super::finding::{Edit, Finding, Fix, Help, Related, Way};
+use super::finding::{CallSite, Edit, Finding, Fix, Help, Related};
 use super::grouping::Group;
 use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
@@ -125,7 +125,7 @@ impl<'a> Sink<'a> {
     }
 
     /// The call of the macro whose text stands at `origin`.
-    fn way(&self, origin: Origin, finding: &Finding) -> Option<Way> {
+    fn call_site(&self, origin: Origin, finding: &Finding) -> Option<CallSite> {
         let mut frames = self
             .expansion
             .frames_of(origin)
@@ -133,7 +133,7 @@ impl<'a> Sink<'a> {
         let frame = frames
             .next()
             .filter(|frame| frame.kind == FrameKind::Macro)?;
-        Some(Way {
+        Some(CallSite {
             call: self.span_of(frame.call)?,
             name: frame.name.clone(),
             argument: self.argument(origin),
@@ -143,12 +143,12 @@ impl<'a> Sink<'a> {
     }
 
     fn push(&mut self, mut draft: Draft) {
-        let ways: Vec<Way> = draft
+        let call_sites: Vec<CallSite> = draft
             .instances
             .iter()
-            .filter_map(|&origin| self.way(origin, &draft.finding))
+            .filter_map(|&origin| self.call_site(origin, &draft.finding))
             .collect();
-        draft.finding.ways = ways;
+        draft.finding.call_sites = call_sites;
         let key = (draft.finding.rule.code, draft.finding.span);
         match self
             .by_place
@@ -158,10 +158,16 @@ impl<'a> Sink<'a> {
             Some(old) => {
                 old.calls.join(draft.calls);
                 old.instances.extend(draft.instances);
-                for way in draft.finding.ways {
-                    let room = old.finding.ways.len() < MOST_WAYS;
-                    if room && !old.finding.ways.iter().any(|known| known.call == way.call) {
-                        old.finding.ways.push(way);
+                for site in draft.finding.call_sites {
+                    let room = old.finding.call_sites.len() < MOST_CALL_SITES;
+                    if room
+                        && !old
+                            .finding
+                            .call_sites
+                            .iter()
+                            .any(|known| known.call == site.call)
+                    {
+                        old.finding.call_sites.push(site);
                     }
                 }
             }
@@ -376,7 +382,7 @@ fn call_message(frame: &Frame) -> String {
 /// Calls listed with a finding.
 const MOST_CALLS: usize = 10;
 /// Calls that an editor may show a finding at.
-const MOST_WAYS: usize = 1000;
+const MOST_CALL_SITES: usize = 1000;
 
 /// Different calls that lead to a place: the first ones, and all of them counted.
 #[derive(Default)]

@@ -91,7 +91,7 @@ pub fn will_rename_files(
         )?;
         let session = state.world.session();
         let settings = session.settings(&file);
-        let found = ide::renamed_files(&asked.cx(), session.surroundings(&settings.config), &moves);
+        let found = ide::renamed_files(&asked.cx(), session.rule_env(&settings.config), &moves);
         let edit = |(range, text)| {
             TextEdit::new(
                 convert::range(&asked.source.document, range, state.encoding),

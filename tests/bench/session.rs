@@ -150,7 +150,7 @@ fn hover(bencher: Bencher<'_, '_>, calls: usize) {
             beside: &[],
             pinned: None,
         };
-        let around = session.world.session().surroundings(&settings.config);
+        let around = session.world.session().rule_env(&settings.config);
         let names = || ide::TextNames::of(&analyzed.expansion, around);
         ide::hover(&cx, around, names, black_box(offset)).is_some()
     });

@@ -155,7 +155,7 @@ impl Case {
                 cancel: &options.check.cancel,
                 tally: None,
             };
-            let around = session.surroundings(&self.settings.config);
+            let around = session.rule_env(&self.settings.config);
             findings = check_expansion(expansion, robot, (RootKind::Robot, true), around, chosen);
             findings.retain(|finding| finding.severity == Severity::Error);
         }
@@ -173,7 +173,7 @@ impl Case {
         {
             return;
         }
-        let around = session.surroundings(&self.settings.config);
+        let around = session.rule_env(&self.settings.config);
         let tags = include_tags(expansion, around);
         let tag = tags.iter().find(|(file, _)| *file == finding.span.file);
         finding.related.extend(tag.map(|(_, span)| Related {

@@ -5,7 +5,7 @@ use super::{Action, ActionKind, edit};
 use crate::paths::{FileKind, FileTarget, file_name_at};
 use crate::{At, Cx, Part, locate, schema};
 use base::TextRange;
-use rules::Surroundings;
+use rules::RuleEnv;
 use vfs::SourceFile;
 
 fn rewrite(title: impl Into<String>, edits: Vec<rules::Edit>) -> Action {
@@ -161,7 +161,7 @@ fn shown(number: f64, digits: usize) -> String {
 }
 
 /// A path that counts from the file, as one that counts from its package.
-pub(super) fn package_path(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Action> {
+pub(super) fn package_path(cx: &Cx<'_>, world: RuleEnv<'_>, offset: u32) -> Option<Action> {
     let at = locate(&cx.source.document, offset);
     let name = file_name_at(cx, world, &at)?;
     let text = cx.source.document.slice(name.range);

@@ -5,7 +5,7 @@ use super::{Action, ActionKind};
 use crate::{Cx, TextNames, definition_of, places};
 use base::{Span, TextRange};
 use expand::{DefinitionId, SymbolKind};
-use rules::{Edit, Surroundings};
+use rules::{Edit, RuleEnv};
 use xml::Document;
 
 /// The property that is given or read at an offset, with its name: one that is given once, at no condition.
@@ -22,7 +22,7 @@ pub fn inlinable(cx: &Cx<'_>, offset: u32) -> Option<(DefinitionId, String)> {
 }
 
 /// Put the value of the property at an offset wherever it is read, and remove the property.
-pub(super) fn property(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Option<Action> {
+pub(super) fn property(cx: &Cx<'_>, world: RuleEnv<'_>, offset: u32) -> Option<Action> {
     let (id, name) = inlinable(cx, offset)?;
     let target = definition_of(cx, id)?;
     let document = &cx.file_of(target.whole.file)?.document;

@@ -10,7 +10,7 @@ use super::{Action, ActionKind, edit};
 use crate::Cx;
 use base::TextRange;
 use model::{Inertial, Link, Mesh, Meshes, Pose, ShapeKind, Surface, Triangles, UpAxis, transform};
-use rules::{Edit, FileTarget, Surroundings, factors, resolve_file};
+use rules::{Edit, FileTarget, RuleEnv, factors, resolve_file};
 use xml::Node;
 
 /// Substances offered where no mass is given, and what they weigh, kg/m³.
@@ -54,7 +54,7 @@ struct Asked<'a> {
 ///
 /// # Errors
 /// Why there is none, when the link has a mesh.
-pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<Action>, Refused> {
+pub fn of_mesh(cx: &Cx<'_>, world: RuleEnv<'_>, offset: u32) -> Result<Vec<Action>, Refused> {
     let Some(asked) = asked(cx, world, offset)? else {
         return Ok(Vec::new());
     };
@@ -104,11 +104,7 @@ pub fn of_mesh(cx: &Cx<'_>, world: Surroundings<'_>, offset: u32) -> Result<Vec<
 }
 
 /// The link at an offset, when its shape is a mesh; the numbers are to be the same from call to call.
-fn asked<'a>(
-    cx: &Cx<'a>,
-    world: Surroundings<'_>,
-    offset: u32,
-) -> Result<Option<Asked<'a>>, Refused> {
+fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Asked<'a>>, Refused> {
     let Some((base, node)) = enclosing(&cx.source.document, offset, "link") else {
         return Ok(None);
     };
@@ -180,7 +176,7 @@ fn asked<'a>(
 }
 
 /// The mesh as a solid body.
-fn solid(world: Surroundings<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid, String> {
+fn solid(world: RuleEnv<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid, String> {
     let mesh: &Mesh = &world.meshes.get(world.vfs, path);
     let unread = || {
         let defect = mesh

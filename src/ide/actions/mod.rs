@@ -31,7 +31,7 @@ pub use xacro::{before_use, other_name, suggested};
 
 use super::context::Cx;
 use base::{Span, TextRange};
-use rules::{Edit, Rule, Surroundings, named};
+use rules::{Edit, Rule, RuleEnv, named};
 use vfs::SourceFile;
 
 /// Something that can be done.
@@ -95,7 +95,7 @@ pub fn quick_fixes(source: &SourceFile, rule: &Rule, range: TextRange) -> Vec<Ac
 }
 
 /// Changes offered for a selection, or for the place of the cursor when it is empty.
-pub fn refactorings(cx: &Cx<'_>, world: Surroundings<'_>, selection: TextRange) -> Vec<Action> {
+pub fn refactorings(cx: &Cx<'_>, world: RuleEnv<'_>, selection: TextRange) -> Vec<Action> {
     if !cx.source.document.errors().is_empty() {
         return Vec::new();
     }

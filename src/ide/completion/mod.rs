@@ -37,7 +37,7 @@ pub use signature::{Signature, signature_help};
 
 use super::typed::{Typed, Typing, is_name_char, typed};
 use names::Wanted;
-use nearness::Surroundings;
+use nearness::RuleEnv;
 
 /// What can be typed at `offset` of the edited file. `trigger` is the character that made the editor ask; none when
 /// the user did.
@@ -62,7 +62,7 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
         .get(typed.before.len().saturating_sub(length)..)
         .unwrap_or("")
         .to_owned();
-    let around = Surroundings::of(&typed, &scope.sources.source.path, &word);
+    let around = RuleEnv::of(&typed, &scope.sources.source.path, &word);
     let mut found = found.bounded(&word, |item| around.nearness(item));
     expressions::show_values(scope, offset, &mut found.items);
     found

@@ -17,11 +17,11 @@ const AROUND: i32 = 2;
 const OF_FILE: i32 = 1;
 
 /// The words around the cursor, and what each counts.
-pub(super) struct Surroundings {
+pub(super) struct RuleEnv {
     words: FastMap<String, i32>,
 }
 
-impl Surroundings {
+impl RuleEnv {
     /// Of what is typed in a file. `word` is what was typed of the name itself.
     pub fn of(typed: &Typed, file: &Path, word: &str) -> Self {
         let mut found = Self {

@@ -3,7 +3,7 @@
 use super::super::context::Cx;
 use super::page::Page;
 use base::TextRange;
-use rules::Surroundings;
+use rules::RuleEnv;
 use rules::consumers::{Consumer, Met, Outcome, constructs};
 
 /// Constructs of one text that are shown.
@@ -12,7 +12,7 @@ const MOST: usize = 2;
 /// What was found about a text, with a table for each construct in it that a program rejects or changes.
 pub(super) fn add(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     offset: u32,
     found: Option<(TextRange, Page)>,
 ) -> Option<(TextRange, Page)> {

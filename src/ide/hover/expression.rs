@@ -10,17 +10,13 @@ use base::TextRange;
 use expand::{FrameId, FrameKind, Origin};
 use expr::ast::{Expr, ExprKind};
 use expr::{Token, Value, display, global_symbols};
-use rules::Surroundings;
+use rules::RuleEnv;
 
 /// Most characters of a value.
 const MOST_VALUE: usize = 200;
 
 /// The expression or a part of it at a place.
-pub(super) fn about(
-    cx: &Cx<'_>,
-    world: Surroundings<'_>,
-    at: &At<'_>,
-) -> Option<(TextRange, Page)> {
+pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let whole = text.range(token.range());

@@ -8,17 +8,13 @@ use super::super::values::number_text;
 use super::page::{Page, code, count};
 use base::TextRange;
 use model::{Mesh, Text};
-use rules::Surroundings;
+use rules::RuleEnv;
 
 /// Most places that are listed.
 const MOST_PLACES: usize = 8;
 
 /// The name of a file at a place.
-pub(super) fn about(
-    cx: &Cx<'_>,
-    world: Surroundings<'_>,
-    at: &At<'_>,
-) -> Option<(TextRange, Page)> {
+pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let name = file_name_at(cx, world, at)?;
     Some((name.range, page(cx, world, at, &name)))
 }
@@ -26,7 +22,7 @@ pub(super) fn about(
 /// The file that `load_yaml` reads, when its name stands at an offset of an expression.
 pub(super) fn loaded(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     text: &ExprText<'_>,
     offset: u32,
 ) -> Option<(TextRange, Page)> {
@@ -37,7 +33,7 @@ pub(super) fn loaded(
         .then(|| (name.range, page(cx, world, &at, &name)))
 }
 
-fn page(cx: &Cx<'_>, world: Surroundings<'_>, at: &At<'_>, name: &FileName) -> Page {
+fn page(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>, name: &FileName) -> Page {
     let path = match &name.target {
         FileTarget::Found(path) => path,
         FileTarget::Missing(places) => {
@@ -132,7 +128,7 @@ fn size(bytes: u64) -> String {
 }
 
 /// A package.
-pub(super) fn package(cx: &Cx<'_>, world: Surroundings<'_>, name: &str) -> Page {
+pub(super) fn package(cx: &Cx<'_>, world: RuleEnv<'_>, name: &str) -> Page {
     match world.packages.find(name, &cx.source.path) {
         Ok(found) => {
             let path = world.vfs.absolute(&found.path);

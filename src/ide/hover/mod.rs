@@ -20,7 +20,7 @@ use super::context::Cx;
 use super::locate::{Part, locate};
 use crate::text_names::TextNames;
 use base::TextRange;
-use rules::Surroundings;
+use rules::RuleEnv;
 
 /// A text about a piece of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,7 +40,7 @@ pub fn value_of(cx: &Cx<'_>, offset: u32) -> Option<String> {
 /// What there is to say about the text at an offset of the file; `names` are those of the robot that it belongs to.
 pub fn hover(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     names: impl Fn() -> TextNames,
     offset: u32,
 ) -> Option<Hover> {

@@ -12,17 +12,13 @@ use base::{FastSet, TextRange};
 use expand::BindingKind;
 use expr::Value;
 use model::{Joint, JointType, Kinematics, Link, Pose, Robot, Text};
-use rules::{Surroundings, link_bounds};
+use rules::{RuleEnv, link_bounds};
 
 /// Most links or joints that are shown for one text.
 const MOST: usize = 3;
 
 /// The links and joints that a text names.
-pub(super) fn about(
-    cx: &Cx<'_>,
-    world: Surroundings<'_>,
-    at: &At<'_>,
-) -> Option<(TextRange, Page)> {
+pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     if let Some(group) = cx
         .beside
         .iter()
@@ -143,7 +139,7 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
 
 fn link_page(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     (robot, kinematics): (&Robot, &Kinematics),
     link: &Link,
     page: &mut Page,

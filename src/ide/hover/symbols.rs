@@ -11,7 +11,7 @@ use crate::text_names::{Given, TextNames};
 use base::{Encoding, FastSet, TextRange};
 use expand::{Definition, DefinitionId, Expansion, FrameKind, SymbolKind, Use, UseKind};
 use expr::Value;
-use rules::Surroundings;
+use rules::RuleEnv;
 use xml::{Node, NodeKind};
 
 /// The name of xacro at a place.
@@ -43,7 +43,7 @@ fn definition_page(
 /// The name of xacro at a place that was not evaluated.
 pub(super) fn by_text(
     cx: &Cx<'_>,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     names: &TextNames,
     at: &At<'_>,
 ) -> Option<(TextRange, Page)> {
@@ -82,7 +82,7 @@ fn evaluated(cx: &Cx<'_>, given: &Given) -> Option<Page> {
     Some(definition_page(cx, id, definition, Vec::new()))
 }
 
-fn place_of(world: Surroundings<'_>, given: &Given) -> String {
+fn place_of(world: RuleEnv<'_>, given: &Given) -> String {
     let path = world.vfs.path(given.span.file);
     let document = world.vfs.document(&path).ok();
     let line = document.map(|file| {

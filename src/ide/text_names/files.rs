@@ -4,20 +4,20 @@ use std::sync::Arc;
 
 use base::{FastMap, FileId, Span};
 use expand::Expansion;
-use rules::{Surroundings, include_tags};
+use rules::{RuleEnv, include_tags};
 use vfs::SourceFile;
 use workspace::{admitted_files, named_file};
 
 /// The files behind includes: those that an expansion read, and for the others what the text says.
 pub(super) struct Files<'a> {
-    world: Surroundings<'a>,
+    world: RuleEnv<'a>,
     expansion: &'a Expansion,
     /// By the start of the tag.
     taken: FastMap<(FileId, u32), Vec<FileId>>,
 }
 
 impl<'a> Files<'a> {
-    pub fn new(expansion: &'a Expansion, world: Surroundings<'a>) -> Self {
+    pub fn new(expansion: &'a Expansion, world: RuleEnv<'a>) -> Self {
         let mut taken: FastMap<(FileId, u32), Vec<FileId>> = FastMap::default();
         for (file, tag) in include_tags(expansion, world) {
             let known = taken.entry((tag.file, tag.range.start)).or_default();

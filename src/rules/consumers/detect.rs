@@ -1,7 +1,7 @@
 //! Finding the constructs of a robot that the table knows.
 use std::collections::BTreeMap;
 
-use super::super::context::{DocumentCx, RootKind, Surroundings, is_plain_urdf, is_whole};
+use super::super::context::{DocumentCx, RootKind, RuleEnv, is_plain_urdf, is_whole};
 use super::facts::{Facts, Found};
 use super::met::Met;
 use super::table::Outcome;
@@ -11,11 +11,7 @@ use model::{Robot, tag_start};
 use xml::{SyntaxError, SyntaxErrorKind};
 
 /// The constructs of a robot that the table knows, by detector and in document order.
-pub fn constructs(
-    expansion: &Expansion,
-    robot: Option<&Robot>,
-    world: Surroundings<'_>,
-) -> Vec<Met> {
+pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: RuleEnv<'_>) -> Vec<Met> {
     let Some(root) = expansion.tree.root() else {
         return Vec::new();
     };

@@ -1,5 +1,5 @@
 //! How large visuals and collisions are, in the frame of their link.
-use super::super::context::{DocumentCx, RootKind, Surroundings};
+use super::super::context::{DocumentCx, RootKind, RuleEnv};
 use super::resources::factors;
 use expand::Expansion;
 use model::{Body, Bounds, Link, Mesh, Robot, Shape, ShapeKind, Text, UpAxis, transform};
@@ -30,7 +30,7 @@ impl Extent {
 pub fn link_bounds(
     expansion: &Expansion,
     robot: &Robot,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     link: &Link,
 ) -> Option<Bounds> {
     let cx = DocumentCx::new(

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::super::context::{DocumentCx, Surroundings};
+use super::super::context::{DocumentCx, RuleEnv};
 use super::super::geometry::target::{Resources, Target};
 use super::super::grouping::Group;
 use super::uri::defect;
@@ -211,7 +211,7 @@ fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &Target) -> Option<Ta
 }
 
 /// Find the file that an attribute names.
-pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> Target {
+pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &Text) -> Target {
     let place = expansion
         .place(name.origin)
         .filter(|_| name.is_known() && !name.value.trim().is_empty());
@@ -243,7 +243,7 @@ pub fn resolve(expansion: &Expansion, world: Surroundings<'_>, name: &Text) -> T
     }
 }
 
-fn resolve_from(world: Surroundings<'_>, uri: &str, from: &Path) -> Target {
+fn resolve_from(world: RuleEnv<'_>, uri: &str, from: &Path) -> Target {
     let result = world.packages.resolve_uri(uri, from);
     let package = uri
         .strip_prefix("package://")

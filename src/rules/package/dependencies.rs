@@ -2,7 +2,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::super::context::Surroundings;
+use super::super::context::RuleEnv;
 use super::manifest::Manifest;
 use base::FastSet;
 use expand::FileIdx;
@@ -11,7 +11,7 @@ use expand::FileIdx;
 const MOST_PACKAGES: usize = 100;
 
 /// That of the package around a file of the expansion; none when there is none that can be read.
-pub(super) fn manifest_around(world: Surroundings<'_>, file: &Path) -> Option<Arc<Manifest>> {
+pub(super) fn manifest_around(world: RuleEnv<'_>, file: &Path) -> Option<Arc<Manifest>> {
     let package = world.packages.containing(file)?;
     let path = package.folder.join("package.xml");
     let text = world.vfs.text(&path).ok()?;
@@ -21,12 +21,7 @@ pub(super) fn manifest_around(world: Surroundings<'_>, file: &Path) -> Option<Ar
 }
 
 /// Whether a package comes along with one of those that come along, as far as they are in the workspace.
-pub(super) fn brings(
-    manifest: &Manifest,
-    world: Surroundings<'_>,
-    from: &Path,
-    package: &str,
-) -> bool {
+pub(super) fn brings(manifest: &Manifest, world: RuleEnv<'_>, from: &Path, package: &str) -> bool {
     let mut open: Vec<String> = manifest.runtime.clone();
     let mut seen: FastSet<String> = FastSet::default();
     while let Some(name) = open.pop() {
@@ -49,7 +44,7 @@ pub(super) fn brings(
 
 /// The manifest of the package that a file of an expansion belongs to.
 pub(super) fn of_file(
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
     expansion: &expand::Expansion,
     file: FileIdx,
 ) -> Option<Arc<Manifest>> {

@@ -1,11 +1,11 @@
 //! The launch files of a package.
 use std::path::{Path, PathBuf};
 
-use super::super::context::{FileCx, Surroundings};
+use super::super::context::{FileCx, RuleEnv};
 use super::super::package::dependencies::manifest_around;
 
 /// The launch files in the folder `launch` of the package that a file belongs to.
-pub(super) fn files(world: Surroundings<'_>, file: &Path) -> Vec<PathBuf> {
+pub(super) fn files(world: RuleEnv<'_>, file: &Path) -> Vec<PathBuf> {
     let Some(manifest) = manifest_around(world, file) else {
         return Vec::new();
     };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use indexmap::IndexMap;
 
-use super::super::context::{DocumentCx, Surroundings};
+use super::super::context::{DocumentCx, RuleEnv};
 use super::super::finding::{Finding, Help};
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
@@ -32,7 +32,7 @@ const MOST_PLACES: usize = 10;
 
 /// Whether a missing package is a defect: without any ROS, packages of others are missing everywhere, and only a name
 /// that seems misspelled is one.
-pub(in super::super) fn is_news(world: Surroundings<'_>, nearest: Option<&str>) -> bool {
+pub(in super::super) fn is_news(world: RuleEnv<'_>, nearest: Option<&str>) -> bool {
     world.has_ros || nearest.is_some()
 }
 
@@ -57,7 +57,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 pub(in super::super) fn warn_once(
     findings: &mut [Finding],
     expansion: &Expansion,
-    world: Surroundings<'_>,
+    world: RuleEnv<'_>,
 ) {
     let mut missing: Vec<&str> = Vec::new();
     for read in expansion.record.iter() {
@@ -141,7 +141,7 @@ pub(in super::super) fn warn_once(
 }
 
 /// The packages that an expansion names and that were not found.
-pub fn missing_packages(expansion: &Expansion, world: Surroundings<'_>) -> BTreeSet<String> {
+pub fn missing_packages(expansion: &Expansion, world: RuleEnv<'_>) -> BTreeSet<String> {
     let named = expansion.record.iter().filter_map(|read| match read {
         Read::Package(name, None) => Some(name.to_string()),
         _ => None,
@@ -163,7 +163,7 @@ pub fn missing_packages(expansion: &Expansion, world: Surroundings<'_>) -> BTree
 }
 
 /// Whether a file of the name that a URI ends with is in the workspace.
-fn has_file_of(world: Surroundings<'_>, attr: &XAttr, from: &Path) -> bool {
+fn has_file_of(world: RuleEnv<'_>, attr: &XAttr, from: &Path) -> bool {
     path_in_package(attr).is_some_and(|path| {
         world
             .packages
@@ -174,7 +174,7 @@ fn has_file_of(world: Surroundings<'_>, attr: &XAttr, from: &Path) -> bool {
 
 /// Whether what is missing comes with the sources that a list of repositories brings, or lies in a folder around the file
 /// by its path: the folder is the package, and gets its manifest elsewhere.
-fn is_fetched(world: Surroundings<'_>, expansion: &Expansion, from: &Path) -> bool {
+fn is_fetched(world: RuleEnv<'_>, expansion: &Expansion, from: &Path) -> bool {
     let top = world.packages.sources_around(from);
     let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
     let folders: Vec<&Path> = from.ancestors().skip(1).take_while(inside).collect();

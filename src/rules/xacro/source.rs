@@ -1,7 +1,7 @@
 //! From definitions and uses back to the tags of the source.
 use std::path::Path;
 
-use super::super::context::{DocumentCx, Surroundings};
+use super::super::context::{DocumentCx, RuleEnv};
 use base::{FastMap, FileId, Span, TextRange};
 use expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
 use xml::{Document, Node};
@@ -94,10 +94,7 @@ pub(super) struct Inclusion<'a> {
 }
 
 /// The includes of an expansion, in order; of very many, the first ones.
-pub(super) fn inclusions<'a>(
-    expansion: &'a Expansion,
-    world: Surroundings<'_>,
-) -> Vec<Inclusion<'a>> {
+pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: RuleEnv<'_>) -> Vec<Inclusion<'a>> {
     const MOST: usize = 10_000;
     let names = expansion.files.iter().map(|file| file.name.as_str());
     let mut by_name: FastMap<&str, Option<FileIdx>> =
@@ -146,7 +143,7 @@ pub(super) fn inclusions<'a>(
 }
 
 /// The files that an expansion included, each with the tag that did.
-pub fn include_tags(expansion: &Expansion, world: Surroundings<'_>) -> Vec<(FileId, Span)> {
+pub fn include_tags(expansion: &Expansion, world: RuleEnv<'_>) -> Vec<(FileId, Span)> {
     let id = |file: FileIdx| Some(expansion.files.get(file.0 as usize)?.source.id);
     let tag = |found: Inclusion<'_>| {
         let span = Span {

@@ -38,7 +38,7 @@ impl Asked {
     pub fn names(&self, state: &State) -> TextNames {
         let session = state.world.session();
         let settings = session.settings(&self.source.path);
-        let names = |expansion| TextNames::of(expansion, session.surroundings(&settings.config));
+        let names = |expansion| TextNames::of(expansion, session.rule_env(&settings.config));
         let around = names(&self.around.expansion);
         if around.knows(self.source.id) {
             around

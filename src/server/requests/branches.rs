@@ -57,7 +57,7 @@ impl<'a> Ways<'a> {
     fn of(state: &'a State, analyzed: &Analyzed) -> Option<Self> {
         let session = state.world.session();
         let settings = session.settings(&analyzed.root.file);
-        let names = TextNames::of(&analyzed.expansion, session.surroundings(&settings.config));
+        let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
         let root = analyzed.expansion.files.first()?.source.id;
         Some(Self {
             vfs: &session.vfs,

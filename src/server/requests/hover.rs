@@ -86,7 +86,7 @@ fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::
 pub fn hover_at(state: &State, asked: &Asked, offset: u32) -> Option<Hover> {
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    let around = session.surroundings(&settings.config);
+    let around = session.rule_env(&settings.config);
     let hover = ide::hover(&asked.cx(), around, || asked.names(state), offset)?;
     Some(with_launch_values(state, asked, offset, hover))
 }

@@ -17,7 +17,7 @@ pub fn links(
     let asked = asked(state, &start_of(params.text_document), cancel)?;
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    let names = ide::file_names(&asked.cx(), session.surroundings(&settings.config));
+    let names = ide::file_names(&asked.cx(), session.rule_env(&settings.config));
     let link = |FileName { range, target, .. }: FileName| {
         let FileTarget::Found(path) = target else {
             return None;

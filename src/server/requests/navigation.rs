@@ -211,13 +211,13 @@ fn expanded_uri(state: &State, root: &RootChoice) -> Option<Url> {
 pub fn about_files<T>(
     state: &State,
     asked: &Asked,
-    answer: impl Fn(&Cx<'_>, rules::Surroundings<'_>, u32) -> Option<T>,
+    answer: impl Fn(&Cx<'_>, rules::RuleEnv<'_>, u32) -> Option<T>,
 ) -> Option<T> {
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
     answer(
         &asked.cx(),
-        session.surroundings(&settings.config),
+        session.rule_env(&settings.config),
         asked.offset,
     )
 }

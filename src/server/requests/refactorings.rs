@@ -217,7 +217,7 @@ fn refused(state: &State, asked: &Asked, selection: TextRange) -> Option<CodeAct
     }
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    let world = session.surroundings(&settings.config);
+    let world = session.rule_env(&settings.config);
     let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
     Some(disabled(sentence_case(&title), ActionKind::Rewrite, reason))
 }
@@ -230,7 +230,7 @@ fn refactorings(
 ) -> Result<Vec<Action>, Failure> {
     let session = state.world.session();
     let settings = session.settings(&asked.source.path);
-    let world = session.surroundings(&settings.config);
+    let world = session.rule_env(&settings.config);
     let mut actions = ide::refactorings(&asked.cx(), world, selection);
     if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
         // files of other robots may read the property

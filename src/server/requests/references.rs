@@ -142,7 +142,7 @@ fn in_robot(
     let expansion = &analyzed.expansion;
     let session = state.world.session();
     let settings = session.settings(&analyzed.root.file);
-    let names = TextNames::of(expansion, session.surroundings(&settings.config));
+    let names = TextNames::of(expansion, session.rule_env(&settings.config));
     let source = |span: &Span| -> Option<&SourceFile> {
         let file = expansion
             .files

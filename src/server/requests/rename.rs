@@ -309,7 +309,7 @@ fn in_other_robots(
                 .ok_or(Failure::Cancelled)?;
             let session = state.world.session();
             let settings = session.settings(&root.file);
-            let names = TextNames::of(&analyzed.expansion, session.surroundings(&settings.config));
+            let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
             let cx = Cx {
                 expansion: &analyzed.expansion,
                 ..asked.cx()

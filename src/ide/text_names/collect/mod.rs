@@ -11,7 +11,7 @@ use super::{Class, Given, Guard, Reading, Scope, ScopeId, TextNames};
 use base::{FastMap, FastSet, FileId, Span, TextRange};
 use expand::{Expansion, SymbolKind, UseKind, parse_params};
 use facts::{FactsOf, facts_of, is_keyword};
-use rules::Surroundings;
+use rules::RuleEnv;
 use vfs::SourceFile;
 use xml::{Attr, Entities, Item, Node, NodeKind, source_offset};
 
@@ -20,7 +20,7 @@ const MOST_DEEP: u32 = 100;
 
 impl TextNames {
     /// The names of the robot that was expanded, with those in its branches that were not.
-    pub fn of(expansion: &Expansion, world: Surroundings<'_>) -> Self {
+    pub fn of(expansion: &Expansion, world: RuleEnv<'_>) -> Self {
         let files = Files::new(expansion, world);
         let mut names = Self {
             scopes: vec![Scope::Top],
