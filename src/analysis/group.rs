@@ -279,6 +279,26 @@ fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
     fix
 }
 
+impl Report {
+    /// Say at the errors that left out parts of robots which rules did not run because of them, once a robot.
+    pub fn mark_cuts(&mut self) {
+        for (robot, cut) in &self.partial {
+            let finding = cut
+                .cause(&self.findings)
+                .and_then(|number| self.findings.get_mut(number));
+            let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else {
+                continue;
+            };
+            finding.help = Some(match finding.help.take() {
+                // one robot is enough where several suffer
+                Some(help) if help.contains("is not checked in full") => help,
+                Some(help) => format!("{help}\n{sentence}"),
+                None => sentence,
+            });
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{join, mark_groups};
@@ -412,25 +432,5 @@ mod tests {
             .collect();
         assert_eq!(edits, [span(0, 1, 3), span(0, 10, 12), span(0, 20, 21)]);
         assert_eq!(joined.places.len(), 4);
-    }
-}
-
-impl Report {
-    /// Say at the errors that left out parts of robots which rules did not run because of them, once a robot.
-    pub fn mark_cuts(&mut self) {
-        for (robot, cut) in &self.partial {
-            let finding = cut
-                .cause(&self.findings)
-                .and_then(|number| self.findings.get_mut(number));
-            let (Some(finding), Some(sentence)) = (finding, cut.sentence(robot)) else {
-                continue;
-            };
-            finding.help = Some(match finding.help.take() {
-                // one robot is enough where several suffer
-                Some(help) if help.contains("is not checked in full") => help,
-                Some(help) => format!("{help}\n{sentence}"),
-                None => sentence,
-            });
-        }
     }
 }

@@ -203,6 +203,26 @@ pub(super) fn is_something_else(path: &Path) -> bool {
     ENDINGS.contains(&ending) || path.file_name().is_some_and(is_named) || is_launch(path)
 }
 
+/// Whether a file is a launch file or script, by its name: no description, and other servers know it better.
+pub fn is_launch(path: &Path) -> bool {
+    let name = path
+        .file_name()
+        .and_then(|name| name.to_str())
+        .unwrap_or("")
+        .to_ascii_lowercase();
+    let endings = [
+        ".py",
+        ".launch",
+        ".launch.xml",
+        ".launch.yaml",
+        ".launch.yml",
+        ".sh",
+        ".bash",
+        ".test",
+    ];
+    endings.iter().any(|ending| name.ends_with(ending))
+}
+
 #[cfg(test)]
 mod tests {
     use std::path::Path;
@@ -230,24 +250,4 @@ mod tests {
             assert_eq!(is_description(Path::new(name)), expected, "{name}");
         }
     }
-}
-
-/// Whether a file is a launch file or script, by its name: no description, and other servers know it better.
-pub fn is_launch(path: &Path) -> bool {
-    let name = path
-        .file_name()
-        .and_then(|name| name.to_str())
-        .unwrap_or("")
-        .to_ascii_lowercase();
-    let endings = [
-        ".py",
-        ".launch",
-        ".launch.xml",
-        ".launch.yaml",
-        ".launch.yml",
-        ".sh",
-        ".bash",
-        ".test",
-    ];
-    endings.iter().any(|ending| name.ends_with(ending))
 }

@@ -41,7 +41,7 @@ fn is_test(path: &Path) -> bool {
     name == "tests" || name.ends_with("_tests") || path.iter().any(|part| part == "tests")
 }
 
-fn module(folder: &Path, path: &PathBuf) -> String {
+fn module(folder: &Path, path: &Path) -> String {
     let inner = path.strip_prefix(folder).unwrap().with_extension("");
     let parts = inner.iter().map(|part| part.to_string_lossy());
     let parts: Vec<_> = parts

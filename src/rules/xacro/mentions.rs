@@ -32,8 +32,6 @@ pub(super) fn outside<'a>(
     Some(files.map(|(_, mentions)| mentions))
 }
 
-/// Most names are met many times.
-
 #[cfg(test)]
 mod tests {
     use super::Mentions;

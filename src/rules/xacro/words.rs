@@ -116,6 +116,7 @@ impl Mentions {
     }
 }
 
+/// Most names are met many times.
 fn insert(names: &mut FastSet<EcoString>, name: &str) {
     if !names.contains(name) {
         names.insert(name.into());

@@ -196,6 +196,14 @@ pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
     macros(cx).contains(name) || TAGS.contains(&name) && declares().is_some()
 }
 
+/// The attributes that an element could have and does not.
+pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
+    let names = spec.attributes.iter().map(|attribute| attribute.name);
+    names
+        .filter(|name| cx.expansion.tree.attr(element, name).is_none())
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::meant;
@@ -219,12 +227,4 @@ mod tests {
             Some(("ab13", false))
         );
     }
-}
-
-/// The attributes that an element could have and does not.
-pub(super) fn absent(cx: &DocumentCx<'_>, element: XId, spec: &ElementSpec) -> Vec<&'static str> {
-    let names = spec.attributes.iter().map(|attribute| attribute.name);
-    names
-        .filter(|name| cx.expansion.tree.attr(element, name).is_none())
-        .collect()
 }

@@ -15,7 +15,6 @@ use crate::requests::of_description::is_not_described;
 use crate::state::State;
 use analysis::RootChoice;
 use base::{CancelFlag, Span, TextRange};
-use ide;
 use ide::{Cx, FilePlace, Target};
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
