@@ -1,7 +1,7 @@
 //! Which files of a crate use each other in a circle.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::{REPOSITORY, rust_files};
 
