@@ -18,10 +18,11 @@ use crate::failure::Failure;
 use crate::locations::{Places, places};
 use crate::publishing::{fingerprint, publish};
 use crate::refreshing::refresh_others;
+use crate::requests::beside::robots_described;
 use crate::requests::code_action::sentence_case;
 use crate::scanning::scan_first;
 use crate::state::{Cause, State};
-use analysis::Report;
+use analysis::{Report, is_settings};
 use base::CancelFlag;
 use base::limits::{DIAGNOSTICS, RELATED};
 use rules::{Finding, Rule, Severity, Trait};
@@ -31,12 +32,31 @@ pub fn make_diagnostics(state: &mut State) {
     if state.client.pulls_diagnostics {
         state.schedule.due = None;
         let cancel = state.status.background();
+        prepare(state, &cancel);
         announce_contexts(state, &cancel);
     } else {
         push_diagnostics(state);
     }
     if state.schedule.due.is_none() && state.documents.len() > 1 {
         refresh_others(state);
+    }
+}
+
+/// Expand the robots of what was just opened while nobody waits: the first question about them is answered at once then.
+fn prepare(state: &mut State, cancel: &CancelFlag) {
+    let opened: Vec<PathBuf> = match &state.schedule.cause {
+        Cause::Opened(path) => vec![path.clone()],
+        Cause::Indexed => state.documents.keys().cloned().collect(),
+        _ => return,
+    };
+    for path in opened.iter().filter(|path| !is_settings(path)) {
+        if let Some(root) = state.world.context(path).root {
+            // what is not done when a message comes in, its answer does
+            let _ = state.world.analyzed(&root, cancel);
+        }
+        if let Some(source) = state.world.document(path) {
+            let _ = robots_described(state, path, &source, cancel);
+        }
     }
 }
 

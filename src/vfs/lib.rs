@@ -261,6 +261,11 @@ impl Vfs {
         self.shared.disk.canonical(&path).map_or(path, spelled)
     }
 
+    /// Whether there is a folder at `path` that is no link to one.
+    pub fn is_own_folder(&self, path: &Path) -> bool {
+        self.shared.disk.is_own_folder(path)
+    }
+
     /// Write `after` into a file that holds `before`, whatever is laid over it; a byte order mark stays.
     ///
     /// # Errors

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionItemLabelDetails, CompletionList,
     CompletionParams, CompletionResponse, CompletionTextEdit, DocumentOnTypeFormattingParams,
-    InsertReplaceEdit, InsertTextFormat, ParameterInformation, ParameterLabel, SignatureHelp,
-    SignatureHelpParams, SignatureInformation, TextEdit, Url,
+    InsertReplaceEdit, InsertTextFormat, ParameterInformation, ParameterLabel, Range,
+    SignatureHelp, SignatureHelpParams, SignatureInformation, TextEdit, Url,
 };
 use serde::{Deserialize, Serialize};
 
@@ -74,9 +74,13 @@ pub fn completion(
 }
 
 fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> CompletionResponse {
-    let item = |(place, item): (usize, &Completion)| {
-        completion_item(state, source, found, place, item, uri)
+    let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
+    let replaced = Replaced {
+        insert: range(found.insert),
+        replace: range(found.replace),
     };
+    let item =
+        |(place, item): (usize, &Completion)| completion_item(state, replaced, place, item, uri);
     let items = found.items.iter().enumerate().map(item).collect();
     CompletionResponse::List(CompletionList {
         is_incomplete: found.more,
@@ -142,10 +146,18 @@ fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> 
     }))
 }
 
+/// What the items of a list take the place of.
+#[derive(Clone, Copy)]
+struct Replaced {
+    /// What is typed of the word.
+    insert: Range,
+    /// The whole word.
+    replace: Range,
+}
+
 fn completion_item(
     state: &State,
-    source: &SourceFile,
-    all: &Completions,
+    replaced: Replaced,
     place: usize,
     item: &Completion,
     uri: &Url,
@@ -155,14 +167,13 @@ fn completion_item(
         .as_ref()
         .filter(|_| state.client.completion.snippets && state.settings.snippets);
     let text = snippet.unwrap_or(&item.text).clone();
-    let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
     let edit = match state.client.completion.insert_replace {
         true => CompletionTextEdit::InsertAndReplace(InsertReplaceEdit {
             new_text: text,
-            insert: range(all.insert),
-            replace: range(all.replace),
+            insert: replaced.insert,
+            replace: replaced.replace,
         }),
-        false => CompletionTextEdit::Edit(TextEdit::new(range(all.insert), text)),
+        false => CompletionTextEdit::Edit(TextEdit::new(replaced.insert, text)),
     };
     let note = Some(item.note.clone()).filter(|note| !note.is_empty());
     let detail = Some(item.detail.clone()).filter(|detail| !detail.is_empty());

@@ -3,7 +3,7 @@
 pub(crate) mod actions;
 mod arguments;
 pub(crate) mod asked;
-mod beside;
+pub mod beside;
 mod branches;
 pub(crate) mod calls;
 pub(crate) mod code_action;

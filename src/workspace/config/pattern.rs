@@ -78,10 +78,12 @@ impl Pattern {
 
     /// Whether `path` (absolute), or a folder it lies in, matches.
     pub fn matches(&self, path: &Path) -> bool {
-        let names = self.names(path);
+        let Ok(relative) = path.strip_prefix(&self.folder) else {
+            return false;
+        };
         self.alternatives
             .iter()
-            .any(|segments| covers_folder(segments, &names))
+            .any(|segments| covers_folder(segments, relative))
     }
 
     /// The longest path that everything that matches begins with, and whether it is the only one that does.
@@ -112,7 +114,7 @@ impl Pattern {
                 let skipped = entry.name.starts_with('.') || is_built(&entry.name);
                 if !entry.is_dir {
                     found.extend(self.covers(&self.names(&path)).then_some(path));
-                } else if !skipped && !is_link(vfs, &path) {
+                } else if !skipped && vfs.is_own_folder(&path) {
                     folders.push(path);
                 }
             }
@@ -135,16 +137,9 @@ impl Pattern {
 
     /// The names on the way from the folder to `path`; none when it lies elsewhere.
     fn names<'p>(&self, path: &'p Path) -> Vec<Cow<'p, str>> {
-        let Ok(relative) = path.strip_prefix(&self.folder) else {
-            return Vec::new();
-        };
-        let names = relative
-            .components()
-            .filter_map(|component| match component {
-                Component::Normal(name) => Some(name.to_string_lossy()),
-                _ => None,
-            });
-        names.collect()
+        path.strip_prefix(&self.folder)
+            .map(|relative| names_of(relative).collect())
+            .unwrap_or_default()
     }
 
     fn covers(&self, names: &[Cow<'_, str>]) -> bool {
@@ -189,7 +184,7 @@ fn reach(
         let path = folder.join(&entry.name);
         match entry.is_dir {
             _ if skipped || !first.takes(&entry.name) => {}
-            true if is_link(vfs, &path) => {}
+            true if !vfs.is_own_folder(&path) => {}
             true => reach(
                 vfs,
                 &path,
@@ -211,9 +206,18 @@ fn covers_all(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
         })
 }
 
-/// Whether segments cover the names of a path, or those of a folder it lies in.
-fn covers_folder(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
+/// The names of a relative path.
+fn names_of(path: &Path) -> impl Iterator<Item = Cow<'_, str>> {
+    path.components().filter_map(|component| match component {
+        Component::Normal(name) => Some(name.to_string_lossy()),
+        _ => None,
+    })
+}
+
+/// Whether segments cover the names of a relative path, or those of a folder it lies in.
+fn covers_folder(segments: &[Segment], path: &Path) -> bool {
     if segments.iter().any(Segment::is_any_depth) {
+        let names: Vec<_> = names_of(path).collect();
         return (1..=names.len()).any(|count| {
             names
                 .get(..count)
@@ -221,18 +225,11 @@ fn covers_folder(segments: &[Segment], names: &[Cow<'_, str>]) -> bool {
         });
     }
     // as many names as segments, so there is nothing to try
-    names
-        .get(..segments.len())
-        .is_some_and(|names| covers_all(segments, names))
-}
-
-/// Whether a folder is reached through a link: its content has another home.
-fn is_link(vfs: &Vfs, path: &Path) -> bool {
-    path.parent().is_some_and(|parent| {
-        let home = vfs.canonical(parent);
-        path.file_name()
-            .is_some_and(|name| vfs.canonical(path) != home.join(name))
-    })
+    let mut names = names_of(path);
+    !segments.is_empty()
+        && segments
+            .iter()
+            .all(|segment| names.next().is_some_and(|name| segment.takes(&name)))
 }
 
 fn segments(text: &str, is_anchored: bool) -> Vec<Segment> {
