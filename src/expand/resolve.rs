@@ -20,28 +20,34 @@ use xml::NodeKind;
 impl Expander<'_> {
     /// The value of `name` seen from `scope`; `at` is the text that asks. `None`: no such property.
     pub fn resolve(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
-        let info = self.names.scopes.find(scope, name)?.1.info;
+        let (holder, binding) = self.names.scopes.find(scope, name)?;
+        let (info, state) = (binding.info, binding.state.clone());
         self.note_read(at, info, UseKind::Read);
-        self.value_of(scope, name, at)
+        Some(self.read(holder, (name, info), state, at))
     }
 
     /// The same without noting that `at` refers to it.
     pub fn value_of(&mut self, scope: ScopeId, name: &str, at: Origin) -> Option<Value> {
         let (holder, binding) = self.names.scopes.find(scope, name)?;
-        let info = binding.info;
-        match &binding.state {
-            State::Ready(value) => {
-                let value = value.clone();
-                self.names.reads.push(info);
-                Some(value)
-            }
-            State::Block(_) => Some(Value::Unknown),
-            State::Lazy(..) => {
-                let value = self.force(holder, name, at);
-                self.names.reads.push(info);
-                Some(value)
-            }
-        }
+        let (info, state) = (binding.info, binding.state.clone());
+        Some(self.read(holder, (name, info), state, at))
+    }
+
+    /// The value of a binding that was found, read for the text at `at`.
+    fn read(
+        &mut self,
+        holder: ScopeId,
+        (name, info): (&str, u32),
+        state: State,
+        at: Origin,
+    ) -> Value {
+        let value = match state {
+            State::Block(_) => return Value::Unknown,
+            State::Ready(value) => value,
+            State::Lazy(..) => self.force(holder, name, at),
+        };
+        self.names.reads.push(info);
+        value
     }
 
     /// Evaluate a lazy property for good.

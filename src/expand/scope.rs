@@ -206,32 +206,28 @@ impl Scopes {
 
     /// The scope in the chain from `id` that holds `name`.
     pub fn holder(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
-        let found = self.holder_of(id, name);
-        if let Some(watch) = &self.watch {
-            self.note_lookup(watch, id, name, found);
-        }
-        found
-    }
-
-    fn holder_of(&self, id: ScopeId, name: &str) -> Option<ScopeId> {
-        let mut at = Some(id);
-        while let Some(id) = at {
-            let scope = self.get(id);
-            if scope.vars.get(name).is_some() {
-                return Some(id);
-            }
-            at = scope.parent;
-        }
-        None
+        self.find(id, name).map(|(holder, _)| holder)
     }
 
     /// The binding of `name` visible from `id`, and the scope that holds it.
     pub fn find(&self, id: ScopeId, name: &str) -> Option<(ScopeId, &Binding)> {
-        let holder = self.holder(id, name)?;
-        self.get(holder)
-            .vars
-            .get(name)
-            .map(|(_, binding)| (holder, binding))
+        let found = self.find_unnoted(id, name);
+        if let Some(watch) = &self.watch {
+            self.note_lookup(watch, id, name, found.map(|(holder, _)| holder));
+        }
+        found
+    }
+
+    fn find_unnoted(&self, id: ScopeId, name: &str) -> Option<(ScopeId, &Binding)> {
+        let mut at = Some(id);
+        while let Some(id) = at {
+            let scope = self.get(id);
+            if let Some((_, binding)) = scope.vars.get(name) {
+                return Some((id, binding));
+            }
+            at = scope.parent;
+        }
+        None
     }
 
     /// What a scope holds itself, as the dict that it is in the reference: properties without a value yet as text.

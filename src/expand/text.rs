@@ -83,7 +83,7 @@ impl Expander<'_> {
         let mut pieces = Vec::new();
         for token in &cached.template.tokens {
             let mark = self.names.reads.len();
-            let (value, reads) = self.eval_token(token, site, cx.scope);
+            let (value, read) = self.eval_token(token, site, cx.scope);
             self.names.reads.truncate(mark);
             let value = self.without_function(value, token, site);
             let shown = display::to_str(&value).filter(|text| self.affords(text.len(), site));
@@ -93,11 +93,7 @@ impl Expander<'_> {
             out.push_str(HERE.joint(&out, shown));
             let start = out.len() as u32;
             out.push_str(shown);
-            if let Token::Expr { range, .. }
-            | Token::Subst { range, .. }
-            | Token::Invalid { range, .. } = token
-            {
-                let source = self.origin_in(site, *range);
+            if let Some((source, reads)) = read {
                 pieces.push(Piece {
                     out: TextRange::new(start, out.len() as u32),
                     source,
@@ -164,22 +160,26 @@ impl Expander<'_> {
         split
     }
 
-    /// The value of a token and what was read for it.
+    /// The value of a token; of one that is evaluated also where it stands and what was read for it.
     fn eval_token(
         &mut self,
         token: &Token,
         site: TextSite<'_>,
         scope: ScopeId,
-    ) -> (Value, TextRange) {
+    ) -> (Value, Option<(Origin, TextRange)>) {
         let mark = self.names.reads.len();
         let value = self.token_value(token, site, scope);
-        let reads = match token {
+        let read = match token {
             Token::Expr { range, .. } | Token::Subst { range, .. } => {
-                self.note_value(self.origin_in(site, *range), &value, mark)
+                let at = self.origin_in(site, *range);
+                Some((at, self.note_value(at, &value, mark)))
             }
-            _ => TextRange::default(),
+            Token::Invalid { range, .. } => {
+                Some((self.origin_in(site, *range), TextRange::default()))
+            }
+            Token::Text(_) | Token::Escape(_) => None,
         };
-        (value, reads)
+        (value, read)
     }
 
     fn token_value(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {

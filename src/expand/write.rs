@@ -242,7 +242,7 @@ impl Writer<'_> {
     /// Note that `id` starts on the current line.
     fn mark(&mut self, id: XId) {
         let new = self.text.as_bytes().get(self.seen..).unwrap_or_default();
-        self.line += memchr::memchr_iter(b'\n', new).count();
+        self.line += new.iter().filter(|byte| **byte == b'\n').count();
         self.seen = self.text.len();
         if self.lines.len() <= self.line {
             self.lines.resize(self.line + 1, None);

@@ -49,9 +49,27 @@ pub fn fixes(client: &mut Client, file: &str, rule: &str) -> Vec<Value> {
         .cloned()
         .collect();
     assert!(!of_rule.is_empty(), "{rule} in {found:?}");
+    let found = fixes_of(client, file, &of_rule[0]);
+    let mut reworded = of_rule[0].clone();
+    let words = reworded["message"].as_str().unwrap_or_default();
+    reworded["message"] = words.split_inclusive(' ').rev().collect::<String>().into();
+    let edits = |actions: &[Value]| -> Vec<(Value, Value)> {
+        let of = |action: &Value| (action["title"].clone(), action["edit"].clone());
+        actions.iter().map(of).collect()
+    };
+    let again = fixes_of(client, file, &reworded);
+    assert_eq!(
+        edits(&again),
+        edits(&found),
+        "{rule}: the words of a message make no fix"
+    );
+    found
+}
+
+fn fixes_of(client: &mut Client, file: &str, diagnostic: &Value) -> Vec<Value> {
     let mut params = client.of(file);
-    params["range"] = of_rule[0]["range"].clone();
-    params["context"] = json!({ "diagnostics": [of_rule[0]], "only": ["quickfix"] });
+    params["range"] = diagnostic["range"].clone();
+    params["context"] = json!({ "diagnostics": [diagnostic], "only": ["quickfix"] });
     let found = client.request("textDocument/codeAction", params);
     found.as_array().cloned().unwrap_or_default()
 }

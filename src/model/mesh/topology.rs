@@ -26,25 +26,22 @@ impl Edges {
     /// The edges of triangles within `bounds`.
     pub(super) fn of(soup: &Soup, bounds: Bounds) -> Self {
         let welded = weld(&soup.points, bounds);
-        let mut ways: Vec<(u32, u32, bool)> = Vec::with_capacity(soup.triangles.len() * 3);
+        let mut runs: Vec<u64> = Vec::with_capacity(soup.triangles.len() * 3);
         for triangle in &soup.triangles {
             let [a, b, c] =
                 triangle.map(|index| welded.get(index as usize).copied().unwrap_or(index));
             // what has no area has no sides
             if a != b && b != c && a != c {
-                ways.extend(
-                    [(a, b), (b, c), (c, a)]
-                        .map(|(from, to)| (from.min(to), from.max(to), from < to)),
-                );
+                runs.extend([(a, b), (b, c), (c, a)].map(run));
             }
         }
-        ways.sort_unstable();
+        runs.sort_unstable();
         let mut edges = Self {
-            closed: !ways.is_empty(),
+            closed: !runs.is_empty(),
             ..Self::default()
         };
-        for uses in ways.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            let forward = uses.iter().filter(|(_, _, forward)| *forward).count();
+        for uses in runs.chunk_by(|a, b| a | 1 == b | 1) {
+            let forward = uses.iter().filter(|&run| run & 1 == 1).count();
             let backward = uses.len() - forward;
             edges.total += 1;
             edges.closed &= forward == backward;
@@ -54,6 +51,12 @@ impl Edges {
         }
         edges
     }
+}
+
+/// A run along an edge as one number, which sorts several times faster than its three parts: the smaller point, the greater one,
+/// and whether it runs from the smaller to the greater. A mesh has far fewer than 2^31 points: a file with so many is not read.
+fn run((from, to): (u32, u32)) -> u64 {
+    u64::from(from.min(to)) << 32 | u64::from(from.max(to)) << 1 | u64::from(from < to)
 }
 
 /// For each point the first point that lies together with it.

@@ -59,6 +59,10 @@ pub(in super::super) fn warn_once(
     expansion: &Expansion,
     world: RuleEnv<'_>,
 ) {
+    let first = findings.iter_mut().find(|finding| *finding.rule == RULE);
+    let Some(first) = first.filter(|first| first.severity == Severity::Info) else {
+        return;
+    };
     let mut missing: Vec<&str> = Vec::new();
     for read in expansion.record.iter() {
         match read {
@@ -120,10 +124,6 @@ pub(in super::super) fn warn_once(
     {
         return;
     }
-    let first = findings.iter_mut().find(|finding| *finding.rule == RULE);
-    let Some(first) = first.filter(|first| first.severity == Severity::Info) else {
-        return;
-    };
     let names = missing
         .iter()
         .take(MOST_PLACES)

@@ -1,4 +1,6 @@
 //! Links that joints name and nobody defines.
+use std::cell::OnceCell;
+
 use ecow::EcoString;
 use indexmap::IndexMap;
 
@@ -41,7 +43,7 @@ pub(super) struct Use {
 /// All links that joints name and nobody defines, in the order of their first use.
 pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     let mut missing: IndexMap<EcoString, Uses> = IndexMap::new();
-    let almost = almost_links(cx);
+    let almost = OnceCell::new();
     for joint in &cx.robot.joints {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
             let Some(text) = text else { continue };
@@ -51,7 +53,7 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
             else {
                 continue;
             };
-            if almost.contains(name) {
+            if almost.get_or_init(|| almost_links(cx)).contains(name) {
                 continue;
             }
             let used = Use {
