@@ -7,7 +7,6 @@ use super::macro_table::{MacroDef, Param, Params};
 use super::origin::Origin;
 use super::problem::{Detail, Problem};
 use super::scope::{SrcRef, TextPlace};
-use super::split_text::TextSite;
 use super::state::EvalContext;
 use super::symbols::{DefinitionId, SymbolKind};
 use super::tag::Tag;
@@ -237,7 +236,7 @@ impl Expander<'_> {
                 repaired.push(param);
                 continue;
             };
-            let at = self.origin_in(TextSite { text, place }, param.range);
+            let at = self.origin_in(self.site(text, place), param.range);
             self.push(self.bad_parameter(of, &param, &names, at));
             repaired.extend(
                 names
@@ -274,7 +273,7 @@ impl Expander<'_> {
         of: DefinitionId,
     ) -> Vec<Param> {
         // all places at once: to find one takes as long as the list is
-        let mut origin_of = self.origins_in(TextSite { text, place });
+        let mut origin_of = self.origins_in(self.site(text, place));
         let mut places = Vec::with_capacity(params.len());
         for param in &mut params {
             let name = param.name.trim_start_matches('*');

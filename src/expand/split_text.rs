@@ -28,6 +28,8 @@ impl SplitText {
 pub(super) struct TextSite<'t> {
     pub text: &'t str,
     pub place: TextPlace,
+    /// Whether the source spells the text as it is, without references.
+    pub is_raw: bool,
 }
 
 /// An expression being evaluated.

@@ -35,10 +35,7 @@ impl Expander<'_> {
             return Value::Str(text.into());
         }
         let cached = self.split(text);
-        let site = TextSite {
-            text: &cached.text,
-            place,
-        };
+        let site = self.site(&cached.text, place);
         match cached.template.tokens.as_slice() {
             [] => Value::Str(EcoString::new()),
             [token] => self.eval_token(token, site, scope).0,
@@ -75,10 +72,7 @@ impl Expander<'_> {
             return (text.into(), Box::default());
         }
         let cached = self.split(text);
-        let site = TextSite {
-            text: &cached.text,
-            place,
-        };
+        let site = self.site(&cached.text, place);
         let mut out = EcoString::new();
         let mut pieces = Vec::new();
         for token in &cached.template.tokens {
@@ -425,7 +419,7 @@ impl Expander<'_> {
     /// The origin of a range of decoded text.
     pub fn origin_in(&self, site: TextSite<'_>, range: TextRange) -> Origin {
         let origin = site.place.origin;
-        match self.is_raw(site) {
+        match site.is_raw {
             true => Origin {
                 range: range.shift(origin.range.start),
                 ..origin
@@ -434,10 +428,15 @@ impl Expander<'_> {
         }
     }
 
-    /// Whether the source spells the text as it is, without references.
-    fn is_raw(&self, TextSite { text, place }: TextSite<'_>) -> bool {
+    /// A text with its place.
+    pub fn site<'t>(&self, text: &'t str, place: TextPlace) -> TextSite<'t> {
         let source = self.result.sources.get(place.origin.src.0 as usize);
-        source.is_some_and(|source| place.origin.range.slice(source.item.text()) == text)
+        let raw = source.map(|source| place.origin.range.slice(source.item.text()));
+        TextSite {
+            text,
+            place,
+            is_raw: raw == Some(text),
+        }
     }
 
     /// The same for many ranges of one text: one pass, as long as each is behind the one before.
@@ -445,7 +444,7 @@ impl Expander<'_> {
         let TextPlace { origin, is_attr } = site.place;
         let source = self.result.sources.get(origin.src.0 as usize);
         let raw = source.map(|source| origin.range.slice(source.item.text()));
-        let is_same = self.is_raw(site);
+        let is_same = site.is_raw;
         let file = source.and_then(|source| self.result.files.get(source.file.0 as usize));
         let mut offsets = raw
             .zip(file)

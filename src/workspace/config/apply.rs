@@ -4,14 +4,12 @@
 
 use std::path::PathBuf;
 
-use super::keys::{CONSUMERS, FORMAT, KEYS, Key, LAYOUTS, LEVELS, LIMITS, PROFILES, TARGETS, Type};
-use super::pattern::Pattern;
+use super::choice::Choice;
+use super::keys::Key;
+use super::settings::Table;
 use super::value::{Entry, Value, ValueKind};
-use super::{
-    AttributeLayout, Config, ConfigWarning, Format, Level, Limits, Mention, MentionKind, Place,
-    Profile,
-};
-use crate::{Target, nearest};
+use super::{Config, ConfigWarning, Mention, MentionKind, Place};
+use crate::nearest;
 use base::{TextRange, count_line_ends, last_line_start};
 
 /// Applies the entries of one file.
@@ -22,6 +20,7 @@ pub(super) struct Applier {
     /// Whether unknown keys are somebody else's.
     pub(super) passes_unknown: bool,
     pub(super) warnings: Vec<ConfigWarning>,
+    mentions: Vec<Mention>,
 }
 
 impl Applier {
@@ -33,6 +32,7 @@ impl Applier {
             folder,
             passes_unknown: false,
             warnings: Vec::new(),
+            mentions: Vec::new(),
         }
     }
 
@@ -62,100 +62,18 @@ impl Applier {
 
     /// Apply all entries to `config`.
     pub(super) fn config(&mut self, config: &mut Config, entries: &[Entry]) {
-        for entry in self.known(entries, KEYS, "") {
-            match entry.key.as_str() {
-                "target" => {
-                    let targets = [Target::Ros2, Target::Ros1];
-                    self.set(&mut config.target, entry, TARGETS, &targets);
-                }
-                "urdf-version" => config.urdf_version = self.texts(entry),
-                "consumers" => {
-                    for value in self.values(entry) {
-                        let name = self
-                            .choice(&entry.key, value, CONSUMERS, CONSUMERS)
-                            .map(str::to_owned);
-                        config
-                            .consumers
-                            .extend(name.filter(|name| !config.consumers.contains(name)));
-                    }
-                }
-                "oldest-reader" => {
-                    let is_version =
-                        |text: &&str| text.split('.').all(|part| part.parse::<u32>().is_ok());
-                    let version = self.text(entry);
-                    config.oldest_reader = version.filter(is_version).map(str::to_owned);
-                    if let Some(text) = version.filter(|text| !is_version(text)) {
-                        let key = &entry.key;
-                        let message = format!(
-                            "invalid value `{text}` for `{key}`; use a version of urdfdom, such as `4.0`"
-                        );
-                        self.warn(entry.value.range, message, None);
-                    }
-                }
-                "profile" => {
-                    let all = [
-                        Profile::RosIndustrial,
-                        Profile::Mobile,
-                        Profile::Gazebo,
-                        Profile::Pedantic,
-                    ];
-                    for value in self.values(entry) {
-                        let profile = self.choice(&entry.key, value, PROFILES, &all);
-                        config
-                            .profiles
-                            .extend(profile.filter(|profile| !config.profiles.contains(profile)));
-                    }
-                }
-                "severity" => self.severity(config, entry),
-                "per-file-ignores" => self.per_file_ignores(config, entry),
-                "exclude" => {
-                    let patterns = self.texts(entry);
-                    config
-                        .exclude
-                        .extend(patterns.iter().map(|text| Pattern::new(text, &self.folder)));
-                }
-                "package-path" => {
-                    let folders = self.named(config, entry, MentionKind::Folder);
-                    let folders = folders.into_iter().map(|folder| self.folder.join(folder));
-                    config
-                        .package_path
-                        .splice(0..0, folders.collect::<Vec<_>>());
-                }
-                "use-environment" => {
-                    config.use_environment = self.flag(entry).unwrap_or(config.use_environment)
-                }
-                "thresholds" => self.thresholds(config, entry),
-                "allow-elements" => config.allow_elements.extend(self.texts(entry)),
-                "allow-attributes" => config.allow_attributes.extend(self.texts(entry)),
-                "roots" => {
-                    let roots = self.roots(entry);
-                    config.roots.splice(0..0, roots);
-                }
-                "format" => self.format(&mut config.format, entry),
-                "limits" => self.limits(&mut config.limits, entry),
-                _ => self.selection(config, entry),
-            }
+        for entry in self.known(entries, Config::KEYS, "") {
+            config.apply(entry, self);
         }
-    }
-
-    fn selection(&mut self, config: &mut Config, entry: &Entry) {
-        let rules = match entry.key.as_str() {
-            "select" | "extend-select" | "ignore" => self.named(config, entry, MentionKind::Rule),
-            _ => return,
-        };
-        match entry.key.as_str() {
-            "select" => config.select = Some(rules),
-            "ignore" => config.ignore.extend(rules),
-            _ => config.extend_select.extend(rules),
-        }
+        config.mentions.append(&mut self.mentions);
     }
 
     /// A list of names, which are noted.
-    fn named(&mut self, config: &mut Config, entry: &Entry, kind: MentionKind) -> Vec<String> {
+    pub(super) fn named(&mut self, entry: &Entry, kind: MentionKind) -> Vec<String> {
         let mut names = Vec::new();
         for value in self.values(entry) {
             if let ValueKind::Text(text) = &value.kind {
-                self.mention(config, text, value.range, kind);
+                self.mention(text, value.range, kind);
                 names.push(text.clone());
             } else {
                 self.wrong(&entry.key, value, "a list of strings");
@@ -164,90 +82,14 @@ impl Applier {
         names
     }
 
-    fn mention(&self, config: &mut Config, text: &str, range: TextRange, kind: MentionKind) {
+    /// Note a name for whoever knows which exist.
+    pub(super) fn mention(&mut self, text: &str, range: TextRange, kind: MentionKind) {
         let place = self.place(range);
-        config.mentions.push(Mention {
+        self.mentions.push(Mention {
             kind,
             text: text.to_owned(),
             place,
         });
-    }
-
-    fn severity(&mut self, config: &mut Config, entry: &Entry) {
-        let levels = [
-            Level::Error,
-            Level::Warning,
-            Level::Info,
-            Level::Hint,
-            Level::Off,
-        ];
-        for field in self.table(entry) {
-            self.mention(config, &field.key, field.key_range, MentionKind::Rule);
-            if let Some(level) = self.choice(&field.key, &field.value, LEVELS, &levels) {
-                config.severity.insert(field.key.clone(), level);
-            }
-        }
-    }
-
-    fn per_file_ignores(&mut self, config: &mut Config, entry: &Entry) {
-        for field in self.table(entry) {
-            let rules = self.named(config, field, MentionKind::Rule);
-            config
-                .per_file_ignores
-                .push((Pattern::new(&field.key, &self.folder), rules));
-        }
-    }
-
-    fn thresholds(&mut self, config: &mut Config, entry: &Entry) {
-        for field in self.table(entry) {
-            self.mention(config, &field.key, field.key_range, MentionKind::Threshold);
-            match field.value.kind {
-                ValueKind::Int(Some(value)) => {
-                    config.thresholds.insert(field.key.clone(), value as f64);
-                }
-                ValueKind::Float(value, _) if value.is_finite() => {
-                    config.thresholds.insert(field.key.clone(), value);
-                }
-                _ => self.wrong(&field.key, &field.value, "a number"),
-            }
-        }
-    }
-
-    fn format(&mut self, format: &mut Format, entry: &Entry) {
-        let fields = self.table(entry);
-        for field in self.known(fields, FORMAT, "format") {
-            match field.key.as_str() {
-                "line-width" => {
-                    let width = self
-                        .count(field, FORMAT)
-                        .and_then(|width| u32::try_from(width).ok());
-                    format.line_width = width.unwrap_or(format.line_width);
-                }
-                "self-close" => format.self_close = self.flag(field).unwrap_or(format.self_close),
-                _ => {
-                    let layouts = [AttributeLayout::Keep, AttributeLayout::Auto];
-                    self.set(&mut format.attributes, field, LAYOUTS, &layouts);
-                }
-            }
-        }
-    }
-
-    fn limits(&mut self, limits: &mut Limits, entry: &Entry) {
-        let fields = self.table(entry);
-        for field in self.known(fields, LIMITS, "limits") {
-            let Some(value) = self.count(field, LIMITS) else {
-                continue;
-            };
-            let depth = u32::try_from(value).unwrap_or(u32::MAX);
-            match field.key.as_str() {
-                "eval-steps" => limits.eval_steps = value,
-                "expand-nodes" => limits.expand_nodes = value,
-                "expand-ms" => limits.expand_ms = value,
-                "file-mb" => limits.file_mb = value,
-                "macro-depth" => limits.macro_depth = depth,
-                _ => limits.include_depth = depth,
-            }
-        }
     }
 
     // Types.
@@ -319,7 +161,7 @@ impl Applier {
         texts
     }
 
-    fn flag(&mut self, entry: &Entry) -> Option<bool> {
+    pub(super) fn flag(&mut self, entry: &Entry) -> Option<bool> {
         if let ValueKind::Bool(value) = entry.value.kind {
             return Some(value);
         }
@@ -336,16 +178,12 @@ impl Applier {
     }
 
     /// A whole number within the bounds of its key.
-    fn count(&mut self, entry: &Entry, keys: &[Key]) -> Option<u64> {
-        let most = keys.iter().find_map(|key| match key.of {
-            Type::Count(most) if key.name == entry.key => Some(most),
-            _ => None,
-        });
+    pub(super) fn count(&mut self, entry: &Entry, key: &Key) -> Option<u64> {
         let ValueKind::Int(value) = entry.value.kind else {
             self.wrong(&entry.key, &entry.value, "an integer");
             return None;
         };
-        let most = most.unwrap_or(u64::MAX);
+        let most = key.most();
         let value = value.and_then(|value| u64::try_from(value).ok());
         let fits = value.filter(|value| (1..=most).contains(value));
         if fits.is_none() {
@@ -363,33 +201,28 @@ impl Applier {
         fits
     }
 
-    pub(super) fn choice<T: Copy>(
+    /// One of these words.
+    pub(super) fn word(
         &mut self,
         key: &str,
         value: &Value,
-        names: &[&str],
-        values: &[T],
-    ) -> Option<T> {
+        words: &[&'static str],
+    ) -> Option<&'static str> {
         let ValueKind::Text(text) = &value.kind else {
             self.wrong(key, value, "a string");
             return None;
         };
-        let found = names
-            .iter()
-            .position(|name| name == text)
-            .and_then(|at| values.get(at).copied());
+        let found = words.iter().find(|word| *word == text).copied();
         if found.is_none() {
-            let all: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+            let all: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
             let message = format!("invalid value `{text}` for `{key}`; use {}", all.join(", "));
-            self.warn(value.range, message, nearest(text, names.iter().copied()));
+            self.warn(value.range, message, nearest(text, words.iter().copied()));
         }
         found
     }
 
-    /// Set `slot` if the entry has one of the values.
-    fn set<T: Copy>(&mut self, slot: &mut T, entry: &Entry, names: &[&str], values: &[T]) {
-        *slot = self
-            .choice(&entry.key, &entry.value, names, values)
-            .unwrap_or(*slot);
+    /// What one of a few words stands for.
+    pub(super) fn choice<T: Choice>(&mut self, key: &str, value: &Value) -> Option<T> {
+        self.word(key, value, T::NAMES).and_then(T::named)
     }
 }

@@ -41,9 +41,7 @@ impl Applier {
                 }
                 "exclude" => root.exclude = self.excluded(field, &mut root.given),
                 "choices" => {
-                    root.launch_choices = self
-                        .choice(&field.key, &field.value, CHOICES, &[true])
-                        .is_some();
+                    root.launch_choices = self.word(&field.key, &field.value, CHOICES).is_some();
                 }
                 "expect" => root.expect = self.expectations(field, &mut root.given),
                 _ => {

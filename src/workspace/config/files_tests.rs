@@ -1,5 +1,6 @@
 //! Files of the configuration: which one counts, and what they take over from each other.
 
+use super::settings::Table;
 use super::tests::load;
 use super::{Config, Level, Loaded, find_config, schema};
 use crate::Target;
@@ -141,7 +142,7 @@ fn settings_of_an_editor_win() {
 fn the_schema_has_every_key() {
     let schema = schema();
     let properties = schema["properties"].as_object().unwrap();
-    assert_eq!(properties.len(), super::keys::KEYS.len());
+    assert_eq!(properties.len(), Config::KEYS.len());
     assert_eq!(
         properties["limits"]["properties"]["file-mb"]["maximum"],
         1000

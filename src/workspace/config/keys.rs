@@ -1,6 +1,4 @@
-//! The table of keys: what exists, of which type, and what it says.
-
-use base::limits::FILE_MB_MOST;
+//! Keys of the configuration: their names, types and help, and those of `[[roots]]`.
 
 /// The type of a value.
 #[derive(Clone, Copy, Debug)]
@@ -41,14 +39,29 @@ pub(super) struct Key {
     pub(super) doc: &'static str,
 }
 
-const fn key(name: &'static str, of: Type, doc: &'static str) -> Key {
+/// A key of this name, with values of this type, and what it does.
+pub(super) const fn key(name: &'static str, of: Type, doc: &'static str) -> Key {
     Key { name, of, doc }
 }
 
-/// Values of `target`.
-pub(super) const TARGETS: &[&str] = &["ros2", "ros1"];
-/// Values of `profile`.
-pub(super) const PROFILES: &[&str] = &["ros-industrial", "mobile", "gazebo", "pedantic"];
+impl Key {
+    /// The words that its values may be; none where any may.
+    pub(super) fn words(&self) -> &'static [&'static str] {
+        match self.of {
+            Type::Choice(words) | Type::Choices(words) => words,
+            _ => &[],
+        }
+    }
+
+    /// The greatest number that it admits.
+    pub(super) fn most(&self) -> u64 {
+        match self.of {
+            Type::Count(most) => most,
+            _ => u64::MAX,
+        }
+    }
+}
+
 /// Values of `consumers`: the programs that the table of consumers knows.
 pub const CONSUMERS: &[&str] = &[
     "urdfdom",
@@ -66,63 +79,6 @@ pub const CONSUMERS: &[&str] = &[
     "urdf-loader",
     "urdf-rs",
     "isaac",
-];
-/// Values of `severity`.
-pub(super) const LEVELS: &[&str] = &["error", "warning", "info", "hint", "off"];
-/// Values of `format.attributes`.
-pub(super) const LAYOUTS: &[&str] = &["keep", "auto"];
-
-/// Keys of `[format]`.
-pub(super) const FORMAT: &[Key] = &[
-    key(
-        "line-width",
-        Type::Count(10_000),
-        "Maximum line length for wrapping; default 120.",
-    ),
-    key(
-        "attributes",
-        Type::Choice(LAYOUTS),
-        "Keep (`keep`) or re-wrap (`auto`) line breaks between attributes.",
-    ),
-    key(
-        "self-close",
-        Type::Bool,
-        "Write `<a></a>` as `<a/>`; default false.",
-    ),
-];
-
-/// Keys of `[limits]`.
-pub(super) const LIMITS: &[Key] = &[
-    key(
-        "eval-steps",
-        Type::Count(u64::MAX),
-        "Maximum number of steps to evaluate one expression; default 1000000.",
-    ),
-    key(
-        "expand-nodes",
-        Type::Count(u64::MAX),
-        "Maximum number of nodes of the expanded robot; default 500000.",
-    ),
-    key(
-        "expand-ms",
-        Type::Count(u64::MAX),
-        "Maximum time for one expansion in milliseconds; default 5000.",
-    ),
-    key(
-        "file-mb",
-        Type::Count(FILE_MB_MOST),
-        "Maximum file size in megabytes; default 20.",
-    ),
-    key(
-        "macro-depth",
-        Type::Count(10_000),
-        "Maximum nesting depth of macro calls; default 1000.",
-    ),
-    key(
-        "include-depth",
-        Type::Count(10_000),
-        "Maximum nesting depth of includes; default 500.",
-    ),
 ];
 
 const ARGS: Type = Type::Map(&Type::Argument);
@@ -233,96 +189,4 @@ pub(super) const JOINT: &[Key] = &[
         Type::Number,
         "Tolerance of the limits; default 0.001.",
     ),
-];
-
-/// All keys.
-pub(super) const KEYS: &[Key] = &[
-    key(
-        "extend",
-        Type::Text,
-        "Configuration file to extend; settings in this file take precedence.",
-    ),
-    key(
-        "target",
-        Type::Choice(TARGETS),
-        "Dialect of xacro and package conventions; default `ros2`.",
-    ),
-    key(
-        "urdf-version",
-        Type::Texts,
-        "Supported URDF versions; default `1.0`.",
-    ),
-    key(
-        "consumers",
-        Type::Choices(CONSUMERS),
-        "Programs that have to load the robots.",
-    ),
-    key(
-        "oldest-reader",
-        Type::Text,
-        "Oldest version of urdfdom that has to load the robots, such as `3.0`; default: the newest.",
-    ),
-    key(
-        "profile",
-        Type::Choices(PROFILES),
-        "Profiles whose rules are enabled.",
-    ),
-    key(
-        "select",
-        Type::Texts,
-        "Run only these rules (codes, code prefixes or names).",
-    ),
-    key(
-        "extend-select",
-        Type::Texts,
-        "Run these rules in addition (codes, code prefixes or names).",
-    ),
-    key(
-        "ignore",
-        Type::Texts,
-        "Do not run these rules (codes, code prefixes or names).",
-    ),
-    key(
-        "severity",
-        Type::Map(&Type::Choice(LEVELS)),
-        "Severity per rule.",
-    ),
-    key(
-        "per-file-ignores",
-        Type::Map(&Type::Texts),
-        "Rules not to run, per file glob.",
-    ),
-    key(
-        "exclude",
-        Type::Texts,
-        "Globs of files and folders to exclude from checks.",
-    ),
-    key(
-        "package-path",
-        Type::Texts,
-        "Folders to search for packages first.",
-    ),
-    key(
-        "use-environment",
-        Type::Bool,
-        "Use AMENT_PREFIX_PATH, COLCON_PREFIX_PATH and ROS_PACKAGE_PATH; default true.",
-    ),
-    key(
-        "thresholds",
-        Type::Map(&Type::Number),
-        "Thresholds of rules; the unit is in the name.",
-    ),
-    key("allow-elements", Type::Texts, "Additional known elements."),
-    key(
-        "allow-attributes",
-        Type::Texts,
-        "Additional known attributes.",
-    ),
-    key(
-        "roots",
-        Type::Tables(ROOTS),
-        "Root files and their arguments.",
-    ),
-    key("format", Type::Keys(FORMAT), "Formatting."),
-    key("limits", Type::Keys(LIMITS), "Limits for one expansion."),
 ];

@@ -2,11 +2,13 @@
 
 use serde_json::{Map, Value, json};
 
-use super::keys::{KEYS, Key, Type};
+use super::Config;
+use super::keys::{Key, Type};
+use super::settings::Table;
 
 /// A JSON schema (draft 7) that completes and checks `xacro-lint.toml` in editors.
 pub fn schema() -> Value {
-    let mut schema = table(KEYS);
+    let mut schema = table(Config::KEYS);
     if let Some(fields) = schema.as_object_mut() {
         fields.insert(
             "$schema".to_owned(),

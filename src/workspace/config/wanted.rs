@@ -1,7 +1,9 @@
 //! What the table of keys has for a place in a configuration file.
 
-use super::keys::{KEYS, Key, Type};
+use super::Config;
+use super::keys::{Key, Type};
 use super::place::{ConfigPlace, PlaceKind};
+use super::settings::Table;
 
 /// What may stand at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,10 +75,13 @@ fn has_header(of: Type, is_list: bool) -> bool {
 
 /// The type of what keys lead to.
 fn type_at(path: &[String]) -> Option<Type> {
-    path.iter().try_fold(Type::Keys(KEYS), |of, name| match of {
-        Type::Keys(keys) | Type::Tables(keys) => Some(keys.iter().find(|key| key.name == name)?.of),
-        Type::Map(of) => Some(*of),
-        Type::List(Type::Map(of)) => Some(**of),
-        _ => None,
-    })
+    path.iter()
+        .try_fold(Type::Keys(Config::KEYS), |of, name| match of {
+            Type::Keys(keys) | Type::Tables(keys) => {
+                Some(keys.iter().find(|key| key.name == name)?.of)
+            }
+            Type::Map(of) => Some(*of),
+            Type::List(Type::Map(of)) => Some(**of),
+            _ => None,
+        })
 }
