@@ -78,5 +78,5 @@ pub use source_map::{MapEntry, MapKind};
 pub use stack::{large_stacks, on_first_thread, spawn_on_large_stack};
 pub use symbols::{Definition, DefinitionId, SourceRange, SymbolKind, Symbols, Use, UseKind};
 pub use tree::{Attrs, Piece, XAttr, XId, XKind, XNode, XTree};
-pub use write::{Written, banner, write, write_mapped};
+pub use write::{Written, banner, write, write_lined, write_mapped};
 pub use yaml_value::file_value as yaml_value;

@@ -9,7 +9,8 @@ use super::tree::{XAttr, XId, XKind, XTree};
 pub struct Written {
     /// The document with its banner.
     pub text: String,
-    /// For each line (from 0) the innermost node that starts on it; the declaration and the banner have none.
+    /// For each line (from 0) the innermost node that starts on it; the declaration and the banner have none. Empty unless
+    /// asked for.
     pub lines: Vec<Option<XId>>,
     /// What came from where, outer entries in front of those inside; empty unless asked for.
     pub map: Vec<MapEntry>,
@@ -36,42 +37,65 @@ pub fn banner(input: &str) -> String {
 
 /// Print a document; `input` is the name of the root file.
 pub fn write(tree: &XTree, input: &str) -> Written {
-    written(tree, input, None)
+    written(tree, input, None, None)
 }
 
 /// The same with [`Written::map`].
 pub fn write_mapped(tree: &XTree, input: &str) -> Written {
-    written(tree, input, Some(MapBuilder::default()))
+    written(tree, input, Some(MapBuilder::default()), None)
 }
 
-fn written(tree: &XTree, input: &str, map: Option<MapBuilder>) -> Written {
+/// The same with [`Written::lines`].
+pub fn write_lined(tree: &XTree, input: &str) -> Written {
+    written(tree, input, None, Some(Lines::default()))
+}
+
+fn written(tree: &XTree, input: &str, map: Option<MapBuilder>, lines: Option<Lines>) -> Written {
     let mut text = String::with_capacity(tree.len() * 32);
     text.push_str("<?xml version=\"1.0\" ?>\n");
     text.push_str(&banner(input));
     let mut writer = Writer {
         tree,
         text,
-        lines: vec![None; 5],
-        line: 5,
-        seen: 0,
+        lines,
         map,
     };
-    writer.seen = writer.text.len();
     writer.nodes(XId::DOCUMENT, 0);
     Written {
         text: writer.text,
-        lines: writer.lines,
+        lines: writer.lines.map_or(Vec::new(), |lines| lines.nodes),
         map: writer.map.map_or(Vec::new(), MapBuilder::finish),
+    }
+}
+
+/// The nodes by line, as far as a text is written.
+#[derive(Default)]
+struct Lines {
+    nodes: Vec<Option<XId>>,
+    /// Line feeds in the first `seen` bytes of the text.
+    line: usize,
+    seen: usize,
+}
+
+impl Lines {
+    /// Note that `id` starts where `text` ends.
+    fn mark(&mut self, text: &str, id: XId) {
+        let new = text.as_bytes().get(self.seen..).unwrap_or_default();
+        self.line += new.iter().filter(|byte| **byte == b'\n').count();
+        self.seen = text.len();
+        if self.nodes.len() <= self.line {
+            self.nodes.resize(self.line + 1, None);
+        }
+        if let Some(slot) = self.nodes.get_mut(self.line) {
+            *slot = Some(id);
+        }
     }
 }
 
 struct Writer<'t> {
     tree: &'t XTree,
     text: String,
-    lines: Vec<Option<XId>>,
-    /// Line feeds in `text[..seen]`.
-    line: usize,
-    seen: usize,
+    lines: Option<Lines>,
     map: Option<MapBuilder>,
 }
 
@@ -241,14 +265,8 @@ impl Writer<'_> {
 
     /// Note that `id` starts on the current line.
     fn mark(&mut self, id: XId) {
-        let new = self.text.as_bytes().get(self.seen..).unwrap_or_default();
-        self.line += new.iter().filter(|byte| **byte == b'\n').count();
-        self.seen = self.text.len();
-        if self.lines.len() <= self.line {
-            self.lines.resize(self.line + 1, None);
-        }
-        if let Some(slot) = self.lines.get_mut(self.line) {
-            *slot = Some(id);
+        if let Some(lines) = &mut self.lines {
+            lines.mark(&self.text, id);
         }
     }
 }

@@ -154,7 +154,7 @@ pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     );
     let problems = problems(&expansion);
     let is_whole = !problems.iter().any(|problem| problem.is_error);
-    let written = is_whole.then(|| expand::write(&expansion.tree, &request.file));
+    let written = is_whole.then(|| expand::write_lined(&expansion.tree, &request.file));
     Robot {
         expansion,
         written,

@@ -90,6 +90,8 @@ struct Names<'a> {
     either: Vec<(&'a str, &'a str)>,
     /// Contents of elements that are different: what each was and is.
     contents: Vec<(&'a str, &'a str)>,
+    /// Contents of elements that stay, such as the links of a joint for Gazebo.
+    kept: BTreeSet<&'a str>,
 }
 
 impl<'a> Names<'a> {
@@ -133,6 +135,7 @@ impl<'a> Names<'a> {
             b.text().unwrap_or_default().trim(),
         );
         if was == is {
+            self.kept.insert(was);
             return None;
         }
         self.contents.push((was, is));
@@ -169,6 +172,11 @@ impl<'a> Names<'a> {
         let fits =
             |was: &str, is: &str| of(was).contains(&Some(is)) || was == is && of(was) == [None; 2];
         if let Some((was, _)) = self.either.iter().find(|(was, is)| !fits(was, is)) {
+            return Some(format!("`{was}` would keep its name in places"));
+        }
+        // whoever reads such an element looks for what has another name now
+        let is_left = |was: &&&str| of(was).into_iter().flatten().any(|is| is != **was);
+        if let Some(was) = self.kept.iter().find(is_left) {
             return Some(format!("`{was}` would keep its name in places"));
         }
         let (_, is) = self
@@ -267,6 +275,9 @@ mod tests {
             ("root", "root", &frame("root")),
             None,
         );
+        let left = Some("`base` would keep its name in places");
+        let joined = "<gazebo><joint><child>base</child></joint></gazebo>";
+        check(("base", "base", joined), ("root", "root", joined), left);
         check(
             ("base", "base", &frame("base_t")),
             ("root", "root", &frame("root_t")),
