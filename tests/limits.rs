@@ -1674,3 +1674,31 @@ fn header_bytes() {
         SMALL.as_bytes()
     );
 }
+
+#[test]
+fn files_beside() {
+    let folder = folder();
+    write(
+        &folder,
+        "package.xml",
+        "<package><name>arm</name></package>",
+    );
+    write(
+        &folder,
+        "urdf/arm.urdf",
+        "<robot name=\"arm\"><link name=\"base\"/></robot>",
+    );
+    let srdf = "<robot name=\"arm\"><group name=\"all\"><link name=\"base\"/><link name=\"hand\"/></group></robot>";
+    for n in 0..FILES_BESIDE {
+        write(&folder, &format!("config/arm_{n}.srdf"), srdf);
+    }
+    let reported = || {
+        let arguments = ["check", "--no-group", "--format", "concise", "."];
+        let said = run(&folder, &arguments, &mut std::io::empty());
+        said.matches("srdf-unknown-link").count()
+    };
+    assert_eq!(reported(), FILES_BESIDE);
+    write(&folder, "config/more.srdf", srdf);
+    assert_eq!(reported(), 0);
+    let _ = fs::remove_dir_all(folder);
+}

@@ -206,7 +206,7 @@ impl Session {
     }
 
     /// The descriptions around a file.
-    pub(super) fn descriptions_around(&self, file: &Path) -> Vec<PathBuf> {
+    pub(super) fn descriptions_around(&self, file: &Path) -> Arc<Vec<PathBuf>> {
         self.callers.descriptions(file, &self.packages)
     }
 

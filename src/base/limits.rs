@@ -149,6 +149,8 @@ limits! {
         SCAN_FILES: usize = 20_000, "the others are read when you open them";
         /// Combinations of arguments from launch files with which one robot is checked.
         CALL_RUNS: usize = 20, "the robot is not checked with the others";
+        /// SRDF and YAML files beside one robot that are compared with it and with each other.
+        FILES_BESIDE: usize = 100, "none of them is compared with the robot";
         /// Launch files, scripts and pages in a workspace that are searched for calls of xacro.
         CALLER_FILES: usize = 5_000, "arguments in the others are unknown";
         /// Bytes of each of them.

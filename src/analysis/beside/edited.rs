@@ -121,10 +121,11 @@ impl World {
         if !known.is_empty() {
             return known;
         }
-        let all = self.session().descriptions_around(path).into_iter();
-        all.filter(|file| self.session().is_robot(file))
+        let all = self.session().descriptions_around(path);
+        all.iter()
+            .filter(|file| self.session().is_robot(file))
             .take(MOST)
-            .map(|file| RootChoice::plain(&file))
+            .map(|file| RootChoice::plain(file))
             .collect()
     }
 }

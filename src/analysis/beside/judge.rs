@@ -12,6 +12,7 @@ use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
 use super::paired::Pairing;
 use super::pairing::stem;
+use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use expand::Expansion;
 use rules::{
@@ -79,7 +80,9 @@ impl Session {
         let mut found: FastSet<RootChoice> = FastSet::default();
         for path in paths {
             let pairing = self.pairing(path);
-            let around = self.of_the_same(path, &pairing);
+            let Some(around) = self.of_the_same(path, &pairing) else {
+                continue;
+            };
             let srdfs = around.iter().filter(|file| sort(file) == Some(Sort::Srdf));
             found.extend(srdfs.map(|file| RootChoice::plain(file)));
             found.extend(pairing.roots.iter().cloned());
@@ -108,7 +111,9 @@ impl Session {
             let pairing = self.pairing(path);
             // without a robot it is compared with the SRDF alone
             let paired = self.paired(&own, &pairing, robots).unwrap_or_default();
-            let around = self.of_the_same(path, &pairing);
+            let Some(around) = self.of_the_same(path, &pairing) else {
+                continue;
+            };
             let around = around.iter().filter(|other| *other != path);
             let around: Vec<Beside> = around
                 .filter_map(|other| self.beside_once(other, &mut read, robots))
@@ -181,8 +186,9 @@ impl Session {
         (!found.is_empty() && is_any && likeness >= least).then_some(found)
     }
 
-    /// The files beside the same robots, this one too.
-    fn of_the_same(&self, path: &Path, pairing: &Pairing) -> Vec<PathBuf> {
+    /// The files beside the same robots, this one too. None for very many, such as a generated SRDF for each combination of
+    /// tools: to compare each with all others would take the square of them.
+    fn of_the_same(&self, path: &Path, pairing: &Pairing) -> Option<Vec<PathBuf>> {
         let has_same = |other: &Path| {
             !pairing.roots.is_empty()
                 && self
@@ -191,14 +197,13 @@ impl Session {
                     .iter()
                     .any(|root| pairing.roots.contains(root))
         };
-        let is_same = |other: &PathBuf| {
-            other == path || pairing.srdf.as_ref() == Some(other) || has_same(other)
+        let is_same = |other: &&PathBuf| {
+            *other == path || pairing.srdf.as_ref() == Some(other) || has_same(other)
         };
-        self.beside_around(path)
-            .iter()
-            .filter(|other| is_same(other))
-            .cloned()
-            .collect()
+        let around = self.beside_around(path);
+        let same = around.iter().filter(is_same);
+        let found: Vec<PathBuf> = same.take(FILES_BESIDE + 1).cloned().collect();
+        (found.len() <= FILES_BESIDE).then_some(found)
     }
 
     fn judged(

@@ -54,11 +54,9 @@ impl Session {
             return false;
         }
         let is_near = self.near(path);
-        let mut near = self
-            .descriptions_around(path)
-            .into_iter()
-            .filter(|file| is_near(file));
-        sort(path) == Some(Sort::Yaml) && near.any(|file| loads(&file))
+        let all = self.descriptions_around(path);
+        let mut near = all.iter().filter(|file| is_near(file));
+        sort(path) == Some(Sort::Yaml) && near.any(loads)
     }
 
     /// Whether a file lists controllers for a controller manager.
@@ -131,13 +129,9 @@ impl Session {
                 has_name(&text.text, name) && is_given && self.may_mean(file, path)
             })
         };
-        let naming: Vec<PathBuf> = self
-            .descriptions_around(path)
-            .into_iter()
-            .filter(|file| says(file))
-            .take(MOST_ROBOTS)
-            .collect();
-        let roots = naming.iter().flat_map(|file| self.roots_reading(file));
+        let all = self.descriptions_around(path);
+        let naming = all.iter().filter(|file| says(file)).take(MOST_ROBOTS);
+        let roots = naming.flat_map(|file| self.roots_reading(file));
         Pairing::named(roots.flat_map(|root| self.ways_of(&root)).collect())
     }
 
@@ -277,13 +271,18 @@ impl Session {
                 .filter(|root| !found.roots.contains(root))
                 .cloned();
             found.roots.extend(new.collect::<Vec<_>>());
+            if found.roots.len() >= MOST_ROBOTS {
+                break;
+            }
         }
         if found.roots.is_empty() {
-            let robots = self.descriptions_around(path).into_iter();
-            let robots = robots.filter(|file| is_near(file) && self.is_robot(file));
+            let all = self.descriptions_around(path);
+            let robots = all
+                .iter()
+                .filter(|file| is_near(file) && self.is_robot(file));
             found
                 .roots
-                .extend(robots.flat_map(|file| self.ways_of(&file)));
+                .extend(robots.flat_map(|file| self.ways_of(file)));
         }
         if found.roots.is_empty() {
             found.roots = self.started_near(path);
@@ -358,9 +357,9 @@ impl Session {
     /// The robots that include a description, or are it.
     fn roots_reading(&self, file: &Path) -> Vec<PathBuf> {
         const MOST_LEVELS: usize = 6;
-        let all = self.descriptions_around(file).into_iter();
-        let all = all.filter_map(|other| {
-            let source = self.vfs.document(&other).ok()?;
+        let around = self.descriptions_around(file);
+        let all = around.iter().filter_map(|other| {
+            let source = self.vfs.document(other).ok()?;
             Some((other, reach(&source, &self.packages)))
         });
         let all: Vec<_> = all.collect();
@@ -369,7 +368,7 @@ impl Session {
             let before = reading.len();
             for (other, may_include) in &all {
                 if !reading.contains(other) && reading.iter().any(|known| may_include.has(known)) {
-                    reading.push(other.clone());
+                    reading.push((*other).clone());
                 }
             }
             if reading.len() == before {

@@ -107,6 +107,8 @@ struct Uses {
     /// The files that may hold calls of xacro: read as such when somebody asks for all calls.
     scripts: Vec<PathBuf>,
     files: FastMap<String, Vec<PathBuf>>,
+    /// The same files in the order of their paths.
+    sorted: Arc<Vec<PathBuf>>,
     /// The files that may belong to robots by their names: SRDF, YAML, what MoveIt's setup assistant wrote down.
     beside: Vec<PathBuf>,
 }
@@ -189,16 +191,9 @@ impl Callers {
     }
 
     /// The descriptions around `file`, in the order of their paths.
-    pub fn descriptions(&self, file: &Path, packages: &Packages) -> Vec<PathBuf> {
+    pub fn descriptions(&self, file: &Path, packages: &Packages) -> Arc<Vec<PathBuf>> {
         let all = self.around(file, packages);
-        let mut found: Vec<PathBuf> = all
-            .iter()
-            .flat_map(|all| all.files.values())
-            .flatten()
-            .cloned()
-            .collect();
-        found.sort();
-        found
+        all.map(|all| all.sorted.clone()).unwrap_or_default()
     }
 
     /// Whether a file that names the description `file` also says `word`.
@@ -483,6 +478,9 @@ fn search(vfs: &Vfs, top: &Path) -> Uses {
     uses.callers.sort_by(|a: &Caller, b| a.path.cmp(&b.path));
     uses.scripts.sort();
     uses.beside.sort();
+    let mut sorted: Vec<PathBuf> = uses.files.values().flatten().cloned().collect();
+    sorted.sort();
+    uses.sorted = Arc::new(sorted);
     config::inherit(&mut uses.callers);
     uses
 }
