@@ -58,6 +58,8 @@ mod walk;
 mod world;
 
 #[cfg(test)]
+mod beside_tests;
+#[cfg(test)]
 mod generated_tests;
 #[cfg(test)]
 mod package_tests;

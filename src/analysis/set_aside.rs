@@ -193,7 +193,7 @@ impl Session {
     }
 
     /// Whether a file is not in use, and only such files include it.
-    fn is_set_aside(&self, file: &Path) -> bool {
+    pub(super) fn is_set_aside(&self, file: &Path) -> bool {
         let mut open = vec![file.to_owned()];
         let mut seen: FastSet<PathBuf> = FastSet::default();
         while let Some(file) = open.pop() {

@@ -72,9 +72,20 @@ pub struct Names {
     /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
     pub groups: FastSet<EcoString>,
     /// Interfaces of hardware that conditions decide on.
-    pub interfaces: FastSet<EcoString>,
+    pub interfaces: FastSet<Offered>,
     /// Whether other arguments bring in a file of a package that is absent: nobody knows what names it brings.
     pub is_open: bool,
+}
+
+/// An interface that hardware may offer.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Offered {
+    /// Whether it is for commands.
+    pub is_command: bool,
+    /// Its joint; none where the text computes the name.
+    pub joint: Option<EcoString>,
+    /// Its name.
+    pub name: EcoString,
 }
 
 impl Names {
@@ -199,12 +210,15 @@ impl<'a> BesideCx<'a> {
             && !is_in(self.known.get_or_init(|| (self.further)()))
     }
 
-    /// Whether hardware of the robots offers an interface with other arguments.
-    pub(super) fn may_offer(&self, interface: &str) -> bool {
-        self.known
-            .get_or_init(|| (self.further)())
-            .interfaces
-            .contains(interface)
+    /// Whether hardware of the robots offers an interface of a joint with other arguments.
+    pub(super) fn may_offer(&self, joint: &str, interface: &str, is_command: bool) -> bool {
+        let offered = &self.known.get_or_init(|| (self.further)()).interfaces;
+        let is_it = |one: &Offered| {
+            one.is_command == is_command
+                && one.name == interface
+                && one.joint.as_ref().is_none_or(|own| own == joint)
+        };
+        offered.iter().any(is_it)
     }
 
     /// Whether the robots may include a file of a package that is absent, with other arguments.

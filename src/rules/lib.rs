@@ -42,7 +42,7 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
-pub use beside::{BesideCx, Content, Names, PairedRobot};
+pub use beside::{BesideCx, Content, Names, Offered, PairedRobot};
 pub use catalogue::{catalogue, catalogue_of};
 pub use check_beside::check_beside;
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, is_plain_urdf, is_whole};

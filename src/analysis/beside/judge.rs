@@ -10,13 +10,13 @@ use super::super::options::CheckOptions;
 use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
+use super::fitting::{Paired, has_choices, names_of};
 use super::paired::Pairing;
-use super::pairing::stem;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
-use expand::Expansion;
 use rules::{
-    Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole,
+    Chosen, Content, Finding, Names, Offered, PairedRobot, all, check_beside, is_semantic_name,
+    is_whole,
 };
 use workspace::Target;
 use xml::Node;
@@ -30,12 +30,6 @@ pub(in super::super) struct Compared {
     pub files: Vec<PathBuf>,
 }
 
-/// The part of the names of links and joints that has to fit when nothing but the name of the robot says for which one a
-/// file is, and when a file says so.
-const LIKE: f64 = 0.5;
-const NAMED: f64 = 0.2;
-/// Of several names, one at least has to fit.
-const SEVERAL: u32 = 3;
 /// Descriptions that a robot may include.
 const MOST_FILES: usize = 200;
 
@@ -121,7 +115,7 @@ impl Session {
             found
                 .findings
                 .extend(self.judged(&own, &paired, &around, cancel));
-            if !paired.is_empty() {
+            if !paired.robots.is_empty() {
                 found.files.push(path.clone());
             }
         }
@@ -140,50 +134,6 @@ impl Session {
         let made = self.beside(path, robots);
         read.insert(path.to_owned(), made.clone());
         made
-    }
-
-    /// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
-    fn paired(
-        &self,
-        own: &Beside,
-        pairing: &Pairing,
-        robots: &Robots,
-    ) -> Option<Vec<Arc<Analyzed>>> {
-        let all: Option<Vec<_>> = pairing
-            .roots
-            .iter()
-            .map(|root| robots.get(root).cloned())
-            .collect();
-        let mut found = all?;
-        found.retain(|one| !is_empty(one));
-        // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
-        if found
-            .iter()
-            .any(|one| !is_settled(one) && !is_part_of(one, &found))
-        {
-            return None;
-        }
-        found.retain(|one| is_settled(one));
-        let mut names = Names::default();
-        found
-            .iter()
-            .filter_map(|one| one.robot.as_ref())
-            .for_each(|robot| names.add(robot));
-        let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
-        // what the SRDF is for, the other settings in its package are for
-        let srdf = pairing
-            .srdf
-            .as_ref()
-            .and_then(|srdf| self.beside(srdf, robots));
-        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
-        let least = match pairing.is_named || is_like {
-            true if has_arguments => NAMED,
-            true => 0.0,
-            false => LIKE,
-        };
-        let (count, likeness) = likeness(own, &names);
-        let is_any = likeness > 0.0 || count < SEVERAL;
-        (!found.is_empty() && is_any && likeness >= least).then_some(found)
     }
 
     /// The files beside the same robots, this one too. None for very many, such as a generated SRDF for each combination of
@@ -209,11 +159,12 @@ impl Session {
     fn judged(
         &self,
         own: &Beside,
-        paired: &[Arc<Analyzed>],
+        paired: &Paired,
         around: &[Beside],
         cancel: &CancelFlag,
     ) -> Vec<Finding> {
         let robots: Vec<PairedRobot<'_>> = paired
+            .robots
             .iter()
             .filter_map(|one| {
                 let (expansion, robot, kinematics) = (
@@ -243,7 +194,8 @@ impl Session {
             return Vec::new();
         };
         let further = || {
-            let mut names = self.further_names(paired, cancel);
+            let mut names = self.further_names(&paired.robots, cancel);
+            names.extend(&names_of(&paired.unused));
             srdfs
                 .clone()
                 .for_each(|(srdf, _)| self.add_written(&srdf.root.file, &mut names));
@@ -303,7 +255,7 @@ impl Session {
         let name = finding.message.split('`').nth(1).unwrap_or_default();
         let mut names = Names::default();
         for root in self
-            .by_launch(file)
+            .by_launch(file, false)
             .iter()
             .flat_map(|pairing| &pairing.roots)
         {
@@ -372,10 +324,13 @@ impl Session {
 fn add_interfaces(condition: Node<'_>, names: &mut Names) {
     for inner in condition.child_elements() {
         match inner.name() {
-            "command_interface" | "state_interface" => {
-                names
-                    .interfaces
-                    .extend(inner.attr("name").map(|name| EcoString::from(name.raw())));
+            tag @ ("command_interface" | "state_interface") => {
+                let offered = inner.attr("name").map(|name| Offered {
+                    is_command: tag == "command_interface",
+                    joint: joint_around(inner),
+                    name: name.raw().into(),
+                });
+                names.interfaces.extend(offered);
             }
             // those are visited by themselves
             "xacro:if" | "xacro:unless" => {}
@@ -384,93 +339,10 @@ fn add_interfaces(condition: Node<'_>, names: &mut Names) {
     }
 }
 
-/// Whether all names of a robot are known, and all of it is there.
-fn is_settled(analyzed: &Analyzed) -> bool {
-    let known = analyzed
-        .robot
-        .as_ref()
-        .is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
-    let broken = analyzed
-        .expansion
-        .files
-        .iter()
-        .any(|file| !file.source.document.errors().is_empty());
-    known && !broken && is_whole(&analyzed.expansion)
-}
-
-/// Whether a file gives no robot, and its conditions do not change that: it collects macros.
-fn is_empty(analyzed: &Analyzed) -> bool {
-    let gives = analyzed
-        .robot
-        .as_ref()
-        .is_some_and(|robot| !robot.links.is_empty());
-    !gives && is_whole(&analyzed.expansion) && !has_choices(&analyzed.expansion)
-}
-
-/// Whether another robot, of which everything is known, includes the file of this one, or is written for it: `arm.urdf`
-/// beside `arm.urdf.xacro`.
-fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
-    let own = &analyzed.root.file;
-    let is_it = |other: &Analyzed| {
-        let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
-        let is_named_so =
-            other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
-        other.root.file != *own && (is_named_so || files.any(|file| file == own))
-    };
-    all.iter().any(|other| is_it(other) && is_settled(other))
-}
-
-/// Whether conditions of a file decide what it gives.
-fn has_choices(expansion: &Expansion) -> bool {
-    let items = expansion
-        .files
-        .iter()
-        .flat_map(|file| file.source.document.parts());
-    let mut nodes = items.flat_map(|(_, item)| item.all_nodes());
-    !expansion.arguments.is_empty()
-        || nodes.any(|node| ["xacro:if", "xacro:unless"].contains(&node.name()))
-}
-
-/// How many names of links and joints there are in a file, and which part of them a robot has.
-fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
-    let (mut all, mut known) = (0u32, 0u32);
-    for (kind, name) in own.names() {
-        let list = match kind {
-            project::Kind::Link => &names.links,
-            project::Kind::Joint => &names.joints,
-            project::Kind::Group => continue,
-        };
-        all += 1;
-        known += u32::from(list.contains(name.as_str()));
-    }
-    (
-        all,
-        if all == 0 {
-            1.0
-        } else {
-            f64::from(known) / f64::from(all)
-        },
-    )
-}
-
-impl Beside {
-    /// The different names of links, joints and groups.
-    fn names(&self) -> Vec<(project::Kind, EcoString)> {
-        let mut found: Vec<_> = match (self.srdf(), self.settings()) {
-            (Some((_, srdf)), _) => srdf
-                .names()
-                .into_iter()
-                .filter_map(|(text, kind, _)| Some((kind, text.name()?.clone())))
-                .collect(),
-            (_, Some(settings)) => settings
-                .names()
-                .into_iter()
-                .map(|(name, kind)| (kind, name.name.clone()))
-                .collect(),
-            _ => Vec::new(),
-        };
-        found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));
-        found.dedup();
-        found
-    }
+/// The name of the joint that an interface is in, when the text spells it out.
+fn joint_around(interface: Node<'_>) -> Option<EcoString> {
+    let outer = std::iter::successors(interface.parent(), |node| node.parent());
+    let joint = outer.into_iter().find(|node| node.name() == "joint")?;
+    let name = joint.attr("name")?.raw();
+    (!name.contains('$')).then(|| name.into())
 }

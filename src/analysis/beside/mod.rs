@@ -3,6 +3,7 @@
 mod assistant;
 mod edited;
 mod files;
+mod fitting;
 mod judge;
 mod otherwise;
 mod paired;

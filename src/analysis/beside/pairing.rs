@@ -34,10 +34,34 @@ impl Session {
             Some(Sort::Srdf) => self.of_the_name(path),
             _ => self.of_the_srdf(path),
         };
-        let named = self.by_assistant(path).or_else(|| self.by_parameters(path));
+        // one of several files of a name is meant where the text says its folder as well
+        let by_folder = || {
+            let found = || {
+                self.by_parameters(path, true)
+                    .or_else(|| self.by_launch(path, true))
+            };
+            self.is_one_of_several(path).then(found)?
+        };
+        let named = self.by_assistant(path).or_else(by_folder);
         named
-            .or_else(|| self.by_launch(path))
+            .or_else(|| self.by_parameters(path, false))
+            .or_else(|| self.by_launch(path, false))
             .unwrap_or_else(by_name)
+    }
+
+    /// Whether another folder of the package has a file of the same name.
+    fn is_one_of_several(&self, path: &Path) -> bool {
+        let is_near = self.near(path);
+        let is_other = |other: &&PathBuf| {
+            other.file_name() == path.file_name()
+                && other.parent() != path.parent()
+                && is_near(other)
+        };
+        sort(path) == Some(Sort::Yaml)
+            && self
+                .beside_around(path)
+                .iter()
+                .any(|other| is_other(&other))
     }
 
     /// Whether a description of the package loads a YAML file: it holds numbers for xacro, and its keys are no names of the
@@ -114,8 +138,8 @@ impl Session {
         Some(config.join(&only.name)).filter(|file| self.is_robot(file))
     }
 
-    /// The robots with a plugin that names the file.
-    fn by_parameters(&self, path: &Path) -> Option<Pairing> {
+    /// The robots with a plugin that names the file, and its folder where that is asked for.
+    fn by_parameters(&self, path: &Path, with_folder: bool) -> Option<Pairing> {
         let name = path.file_name()?.to_str()?;
         if sort(path) != Some(Sort::Yaml) {
             return None;
@@ -126,7 +150,10 @@ impl Session {
             let text = self.vfs.text(file).ok();
             text.is_some_and(|text| {
                 let is_given = text.text.contains("<parameters>") || is_for_manager;
-                has_name(&text.text, name) && is_given && self.may_mean(file, path)
+                has_name(&text.text, name)
+                    && is_given
+                    && (!with_folder || has_folder(&text.text, path))
+                    && self.may_mean(file, path)
             })
         };
         let all = self.descriptions_around(path);
@@ -181,7 +208,7 @@ impl Session {
     }
 
     /// The robots that a launch file calls which names the file, or builds the configuration of its package.
-    pub(super) fn by_launch(&self, path: &Path) -> Option<Pairing> {
+    pub(super) fn by_launch(&self, path: &Path, with_folder: bool) -> Option<Pairing> {
         let name = path.file_name()?.to_str()?;
         let package = self.packages.containing(path)?;
         let says = |caller: &Path| {
@@ -193,7 +220,11 @@ impl Session {
                     && (has_name(&text.text, &package.name) || caller.starts_with(&package.folder))
                     && sort(path) != Some(Sort::Srdf)
             };
-            has_name(&text.text, name) && self.may_mean(caller, path) || builds()
+            let is_it = has_name(&text.text, name) && self.may_mean(caller, path);
+            match with_folder {
+                true => is_it && has_folder(&text.text, path),
+                false => is_it || builds(),
+            }
         };
         let mut roots: Vec<RootChoice> = Vec::new();
         let calls = self.calls_around(path);
@@ -378,6 +409,14 @@ impl Session {
         reading.retain(|file| self.is_robot(file) || self.collects(file));
         reading
     }
+}
+
+/// Whether a text has the name of the folder of a file.
+fn has_folder(text: &str, file: &Path) -> bool {
+    let folder = file.parent().and_then(Path::file_name);
+    folder
+        .and_then(|folder| folder.to_str())
+        .is_some_and(|folder| has_name(text, folder))
 }
 
 /// The name of a file before its first ending, `arm` of `arm.urdf.xacro`.

@@ -16,7 +16,7 @@ pub(super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(hardware) = Hardware::of(cx) else {
+    let Some(hardware) = Hardware::of(cx).filter(|hardware| hardware.is_complete) else {
         return;
     };
     let controllers = cx

@@ -166,7 +166,7 @@ fn report(
     place: &Named,
     (joint, interface, is_command): (&str, &str, bool),
 ) {
-    if cx.may_offer(interface) {
+    if cx.may_offer(joint, interface, is_command) {
         return;
     }
     let kind = if is_command { "command" } else { "state" };

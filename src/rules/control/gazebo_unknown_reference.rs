@@ -59,13 +59,25 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// Without a similar name, what is said of a link that the robot does not have is mostly left over from another robot, and
-/// nothing is lost. Not so sensors and plugins, and names that share a word with those of the robot.
+/// nothing is lost. Not so sensors and plugins, names that share a word with those of the robot, and links between joints.
 fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
+    if is_joined(cx, name) {
+        return Severity::Warning;
+    }
     let is_meant = holds_device(cx, block) || shares_word(cx, name);
     match is_meant && !is_color(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
         true => Severity::Warning,
         false => Severity::Info,
     }
+}
+
+/// Whether a joint of the robot has a parent or child of that name: the link was taken away.
+fn is_joined(cx: &RobotCx<'_>, name: &str) -> bool {
+    let joints = cx.robot.joints.iter();
+    let mut ends = joints
+        .flat_map(|joint| [&joint.parent, &joint.child])
+        .flatten();
+    ends.any(|end| end.value == name)
 }
 
 /// Whether an element holds a sensor or a plugin.

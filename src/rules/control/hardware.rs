@@ -1,7 +1,7 @@
 //! The joints and interfaces that the hardware of a robot offers to controllers.
 use super::super::beside::{BesideCx, PairedRobot};
 use super::ros2_control_unknown_interface::is_misspelled;
-use super::ros2_control_unknown_tag::is_known_in_joint;
+use super::ros2_control_unknown_tag::is_misread_in_joint;
 use base::{FastMap, FastSet};
 use model::{ControlJoint, Interface, Ros2Control, Text};
 
@@ -14,49 +14,51 @@ pub(super) struct Hardware<'a> {
     joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
     /// The joints of blocks that declare no interface for commands: some hardware offers what it does not declare.
     undeclared: FastSet<&'a str>,
+    /// Whether all joints are here: each robot has hardware, and none is left out.
+    pub is_complete: bool,
 }
 
 impl<'a> Hardware<'a> {
-    /// None where a robot has no hardware, not all names are known, or the hardware has a mistake of its own: what it offers
-    /// is not what was meant then.
+    /// None where no robot has hardware, or not all names are known. A joint with a mistake of its own is left out: what it
+    /// offers is not what was meant. A robot without hardware offers controllers nothing.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
-        let mut joints: FastMap<&str, Vec<&ControlJoint>> = FastMap::default();
-        let mut undeclared = FastSet::default();
+        let mut found = Self {
+            joints: FastMap::default(),
+            undeclared: FastSet::default(),
+            is_complete: true,
+        };
         for paired in cx.robots {
-            for control in &paired.robot.controls {
-                let is_silent = control.joints.iter().all(|joint| joint.commands.is_empty());
-                if is_silent && !offers_only_declared(paired, control) {
-                    undeclared.extend(
-                        control
-                            .joints
-                            .iter()
-                            .filter_map(|joint| Some(joint.name.as_ref()?.name()?.as_str())),
-                    );
-                }
-            }
-            let listed: Vec<&ControlJoint> = paired
-                .robot
-                .controls
-                .iter()
-                .flat_map(|control| &control.joints)
-                .collect();
-            if listed.is_empty() || has_mistake(paired) {
-                return None;
-            }
-            for joint in listed {
+            found.add(paired)?;
+        }
+        (!found.joints.is_empty()).then_some(found)
+    }
+
+    /// Add the hardware of a robot; none when a name in it is unknown.
+    fn add(&mut self, paired: &'a PairedRobot<'a>) -> Option<()> {
+        let mistaken = mistaken(paired);
+        let controls = &paired.robot.controls;
+        self.is_complete &=
+            mistaken.is_empty() && controls.iter().any(|control| !control.joints.is_empty());
+        for control in controls {
+            let is_silent = control.joints.iter().all(|joint| joint.commands.is_empty());
+            let is_undeclared = is_silent && !offers_only_declared(paired, control);
+            for joint in &control.joints {
                 let named = |interface: &Interface| {
                     interface.name.as_ref().is_some_and(|name| name.is_known())
                 };
+                let name = joint.name.as_ref()?.name()?.as_str();
                 if !joint.interfaces().all(named) {
                     return None;
                 }
-                joints
-                    .entry(joint.name.as_ref()?.name()?.as_str())
-                    .or_default()
-                    .push(joint);
+                if is_undeclared {
+                    self.undeclared.insert(name);
+                }
+                if !mistaken.contains(name) {
+                    self.joints.entry(name).or_default().push(joint);
+                }
             }
         }
-        Some(Self { joints, undeclared })
+        Some(())
     }
 
     /// Whether a joint is there.
@@ -115,37 +117,33 @@ fn offers_only_declared(paired: &PairedRobot<'_>, control: &Ros2Control) -> bool
     })
 }
 
-/// Whether the hardware has a mistake that other rules report: a joint that the robot lacks, a joint twice, a misspelled
-/// element or interface.
-fn has_mistake(paired: &PairedRobot<'_>) -> bool {
-    let is_unknown = |joint: &&ControlJoint| {
-        joint
-            .name
-            .as_ref()
-            .and_then(|name| name.name())
-            .is_some_and(|name| paired.robot.joint(name).is_none())
-    };
-    let tree = &paired.expansion.tree;
-    let is_misread = |joint: &&ControlJoint| {
-        let names = joint
-            .interfaces()
-            .filter_map(|interface| interface.name.as_ref()?.name());
-        names.into_iter().any(|name| is_misspelled(name))
-            || tree
-                .elements(joint.element)
-                .any(|tag| !is_known_in_joint(&tree.get(tag).text))
-    };
-    let is_wrong = |control: &Ros2Control| {
+/// The joints of the hardware with a mistake that other rules report: the robot does not have it, it is there twice, an element or
+/// an interface is misspelled.
+fn mistaken<'a>(paired: &PairedRobot<'a>) -> FastSet<&'a str> {
+    let mut found = FastSet::default();
+    for control in &paired.robot.controls {
         let mut seen = FastSet::default();
-        let names = control
-            .joints
-            .iter()
-            .filter_map(|joint| joint.name.as_ref()?.name());
-        names.into_iter().any(|name| !seen.insert(name))
-            || control
-                .joints
-                .iter()
-                .any(|joint| is_unknown(&joint) || is_misread(&joint))
-    };
-    paired.robot.controls.iter().any(is_wrong)
+        for joint in &control.joints {
+            let Some(name) = joint.name.as_ref().and_then(|name| name.name()) else {
+                continue;
+            };
+            let is_again = !seen.insert(name.as_str());
+            if is_again || paired.robot.joint(name).is_none() || is_misread(paired, joint) {
+                found.insert(name.as_str());
+            }
+        }
+    }
+    found
+}
+
+/// Whether a name in a joint of the hardware is misspelled, or an element stayed that xacro should have replaced.
+fn is_misread(paired: &PairedRobot<'_>, joint: &ControlJoint) -> bool {
+    let tree = &paired.expansion.tree;
+    let mut names = joint
+        .interfaces()
+        .filter_map(|interface| interface.name.as_ref()?.name());
+    names.any(|name| is_misspelled(name))
+        || tree
+            .elements(joint.element)
+            .any(|tag| is_misread_in_joint(&tree.get(tag).text))
 }

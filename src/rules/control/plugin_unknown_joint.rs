@@ -45,7 +45,7 @@ const WHEELS: &[&str] = &[
 
 /// Parameters that hold the name of a joint: what the file name of the plugin contains, and the tags.
 /// Source: the systems of gz-sim, the plugins of gazebo_ros_pkgs and of roboticsgroup_gazebo_plugins.
-const TAGS: [(&str, &[&str]); 11] = [
+const TAGS: [(&str, &[&str]); 13] = [
     ("diff-drive", WHEELS),
     ("diff_drive", WHEELS),
     ("skid_steer_drive", WHEELS),
@@ -55,7 +55,9 @@ const TAGS: [(&str, &[&str]); 11] = [
     ("joint-position-controller", &["joint_name"]),
     ("joint-controller", &["joint_name"]),
     ("joint-state-publisher", &["joint_name"]),
+    ("joint_state_publisher", &["joint_name", "jointName"]),
     ("joint-trajectory-controller", &["joint_name"]),
+    ("ft_sensor", &["joint_name", "jointName"]),
     ("mimic_joint", &["joint", "mimicJoint"]),
 ];
 

@@ -37,11 +37,11 @@ const INSIDE: [(&str, &[&str]); 4] = [
     ("gpio", &["command_interface", "state_interface", "param"]),
 ];
 
-/// Whether an element may be in a joint.
-pub(super) fn is_known_in_joint(tag: &str) -> bool {
-    INSIDE
-        .iter()
-        .any(|(outer, known)| *outer == "joint" && known.contains(&tag))
+/// Whether an element in a joint is meant for another one, or one of xacro that stayed.
+pub(super) fn is_misread_in_joint(tag: &str) -> bool {
+    let inside = INSIDE.iter().find(|(outer, _)| *outer == "joint");
+    let known = inside.map_or(&[][..], |(_, known)| known);
+    tag.contains(':') || !known.contains(&tag) && nearest(tag, known.iter().copied()).is_some()
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {

@@ -2,7 +2,11 @@
 use super::super::beside::{BesideCx, unknown};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
+use base::FastSet;
+use ecow::EcoString;
+use model::Text;
 use project::Kind;
+use std::cell::OnceCell;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "SRD002",
@@ -15,6 +19,13 @@ pub(in super::super) static RULE: Rule = Rule::beside(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
+    let of_pairs: Vec<&Text> = srdf
+        .disabled
+        .iter()
+        .flat_map(|pair| [&pair.link1, &pair.link2])
+        .flatten()
+        .collect();
+    let is_variant = OnceCell::new();
     for (text, kind, _) in srdf.names() {
         let Some(name) = text
             .name()
@@ -23,15 +34,11 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         // MoveIt warns, and passes over the pair: one for another variant of the robot, unless the name is misspelled
-        let pairs = srdf
-            .disabled
-            .iter()
-            .flat_map(|pair| [&pair.link1, &pair.link2])
-            .flatten();
-        let is_of_pair = pairs.into_iter().any(|link| std::ptr::eq(link, text));
+        let is_of_pair = of_pairs.iter().any(|link| std::ptr::eq(*link, text));
+        let is_left = || *is_variant.get_or_init(|| is_for_variants(cx, &of_pairs));
         let severity = match is_of_pair {
-            true if cx.is_misspelled(kind, name) => Severity::Warning,
-            true => Severity::Info,
+            true if !cx.is_misspelled(kind, name) && is_left() => Severity::Info,
+            true => Severity::Warning,
             false => RULE.severity,
         };
         unknown(
@@ -42,4 +49,17 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             format!("SRDF refers to unknown link `{name}`"),
         );
     }
+}
+
+/// Of the links in pairs, a part of a robot that another variant has is more than these; fewer were renamed or removed.
+const MOST_RENAMED: usize = 2;
+
+/// Whether the pairs are for several variants of the robot: they name many links that this one does not have.
+fn is_for_variants(cx: &BesideCx<'_>, of_pairs: &[&Text]) -> bool {
+    let names: FastSet<&EcoString> = of_pairs.iter().filter_map(|text| text.name()).collect();
+    let unknown = names
+        .iter()
+        .filter(|name| cx.lacks(Kind::Link, name))
+        .count();
+    unknown > MOST_RENAMED || unknown * 2 > names.len()
 }

@@ -1,0 +1,196 @@
+//! Which robots of a pairing a file is compared with: whole ones, whose names it has.
+use std::sync::Arc;
+
+use ecow::EcoString;
+
+use super::super::analyzed::Analyzed;
+use super::super::session::Session;
+use super::files::{Beside, Robots};
+use super::paired::Pairing;
+use super::pairing::stem;
+use expand::Expansion;
+use rules::{Names, is_whole};
+
+/// The robots that a file is compared with.
+#[derive(Default)]
+pub(super) struct Paired {
+    /// Whole robots.
+    pub robots: Vec<Arc<Analyzed>>,
+    /// Copies and old versions of these: their names are known, and nothing else of them counts.
+    pub unused: Vec<Arc<Analyzed>>,
+}
+
+/// The part of the names of links and joints that has to fit when nothing but the name of the robot says for which one a
+/// file is, and when a file says so.
+const LIKE: f64 = 0.5;
+const NAMED: f64 = 0.2;
+/// Of several names, one at least has to fit.
+const SEVERAL: u32 = 3;
+/// The part that has to fit a robot in use, for copies of it not to count.
+const IN_USE: f64 = 0.75;
+
+impl Session {
+    /// The robots of a pairing that may be compared with a file: whole ones, when enough names fit.
+    pub(super) fn paired(
+        &self,
+        own: &Beside,
+        pairing: &Pairing,
+        robots: &Robots,
+    ) -> Option<Paired> {
+        let all: Option<Vec<_>> = pairing
+            .roots
+            .iter()
+            .map(|root| robots.get(root).cloned())
+            .collect();
+        let mut found = all?;
+        found.retain(|one| !is_empty(one));
+        let unused = self.take_unused(&mut found, own);
+        // where a part of a robot is missing, nothing can be said to be missing; a part of another robot is known there
+        if found
+            .iter()
+            .any(|one| !is_settled(one) && !is_part_of(one, &found))
+        {
+            return None;
+        }
+        found.retain(|one| is_settled(one));
+        let names = names_of(&found);
+        let has_arguments = found.iter().any(|one| !one.expansion.arguments.is_empty());
+        // what the SRDF is for, the other settings in its package are for
+        let srdf = pairing
+            .srdf
+            .as_ref()
+            .and_then(|srdf| self.beside(srdf, robots));
+        let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
+        let least = match pairing.is_named || is_like {
+            true if has_arguments => NAMED,
+            true => 0.0,
+            false => LIKE,
+        };
+        let (count, likeness) = likeness(own, &names);
+        let is_any = likeness > 0.0 || count < SEVERAL;
+        let is_for_them = !found.is_empty() && is_any && likeness >= least;
+        is_for_them.then_some(Paired {
+            robots: found,
+            unused,
+        })
+    }
+
+    /// Take out the copies and old versions of a robot in use, when the file fits that one.
+    fn take_unused(&self, robots: &mut Vec<Arc<Analyzed>>, own: &Beside) -> Vec<Arc<Analyzed>> {
+        if robots.len() < 2 {
+            return Vec::new();
+        }
+        let (unused, used): (Vec<_>, Vec<_>) = robots
+            .iter()
+            .cloned()
+            .partition(|one| self.is_set_aside(&one.root.file));
+        let is_enough =
+            used.iter().any(|one| is_settled(one)) && likeness(own, &names_of(&used)).1 >= IN_USE;
+        if unused.is_empty() || !is_enough {
+            return Vec::new();
+        }
+        *robots = used;
+        unused
+    }
+}
+
+/// The names of links and joints in robots.
+pub(super) fn names_of(robots: &[Arc<Analyzed>]) -> Names {
+    let mut names = Names::default();
+    robots
+        .iter()
+        .filter_map(|one| one.robot.as_ref())
+        .for_each(|robot| names.add(robot));
+    names
+}
+
+/// Whether all names of a robot are known, and all of it is there.
+fn is_settled(analyzed: &Analyzed) -> bool {
+    let known = analyzed
+        .robot
+        .as_ref()
+        .is_some_and(|robot| !robot.links.is_empty() && robot.names_are_known());
+    let broken = analyzed
+        .expansion
+        .files
+        .iter()
+        .any(|file| !file.source.document.errors().is_empty());
+    known && !broken && is_whole(&analyzed.expansion)
+}
+
+/// Whether a file gives no robot, and its conditions do not change that: it collects macros.
+fn is_empty(analyzed: &Analyzed) -> bool {
+    let gives = analyzed
+        .robot
+        .as_ref()
+        .is_some_and(|robot| !robot.links.is_empty());
+    !gives && is_whole(&analyzed.expansion) && !has_choices(&analyzed.expansion)
+}
+
+/// Whether another robot, of which everything is known, includes the file of this one, or is written for it: `arm.urdf`
+/// beside `arm.urdf.xacro`.
+fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
+    let own = &analyzed.root.file;
+    let is_it = |other: &Analyzed| {
+        let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
+        let is_named_so =
+            other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
+        other.root.file != *own && (is_named_so || files.any(|file| file == own))
+    };
+    all.iter().any(|other| is_it(other) && is_settled(other))
+}
+
+/// Whether conditions of a file decide what it gives.
+pub(super) fn has_choices(expansion: &Expansion) -> bool {
+    let items = expansion
+        .files
+        .iter()
+        .flat_map(|file| file.source.document.parts());
+    let mut nodes = items.flat_map(|(_, item)| item.all_nodes());
+    !expansion.arguments.is_empty()
+        || nodes.any(|node| ["xacro:if", "xacro:unless"].contains(&node.name()))
+}
+
+/// How many names of links and joints there are in a file, and which part of them a robot has.
+fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
+    let (mut all, mut known) = (0u32, 0u32);
+    for (kind, name) in own.names() {
+        let list = match kind {
+            project::Kind::Link => &names.links,
+            project::Kind::Joint => &names.joints,
+            project::Kind::Group => continue,
+        };
+        all += 1;
+        known += u32::from(list.contains(name.as_str()));
+    }
+    (
+        all,
+        if all == 0 {
+            1.0
+        } else {
+            f64::from(known) / f64::from(all)
+        },
+    )
+}
+
+impl Beside {
+    /// The different names of links, joints and groups.
+    fn names(&self) -> Vec<(project::Kind, EcoString)> {
+        let mut found: Vec<_> = match (self.srdf(), self.settings()) {
+            (Some((_, srdf)), _) => srdf
+                .names()
+                .into_iter()
+                .filter_map(|(text, kind, _)| Some((kind, text.name()?.clone())))
+                .collect(),
+            (_, Some(settings)) => settings
+                .names()
+                .into_iter()
+                .map(|(name, kind)| (kind, name.name.clone()))
+                .collect(),
+            _ => Vec::new(),
+        };
+        found.sort_unstable_by(|(a, one), (b, two)| (*a as u8, one).cmp(&(*b as u8, two)));
+        found.dedup();
+        found
+    }
+}
