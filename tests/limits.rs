@@ -1693,9 +1693,9 @@ fn files_beside() {
         write(&folder, &format!("config/arm_{n}.srdf"), srdf);
     }
     let reported = || {
-        let arguments = ["check", "--no-group", "--format", "concise", "."];
+        let arguments = ["check", "--no-group", "--format", "json", "."];
         let said = run(&folder, &arguments, &mut std::io::empty());
-        said.matches("srdf-unknown-link").count()
+        said.matches("unknown link `hand`").count()
     };
     assert_eq!(reported(), FILES_BESIDE);
     write(&folder, "config/more.srdf", srdf);
