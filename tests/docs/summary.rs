@@ -87,9 +87,9 @@ fn the_list_of_questions_is_whole() {
 /// A page that the table of contents does not name is not in the book, and links to it would be broken there.
 #[test]
 fn the_book_has_every_page() {
-    let summary = Page::read(SUMMARY);
+    // with the rules that are not written into it yet
+    let summary = with_part(&Page::read(SUMMARY), "rules", &lines_of_rules());
     let named: Vec<&str> = summary
-        .text
         .split("](")
         .skip(1)
         .filter_map(|rest| rest.split(')').next())
@@ -114,11 +114,9 @@ fn the_book_has_every_page() {
 
 #[test]
 fn the_readme_counts_the_rules() {
-    let count = rules::all().count();
-    assert!(
-        Page::read("README.md")
-            .text
-            .contains(&format!("[{count} rules]")),
-        "there are {count} rules"
-    );
+    let text = Page::read("README.md").text;
+    let end = text.find(" rules](").expect("the number of rules");
+    let start = text[..end].rfind('[').expect("a link") + 1;
+    let counted = format!("{}{}{}", &text[..start], rules::all().count(), &text[end..]);
+    pages::up_to_date("README.md", &counted);
 }
