@@ -15,7 +15,8 @@ use super::pairing::stem;
 use base::{CancelFlag, FastMap, FastSet};
 use expand::Expansion;
 use rules::{
-    Chosen, Content, Finding, Names, PairedRobot, all, check_beside, is_semantic_name, is_whole,
+    Chosen, Content, Finding, Names, PairedRobot, all, check_beside, has_ignored_tags,
+    is_semantic_name, is_whole,
 };
 use workspace::Target;
 use xml::Node;
@@ -113,9 +114,13 @@ impl Session {
             let around: Vec<Beside> = around
                 .filter_map(|other| self.beside_once(other, &mut read, robots))
                 .collect();
-            found
-                .findings
-                .extend(self.judged(&own, &paired, &around, cancel));
+            let mut said = self.judged(&own, &paired, &around, cancel);
+            let has_ignored = |one: &Arc<Analyzed>| has_ignored_tags(&one.expansion);
+            // what is missing in the robot has its cause there
+            if !said.is_empty() && paired.iter().any(has_ignored) {
+                said = self.judged(&own, &[], &around, cancel);
+            }
+            found.findings.extend(said);
             if !paired.is_empty() {
                 found.files.push(path.clone());
             }
