@@ -32,6 +32,7 @@ mod launch_findings;
 mod launch_names;
 mod launch_values;
 mod launched;
+mod left_over;
 mod made_elsewhere;
 mod merge;
 mod named;
@@ -60,6 +61,8 @@ mod world;
 
 #[cfg(test)]
 mod generated_tests;
+#[cfg(test)]
+mod left_over_tests;
 #[cfg(test)]
 mod made_elsewhere_tests;
 #[cfg(test)]
