@@ -4,6 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::super::vocabulary::is_xacro_uri;
 use base::TextRange;
+use facts::is_keyword;
 use xml::Attr;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -29,8 +30,13 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         };
         if is_xacro_uri(attr.raw()) {
             let edits = renamed(cx, attr, prefix);
-            // nothing but the declaration has the prefix: no tag is lost
-            let severity = if edits.len() > 1 {
+            let mut names = cx
+                .elements()
+                .filter_map(|(_, node)| node.name().strip_prefix(prefix)?.strip_prefix(':'));
+            // beside the right prefix, it may stand for what programs read: no tag of xacro is lost
+            let has_both = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
+            let is_lost = |name: &str| !has_both || is_keyword(name) || cx.macros.contains(name);
+            let severity = if names.any(is_lost) {
                 Severity::Error
             } else {
                 Severity::Info
@@ -49,10 +55,6 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// The declaration and all tags and attributes with the prefix.
 fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRange, String)> {
-    let has_prefix = |name: &str| {
-        name.strip_prefix(prefix)
-            .is_some_and(|rest| rest.starts_with(':'))
-    };
     let end = declaration.name_range().end;
     let mut places = vec![TextRange::new(end - prefix.len() as u32, end)];
     for (base, node) in cx.elements() {
@@ -61,9 +63,11 @@ fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRan
             .flatten();
         let attrs = node
             .attrs()
-            .filter(|attr| has_prefix(attr.name()))
+            .filter(|attr| has_prefix(attr.name(), prefix))
             .map(|attr| attr.name_range());
-        let names = tags.filter(|_| has_prefix(node.name())).chain(attrs);
+        let names = tags
+            .filter(|_| has_prefix(node.name(), prefix))
+            .chain(attrs);
         places.extend(
             names.map(|name| {
                 TextRange::new(name.start, name.start + prefix.len() as u32).shift(base)
@@ -74,4 +78,9 @@ fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRan
         .into_iter()
         .map(|range| (range, "xacro".to_owned()))
         .collect()
+}
+
+fn has_prefix(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix)
+        .is_some_and(|rest| rest.starts_with(':'))
 }
