@@ -29,8 +29,9 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         };
         if is_xacro_uri(attr.raw()) {
             let edits = renamed(cx, attr, prefix);
-            // nothing but the declaration has the prefix: no tag is lost
-            let severity = if edits.len() > 1 {
+            let mut names = cx.elements().map(|(_, node)| node.name());
+            // where only the declaration and attributes have the prefix, no tag is lost
+            let severity = if names.any(|name| has_prefix(name, prefix)) {
                 Severity::Error
             } else {
                 Severity::Info
@@ -49,10 +50,6 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// The declaration and all tags and attributes with the prefix.
 fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRange, String)> {
-    let has_prefix = |name: &str| {
-        name.strip_prefix(prefix)
-            .is_some_and(|rest| rest.starts_with(':'))
-    };
     let end = declaration.name_range().end;
     let mut places = vec![TextRange::new(end - prefix.len() as u32, end)];
     for (base, node) in cx.elements() {
@@ -61,9 +58,11 @@ fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRan
             .flatten();
         let attrs = node
             .attrs()
-            .filter(|attr| has_prefix(attr.name()))
+            .filter(|attr| has_prefix(attr.name(), prefix))
             .map(|attr| attr.name_range());
-        let names = tags.filter(|_| has_prefix(node.name())).chain(attrs);
+        let names = tags
+            .filter(|_| has_prefix(node.name(), prefix))
+            .chain(attrs);
         places.extend(
             names.map(|name| {
                 TextRange::new(name.start, name.start + prefix.len() as u32).shift(base)
@@ -74,4 +73,9 @@ fn renamed(cx: &FileCx<'_>, declaration: Attr<'_>, prefix: &str) -> Vec<(TextRan
         .into_iter()
         .map(|range| (range, "xacro".to_owned()))
         .collect()
+}
+
+fn has_prefix(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix)
+        .is_some_and(|rest| rest.starts_with(':'))
 }
