@@ -7,7 +7,7 @@ use super::bodies::extent_of;
 use super::resources::MeshUse;
 use base::TextRange;
 use expand::{FileIdx, Origin};
-use model::{Body, Bounds, Link, Robot, tag_start};
+use model::{Body, Bounds, Joint, Link, Robot, Text, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO007",
@@ -147,8 +147,9 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     );
     // an object without joints may be a building or a floor
     let is_object = cx.robot.is_some_and(Robot::is_rigid);
-    let may_be_meant =
-        most < extent && is_object && (extent < 10.0 * most || is_ground(bounds.size()));
+    let may_be_meant = most < extent
+        && (is_object && (extent < 10.0 * most || is_ground(bounds.size()))
+            || extent < 3.0 * most && is_around(cx, mesh, extent));
     let severity = if may_be_meant {
         Severity::Info
     } else {
@@ -176,6 +177,21 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
         }
         None => report.done(),
     }
+}
+
+/// Whether a mesh is what a robot stands in: that of a root link without a mass, larger than the robot, while a thousandth of it
+/// would be smaller than a part of the robot.
+fn is_around(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, extent: f64) -> bool {
+    let is_child = |joint: &Joint| {
+        let child = joint.child.as_ref().and_then(Text::name);
+        child.is_some() && child == mesh.link.name.as_ref().and_then(Text::name)
+    };
+    let is_part = |other: MeshUse<'_>| {
+        other.link.element != mesh.link.element
+            && !is_suspicious(cx, &other)
+            && self::extent(&other).is_some_and(|part| extent / 1000.0 < part)
+    };
+    mesh.link.inertial.is_none() && !cx.joints().iter().any(is_child) && cx.meshes().any(is_part)
 }
 
 /// Whether a size is that of a floor: wide in two directions, and thin in the third.
