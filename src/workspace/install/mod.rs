@@ -131,7 +131,7 @@ impl Packages {
         self.builds.get(folder.to_owned(), || {
             let mut build = Build::default();
             for folder in folder.ancestors().take(1 + BUILD_FILE_LEVELS) {
-                if self.vfs.is_file(&folder.join(CMAKE_LISTS)) {
+                if self.vfs.is_file(&folder.join(CMAKE_LISTS)) && !self.is_of_python(folder) {
                     cmake::read(&self.vfs, folder, &mut build);
                     break;
                 }
@@ -143,6 +143,13 @@ impl Packages {
             }
             Arc::new(build)
         })
+    }
+
+    /// Whether a package is built by its `setup.py`, whatever else lies beside it.
+    fn is_of_python(&self, folder: &Path) -> bool {
+        let manifest = || self.vfs.text(&folder.join(MANIFEST)).ok();
+        self.vfs.is_file(&folder.join(SETUP_PY))
+            && manifest().is_some_and(|file| file.text.contains("<build_type>ament_python<"))
     }
 
     /// The name of a package whose manifest the build makes, or that has none: what the template of the manifest or

@@ -277,3 +277,26 @@ fn packages_without_a_manifest() {
         assert_eq!(built(&files, "a.stl"), "tree/d/a.stl", "{manifest}");
     }
 }
+
+#[test]
+fn the_build_type_decides_which_build_file_counts() {
+    let build = |kind: &str| {
+        let manifest = format!(
+            "<package><name>demo</name><export><build_type>{kind}</build_type></export></package>"
+        );
+        let setup = "data_files=[('share/demo', glob('urdf/*'))]";
+        let files = [
+            ("demo/package.xml", manifest.as_str()),
+            (
+                "demo/CMakeLists.txt",
+                "install(DIRECTORY urdf DESTINATION share/demo)",
+            ),
+            ("demo/setup.py", setup),
+            ("demo/urdf/lamp.urdf", "<robot name='lamp'/>"),
+        ];
+        (built(&files, "lamp.urdf"), built(&files, "torch.urdf"))
+    };
+    let flat = ("demo/urdf/lamp.urdf".to_owned(), String::new());
+    assert_eq!(build("ament_python"), flat);
+    assert_eq!(build("ament_cmake"), Default::default());
+}
