@@ -27,6 +27,8 @@ PER_RULE = {'error': 12, 'warning': 8}
 PER_REPOSITORY = {'error': 3, 'warning': 2}
 # the last part of a path that ends in an extension
 FILE = re.compile(r'[^/\s`"\']+\.[A-Za-z]\w{1,4}(?=[`"\'\s:,;)]|$)')
+# what is said of the call in which a file is missing, and libraries in it, are no files of the robot
+CALL, LIBRARY = 'in this call', '.so'
 FILE_RULES = ('mesh-not-found', 'texture-not-found')
 VARIABLES = ('ROS', 'AMENT', 'CMAKE_PREFIX', 'COLCON')
 
@@ -50,7 +52,8 @@ def left_out(finding, absent):
     if finding['name'] not in FILE_RULES:
         return False
     said = [finding['message'], *(place.get('message', '') for place in finding.get('related') or ())]
-    named = [set(FILE.findall(text)) for text in said if FILE.search(text)]
+    named = [{name for name in FILE.findall(text) if not name.endswith(LIBRARY)} for text in said if not text.startswith(CALL)]
+    named = [names for names in named if names]
     return bool(named) and all(names & absent for names in named)
 
 

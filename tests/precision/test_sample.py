@@ -54,6 +54,10 @@ class Drawing(unittest.TestCase):
         group = {**missing, 'related': [{'message': '`package://p/meshes/leg.stl`'}]}
         self.assertEqual(len(sample.collect('o/r', [group], ['p/meshes/arm.stl'])), 1)
         self.assertEqual(sample.collect('o/r', [group], ['p/meshes/arm.stl', 'p/meshes/leg.stl']), [])
+        call = {**missing, 'related': [{'message': 'in this call: eye:=libeye.so body:=leg.stl'}]}
+        self.assertEqual(sample.collect('o/r', [call], ['p/meshes/arm.stl']), [])
+        library = finding('mesh-not-found', message='mesh `libarm.so` is not found')
+        self.assertEqual(len(sample.collect('o/r', [library], ['p/libarm.so'])), 1)
         other = finding('include-not-found', message='arm.stl is not found')
         self.assertEqual(len(sample.collect('o/r', [other], ['p/meshes/arm.stl'])), 1)
 
