@@ -61,7 +61,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 name.origin,
                 format!("`{}`: {message}", shortened(&name.value)),
             )
-            .severity(if is_beside(cx, name) {
+            .severity(if is_beside(cx, name) || is_of_checkout(cx, name) {
                 Severity::Info
             } else {
                 severity(cx, readers)
@@ -103,6 +103,22 @@ fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
         Readers::OldCurl if is_ros1() => Severity::Info,
         Readers::OldCurl | Readers::Most => Severity::Warning,
     }
+}
+
+/// Whether a URI that is computed has spaces only in the folders above its package: it is installed elsewhere.
+fn is_of_checkout(cx: &DocumentCx<'_>, name: &Text) -> bool {
+    let has_spaces = |text: &str| text.contains(|c: char| c.is_ascii_whitespace());
+    let path = name.value.strip_prefix("file://").map(Path::new);
+    let Some(path) = path.filter(|_| !name.is_literal()) else {
+        return false;
+    };
+    let inside = cx
+        .world
+        .packages
+        .containing(path)
+        .and_then(|package| path.strip_prefix(&package.folder).ok());
+    inside.is_some_and(|inside| !has_spaces(&inside.to_string_lossy()))
+        && has_spaces(&path.to_string_lossy())
 }
 
 /// Whether the name of a file follows `package:///`, the file lies beside the description, and no package does: programs
