@@ -32,6 +32,7 @@ mod launch_findings;
 mod launch_names;
 mod launch_values;
 mod launched;
+mod made_elsewhere;
 mod merge;
 mod named;
 mod options;
@@ -61,6 +62,8 @@ mod world;
 mod beside_tests;
 #[cfg(test)]
 mod generated_tests;
+#[cfg(test)]
+mod made_elsewhere_tests;
 #[cfg(test)]
 mod package_tests;
 #[cfg(test)]

@@ -189,7 +189,14 @@ impl Session {
             }
             _ => false,
         };
-        is_open && !self.is_named(&job.file)
+        // a table of files in a page leaves nothing out
+        is_open
+            && match finding.problem {
+                Some(ProblemKind::UndefinedArg) => {
+                    !self.is_loaded(&job.file) && !self.is_in_a_page(&job.file)
+                }
+                _ => !self.is_named(&job.file),
+            }
     }
 
     /// Whether a file of the workspace includes this one, whatever the condition around the include.

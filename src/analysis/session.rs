@@ -272,6 +272,16 @@ impl Session {
         self.callers.quote(file, text, &self.packages)
     }
 
+    /// Whether a page names a description to be used, not only in a table of files.
+    pub(super) fn is_in_a_page(&self, file: &Path) -> bool {
+        self.callers.tell_to_use(file, &self.packages)
+    }
+
+    /// Whether a program that names a description puts something else for a text.
+    pub(super) fn is_rewritten(&self, file: &Path, text: &str) -> bool {
+        self.callers.rewrite(file, text, &self.packages)
+    }
+
     /// Whether launch files and programs use what lies around a file, and none of them simulates anything.
     pub(super) fn is_never_simulated(&self, file: &Path) -> bool {
         self.callers.never_simulate(file, &self.packages)

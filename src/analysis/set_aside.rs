@@ -128,6 +128,7 @@ impl Session {
             _ => finding.rule == named::INVALID_NUMBER && self.is_filled_in(&job.file, finding),
         };
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
+        self.settle_made_elsewhere(job, findings);
     }
 
     /// Whether the text that is wrong is a word that a program puts something else for: it names the file and the word.
@@ -152,7 +153,7 @@ impl Session {
     }
 
     /// Give findings of a kind at most the severity that is asked for when there are any, and return it.
-    fn lower_where(
+    pub(super) fn lower_where(
         &self,
         findings: &mut [Finding],
         is_of_kind: impl Fn(&Finding) -> bool,

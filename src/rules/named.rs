@@ -50,6 +50,10 @@ pub const UNKNOWN_XACRO_ATTRIBUTE: &Rule = &xacro::unknown_xacro_attribute::RULE
 pub const UNPREFIXED_MACRO_CALL: &Rule = &xacro::unprefixed_macro_call::RULE;
 /// `unprefixed-xacro-tag`
 pub const UNPREFIXED_XACRO_TAG: &Rule = &xacro::unprefixed_xacro_tag::RULE;
+/// `missing-package-dependency`
+pub const MISSING_PACKAGE_DEPENDENCY: &Rule = &package::missing_package_dependency::RULE;
+/// `package-not-found`
+pub const PACKAGE_NOT_FOUND: &Rule = &package::package_not_found::RULE;
 /// `invalid-number`
 pub const INVALID_NUMBER: &Rule = &xml::invalid_number::RULE;
 /// `mesh-not-found`

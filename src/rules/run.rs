@@ -246,6 +246,11 @@ impl Chosen<'_> {
     }
 }
 
+/// Whether tags without their prefix would give the robot more links and joints: what is missing has its cause there.
+pub fn has_ignored_tags(expansion: &Expansion) -> bool {
+    Unprefixed::of(expansion).structure
+}
+
 /// What tags without their prefix would have defined: that it is missing has its cause there.
 #[derive(Default)]
 struct Unprefixed {

@@ -15,8 +15,8 @@ use super::paired::Pairing;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use rules::{
-    Chosen, Content, Finding, Names, Offered, PairedRobot, all, check_beside, is_semantic_name,
-    is_whole,
+    Chosen, Content, Finding, Names, Offered, PairedRobot, all, check_beside, has_ignored_tags,
+    is_semantic_name, is_whole,
 };
 use workspace::Target;
 use xml::Node;
@@ -112,9 +112,13 @@ impl Session {
             let around: Vec<Beside> = around
                 .filter_map(|other| self.beside_once(other, &mut read, robots))
                 .collect();
-            found
-                .findings
-                .extend(self.judged(&own, &paired, &around, cancel));
+            let mut said = self.judged(&own, &paired, &around, cancel);
+            let has_ignored = |one: &Arc<Analyzed>| has_ignored_tags(&one.expansion);
+            // what is missing in the robot has its cause there
+            if !said.is_empty() && paired.robots.iter().any(has_ignored) {
+                said = self.judged(&own, &Paired::default(), &around, cancel);
+            }
+            found.findings.extend(said);
             if !paired.robots.is_empty() {
                 found.files.push(path.clone());
             }

@@ -9,7 +9,7 @@ use super::mention::Mention;
 use super::{dependencies, mentions};
 use base::FastSet;
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "PKG002",
     name: "missing-package-dependency",
     category: Category::Package,

@@ -13,7 +13,7 @@ mod manifest;
 mod mention;
 mod mentions;
 mod missing_launch_argument;
-mod missing_package_dependency;
+pub(super) mod missing_package_dependency;
 pub(super) mod package_not_found;
 mod resource_not_installed;
 mod unknown_launch_argument;

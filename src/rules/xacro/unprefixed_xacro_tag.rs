@@ -29,7 +29,7 @@ const TAGS: [&str; 7] = [
     "unless",
 ];
 
-/// Those that nothing but xacro knows.
+/// Those that nothing but xacro knows; nothing else knows an `include` with a file name either.
 const OWN_TAGS: [&str; 3] = ["insert_block", "macro", "property"];
 
 /// Whether an element outside of free zones is a tag of xacro without its prefix. A file that a robot in xacro includes is
@@ -49,8 +49,9 @@ pub(in super::super) fn is_unprefixed(
             named || declares(&root.source.document)
         })
     };
+    let includes = || node.name() == "include" && node.attr("filename").is_some();
     TAGS.contains(&node.name()) && declares(document)
-        || OWN_TAGS.contains(&node.name())
+        || (OWN_TAGS.contains(&node.name()) || includes())
             && document.root().is_some_and(|root| root.name() == "robot")
             && is_in_xacro()
 }

@@ -8,6 +8,7 @@ mod choices;
 mod config;
 mod copied;
 mod mentions;
+mod programs;
 mod read;
 
 pub use called::RobotCall;

@@ -1,0 +1,58 @@
+//! What a file has only once programs have changed its text or downloaded its data.
+use std::path::{Component, Path};
+
+use super::session::Session;
+use super::task::Job;
+use rules::{Finding, Severity, named};
+
+impl Session {
+    /// What is wrong only before a program changes the text or gets the data is an info.
+    pub(super) fn settle_made_elsewhere(&self, job: &Job, findings: &mut [Finding]) {
+        let about_packages = |finding: &Finding| {
+            finding.rule == named::MISSING_PACKAGE_DEPENDENCY
+                || finding.rule == named::PACKAGE_NOT_FOUND
+        };
+        let is_rewritten = |finding: &Finding| {
+            let find = || Some(format!("$(find {})", self.text_of(finding)?.trim()));
+            about_packages(finding)
+                && find().is_some_and(|find| self.is_rewritten(&job.file, &find))
+        };
+        self.lower_where(findings, is_rewritten, || Some(Severity::Info));
+        let is_absent = |finding: &Finding| {
+            finding.rule == named::MESH_NOT_FOUND && self.has_no_such_folder(&job.file, finding)
+        };
+        let downloads = || {
+            self.packages
+                .downloads_data(&job.file)
+                .then_some(Severity::Info)
+        };
+        self.lower_where(findings, is_absent, downloads);
+    }
+
+    /// Whether the path of a mesh is relative, and nothing in the folders of its package begins like it.
+    fn has_no_such_folder(&self, file: &Path, finding: &Finding) -> bool {
+        let text = self.text_of(finding).unwrap_or_default();
+        let mut parts = Path::new(text.trim_start_matches("./")).components();
+        let (Some(Component::Normal(first)), Some(_)) = (parts.next(), parts.next()) else {
+            return false;
+        };
+        let package = self.packages.containing(file).map(|package| package.folder);
+        let is_inside = |folder: &&Path| {
+            package
+                .as_ref()
+                .is_some_and(|package| folder.starts_with(package))
+        };
+        !text.contains([':', '$'])
+            && !file
+                .ancestors()
+                .skip(1)
+                .take_while(is_inside)
+                .any(|folder| self.vfs.exists(&folder.join(first)))
+    }
+
+    /// The text that a finding is about.
+    fn text_of(&self, finding: &Finding) -> Option<String> {
+        let source = self.vfs.document(&self.vfs.path(finding.span.file)).ok()?;
+        Some(source.document.slice(finding.span.range))
+    }
+}

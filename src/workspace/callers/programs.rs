@@ -1,0 +1,90 @@
+//! What programs and pages do with a description, beyond naming it.
+
+use std::path::Path;
+
+use super::{Callers, name_of, read, walk};
+use crate::Packages;
+
+/// Words of programs that download something.
+const DOWNLOADS: [&str; 7] = [
+    "wget ",
+    "curl ",
+    "urlretrieve",
+    "gdown",
+    "ExternalProject_Add",
+    "FetchContent_Declare",
+    "file(DOWNLOAD",
+];
+
+/// Endings of files that hold many others.
+const ARCHIVES: [&str; 4] = [".tgz", ".tar", ".zip", ".tbz"];
+
+impl Callers {
+    /// Whether a page names the description `file` to be used: not only in a table of files, unless that says how xacro is run.
+    pub fn tell_to_use(&self, file: &Path, packages: &Packages) -> bool {
+        let name = name_of(file);
+        let uses = |text: &str| {
+            text.lines().any(|line| {
+                line.contains(name) && (!line.trim_start().starts_with('|') || runs_xacro(line))
+            })
+        };
+        self.of(file, packages)
+            .iter()
+            .filter(|caller| caller.is_page())
+            .any(|page| {
+                packages
+                    .vfs
+                    .text(&page.path)
+                    .is_ok_and(|text| uses(&text.text))
+            })
+    }
+
+    /// Whether a program in Python or a shell that names the description `file` holds `text`, letter for letter: neither knows
+    /// `$(find ...)`, so it puts something else for it.
+    pub fn rewrite(&self, file: &Path, text: &str, packages: &Packages) -> bool {
+        let is_program = |path: &Path| {
+            path.extension()
+                .is_some_and(|ending| ending == "py" || ending == "sh")
+        };
+        let holds = |path: &Path| {
+            packages
+                .vfs
+                .text(path)
+                .is_ok_and(|file| file.text.contains(text))
+        };
+        self.of(file, packages)
+            .iter()
+            .any(|caller| is_program(&caller.path) && holds(&caller.path))
+    }
+}
+
+impl Packages {
+    /// Whether a program or build file of the package around a file downloads an archive.
+    pub fn downloads_data(&self, file: &Path) -> bool {
+        let Some(package) = self.containing(file) else {
+            return false;
+        };
+        let has = |text: &str, words: &[&str]| words.iter().any(|word| text.contains(word));
+        let mut found = false;
+        walk(&self.vfs, &package.folder, &mut |path, name, is_small| {
+            let may_run = !name.contains('.') || name == "CMakeLists.txt" || read::is_program(path);
+            if found || !may_run || !is_small() {
+                return;
+            }
+            found = self
+                .vfs
+                .text(path)
+                .is_ok_and(|file| has(&file.text, &DOWNLOADS) && has(&file.text, &ARCHIVES));
+        });
+        found
+    }
+}
+
+/// Whether a line of a page runs xacro, which is also how the names of its files end.
+fn runs_xacro(line: &str) -> bool {
+    line.match_indices("xacro ").any(|(at, _)| {
+        !line
+            .get(..at)
+            .is_some_and(|before| before.ends_with(read::is_name))
+    })
+}
