@@ -4,6 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::super::vocabulary::is_xacro_uri;
 use base::TextRange;
+use facts::is_keyword;
 use xml::Attr;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -29,9 +30,13 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         };
         if is_xacro_uri(attr.raw()) {
             let edits = renamed(cx, attr, prefix);
-            let mut names = cx.elements().map(|(_, node)| node.name());
-            // where only the declaration and attributes have the prefix, no tag is lost
-            let severity = if names.any(|name| has_prefix(name, prefix)) {
+            let mut names = cx
+                .elements()
+                .filter_map(|(_, node)| node.name().strip_prefix(prefix)?.strip_prefix(':'));
+            // beside the right prefix, it may stand for what programs read: no tag of xacro is lost
+            let has_both = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
+            let is_lost = |name: &str| !has_both || is_keyword(name) || cx.macros.contains(name);
+            let severity = if names.any(is_lost) {
                 Severity::Error
             } else {
                 Severity::Info
