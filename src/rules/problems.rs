@@ -244,7 +244,7 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         suggestion.and_then(|suggestion| suggestion(&cx))
     };
     let mut finding = Finding {
-        severity: severity(rule, expansion, problem, file),
+        severity: severity(rule, expansion, problem, (file, document)),
         help: problem.help.clone(),
         fix,
         suggestion,
@@ -258,10 +258,18 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
 }
 
 /// How bad a problem is in the file where it is.
-fn severity(rule: &Rule, expansion: &Expansion, problem: &Problem, file: FileId) -> Severity {
+fn severity(
+    rule: &Rule,
+    expansion: &Expansion,
+    problem: &Problem,
+    (file, document): (FileId, &Document),
+) -> Severity {
     match problem.kind {
         _ if problem.excused => Severity::Info,
         ProblemKind::XmlSyntaxError if is_read_anyway(expansion, file) => Severity::Warning,
+        ProblemKind::IncludeChildrenIgnored => {
+            include_children_ignored::severity(problem, document)
+        }
         // xacro does not read the body of a macro that nothing calls
         ProblemKind::InvalidExpression if problem.probed => Severity::Warning,
         _ => rule.severity,

@@ -43,11 +43,20 @@ impl Session {
         if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
             && self.is_not_there(&package.folder.join(srdf.name.as_str()))
         {
-            found.push(setup_assistant_file_not_found(
-                span(srdf),
-                &srdf.name,
-                &package.name,
-            ));
+            let finding = setup_assistant_file_not_found(span(srdf), &srdf.name, &package.name);
+            // a program makes the SRDFs
+            let is_source = |path: &PathBuf| {
+                path.starts_with(&package.folder) && path.to_string_lossy().ends_with(".srdf.xacro")
+            };
+            let severity = if self.beside_around(&own.path).iter().any(is_source) {
+                rules::Severity::Info
+            } else {
+                finding.severity
+            };
+            found.push(Finding {
+                severity,
+                ..finding
+            });
         }
         let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else {
             return found;

@@ -23,6 +23,18 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         out,
         joints.filter_map(|joint| joint.name.as_ref()),
         "ros2_control",
-        RULE.severity,
+        severity(cx),
     );
+}
+
+/// A link with hardware and without any joint is for a controller manager alone. Before Jazzy it does not ask for the joints.
+fn severity(cx: &RobotCx<'_>) -> Severity {
+    let is_bare = cx.robot.joints.is_empty() && cx.robot.links.len() == 1;
+    let root = cx.expansion.files.first().map(|file| &*file.source.path);
+    let is_old = || root.is_some_and(|root| cx.world.packages.is_before_jazzy(root));
+    if is_bare && is_old() {
+        Severity::Info
+    } else {
+        RULE.severity
+    }
 }

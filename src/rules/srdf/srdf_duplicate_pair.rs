@@ -34,7 +34,12 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .group(Group::File);
         // a full matrix has each pair both ways
         let reason = |pair: &Pair| pair.reason.as_ref().map(|reason| reason.value.clone());
-        let is_same = reason(pair) == reason(known);
+        // nobody looks through the lists of a file that is included
+        let file = |pair: &Pair| {
+            let place = cx.expansion.place(tag_start(cx.expansion, pair.element));
+            place.map(|place| place.file)
+        };
+        let is_same = reason(pair) == reason(known) || file(pair) != file(known);
         let report = report.severity(if is_same {
             Severity::Info
         } else {

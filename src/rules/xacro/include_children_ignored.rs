@@ -3,7 +3,8 @@ use super::super::finding::{Edit, Fix};
 use super::super::problem_cx::ProblemCx;
 use super::super::rule::{Category, Rule, Safety, Severity, page};
 use base::{Span, TextRange};
-use xml::Node;
+use expand::Problem;
+use xml::{Document, Node};
 
 pub(in super::super) static RULE: Rule = Rule::found(
     "XAC033",
@@ -13,6 +14,31 @@ pub(in super::super) static RULE: Rule = Rule::found(
     page("include-children-ignored"),
 )
 .fixed(Safety::Safe);
+
+/// Arguments have the same value in each file of a robot: an include passes them on without its children.
+pub(in super::super) fn severity(problem: &Problem, document: &Document) -> Severity {
+    let place = document.item_at(problem.place.range.start);
+    let at = |node: &Node<'_>| node.name_range().shift(place.start).end == problem.place.range.end;
+    let include = place
+        .item
+        .all_nodes()
+        .find(at)
+        .and_then(|node| node.parent());
+    let text = |child: &Node<'_>, name: &str| child.attr(name).map(|value| value.raw().to_owned());
+    let is_itself = |child: Node<'_>| {
+        let (name, value) = (text(&child, "name"), text(&child, "value"));
+        let name = name.unwrap_or_default();
+        child.name() == "xacro:arg"
+            && value.is_some_and(|value| {
+                value == format!("$(arg {name})") || value == format!("${{{name}}}")
+            })
+    };
+    if include.is_some_and(|include| include.child_elements().all(is_itself)) {
+        Severity::Info
+    } else {
+        RULE.severity
+    }
+}
 
 /// Leave the tag of the include alone.
 pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
