@@ -32,6 +32,7 @@ mod launch_findings;
 mod launch_names;
 mod launch_values;
 mod launched;
+mod left_over;
 mod made_elsewhere;
 mod merge;
 mod named;
@@ -62,6 +63,8 @@ mod world;
 mod beside_tests;
 #[cfg(test)]
 mod generated_tests;
+#[cfg(test)]
+mod left_over_tests;
 #[cfg(test)]
 mod made_elsewhere_tests;
 #[cfg(test)]

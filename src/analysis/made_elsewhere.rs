@@ -14,8 +14,11 @@ impl Session {
         };
         let is_rewritten = |finding: &Finding| {
             let find = || Some(format!("$(find {})", self.text_of(finding)?.trim()));
-            about_packages(finding)
-                && find().is_some_and(|find| self.is_rewritten(&job.file, &find))
+            let rewrites = |find: String| {
+                let own = self.vfs.path(finding.span.file);
+                self.is_rewritten(&job.file, &find) || self.is_rewritten(&own, &find)
+            };
+            about_packages(finding) && find().is_some_and(rewrites)
         };
         self.lower_where(findings, is_rewritten, || Some(Severity::Info));
         let is_absent = |finding: &Finding| {

@@ -257,6 +257,16 @@ impl Session {
             .launched_instead(file, &self.packages, may_be_given)
     }
 
+    /// Whether a launch file or program of the package of a file loads a description that is there, other than this one.
+    pub(super) fn are_others_launched(&self, file: &Path) -> bool {
+        self.callers.load_another(file, &self.packages)
+    }
+
+    /// Whether several launch files around a file load the same description.
+    pub(super) fn agree_on_one(&self, file: &Path) -> bool {
+        self.callers.agree_on_one(file, &self.packages)
+    }
+
     /// Whether launch files load other descriptions, and nothing can mean this one, which lies in no package.
     pub(super) fn is_passed_over(&self, file: &Path) -> bool {
         self.callers.pass_over(file, &self.packages)
@@ -280,6 +290,26 @@ impl Session {
     /// Whether a program that names a description puts something else for a text.
     pub(super) fn is_rewritten(&self, file: &Path, text: &str) -> bool {
         self.callers.rewrite(file, text, &self.packages)
+    }
+
+    /// Whether a program around a file builds the configuration of MoveIt.
+    pub(super) fn has_moveit_builder(&self, file: &Path) -> bool {
+        self.callers.build_for_moveit(file, &self.packages)
+    }
+
+    /// Whether all that names a description are programs that write it.
+    pub(super) fn is_only_written(&self, file: &Path) -> bool {
+        self.callers.only_write(file, &self.packages)
+    }
+
+    /// Whether nothing but programs for kinematics loads a description.
+    pub(super) fn is_for_kinematics(&self, file: &Path) -> bool {
+        self.callers.load_for_kinematics(file, &self.packages)
+    }
+
+    /// Whether all launch files and programs around an SRDF leave it alone.
+    pub(super) fn is_srdf_unread(&self, file: &Path) -> bool {
+        self.callers.leave_srdf_alone(file, &self.packages)
     }
 
     /// Whether launch files and programs use what lies around a file, and none of them simulates anything.

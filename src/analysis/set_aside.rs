@@ -1,13 +1,11 @@
 //! Files that nobody uses: copies and old versions, and what xacro generated.
 use std::path::{Path, PathBuf};
 
-use super::beside::stem;
 use super::drift::banner;
 use super::outcome::Outcome;
 use super::session::Session;
 use super::task::{Job, Reason};
-use super::{graph, walk};
-use base::FastSet;
+use base::{FastMap, FastSet, FileId};
 use expand::ProblemKind;
 use model::{Joint, Robot};
 use rules::{Category, Finding, Group, Severity, Trait, named};
@@ -67,9 +65,10 @@ impl Session {
         if robot.is_some_and(is_list_of_joints)
             || self.is_wrong_on_purpose(&job.file)
             || self.is_for_tests(&job.file)
-            || self.is_set_aside(&job.file)
         {
             lower(findings);
+        } else if self.is_set_aside(&job.file) {
+            self.lower_unused(&job.file, findings);
         }
         let about_simulation = |finding: &Finding| {
             finding.rule.category == Category::Inertia || finding.rule.has(Trait::Contact)
@@ -81,8 +80,13 @@ impl Session {
         let is_idle =
             |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
         self.lower_where(findings, is_idle, || {
-            let is_idle = !self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
+            let is_idle = !self.is_loaded(&job.file) && self.is_never_simulated(&job.file)
+                || self.is_for_kinematics(&job.file);
             is_idle.then_some(Severity::Info)
+        });
+        let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
+        self.lower_where(findings, about_contact, || {
+            self.is_never_simulated(&job.file).then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
@@ -131,6 +135,22 @@ impl Session {
         self.settle_made_elsewhere(job, findings);
     }
 
+    /// Make infos of what is wrong in a robot that was set aside, but for what is wrong in files that are loaded without it.
+    fn lower_unused(&self, file: &Path, findings: &mut [Finding]) {
+        let own = self.vfs.file_id(file);
+        let mut known: FastMap<FileId, bool> = FastMap::default();
+        for finding in findings
+            .iter_mut()
+            .filter(|finding| finding.severity > Severity::Info)
+        {
+            let at = finding.span.file;
+            let is_used = || self.is_loaded(&self.vfs.path(at));
+            if at == own || !*known.entry(at).or_insert_with(is_used) {
+                finding.severity = Severity::Info;
+            }
+        }
+    }
+
     /// Whether the text that is wrong is a word that a program puts something else for: it names the file and the word.
     fn is_filled_in(&self, file: &Path, finding: &Finding) -> bool {
         let source = self.vfs.document(&self.vfs.path(finding.span.file));
@@ -173,6 +193,7 @@ impl Session {
         match self.era(file) {
             _ if self.is_of_rosbuild(file) => Some(Severity::Info),
             Era::Unordered | Era::Old => Some(Severity::Info),
+            Era::Melodic if self.is_for_old_ros(file) => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
             // to read all pages takes longer than to expand the robot
             Era::Any if self.packages.generation(file) == Some(Target::Ros2) => None,
@@ -227,7 +248,7 @@ impl Session {
         };
         let is_unused = |file: &Path| !self.is_named(file) && is_other();
         let is_unused_template = |file: &Path| is_template(file) && !self.is_launched(file);
-        is_unused(file) || is_unused_template(file)
+        is_unused(file) || is_unused_template(file) || self.is_only_written(file)
     }
 
     /// Whether the path of a file says that it is kept and not used.
@@ -285,42 +306,6 @@ impl Session {
         self.vfs
             .text(&config)
             .is_ok_and(|config| config.text.contains("</sdf>") && !config.text.contains(&*name))
-    }
-
-    /// Whether launch files load other descriptions of the package, and nothing can mean this one.
-    fn is_left_over(&self, file: &Path) -> bool {
-        let mut launched = self.launched_instead(file, false);
-        if !launched.is_empty() && self.may_be_given(file, &launched) {
-            launched = self.launched_instead(file, true);
-        }
-        let Some(package) = self
-            .packages
-            .containing(file)
-            .filter(|_| !launched.is_empty())
-        else {
-            return false;
-        };
-        let is_launched = |other: &PathBuf| {
-            let name = other.file_name().and_then(|name| name.to_str());
-            other != file && name.is_some_and(|name| launched.contains(name))
-        };
-        walk::all_descriptions(&package.folder, &self.vfs, &self.env)
-            .iter()
-            .any(is_launched)
-    }
-
-    /// Whether somebody may start a launch file that takes the name of any description with this one: it is a robot, and none of
-    /// the same name is launched.
-    fn may_be_given(&self, file: &Path, launched: &FastSet<String>) -> bool {
-        let gives_robot = self
-            .vfs
-            .document(file)
-            .is_ok_and(|source| graph::gives_robot(&source.document));
-        let is_same = |name: &String| {
-            let other = file.with_file_name(name);
-            other != file && stem(&other) == stem(file) && self.vfs.is_file(&other)
-        };
-        gives_robot && !launched.iter().any(is_same)
     }
 
     /// The words in the path of a file, from the top of the workspace. What file managers call copies are old.
@@ -392,6 +377,9 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
             a.zip(b).take_while(|(a, b)| a == b).count()
         };
         let Some(source) = outcomes.iter().filter(is_source).max_by_key(shared) else {
+            if is_scratch(session, outcomes, number) {
+                lower_all(outcomes, number);
+            }
             continue;
         };
         let said = |finding: &Finding| {
@@ -411,6 +399,33 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
                 lower(&mut outcome.findings);
             }
         }
+    }
+}
+
+/// Whether a file that was generated from another one, which is gone, lies beside a description that was not, and nothing
+/// names or includes it.
+fn is_scratch(session: &Session, outcomes: &[Outcome], number: usize) -> bool {
+    let Some(own) = outcomes.get(number) else {
+        return false;
+    };
+    let is_beside = |other: &Outcome| {
+        other.job.file != own.job.file
+            && other.job.file.parent() == own.job.file.parent()
+            && other
+                .files
+                .first()
+                .is_some_and(|file| generated_from(file).is_none())
+    };
+    let file = &own.job.file;
+    own.job.reason == Reason::Walked
+        && outcomes.iter().any(is_beside)
+        && !session.is_named(file)
+        && !session.is_included(file)
+}
+
+fn lower_all(outcomes: &mut [Outcome], number: usize) {
+    if let Some(outcome) = outcomes.get_mut(number) {
+        lower(&mut outcome.findings);
     }
 }
 

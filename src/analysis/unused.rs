@@ -2,7 +2,7 @@
 //! controllers.
 use std::path::{Path, PathBuf};
 
-use super::beside::{is_settings, sort};
+use super::beside::{Sort, is_settings, sort};
 use super::options::CheckOptions;
 use super::outcome::Outcome;
 use super::session::Session;
@@ -67,7 +67,7 @@ impl Session {
             .map(|path| self.vfs.absolute(path))
             .collect();
         self.lower_in(findings, |file| {
-            !asked.contains(file) && self.is_left_behind(file)
+            !asked.contains(file) && (self.is_left_behind(file) || self.is_unread(file))
         });
         for finding in findings
             .iter_mut()
@@ -149,6 +149,18 @@ impl Session {
             .iter()
             .filter(|other| *other != file && is_settings(other))
             .any(lists)
+    }
+
+    /// Whether launch files load robots beside an SRDF, and no text says anything of it.
+    fn is_unread(&self, file: &Path) -> bool {
+        let package = self.packages.containing(file).map(|package| package.folder);
+        // what the setup assistant of MoveIt writes is found by its name
+        let is_plain =
+            package.is_some_and(|folder| !self.vfs.is_file(&folder.join(".setup_assistant")));
+        sort(file) == Some(Sort::Srdf)
+            && is_plain
+            && self.is_srdf_unread(file)
+            && self.are_others_launched(file)
     }
 
     /// Whether a file lists controllers and no text names it, while texts name another one of its package.

@@ -128,7 +128,7 @@ impl Session {
 
     /// The robot that MoveIt loads rather than the one in `.setup_assistant`: `config/NAME.urdf.xacro`, in which the assistant
     /// puts `<ros2_control>` around it.
-    pub(super) fn extended(&self, package: &Path) -> Option<PathBuf> {
+    pub(in super::super) fn extended(&self, package: &Path) -> Option<PathBuf> {
         let config = package.join("config");
         let names = self.vfs.list_dir(&config);
         let mut own = names

@@ -25,6 +25,15 @@ const MARKS: [&str; 12] = [
     ".codecov.yml",
 ];
 
+/// Folders of what others have written.
+const OTHERS: [&str; 5] = [
+    "third_party",
+    "thirdparty",
+    "third-party",
+    "3rdparty",
+    "3rd_party",
+];
+
 /// What tools write into a manifest for somebody to fill in.
 const DRAFTS: [&str; 2] = ["@todo.todo", "<license>TODO"];
 
@@ -250,7 +259,13 @@ fn copied_with(top: &Path, package: &Path, vfs: &Vfs) -> Option<PathBuf> {
     if folders().any(|folder| vfs.exists(&folder.join(".git"))) {
         return None;
     }
-    let marked = folders().filter(|folder| has_mark(vfs, folder)).last();
+    let is_below_others = |folder: &Path| {
+        let above = folder.parent().and_then(Path::file_name);
+        above.is_some_and(|above| OTHERS.iter().any(|name| above.eq_ignore_ascii_case(name)))
+    };
+    let marked = folders()
+        .filter(|folder| has_mark(vfs, folder) || is_below_others(folder))
+        .last();
     let is_released = || vfs.is_file(&package.join("CHANGELOG.rst"));
     marked
         .or_else(|| is_released().then_some(package))

@@ -30,6 +30,10 @@ pub(super) struct Mentions {
     packages: FastMap<String, Vec<PathBuf>>,
     /// The texts that start controllers.
     starters: Vec<PathBuf>,
+    /// Whether a program builds the configuration of MoveIt from the names of packages.
+    builds_moveit: bool,
+    /// Whether a text that runs may find an SRDF whose name it does not spell out.
+    takes_srdf: bool,
     /// Whether a text simulates, plans or controls something.
     simulates: bool,
     /// Whether there is a launch file or a program.
@@ -59,10 +63,30 @@ impl Callers {
         self.mentions(file, packages).is_some_and(is_it)
     }
 
+    /// Whether a program around a file builds the configuration of MoveIt, which finds descriptions by itself.
+    pub fn build_for_moveit(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages)
+            .is_none_or(|mentions| mentions.builds_moveit)
+    }
+
+    /// Whether no text around an SRDF holds its name, and none that runs puts the name of one together.
+    pub fn leave_srdf_alone(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages).is_some_and(|mentions| {
+            mentions.is_whole
+                && !mentions.takes_srdf
+                && !mentions.builds_moveit
+                && mentions.of(file).next().is_none()
+        })
+    }
+
     /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix.
     pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
+        let is_old = |mentions: &Mentions| {
+            mentions.distributions == (true, false)
+                || !mentions.distributions.1 && is_edited_for_old(file, packages)
+        };
         self.mentions(file, packages)
-            .is_some_and(|mentions| mentions.distributions == (true, false))
+            .is_some_and(|mentions| is_old(&mentions))
     }
 
     /// The texts around a file that start controllers.
@@ -92,6 +116,7 @@ impl Mentions {
         found.is_whole = walk(&packages.vfs, top, &mut |path, name, is_small| {
             let is_read = (read::is_description(name) || read::may_call(name)) && is_small();
             if let Some(text) = is_read.then(|| packages.vfs.text(path).ok()).flatten() {
+                found.add_generation(path, &text.text);
                 found.add(path, &read::without_comments(name, &text.text), &names);
             }
         });
@@ -109,12 +134,16 @@ impl Mentions {
         if !is_description && !is_page && STARTERS.iter().any(|word| text.contains(word)) {
             self.starters.push(path.to_owned());
         }
+        if !is_page {
+            self.builds_moveit |= !is_description && text.contains("MoveItConfigs");
+        }
         let is_use = !is_description && !path.ends_with("CMakeLists.txt");
         let mut seen: FastSet<&str> = FastSet::default();
         for word in text
             .split(|c| !read::is_name(c))
             .map(|word| word.trim_matches(['.', '-']))
         {
+            self.takes_srdf |= !is_description && !is_page && word == "srdf";
             let is_package = is_use && names.contains(word);
             let is_file = word.contains('.') && word.contains(char::is_alphabetic);
             if is_page {
@@ -136,6 +165,17 @@ impl Mentions {
                     .push(path.to_owned());
             }
         }
+    }
+
+    /// Add what a program says by the Python that it is for, and a description by the elements that Gazebo read before 2012.
+    fn add_generation(&mut self, path: &Path, text: &str) {
+        const PYTHON_2: [&str; 4] = ["python2", "from Tkinter ", "import Tkinter", "raw_input("];
+        const OLD_GAZEBO: [&str; 2] = ["<sensor:", "<controller:"];
+        let has = |words: &[&str]| words.iter().any(|word| text.contains(word));
+        let is_python = path.extension().is_some_and(|ending| ending == "py");
+        self.distributions.0 |=
+            is_python && has(&PYTHON_2) || read::is_description(name_of(path)) && has(&OLD_GAZEBO);
+        self.distributions.1 |= is_python && has(&["python3", "rclpy", "ament_"]);
     }
 
     fn add_distribution(&mut self, word: &str) {
@@ -171,4 +211,22 @@ impl Mentions {
             .flatten()
             .map(PathBuf::as_path)
     }
+}
+
+/// Whether an editor was set up for an old distribution, in the folder of sources around a file.
+fn is_edited_for_old(file: &Path, packages: &Packages) -> bool {
+    let Some(folder) = packages.sources_around(file).map(|top| top.join(".vscode")) else {
+        return false;
+    };
+    let names_old = |text: &str| {
+        OLD.iter()
+            .any(|name| text.contains(&format!("/opt/ros/{name}")))
+    };
+    packages.vfs.list_dir(&folder).iter().any(|entry| {
+        entry.name.ends_with(".json")
+            && packages
+                .vfs
+                .text(&folder.join(&entry.name))
+                .is_ok_and(|file| names_old(&file.text))
+    })
 }

@@ -73,13 +73,18 @@ struct Written {
 }
 
 impl Written {
-    /// How well a file fits: its package first, then its folders.
-    fn fit(&self, file: &Path, packages: &Packages) -> (bool, usize) {
+    /// How well a file fits: its package first, then its folders, and then whether these are all that it has in its package.
+    fn fit(&self, file: &Path, packages: &Packages) -> (bool, usize, bool) {
         let folder = file.parent().unwrap_or(file);
         let pairs = folder.iter().rev().zip(self.folders.iter().rev());
-        let own = || packages.containing(file).map(|package| package.name);
-        let is_in_package = self.package.is_some() && own() == self.package;
-        (is_in_package, pairs.take_while(|(a, b)| a == b).count())
+        let count = pairs.take_while(|(a, b)| a == b).count();
+        let own = (self.package.is_some() || count > 0)
+            .then(|| packages.containing(file))
+            .flatten();
+        let is_in_package =
+            self.package.is_some() && own.as_ref().map(|own| &own.name) == self.package.as_ref();
+        let is_all = count > 0 && own.is_some_and(|own| folder == own.folder.join(&self.folders));
+        (is_in_package, count, is_all)
     }
 }
 
@@ -312,7 +317,7 @@ impl Callers {
         })
     }
 
-    /// The names of the descriptions in the package of `file` that launch files load instead: none where the file itself
+    /// The names of the descriptions in the package of `file` that launch files, programs and build files load instead: none where the file itself
     /// is named somewhere, or the launch files take the name of any and it `may_be_given`.
     pub fn launched_instead(
         &self,
@@ -329,9 +334,9 @@ impl Callers {
         let Some(all) = all.filter(|_| is_free()) else {
             return FastSet::default();
         };
-        let is_launch =
-            |caller: &&Caller| caller.is_launch() && packages.may_mean(&caller.path, file);
-        let launches = all.callers.iter().filter(is_launch);
+        let is_loader =
+            |caller: &&Caller| caller.is_loader() && packages.may_mean(&caller.path, file);
+        let launches = all.callers.iter().filter(is_loader);
         launches
             .flat_map(|caller| caller.descriptions.keys().cloned())
             .collect()
@@ -345,7 +350,7 @@ impl Callers {
             .filter(|_| packages.containing(file).is_none());
         let Some(all) = all else { return false };
         let may_mean = |caller: &Caller| {
-            all.names(caller, file, packages, false)
+            all.names(caller, file, packages, false) && !caller.is_trial()
                 || caller.ends(file)
                 || caller.is_open && packages.may_mean(&caller.path, file)
         };
@@ -404,6 +409,17 @@ impl Caller {
         let folder = self.path.parent().and_then(Path::file_name);
         name.contains("launch")
             || folder.is_some_and(|folder| folder == "launch") && !self.is_page()
+    }
+
+    /// Whether this is a launch file to try something out, by its name.
+    fn is_trial(&self) -> bool {
+        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
+        self.is_launch() && name.to_lowercase().starts_with("test")
+    }
+
+    /// Whether it loads robots: a launch file, a program, or a build file that names more than it installs.
+    fn is_loader(&self) -> bool {
+        self.is_launch() || self.is_program() || self.path.ends_with("CMakeLists.txt")
     }
 
     /// Whether the text says nothing of the file, so that its package may be computed as well.

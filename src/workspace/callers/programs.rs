@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Callers, name_of, read, walk};
+use super::{Caller, Callers, name_of, read, walk};
 use crate::Packages;
 
 /// Words of programs that download something.
@@ -36,6 +36,84 @@ impl Callers {
                     .vfs
                     .text(&page.path)
                     .is_ok_and(|text| uses(&text.text))
+            })
+    }
+
+    /// Whether a launch file, program or build file that may mean `file` loads another description that is there.
+    pub fn load_another(&self, file: &Path, packages: &Packages) -> bool {
+        self.around(file, packages).is_some_and(|all| {
+            all.callers.iter().any(|caller| {
+                caller.is_loader()
+                    && packages.may_mean(&caller.path, file)
+                    && all.has_another(caller, file, packages)
+            })
+        })
+    }
+
+    /// Whether several launch files that may mean `file` load descriptions, and all of them the same one.
+    pub fn agree_on_one(&self, file: &Path, packages: &Packages) -> bool {
+        let Some(all) = self.around(file, packages) else {
+            return false;
+        };
+        let loads = |caller: &&Caller| {
+            caller.is_launch()
+                && !caller.descriptions.is_empty()
+                && packages.may_mean(&caller.path, file)
+        };
+        let launches: Vec<&Caller> = all.callers.iter().filter(loads).collect();
+        let first = launches.first().map(|caller| &caller.descriptions);
+        let is_common = |name: &String| {
+            launches
+                .iter()
+                .all(|caller| caller.descriptions.contains_key(name))
+        };
+        launches.len() > 1 && first.is_some_and(|names| names.keys().any(is_common))
+    }
+
+    /// Whether nothing but programs of MATLAB loads the description `file`, for its kinematics.
+    pub fn load_for_kinematics(&self, file: &Path, packages: &Packages) -> bool {
+        const DYNAMICS: [&str; 7] = [
+            "inverseDynamics",
+            "forwardDynamics",
+            "massMatrix",
+            "gravityTorque",
+            "velocityProduct",
+            "centerOfMass",
+            "smimport",
+        ];
+        let is_kinematic = |caller: &Caller| {
+            caller.path.extension().is_some_and(|ending| ending == "m")
+                && packages.vfs.text(&caller.path).is_ok_and(|file| {
+                    file.text.contains("importrobot")
+                        && !DYNAMICS.iter().any(|word| file.text.contains(word))
+                })
+        };
+        let all = self.of(file, packages);
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && !caller.is_page())
+            .peekable();
+        loaders.peek().is_some() && loaders.all(is_kinematic)
+    }
+
+    /// Whether all that names the description `file` are programs in Python that write it, whatever they read of it again.
+    pub fn only_write(&self, file: &Path, packages: &Packages) -> bool {
+        let name = name_of(file);
+        let writes = |line: &str| {
+            line.contains(name)
+                && (line.contains(".write(")
+                    || line.contains("open(") && (line.contains("\"w\"") || line.contains("'w'")))
+        };
+        let all = self.of(file, packages);
+        let mut named = all.iter().filter(|caller| caller.says(file)).peekable();
+        named.peek().is_some()
+            && named.all(|caller| {
+                caller.path.extension().is_some_and(|ending| ending == "py")
+                    && !caller.is_launch()
+                    && packages
+                        .vfs
+                        .text(&caller.path)
+                        .is_ok_and(|file| file.text.lines().any(writes))
             })
     }
 

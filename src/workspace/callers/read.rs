@@ -359,11 +359,12 @@ fn is_installed(name: &str, lead: &str) -> bool {
 
 /// Whether a name behind this text is part of a drawn tree of folders.
 fn is_listed(lead: &str) -> bool {
-    end_of(lead)
-        .rsplit('\n')
-        .next()
-        .unwrap_or("")
-        .contains(['├', '└', '│'])
+    let line = end_of(lead).rsplit('\n').next().unwrap_or("");
+    // nothing but what draws a branch, as with `|--` and `>`
+    let is_drawn = |line: &str| {
+        line.starts_with(['|', '+', '>']) && line.chars().all(|c| "|+->`\\ ".contains(c))
+    };
+    line.contains(['├', '└', '│']) || line.starts_with(' ') && is_drawn(line.trim_start())
 }
 
 /// Whether a name behind this text is that of an include.

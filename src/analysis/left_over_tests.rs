@@ -1,0 +1,463 @@
+//! Files of a package that nothing uses, beside others that are used.
+use super::set_aside_tests::{BROKEN, found};
+use rules::Severity;
+
+const MANIFEST: (&str, &str) = ("package.xml", "<package><name>lamp</name></package>");
+
+fn severity_of(file: &str, files: &[(&str, &str)], rule: &str) -> Option<Severity> {
+    let places = found(files, rule);
+    places
+        .iter()
+        .find(|(name, _)| name == file)
+        .map(|found| found.1)
+}
+
+#[test]
+fn a_program_or_build_file_loads_another_one() {
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            ("urdf/sketch.urdf", BROKEN),
+            ("urdf/lamp.urdf", BROKEN),
+        ];
+        severity_of(
+            "urdf/sketch.urdf",
+            &[&own, others].concat(),
+            "missing-element",
+        )
+    };
+    for (name, text, expected) in [
+        ("scripts/move.py", "load('urdf/lamp.urdf')", Severity::Info),
+        (
+            "scripts/move.py",
+            "load('urdf/sketch.urdf', 'urdf/lamp.urdf')",
+            Severity::Error,
+        ),
+        ("scripts/move.py", "load('urdf/gone.urdf')", Severity::Error),
+        (
+            "CMakeLists.txt",
+            "xacro_add_files(urdf/lamp.urdf TARGET a)",
+            Severity::Info,
+        ),
+        (
+            "CMakeLists.txt",
+            "install(FILES urdf/lamp.urdf DESTINATION x)",
+            Severity::Error,
+        ),
+        ("README.md", "the robot is lamp.urdf", Severity::Error),
+    ] {
+        assert_eq!(of(&[(name, text)]), Some(expected), "{name}: {text}");
+    }
+}
+
+#[test]
+fn a_launch_file_loads_one_of_another_package() {
+    let of = |name: &str| {
+        let launch = format!("<param textfile='$(find lamp)/urdf/{name}'/>");
+        let files = [
+            ("lamp/package.xml", MANIFEST.1),
+            ("lamp/urdf/lamp.urdf", BROKEN),
+            ("run/package.xml", "<package><name>run</name></package>"),
+            ("run/urdf/sketch.urdf", BROKEN),
+            ("run/launch/run.launch", launch.as_str()),
+        ];
+        severity_of("run/urdf/sketch.urdf", &files, "missing-element")
+    };
+    assert_eq!(of("lamp.urdf"), Some(Severity::Info));
+    assert_eq!(of("gone.urdf"), Some(Severity::Error));
+}
+
+#[test]
+fn launch_files_that_agree_on_a_robot() {
+    let of = |first: &str, second: &str| {
+        let launch = |name: &str| {
+            format!(
+                "<param command='xacro $(arg model)'/><arg name='model' default='$(find lamp)/urdf/{name}'/>"
+            )
+        };
+        let (first, second) = (launch(first), launch(second));
+        let files = [
+            MANIFEST,
+            ("urdf/sketch.urdf", BROKEN),
+            ("urdf/lamp.urdf", BROKEN),
+            ("urdf/torch.urdf", BROKEN),
+            ("launch/show.launch", first.as_str()),
+            ("launch/simulate.launch", second.as_str()),
+        ];
+        severity_of("urdf/sketch.urdf", &files, "missing-element")
+    };
+    assert_eq!(of("lamp.urdf", "lamp.urdf"), Some(Severity::Info));
+    assert_eq!(of("lamp.urdf", "torch.urdf"), Some(Severity::Error));
+}
+
+#[test]
+fn variants_of_a_part_of_a_robot() {
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            ("hand/package.xml", "<package><name>hand</name></package>"),
+            ("hand/urdf/hand_a.urdf", BROKEN),
+            (
+                "hand/urdf/hand_b.urdf",
+                "<robot name='b'><link name='b'/></robot>",
+            ),
+            ("lamp/package.xml", MANIFEST.1),
+        ];
+        severity_of(
+            "hand/urdf/hand_a.urdf",
+            &[&own, others].concat(),
+            "missing-element",
+        )
+    };
+    let includes = (
+        "lamp/urdf/lamp.xacro",
+        "<robot name='l' xmlns:xacro='x'><xacro:include filename='$(find hand)/urdf/hand_b.urdf'/></robot>",
+    );
+    let loads = (
+        "lamp/launch/a.launch",
+        "<param textfile='$(find hand)/urdf/hand_a.urdf'/>",
+    );
+    assert_eq!(of(&[]), Some(Severity::Error));
+    assert_eq!(of(&[includes]), Some(Severity::Info));
+    assert_eq!(of(&[includes, loads]), Some(Severity::Error));
+}
+
+#[test]
+fn a_path_in_a_package_means_the_file_there() {
+    let of = |folder: &str| {
+        let launch = format!("path = get_package_share_path('lamp') / '{folder}lamp.urdf'");
+        let files = [
+            MANIFEST,
+            ("lamp/urdf/lamp.urdf", BROKEN),
+            ("urdf/lamp.urdf", BROKEN),
+            ("launch/show.launch.py", launch.as_str()),
+        ];
+        severity_of("lamp/urdf/lamp.urdf", &files, "missing-element")
+    };
+    assert_eq!(of("urdf/"), Some(Severity::Info));
+    assert_eq!(of("lamp/urdf/"), Some(Severity::Error));
+    assert_eq!(of(""), Some(Severity::Error));
+}
+
+#[test]
+fn drawn_folders_name_nothing() {
+    let of = |page: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/sketch.urdf", BROKEN),
+            ("urdf/lamp.urdf", BROKEN),
+            ("README.md", page),
+            (
+                "launch/show.launch",
+                "<param textfile='$(find lamp)/urdf/lamp.urdf'/>",
+            ),
+        ];
+        severity_of("urdf/sketch.urdf", &files, "missing-element")
+    };
+    assert_eq!(
+        of("+ urdf\n    > lamp.urdf\n    > sketch.urdf\n"),
+        Some(Severity::Info)
+    );
+    assert_eq!(of("urdf\n  |-- sketch.urdf\n"), Some(Severity::Info));
+    assert_eq!(of("load:\n    - sketch.urdf\n"), Some(Severity::Error));
+    assert_eq!(of("    cat a > sketch.urdf\n"), Some(Severity::Error));
+}
+
+#[test]
+fn generated_files_whose_source_is_gone() {
+    let head = "<?xml version='1.0'?>\n<!-- | This document was autogenerated by xacro from gone.xacro | -->\n";
+    let generated = format!("{head}{BROKEN}");
+    let of = |others: &[(&str, &str)]| {
+        let own = [MANIFEST, ("urdf/made.urdf", generated.as_str())];
+        severity_of(
+            "urdf/made.urdf",
+            &[&own, others].concat(),
+            "missing-element",
+        )
+    };
+    let other = ("urdf/lamp.urdf", BROKEN);
+    let named = ("README.md", "load made.urdf");
+    assert_eq!(of(&[]), Some(Severity::Error));
+    assert_eq!(of(&[other]), Some(Severity::Info));
+    assert_eq!(of(&[other, named]), Some(Severity::Error));
+}
+
+#[test]
+fn semantic_descriptions_that_nothing_reads() {
+    let srdf = "<robot name='lamp'><group name='all'><link name='base'/></group>\
+                <group_state name='up' group='legs'/></robot>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            (
+                "urdf/lamp.urdf",
+                "<robot name='lamp'><link name='base'/></robot>",
+            ),
+            ("config/lamp.srdf", srdf),
+        ];
+        severity_of(
+            "config/lamp.srdf",
+            &[&own, others].concat(),
+            "srdf-unknown-group",
+        )
+    };
+    let loads = "<param textfile='$(find lamp)/urdf/lamp.urdf'/>";
+    let both = format!("{loads}<param textfile='$(find lamp)/config/lamp.srdf'/>");
+    let computed = format!("{loads}<param textfile='$(arg name).srdf'/>");
+    assert_eq!(of(&[]), Some(Severity::Error));
+    assert_eq!(of(&[("launch/show.launch", loads)]), Some(Severity::Info));
+    assert_eq!(of(&[("launch/show.launch", &both)]), Some(Severity::Error));
+    assert_eq!(
+        of(&[("launch/show.launch", &computed)]),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn trials_outside_of_packages() {
+    let of = |name: &str| {
+        let files = [
+            ("lamp/package.xml", MANIFEST.1),
+            ("lamp/urdf/lamp.urdf", BROKEN),
+            (
+                "lamp/launch/show.launch",
+                "<param textfile='$(find lamp)/urdf/lamp.urdf'/>",
+            ),
+            ("notes/deep/try.urdf", BROKEN),
+            (
+                name,
+                "<arg name='m' default='/home/me/notes/deep/try.urdf'/>",
+            ),
+        ];
+        severity_of("notes/deep/try.urdf", &files, "missing-element")
+    };
+    assert_eq!(of("lamp/launch/test_it.launch"), Some(Severity::Info));
+    assert_eq!(of("lamp/launch/it.launch"), Some(Severity::Error));
+}
+
+#[test]
+fn packages_in_a_folder_of_others() {
+    let of = |folder: &str| {
+        let package = format!("{folder}/eye/package.xml");
+        let robot = format!("{folder}/eye/urdf/eye.urdf");
+        let files = [
+            ("lamp/package.xml", MANIFEST.1),
+            ("lamp/urdf/lamp.urdf", BROKEN),
+            (
+                package.as_str(),
+                "<package><name>eye</name><maintainer email='they@lab.org'>P</maintainer></package>",
+            ),
+            (robot.as_str(), BROKEN),
+        ];
+        severity_of(&robot, &files, "missing-element")
+    };
+    assert_eq!(of("third_party"), Some(Severity::Info));
+    assert_eq!(of("sensors"), Some(Severity::Error));
+}
+
+#[test]
+fn what_says_that_a_robot_is_for_an_old_xacro() {
+    let robot =
+        "<robot name='r' xmlns:xacro='x'><property name='a' value='1'/><link name='base'/></robot>";
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            (
+                "package.xml",
+                "<package><name>lamp</name><buildtool_depend>catkin</buildtool_depend></package>",
+            ),
+            ("urdf/lamp.xacro", robot),
+        ];
+        severity_of(
+            "urdf/lamp.xacro",
+            &[&own, others].concat(),
+            "unprefixed-xacro-tag",
+        )
+    };
+    let python = |text: &'static str| ("scripts/move.py", text);
+    assert_eq!(of(&[]), Some(Severity::Error));
+    assert_eq!(of(&[python("from Tkinter import *")]), Some(Severity::Info));
+    assert_eq!(
+        of(&[python("from tkinter import *")]),
+        Some(Severity::Error)
+    );
+    let both = [
+        python("from Tkinter import *"),
+        ("scripts/go.py", "#!/usr/bin/env python3"),
+    ];
+    assert_eq!(of(&both), Some(Severity::Error));
+    let editor = |name: &str| format!("{{\"paths\": [\"/opt/ros/{name}/lib\"]}}");
+    let (old, new) = (editor("melodic"), editor("noetic"));
+    assert_eq!(of(&[(".vscode/settings.json", &old)]), Some(Severity::Info));
+    assert_eq!(
+        of(&[(".vscode/settings.json", &new)]),
+        Some(Severity::Error)
+    );
+    let launch = (
+        "launch/show.launch",
+        "<param name='d' command='xacro --inorder $(find lamp)/urdf/lamp.xacro'/>",
+    );
+    assert_eq!(of(&[launch]), Some(Severity::Warning));
+    assert_eq!(
+        of(&[launch, python("from Tkinter import *")]),
+        Some(Severity::Info)
+    );
+}
+
+#[test]
+fn files_that_programs_only_write() {
+    let of = |program: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/dump.urdf", BROKEN),
+            ("scripts/dump.py", program),
+        ];
+        severity_of("urdf/dump.urdf", &files, "missing-element")
+    };
+    assert_eq!(
+        of("out = open(path + '/urdf/dump.urdf', 'w')"),
+        Some(Severity::Info)
+    );
+    assert_eq!(
+        of("tree.write(path + '/urdf/dump.urdf')"),
+        Some(Severity::Info)
+    );
+    assert_eq!(
+        of("text = open(path + '/urdf/dump.urdf').read()"),
+        Some(Severity::Error)
+    );
+    assert_eq!(of(""), Some(Severity::Error));
+}
+
+#[test]
+fn descriptions_for_a_controller_manager_alone() {
+    let block = "<ros2_control name='c' type='system'><hardware><plugin>mock_components/GenericSystem</plugin></hardware>\
+                 <joint name='turn'><command_interface name='position'/></joint></ros2_control>";
+    let of = |links: &str, page: &str| {
+        let robot = format!("<robot name='r'>{links}{block}</robot>");
+        let files = [
+            (
+                "package.xml",
+                "<package><name>lamp</name><buildtool_depend>ament_cmake</buildtool_depend></package>",
+            ),
+            ("urdf/lamp.urdf", robot.as_str()),
+            ("README.md", page),
+        ];
+        severity_of("urdf/lamp.urdf", &files, "ros2-control-unknown-joint")
+    };
+    let one = "<link name='base'/>";
+    let two = "<link name='base'/><link name='top'/><joint name='j' type='fixed'><parent link='base'/><child link='top'/></joint>";
+    assert_eq!(of(one, "for humble"), Some(Severity::Info));
+    assert_eq!(of(one, "for jazzy"), Some(Severity::Error));
+    assert_eq!(of(one, ""), Some(Severity::Error));
+    assert_eq!(of(two, "for humble"), Some(Severity::Error));
+}
+
+#[test]
+fn pairs_of_an_included_file() {
+    let robot = "<robot name='lamp'><link name='a'/><link name='b'/><joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>";
+    let pair =
+        |reason: &str| format!("<disable_collisions link1='a' link2='b' reason='{reason}'/>");
+    let of = |own: &str, included: &str| {
+        let srdf = format!(
+            "<robot name='lamp' xmlns:xacro='x'><xacro:include filename='list.srdf.xacro'/>{own}</robot>"
+        );
+        let list = format!("<robot xmlns:xacro='x'>{included}</robot>");
+        let files = [
+            MANIFEST,
+            ("urdf/lamp.urdf", robot),
+            ("config/lamp.srdf.xacro", srdf.as_str()),
+            ("config/list.srdf.xacro", list.as_str()),
+        ];
+        found(&files, "srdf-duplicate-pair")
+            .first()
+            .map(|found| found.1)
+    };
+    let (one, two) = (pair("Never"), pair("Adjacent"));
+    assert_eq!(of(&one, &two), Some(Severity::Info));
+    assert_eq!(of(&[one, two].concat(), ""), Some(Severity::Warning));
+}
+
+#[test]
+fn semantic_descriptions_that_a_program_makes() {
+    let assistant = "moveit_setup_assistant_config:\n  URDF:\n    package: lamp\n    relative_path: urdf/lamp.urdf\n  SRDF:\n    relative_path: config/lamp.srdf\n";
+    let of = |others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            (
+                "urdf/lamp.urdf",
+                "<robot name='lamp'><link name='base'/></robot>",
+            ),
+            (".setup_assistant", assistant),
+        ];
+        severity_of(
+            ".setup_assistant",
+            &[&own, others].concat(),
+            "setup-assistant-file-not-found",
+        )
+    };
+    let source = ("config/srdf/parts.srdf.xacro", "<robot name='lamp'/>");
+    assert_eq!(of(&[]), Some(Severity::Warning));
+    assert_eq!(of(&[source]), Some(Severity::Info));
+}
+
+#[test]
+fn what_a_robot_in_use_shares_with_a_sketch() {
+    let sketch = "<robot name='s' xmlns:xacro='x'><xacro:include filename='lamp.urdf'/><link name='s'><visual/></link></robot>";
+    let of = |launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/lamp.urdf", BROKEN),
+            ("urdf/sketch.urdf.xacro", sketch),
+            (
+                "urdf/other.urdf",
+                "<robot name='o'><link name='o'/></robot>",
+            ),
+            ("launch/show.launch", launch),
+        ];
+        let severity = |file: &str| severity_of(file, &files, "missing-element");
+        (
+            severity("urdf/sketch.urdf.xacro"),
+            severity("urdf/lamp.urdf"),
+        )
+    };
+    let (info, error) = (Some(Severity::Info), Some(Severity::Error));
+    assert_eq!(
+        of("<param textfile='$(find lamp)/urdf/lamp.urdf'/>"),
+        (info, error)
+    );
+    assert_eq!(
+        of("<param textfile='$(find lamp)/urdf/other.urdf'/>"),
+        (info, info)
+    );
+}
+
+#[test]
+fn what_the_builder_of_moveit_finds() {
+    let of = |launch: &str| {
+        let files = [
+            ("lamp/package.xml", MANIFEST.1),
+            ("lamp/urdf/lamp.urdf", BROKEN),
+            ("plan/package.xml", "<package><name>plan</name></package>"),
+            ("plan/config/lamp.urdf.xacro", BROKEN),
+            ("plan/launch/plan.launch.py", launch),
+        ];
+        severity_of("plan/config/lamp.urdf.xacro", &files, "missing-element")
+    };
+    let loads = "path = get_package_share_path('lamp') / 'urdf/lamp.urdf'";
+    assert_eq!(of(loads), Some(Severity::Info));
+    let builds = format!("{loads}\nMoveItConfigsBuilder('lamp')");
+    assert_eq!(of(&builds), Some(Severity::Error));
+}
+
+#[test]
+fn kinematics_of_matlab() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |program: &str| {
+        let files = [MANIFEST, ("urdf/lamp.urdf", robot), ("src/go.m", program)];
+        severity_of("urdf/lamp.urdf", &files, "inertia-triangle-inequality")
+    };
+    let loads = "robot = importrobot('lamp.urdf');";
+    assert_eq!(of(loads), Some(Severity::Info));
+    let computes = format!("{loads} t = inverseDynamics(robot, q);");
+    assert_eq!(of(&computes), Some(Severity::Error));
+}
