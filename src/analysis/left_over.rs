@@ -35,13 +35,13 @@ impl Session {
     }
 
     /// Whether somebody may start a launch file that takes the name of any description with this one: it is a robot, and none of
-    /// the same name is launched. Not where several launch files agree on one.
+    /// the same name is launched.
     fn may_be_given(&self, file: &Path, launched: &FastSet<String>) -> bool {
         let is_same = |name: &String| {
             let other = file.with_file_name(name);
             other != file && stem(&other) == stem(file) && self.vfs.is_file(&other)
         };
-        self.gives_robot(file) && !launched.iter().any(is_same) && !self.agree_on_one(file)
+        self.gives_robot(file) && !launched.iter().any(is_same)
     }
 
     /// Whether a robot is named by nothing, while another one of its package is part of a robot.

@@ -262,11 +262,6 @@ impl Session {
         self.callers.load_another(file, &self.packages)
     }
 
-    /// Whether several launch files around a file load the same description.
-    pub(super) fn agree_on_one(&self, file: &Path) -> bool {
-        self.callers.agree_on_one(file, &self.packages)
-    }
-
     /// Whether launch files load other descriptions, and nothing can mean this one, which lies in no package.
     pub(super) fn is_passed_over(&self, file: &Path) -> bool {
         self.callers.pass_over(file, &self.packages)

@@ -13,7 +13,7 @@ use vfs::SourceFile;
 use workspace::{Era, Target};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
-const KEPT: [&str; 15] = [
+const KEPT: [&str; 16] = [
     "archive",
     "archived",
     "attic",
@@ -28,6 +28,7 @@ const KEPT: [&str; 15] = [
     "original",
     "outdated",
     "past",
+    "tmp",
     "unused",
 ];
 
@@ -86,7 +87,8 @@ impl Session {
         });
         let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
         self.lower_where(findings, about_contact, || {
-            self.is_never_simulated(&job.file).then_some(Severity::Info)
+            let is_idle = self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
+            is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
@@ -403,7 +405,7 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
 }
 
 /// Whether a file that was generated from another one, which is gone, lies beside a description that was not, and nothing
-/// names or includes it.
+/// names or includes it while others are launched.
 fn is_scratch(session: &Session, outcomes: &[Outcome], number: usize) -> bool {
     let Some(own) = outcomes.get(number) else {
         return false;
@@ -419,6 +421,7 @@ fn is_scratch(session: &Session, outcomes: &[Outcome], number: usize) -> bool {
     let file = &own.job.file;
     own.job.reason == Reason::Walked
         && outcomes.iter().any(is_beside)
+        && session.are_others_launched(file)
         && !session.is_named(file)
         && !session.is_included(file)
 }

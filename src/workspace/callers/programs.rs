@@ -50,26 +50,6 @@ impl Callers {
         })
     }
 
-    /// Whether several launch files that may mean `file` load descriptions, and all of them the same one.
-    pub fn agree_on_one(&self, file: &Path, packages: &Packages) -> bool {
-        let Some(all) = self.around(file, packages) else {
-            return false;
-        };
-        let loads = |caller: &&Caller| {
-            caller.is_launch()
-                && !caller.descriptions.is_empty()
-                && packages.may_mean(&caller.path, file)
-        };
-        let launches: Vec<&Caller> = all.callers.iter().filter(loads).collect();
-        let first = launches.first().map(|caller| &caller.descriptions);
-        let is_common = |name: &String| {
-            launches
-                .iter()
-                .all(|caller| caller.descriptions.contains_key(name))
-        };
-        launches.len() > 1 && first.is_some_and(|names| names.keys().any(is_common))
-    }
-
     /// Whether nothing but programs of MATLAB loads the description `file`, for its kinematics.
     pub fn load_for_kinematics(&self, file: &Path, packages: &Packages) -> bool {
         const DYNAMICS: [&str; 7] = [
