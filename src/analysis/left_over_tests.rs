@@ -48,6 +48,15 @@ fn a_program_or_build_file_loads_another_one() {
     ] {
         assert_eq!(of(&[(name, text)]), Some(expected), "{name}: {text}");
     }
+    // a program of another package picks one of several
+    let elsewhere = [
+        ("p/package.xml", MANIFEST.1),
+        ("p/urdf/sketch.urdf", BROKEN),
+        ("p/urdf/lamp.urdf", BROKEN),
+        ("tests/move.py", "load('lamp', 'urdf/lamp.urdf')"),
+    ];
+    let found = severity_of("p/urdf/sketch.urdf", &elsewhere, "missing-element");
+    assert_eq!(found, Some(Severity::Error));
 }
 
 #[test]

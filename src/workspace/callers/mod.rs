@@ -334,8 +334,7 @@ impl Callers {
         let Some(all) = all.filter(|_| is_free()) else {
             return FastSet::default();
         };
-        let is_loader =
-            |caller: &&Caller| caller.is_loader() && packages.may_mean(&caller.path, file);
+        let is_loader = |caller: &&Caller| caller.may_load(file, packages);
         let launches = all.callers.iter().filter(is_loader);
         launches
             .flat_map(|caller| caller.descriptions.keys().cloned())
@@ -417,9 +416,17 @@ impl Caller {
         self.is_launch() && name.to_lowercase().starts_with("test")
     }
 
-    /// Whether it loads robots: a launch file, a program, or a build file that names more than it installs.
-    fn is_loader(&self) -> bool {
-        self.is_launch() || self.is_program() || self.path.ends_with("CMakeLists.txt")
+    /// Whether it loads robots and may mean `file`: a launch file, or a program or build file of the same package, since programs
+    /// elsewhere pick one of many.
+    fn may_load(&self, file: &Path, packages: &Packages) -> bool {
+        let is_own = || {
+            packages
+                .containing(file)
+                .is_some_and(|package| self.path.starts_with(package.folder))
+        };
+        let is_build_file = || self.path.ends_with("CMakeLists.txt");
+        self.is_launch() && packages.may_mean(&self.path, file)
+            || (self.is_program() || is_build_file()) && is_own()
     }
 
     /// Whether the text says nothing of the file, so that its package may be computed as well.

@@ -43,9 +43,7 @@ impl Callers {
     pub fn load_another(&self, file: &Path, packages: &Packages) -> bool {
         self.around(file, packages).is_some_and(|all| {
             all.callers.iter().any(|caller| {
-                caller.is_loader()
-                    && packages.may_mean(&caller.path, file)
-                    && all.has_another(caller, file, packages)
+                caller.may_load(file, packages) && all.has_another(caller, file, packages)
             })
         })
     }
