@@ -106,6 +106,9 @@ def crate():
         with tarfile.open(file) as archive:
             archive.extractall(sources, filter="data")
             held[file.stem] = {pathlib.PurePath(name).parts[1:] for name in archive.getnames()}
+    # all files of a package have one date, by which cargo would take those of an earlier run for these
+    for file in sources.rglob("*"):
+        file.touch()
     (root,) = (names for stem, names in held.items() if re.fullmatch(r"xacro-lsp-[\d.]+", stem))
     tops = {parts[0] for parts in root}
     demand({"src", "README.md", "LICENSE-MIT", "LICENSE-APACHE", "Cargo.lock"} <= tops, tops)
