@@ -62,7 +62,8 @@ impl Whole for u32 {
 
 impl Whole for Vec<String> {
     fn read(entry: &Entry, _: &Key, applier: &mut Applier) -> Option<Self> {
-        Some(applier.texts(entry))
+        let texts = applier.texts(entry);
+        matches!(entry.value.kind, ValueKind::List(_)).then_some(texts)
     }
 
     fn json(&self) -> Json {

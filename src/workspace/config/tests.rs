@@ -19,6 +19,17 @@ pub(super) fn load(text: &str) -> (Tree, Config, Vec<String>) {
 }
 
 #[test]
+fn a_value_of_another_type_changes_nothing() {
+    let text = "urdf-version = '1.1'\nuse-environment = 'no'\nlimits.file-mb = 0\n";
+    let (_tree, config, warnings) = load(text);
+    let defaults = Config::default();
+    assert_eq!(config.urdf_version, defaults.urdf_version);
+    assert_eq!(config.use_environment, defaults.use_environment);
+    assert_eq!(config.limits, defaults.limits);
+    assert_eq!(warnings.len(), 3);
+}
+
+#[test]
 fn every_key() {
     let (tree, config, warnings) = load(
         r#"
