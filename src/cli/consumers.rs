@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use indexmap::IndexMap;
 use serde_json::{Value, json};
 
 use super::args::{ConsumersArgs, Plain};
@@ -15,17 +14,11 @@ use analysis::{Report, Session};
 use base::Encoding;
 use expand::{Expansion, Origin};
 use model::Robot;
-use rules::consumers::{CONSUMERS, Construct, Consumer, Met, Outcome, constructs, is_readable};
+use rules::consumers::{CONSUMERS, Consumer, Met, Outcome, Row, constructs, is_readable, rows};
 use vfs::Environment;
 
 /// Places of a construct that are printed.
 const MOST_PLACES: usize = 3;
-
-/// A row of the matrix: a construct of the robot, and where it is.
-struct Row<'a> {
-    construct: &'static Construct,
-    met: Vec<&'a Met>,
-}
 
 /// The matrix of a robot.
 struct Matrix<'a> {
@@ -87,33 +80,6 @@ fn wanted(names: &[String]) -> Vec<&'static Consumer> {
     let is_wanted =
         |consumer: &&Consumer| names.is_empty() || names.iter().any(|name| name == consumer.name);
     CONSUMERS.iter().filter(is_wanted).collect()
-}
-
-/// The constructs that some consumer does not take as they are, or `all`, the worst first.
-fn rows(met: &[Met], all: bool) -> Vec<Row<'_>> {
-    let mut rows: IndexMap<&str, Row<'_>> = IndexMap::new();
-    for met in met {
-        let construct = met.construct;
-        rows.entry(&construct.name)
-            .or_insert(Row {
-                construct,
-                met: Vec::new(),
-            })
-            .met
-            .push(met);
-    }
-    let worst = |row: &Row<'_>| {
-        CONSUMERS
-            .iter()
-            .map(|consumer| row.construct.outcome(consumer))
-            .max()
-    };
-    let mut rows: Vec<Row<'_>> = rows
-        .into_values()
-        .filter(|row| all || worst(row) > Some(Outcome::Accepts))
-        .collect();
-    rows.sort_by_key(|row| std::cmp::Reverse(worst(row)));
-    rows
 }
 
 impl Matrix<'_> {

@@ -10,6 +10,7 @@ mod files;
 mod messages;
 mod model;
 mod places;
+mod programs;
 mod select;
 mod shapes;
 #[cfg(test)]
@@ -22,6 +23,7 @@ pub use files::Files;
 pub use messages::{FromViewer, ModelError, ModelMessage, RootName, Selection, Side};
 pub use model::{Body, Joint, Link, Model, Pose};
 pub use places::{Location, Names, Point, Stretch, file_uri};
+pub use programs::Programs;
 pub use shapes::Shape;
 pub use views::{MeshBytes, Views, still};
 

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::model::Model;
 use super::places::Location;
+use super::programs::Programs;
 use analysis::RootChoice;
 
 /// A root as messages name it.
@@ -71,6 +72,9 @@ pub struct ModelMessage {
     pub args: Vec<Argument>,
     /// What else could be shown.
     pub choices: Vec<RootName>,
+    /// What the programs that read URDF make of it; absent when it has errors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub programs: Option<Programs>,
 }
 
 /// An argument of a root.

@@ -197,6 +197,58 @@ fn shapes_without_numbers_are_not_guessed() {
 }
 
 #[test]
+fn programs_that_reject_the_robot_are_named() {
+    let text = robot(
+        "<link name=\"a\"/><link name=\"universe\"/><joint name=\"j\" type=\"fixed\"><parent link=\"a\"/><child link=\"universe\"/></joint>",
+    );
+    let mut shown = Shown::new(&text);
+    let programs = shown.messages().pop().unwrap().programs.unwrap();
+    assert!(programs.names.contains(&"Pinocchio") && programs.names.len() > 10);
+    let is_name = |title: &str| title.contains("universe");
+    let found = programs
+        .constructs
+        .iter()
+        .find(|found| is_name(found.title));
+    let found = found.unwrap_or_else(|| panic!("{programs:?}"));
+    assert_eq!(
+        (found.rejected.len(), found.changed.as_slice()),
+        (0, ["Pinocchio"].as_slice())
+    );
+    assert_eq!(
+        (found.count, found.places[0].of.as_str()),
+        (1, "link `universe`")
+    );
+    let robot = shown.tree.path("bot/robot.urdf.xacro");
+    shown
+        .world
+        .set_text(&robot, "<robot name=\"bot\"><link name=\"a\"/>".into());
+    assert_eq!(
+        shown.messages().pop().unwrap().programs,
+        None,
+        "no program reads a file with errors"
+    );
+}
+
+#[test]
+fn programs_are_those_of_the_configuration() {
+    let mut shown = Shown::new(&robot("<link name=\"universe\"/>"));
+    shown.tree.write(
+        "bot/xacro-lint.toml",
+        "consumers = [\"mujoco\", \"gazebo\"]\n",
+    );
+    let programs = shown.messages().pop().unwrap().programs.unwrap();
+    assert_eq!(programs.names.len(), 2, "{programs:?}");
+    let who = programs
+        .constructs
+        .iter()
+        .flat_map(|found| found.rejected.iter().chain(&found.changed));
+    assert!(
+        who.clone().all(|name| programs.names.contains(name)),
+        "{programs:?}"
+    );
+}
+
+#[test]
 fn nothing_is_sent_while_nothing_changes() {
     let mut shown = Shown::new(&robot("<link name=\"a\"/>"));
     assert_eq!(shown.messages().len(), 1);

@@ -9,6 +9,7 @@ use super::files::Files;
 use super::messages::{Argument, ModelError, ModelMessage, RootName, Selection, Side};
 use super::model::{Model, model};
 use super::places::{Location, Names, Places};
+use super::programs::programs;
 use super::select;
 use super::shapes::Shapes;
 use analysis::{Analyzed, RootChoice, Session, World};
@@ -312,6 +313,7 @@ impl Shown {
                 })
                 .collect(),
             choices: self.choices(world, names),
+            programs: programs(world.session(), &analyzed, &Places { names, expansion }),
         };
         self.sent = Some(analyzed);
         Some(message)

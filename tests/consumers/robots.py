@@ -13,6 +13,7 @@ PACKAGE = '''<package format="3">
   <license>MIT</license>
 </package>
 '''
+WITHOUT = 'without-'
 # What an attribute holds that is wrong in one way; {} is the number or the numbers that are right.
 FAULTS = {
     'text': lambda numbers: ' '.join(['abc', *numbers[1:]]),
@@ -113,7 +114,8 @@ def with_fault(text, attribute, fault, folder):
         if key in NEEDED:
             text = changed(text, *NEEDED[key]).replace('{folder}', str(folder))
     start = text.index('<%s' % around[0]) if around else 0
-    if around and around[0] == 'inertial':
+    if element == 'mass' or around and around[0] == 'inertial':
+        # not of the root, which some leave out
         start = text.index('<inertial><origin')
     pattern = re.compile(r'(<%s [^>]*?)\b%s="([^"]*)"' % (element, name))
     if around and around[0] in ('visual', 'collision'):
@@ -124,6 +126,13 @@ def with_fault(text, attribute, fault, folder):
     found = pattern.search(text, start)
     value = '' if fault == 'missing' else '%s="%s"' % (name, FAULTS[fault](found.group(2).split()))
     return text[:found.start()] + found.group(1) + value + text[found.end():]
+
+
+def without(text, row, folder):
+    """The robot without the construct of a row, where that is not the robot itself."""
+    for old, new in row['instead']:
+        text = changed(text, old, new.replace('{folder}', str(folder)))
+    return text
 
 
 def robot(text, row, folder):
@@ -142,7 +151,8 @@ def robot(text, row, folder):
 
 
 def make(folder, rows):
-    """Write the robots of rows into a package below `folder`: {row name: path}, the unchanged one by ''."""
+    """Write the robots of rows into a package below `folder`: {row name: path}, the unchanged one by ''; a construct that this one
+    has by itself is compared with a robot of the row that has it not, by WITHOUT and the name."""
     package = folder / 'arm'
     shutil.rmtree(package, ignore_errors=True)
     (package / 'urdf').mkdir(parents=True)
@@ -150,6 +160,7 @@ def make(folder, rows):
     meshes(package / 'meshes')
     text = (HERE / 'robot.urdf').read_text(encoding='utf-8')
     made = {'': text, **{row['name']: robot(text, row, folder) for row in rows}}
+    made |= {WITHOUT + row['name']: without(text, row, folder) for row in rows if 'instead' in row}
     for name, content in made.items():
         path = package / 'urdf' / ('%s.urdf' % (name or 'robot'))
         path.write_text(content, encoding='utf-8')

@@ -93,9 +93,10 @@ def measure(readers, tools, folder, made):
     files = list(made.values())
     expected = {name: truth.of(path) for name, path in made.items()}
     for reader, answers in load_all(readers, tools, folder, files).items():
-        plain = answers[str(made[''])]
         for name, path in made.items():
-            found[name][reader] = truth.outcome(answers[str(path)], expected[name], plain, expected[''])
+            usual = robots.WITHOUT + name if robots.WITHOUT + name in made else ''
+            plain = answers[str(made[usual])]
+            found[name][reader] = truth.outcome(answers[str(path)], expected[name], plain, expected[usual])
     return found
 
 

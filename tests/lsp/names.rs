@@ -420,6 +420,53 @@ fn what_callers_define_before_they_call_is_meant() {
 }
 
 #[test]
+fn what_is_defined_in_front_of_the_calls_is_meant_and_nothing_behind_them() {
+    let sensor = |name: &str, unit: u8| {
+        format!(
+            "<robot xmlns:xacro=\"x\"><xacro:property name=\"unit\" value=\"{unit}\"/><xacro:macro name=\"{name}\" params=\"on:=false\">\
+             <xacro:if value=\"${{on}}\"><link name=\"{name}_${{unit}}\"/></xacro:if></xacro:macro></robot>\n"
+        )
+    };
+    let main = "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\">\n\
+        <xacro:include filename=\"near.xacro\"/>\n<xacro:near/>\n\
+        <xacro:include filename=\"far.xacro\"/>\n<xacro:far/>\n</robot>\n";
+    let folder = fresh_folder();
+    write(&folder, "near.xacro", sensor("near", 1));
+    write(&folder, "far.xacro", sensor("far", 2));
+    write(&folder, "r.urdf.xacro", main);
+    let mut client = Client::with(folder, Options::default());
+    for file in ["r.urdf.xacro", "near.xacro", "far.xacro"] {
+        client.open(file);
+    }
+    leads(
+        &mut client,
+        "near.xacro",
+        "near_${u|nit}",
+        &["near.xacro:1 unit"],
+    );
+    leads(
+        &mut client,
+        "far.xacro",
+        "far_${u|nit}",
+        &["far.xacro:1 unit"],
+    );
+    // a second call behind both may mean the one or the other
+    client.edit("r.urdf.xacro", "<xacro:far/>", "<xacro:far/><xacro:near/>");
+    leads(
+        &mut client,
+        "near.xacro",
+        "near_${u|nit}",
+        &["near.xacro:1 unit", "far.xacro:1 unit"],
+    );
+    leads(
+        &mut client,
+        "far.xacro",
+        "far_${u|nit}",
+        &["far.xacro:1 unit"],
+    );
+}
+
+#[test]
 fn renaming_waits_for_the_workspace() {
     let folder = fresh_folder();
     let far = MAIN_TEXT.replace(

@@ -58,10 +58,19 @@ class Judge:
         found = []
         for from_, element, path in self.robot.includes:
             if path == text.path and element not in seen:
-                filename = from_.value(element, 'filename')
-                literal = [(from_.path, (*element.attributes['filename'], self.copy.moved(path)))] if '$' in filename.replace('$(find', '') else []
-                found += [literal + way for way in self.ways(from_, element, depth + 1, (*seen, element))]
+                brought = self.brought_in(from_, element, path)
+                found += [brought + way for way in self.ways(from_, element, depth + 1, (*seen, element))]
         return sorted(found, key=len)[:3]
+
+    def brought_in(self, from_, element, path):
+        """The edit that has an include with a computed name, which may name several files, name this one."""
+        is_computed = '$' in from_.value(element, 'filename').replace('$(find', '')
+        return [(from_.path, (*element.attributes['filename'], self.copy.moved(path)))] if is_computed else []
+
+    def reading(self, text):
+        """Edits that have a file read, one for each include that may name it; a macro's way leads to its calls, which need not read it."""
+        found = [self.brought_in(*include) for include in self.robot.includes if include[2] == text.path]
+        return [edits for edits in found if edits] or [[]]
 
     def call(self, text, macro, name):
         """A call for a macro that nobody calls, at the end of the root."""
@@ -184,6 +193,7 @@ class Judge:
         others = [d for d in self.given.get((definition.kind, definition.name), ()) if d is not definition]
         ways = self.ways(use.text, use.element)[:3]
         there = self.ways(definition.text, definition.element)[:3] or [[]]
+        there = [[*edits, *way] for edits in self.reading(definition.text)[:2] for way in there]
         without = [(d.text.path, texts.forced(e, False)) for d in others for e in d.element.around()
                    if e.name in texts.CONDITIONS and 'value' in e.attributes]
         for own in ways:

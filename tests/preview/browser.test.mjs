@@ -411,6 +411,28 @@ test('panels and help open and close', async () => {
   assert.ok(await page.locator('.help').isHidden());
 });
 
+test('the table of programs: who rejects and changes what, and where that is', async () => {
+  const panel = page.locator('.programs');
+  assert.ok(await panel.isHidden());
+  await action('programs').click();
+  assert.match(await panel.innerText(), /Rejected by|Changed by|Accepted by/);
+  const rows = await panel.locator('tbody tr').count();
+  const more = '<link name="universe"/><joint name="to_universe" type="fixed"><parent link="base"/><child link="universe"/></joint></robot>';
+  robot.edit('urdf/rig.urdf.xacro', '</robot>', more);
+  const named = panel.locator('tbody tr', { hasText: 'link `universe`' }).first();
+  await named.waitFor();
+  assert.ok((await panel.locator('tbody tr').count()) > rows);
+  assert.match(await named.innerText(), /Pinocchio/);
+  await shot(page, 'programs');
+  await named.locator('button').first().click();
+  for (let i = 0; i < 200 && !/rig\.urdf\.xacro:\d+/.test(program.said()); i++) await drawn(page);
+  assert.match(program.said(), /rig\.urdf\.xacro:\d+/);
+  robot.edit('urdf/rig.urdf.xacro', more, '</robot>');
+  await named.waitFor({ state: 'detached' });
+  await action('programs').click();
+  assert.ok(await panel.isHidden());
+});
+
 test('an edit keeps camera, joints, selection and what is hidden', async () => {
   await page.locator('canvas').first().focus();
   await row('arm_joint').locator('input[type=range]').fill('0.4');

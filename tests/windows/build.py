@@ -19,6 +19,7 @@ RANDOM = '''#include <windows.h>
 BOOLEAN NTAPI SystemFunction036(PVOID, ULONG);
 __declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE to, SIZE_T count) { return SystemFunction036(to, (ULONG)count); }
 '''
+ENVIRONMENT = {'WINEDEBUG': '-all', 'WINEPREFIX': str(HOME / 'prefix')}
 # what the drive of Wine adds to the paths of this system
 WRAPPER = '''#!/bin/bash
 export WINEDEBUG=-all WINEPREFIX={prefix}

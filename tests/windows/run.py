@@ -7,6 +7,7 @@
 Wine is not Windows: letter case, locks and consoles differ, so this is a lower bound; the hosted workflow runs the second form.
 """
 import argparse
+import functools
 import os
 import random
 import re
@@ -17,7 +18,9 @@ import tempfile
 from pathlib import Path
 
 import build
+import processes
 import protocol
+import spellings
 
 REPOSITORY = build.REPOSITORY
 FUNCTIONS = {'sin': 10, 'cos': 10, 'tan': 10, 'asin': 1, 'acos': 1, 'atan': 20, 'exp': 20, 'log': 0, 'log10': 0, 'sqrt': 0,
@@ -41,8 +44,9 @@ ROBOT = '''<robot name="arm" xmlns:xacro="http://www.ros.org/wiki/xacro">
 class Suite:
     """The program under test, and the folder in which it is tested."""
 
-    def __init__(self, command, folder, is_native):
-        self.command, self.folder, self.is_native = command, folder, is_native
+    def __init__(self, command, program, folder, is_native):
+        self.command, self.program, self.folder, self.is_native = command, program, folder, is_native
+        self.environment = dict(os.environ, **({} if is_native else build.ENVIRONMENT))
         self.passed, self.failed = 0, 0
 
     def local(self, path):
@@ -51,7 +55,7 @@ class Suite:
 
     def run(self, *arguments, cwd=None, **variables):
         return subprocess.run([*self.command, *map(str, arguments)], cwd=cwd or self.folder, capture_output=True,
-                              encoding='utf-8', timeout=120, env=dict(os.environ, **variables), stdin=subprocess.DEVNULL)
+                              encoding='utf-8', timeout=120, env=dict(self.environment, **variables), stdin=subprocess.DEVNULL)
 
     def check(self, name, is_right, found=''):
         self.passed, self.failed = self.passed + bool(is_right), self.failed + (not is_right)
@@ -127,12 +131,12 @@ def fixes(suite):
            '    <parent link="a"/>\r\n    <child link="b"/>\r\n  </joint>\r\n</robot>\r\n'
     path.write_bytes(text.encode())
     path.chmod(stat.S_IREAD)
-    done = suite.run('fix', 'fix.urdf', '--unsafe')
+    done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
     is_protected = path.read_bytes() == text.encode() or os.name != 'nt'
     suite.check('a read-only file', is_protected and 'panicked' not in done.stderr, done.stdout + done.stderr)
     path.chmod(stat.S_IREAD | stat.S_IWRITE)
     with path.open('rb'):
-        done = suite.run('fix', 'fix.urdf', '--unsafe')
+        done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
     suite.check('a file that is open elsewhere', 'panicked' not in done.stderr and b'</robot>\r\n' in path.read_bytes(),
                 done.stdout + done.stderr)
 
@@ -216,15 +220,19 @@ def main():
     options = parser.parse_args()
     here = str(Path(options.bin).resolve())
     if options.native:
-        command, launcher = [here], [str(Path(here).with_name('xacro-lsp.exe'))]
+        command, program, launcher = [here], here, [str(Path(here).with_name('xacro-lsp.exe'))]
     else:
         folder = build.build()
-        command = [str(build.command(folder, 'xacro-lint', is_filtered=False))]
+        command, program = [str(build.command(folder, 'xacro-lint', is_filtered=False))], folder / 'xacro-lint.exe'
         launcher = [str(build.command(folder, 'xacro-lsp', is_filtered=False))]
     with tempfile.TemporaryDirectory() as temporary:
-        suite = Suite(command, Path(temporary).resolve(), options.native)
+        suite = Suite(command, program, Path(temporary).resolve(), options.native)
         checks = {'paths': lambda: paths(suite), 'packages': lambda: packages(suite), 'fixes': lambda: fixes(suite),
-                  'output': lambda: output(suite), 'server': lambda: server(suite, launcher)}
+                  'output': lambda: output(suite), 'server': lambda: server(suite, launcher),
+                  'share': lambda: spellings.share(suite, build.HOME / 'prefix' / 'dosdevices' / 'unc')}
+        own = [spellings.letter_case, spellings.kept_paths, spellings.links, processes.locks, processes.code_pages, processes.interrupt,
+               processes.watching, processes.preview]
+        checks |= {check.__name__: functools.partial(check, suite) for check in own}
         if not options.native:
             checks |= {'examples': lambda: examples(suite, here), 'numbers': lambda: numbers(suite, here, options.arguments),
                        'repository': lambda: repository(suite, folder, here)}

@@ -9,6 +9,7 @@ import { JointPanel } from './joints';
 import type { FromHost, Location, Model, ModelMessage, SelectMessage, Side } from './messages';
 import { Meshes } from './meshes';
 import { Pointer } from './pointer';
+import { ProgramsPanel } from './programs';
 import { type Layers, RobotView } from './robot';
 import { Stage } from './stage';
 import { applyStyle } from './style';
@@ -61,6 +62,7 @@ const tree = new TreePanel({
   },
   hidden: () => views.get('main')?.hidden ?? new Set(),
 }, details.element);
+const programs = new ProgramsPanel((location) => host.send({ type: 'open', location }));
 const toolbar = new Toolbar(layers, {
   root: (root, compare) => {
     if (!compare) close('compare');
@@ -76,7 +78,8 @@ const toolbar = new Toolbar(layers, {
   picture: () => savePicture(),
   measure: (on) => pointer.measure(on),
   panel: (which, on) => {
-    (which === 'left' ? tree : joints).element.hidden = !on;
+    const panels = { left: tree, right: joints, programs };
+    panels[which].element.hidden = !on;
     stage.invalidate();
   },
   help: () => (help.hidden = !help.hidden),
@@ -89,7 +92,7 @@ const help = el('div', { class: 'help' });
 const empty = el('div', { class: 'empty', text: 'waiting for the robot …' });
 for (const box of [banner, tip, menu, help]) box.hidden = true;
 stage.element.append(status, empty, help);
-const app = el('div', {}, toolbar.element, banner, tree.element, stage.element, joints.element);
+const app = el('div', {}, toolbar.element, banner, tree.element, stage.element, joints.element, programs.element);
 app.id = 'app';
 document.body.append(app, toolbar.menu, menu, tip);
 // in half a window the joints stay: they are what a preview is opened for
@@ -162,6 +165,7 @@ function show(message: ModelMessage): void {
   meshes.keep(models);
   if (side === 'main') {
     toolbar.update(message);
+    programs.update(message.programs);
     tree.update(view.model);
   }
   joints.update(together(models));

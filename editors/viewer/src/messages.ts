@@ -106,6 +106,25 @@ export interface ModelError {
   location: Location;
 }
 
+/** Something in the robot that a program which reads URDF rejects, changes or ignores. */
+export interface Construct {
+  title: string;
+  /** What to write instead. */
+  help?: string;
+  /** Titles of programs. */
+  rejected: string[];
+  changed: string[];
+  /** How many places have it; the first ones are in `places`. */
+  count: number;
+  places: { of: string; location: Location }[];
+}
+
+export interface Programs {
+  /** Titles of the programs that were asked for. */
+  names: string[];
+  constructs: Construct[];
+}
+
 export type Side = 'main' | 'compare';
 
 /** The parameters of `xacro/preview/model`. */
@@ -127,6 +146,8 @@ export interface ModelMessage {
   args: { name: string; value: string }[];
   /** Roots and presets to choose from. */
   choices: Root[];
+  /** Absent when the text has errors: no program is given the robot. */
+  programs?: Programs;
 }
 
 /** The parameters of `xacro/preview/select` from the server. */

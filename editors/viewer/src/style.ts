@@ -33,7 +33,7 @@ body.vscode-light { --grid: #c3c9d2; --grid-strong: #98a2b0; }
 * { box-sizing: border-box; }
 html, body { height: 100%; margin: 0; padding: 0 !important; overflow: hidden; background: var(--bg); color: var(--fg);
   font: 13px/1.4 var(--vscode-font-family, system-ui, -apple-system, "Segoe UI", sans-serif); }
-#app { display: grid; height: 100%; grid-template: auto auto minmax(0, 1fr) / auto minmax(0, 1fr) auto; }
+#app { display: grid; height: 100%; grid-template: auto auto minmax(0, 1fr) auto / auto minmax(0, 1fr) auto; }
 button, input, select { font: inherit; color: inherit; }
 button { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 2px 8px; min-height: 26px; cursor: pointer; white-space: nowrap; }
 button:hover { background: var(--hover); }
@@ -75,6 +75,14 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .details dt { color: var(--muted); max-width: 7.5em; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .details dd { margin: 0; white-space: pre-line; font-variant-numeric: tabular-nums; user-select: text; }
 .details label { display: flex; gap: 8px; align-items: center; color: var(--muted); margin-top: 4px; } .details label input { flex: 1; }
+.programs { grid-column: 1 / 4; grid-row: 4; max-height: 38vh; overflow: auto; background: var(--panel); border-top: 1px solid var(--line); padding: 6px 10px; }
+.programs[hidden] { display: none; } .programs p { margin: 2px 0; color: var(--muted); }
+.programs dl { display: grid; grid-template-columns: auto minmax(0, 1fr); gap: 1px 10px; margin: 0 0 6px; }
+.programs dt { color: var(--muted); } .programs dd { margin: 0; }
+.programs table { border-collapse: collapse; width: 100%; } .programs th { text-align: left; font-weight: 600; white-space: nowrap; }
+.programs th, .programs td { padding: 3px 12px 3px 0; vertical-align: top; border-top: 1px solid var(--line); user-select: text; }
+.programs small { display: block; color: var(--muted); } .programs .rejected { color: var(--error); }
+.programs td button { color: var(--accent); text-decoration: underline; padding: 0 4px; min-height: 20px; display: block; }
 .titles { position: absolute; inset: 0; pointer-events: none; }
 .titles .title { position: absolute; top: 0; bottom: 0; padding: 8px 12px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .titles .title + .title { border-left: 1px solid var(--line); }

@@ -11,7 +11,7 @@ export interface ToolbarActs {
   measure: (on: boolean) => void;
   parallel: (on: boolean) => void;
   picture: () => void;
-  panel: (which: 'left' | 'right', on: boolean) => void;
+  panel: (which: 'left' | 'right' | 'programs', on: boolean) => void;
   help: () => void;
 }
 
@@ -76,6 +76,7 @@ export class Toolbar {
         this.parallel,
         button('Fit', 'show the whole robot (F)', act.fit, 'fit'),
         button('PNG', 'save the picture as a PNG file', act.picture, 'picture'),
+        toggle('Programs', 'what Gazebo, MuJoCo and other programs make of the robot', false, (on) => act.panel('programs', on), 'programs'),
         button('?', 'keys', act.help, 'help'),
         right,
       ),

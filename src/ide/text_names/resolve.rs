@@ -159,7 +159,7 @@ impl TextNames {
         };
         let is_own = |id: &u32| given(id).is_some_and(own);
         if used.is_lazy || !found.iter().any(is_own) {
-            return found;
+            return self.at_the_calls(used, found);
         }
         let before: BTreeSet<u32> = found.iter().copied().filter(is_own).collect();
         let sure = before.iter().filter(|id| is_sure(id));
@@ -174,12 +174,11 @@ impl TextNames {
         };
         match last {
             Some(_) => found.into_iter().filter(later).filter(is_own).collect(),
-            None => found
-                .into_iter()
-                .filter(|id| {
-                    given(id).is_none_or(|given| given.scopes != used.scopes) || is_own(id)
-                })
-                .collect(),
+            None => {
+                let is_other = |id: &u32| given(id).is_none_or(|given| given.scopes != used.scopes);
+                let left = found.into_iter().filter(|id| is_other(id) || is_own(id));
+                self.at_the_calls(used, left.collect())
+            }
         }
     }
 

@@ -44,6 +44,48 @@ impl TextNames {
             .collect()
     }
 
+    /// Of definitions with one name, those that count while the macro around a use is called. What stands outside of macros is evaluated in
+    /// the order of its text: what follows the last call comes too late, and the last one that is sure in front of the first call
+    /// hides those in front of it.
+    pub(super) fn at_the_calls(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+        let is_in_macro = used.scopes.iter().all(|&scope| self.is_called(scope));
+        if found.len() < 2 || !is_in_macro {
+            return found;
+        }
+        let (first, last) = self.time(used.order, &used.scopes);
+        let at = Seen {
+            order: first,
+            ..used.seen()
+        };
+        let given = |id: &u32| self.given.get(*id as usize);
+        let outside: Vec<&Given> = found
+            .iter()
+            .filter_map(given)
+            .filter(|given| !given.is_in_body && !given.handed_out)
+            .collect();
+        let is_hidden = |given: &Given| {
+            let hides = |other: &&&Given| {
+                other.scopes == given.scopes && (given.order + 1..first).contains(&other.order)
+            };
+            let mut later = outside.iter().filter(hides);
+            later.any(|other| self.is_sure(other, at))
+        };
+        let counts = |given: &Given| {
+            let is_outside = outside.iter().any(|other| other.span == given.span);
+            !is_outside || given.order < last && !is_hidden(given)
+        };
+        let counting = |id: &u32| given(id).is_some_and(counts);
+        found.iter().copied().filter(counting).collect()
+    }
+
+    /// Whether a scope is that of a macro with known calls.
+    fn is_called(&self, scope: ScopeId) -> bool {
+        match self.scopes.get(scope.0 as usize) {
+            Some(Scope::Body(of) | Scope::Callers(of)) => self.called_at.contains_key(of),
+            _ => false,
+        }
+    }
+
     /// Of macros with one name, those that the body around a use, or the bodies that call it, define in front of it: from the last one
     /// that is sure on, with those that macros define which are called in between. None when no body on the way there is sure to define
     /// one.

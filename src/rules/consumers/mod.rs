@@ -17,6 +17,7 @@ mod names;
 mod numbers;
 mod other_mesh;
 mod remedy;
+mod rows;
 mod table;
 mod tree;
 mod verdict;
@@ -27,6 +28,7 @@ pub use consumer::{CONSUMERS, Consumer};
 pub(super) use detect::tally;
 pub use detect::{Tally, constructs, is_readable};
 pub use met::Met;
+pub use rows::{Row, rows};
 pub use table::{CONSTRUCTS, Construct, Outcome};
 
 /// The rules.

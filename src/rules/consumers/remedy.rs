@@ -6,14 +6,16 @@ use super::super::context::DocumentCx;
 use super::super::conventions::{Named, names, rename};
 use super::super::edits::{is_called, removal, source_text, with_blanks};
 use super::super::finding::Edit;
+use super::super::inertia::{ADD_ROOT, massless_root};
 use super::super::rule::Safety;
 use super::super::sink::span;
 use super::consumer::Consumer;
 use super::fix::Remedy;
 use super::met::Met;
 use super::other_mesh::other_mesh;
+use base::TextRange;
 use expand::{Place, XId};
-use model::{attr_range, element_range, tag_start};
+use model::{Link, attr_range, element_range, tag_start};
 
 /// The fix of one of the constructs in a robot, for the consumers that the user names.
 pub(super) fn remedy(
@@ -27,6 +29,7 @@ pub(super) fn remedy(
         return plain_spaces(cx, met);
     }
     match row {
+        "root-inertia" => other_root(cx, met),
         "dynamics-empty" => remove(cx, met, ("dynamics", Safety::Safe)),
         "mimic-in-fixed" => remove(cx, met, ("mimic", Safety::Unsafe)),
         "version-1.1" | "version-1.2" => without_version(cx, all),
@@ -71,6 +74,28 @@ fn remove(cx: &DocumentCx<'_>, met: &Met, (name, safety): (&str, Safety)) -> Opt
     Some(Remedy {
         safety,
         message: format!("remove `{name}`"),
+        edits: vec![edit],
+    })
+}
+
+/// A root link without inertia, fixed to the one that has it.
+fn other_root(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
+    let robot = cx.robot?;
+    let has_it = |link: &&Link| {
+        link.inertial
+            .as_ref()
+            .is_some_and(|inertial| tag_start(cx.expansion, inertial.element) == met.origin)
+    };
+    let link = robot.links.iter().find(has_it)?;
+    let (place, content) = massless_root(cx.expansion, robot, link)?;
+    let range = TextRange::empty(place.range.start);
+    let edit = Edit {
+        span: span(cx.expansion, Place { range, ..place })?,
+        content,
+    };
+    Some(Remedy {
+        safety: Safety::Unsafe,
+        message: ADD_ROOT.to_owned(),
         edits: vec![edit],
     })
 }

@@ -19,6 +19,7 @@ pub(super) mod zero_mass;
 use super::rule::Rule;
 
 pub(super) use moments::principal;
+pub(super) use root_link_inertia::{ADD_ROOT, massless_root};
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

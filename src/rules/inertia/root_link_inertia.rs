@@ -3,7 +3,8 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::TextRange;
-use model::tag_start;
+use expand::{Expansion, Place};
+use model::{Link, Robot, tag_start};
 use workspace::config::Profile;
 
 pub(super) static RULE: Rule = Rule {
@@ -42,26 +43,31 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let report = out
         .report(name.origin, message)
         .help("add a root link without inertia and a fixed joint to this link");
-    let tag = tag_start(cx.expansion, link.element);
-    let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
-    match cx
-        .expansion
-        .place(tag)
-        .filter(|_| is_plain && cx.robot.link("base_footprint").is_none())
-    {
-        Some(place) => {
-            let edit = [(TextRange::empty(place.range.start), root_above(&name.value))];
+    match massless_root(cx.expansion, cx.robot, link) {
+        Some((place, text)) => {
+            let edit = [(TextRange::empty(place.range.start), text)];
             report
-                .fix(
-                    Safety::Unsafe,
-                    "add a root link without inertia",
-                    place.file,
-                    edit,
-                )
+                .fix(Safety::Unsafe, ADD_ROOT, place.file, edit)
                 .done();
         }
         None => report.done(),
     }
+}
+
+/// What the fix does.
+pub(in super::super) const ADD_ROOT: &str = "add a root link without inertia";
+
+/// A root link without inertia for a link of the robot, with the joint between them: where it goes, and its text.
+pub(in super::super) fn massless_root(
+    expansion: &Expansion,
+    robot: &Robot,
+    link: &Link,
+) -> Option<(Place, String)> {
+    let name = link.name.as_ref()?;
+    let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
+    let place = expansion.place(tag_start(expansion, link.element))?;
+    let is_free = robot.link("base_footprint").is_none();
+    (is_plain && is_free).then(|| (place, root_above(&name.value)))
 }
 
 /// A root link without inertia in front of the link of a name, and the joint between them.

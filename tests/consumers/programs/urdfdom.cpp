@@ -45,8 +45,13 @@ int main(int argc, char **argv) {
   std::ostringstream links, joints;
   int bodies = 0;
   for (const auto &entry : robot->links_) {
+    double mass = entry.second->inertial ? entry.second->inertial->mass : 0;
+#ifdef WITH_KDL
+    const auto segment = tree.getSegments().find(entry.first);
+    mass = segment == tree.getSegments().end() ? 0 : GetTreeElementSegment(segment->second).getInertia().getMass();
+#endif
     links << (links.tellp() > 0 ? ", " : "") << quoted(entry.first) << ": "
-          << (entry.second->inertial ? number(entry.second->inertial->mass) : "null");
+          << (entry.second->inertial ? number(mass) : "null");
     bodies += entry.second->visual_array.size() + entry.second->collision_array.size();
   }
   const char *kinds[] = {"unknown", "revolute", "continuous", "prismatic", "floating", "planar", "fixed"};
