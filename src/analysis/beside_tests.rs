@@ -132,6 +132,20 @@ fn a_robot_without_hardware_offers_nothing() {
 }
 
 #[test]
+fn hardware_without_interfaces_exports_its_own() {
+    let settings = format!("{SETTINGS}    state_interfaces:\n      - position\n");
+    let of = |plugin: &str, lift: &str| {
+        let robot = robot(lift, lift, "c.yaml").replace("mock_components/GenericSystem", plugin);
+        let files = [("urdf/arm.urdf", &*robot), ("config/c.yaml", &settings)];
+        found(&files, RULE).len()
+    };
+    let state = "<state_interface name='velocity'/>";
+    assert_eq!(of("drives/BusSystem", ""), 0);
+    assert_eq!(of("drives/BusSystem", state), 1);
+    assert_eq!(of("mock_components/GenericSystem", ""), 2);
+}
+
+#[test]
 fn what_gazebo_says_of_a_link_that_was_removed() {
     let of = |link: &str| {
         let robot = format!(

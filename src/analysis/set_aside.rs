@@ -8,9 +8,9 @@ use super::task::{Job, Reason};
 use base::{FastMap, FastSet, FileId};
 use expand::ProblemKind;
 use model::{Joint, Robot};
-use rules::{Category, Finding, Group, Severity, Trait, named};
+use rules::{Category, Edit, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
-use workspace::{Era, Target};
+use workspace::{Caller, Era, Target};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 16] = [
@@ -92,15 +92,18 @@ impl Session {
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
-            // what has a fix is text before the declaration
-            let is_before = finding.rule == named::XML_SYNTAX_ERROR && finding.fix.is_some();
-            let is_taken = is_before
+            let is_taken = is_before_declaration(finding)
                 || finding.rule.has(Trait::AcceptedByBullet)
                 || finding.rule == named::MESH_NOT_FOUND && self.is_above(&job.file, finding);
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || {
             self.is_for_bullet(&job.file).then_some(Severity::Info)
+        });
+        // urdfdom and the readers that use it skip what is blank
+        self.lower_where(findings, is_before_declaration, || {
+            self.is_read_without_xacro(&job.file)
+                .then_some(Severity::Warning)
         });
         let about_prefixes = |finding: &Finding| {
             let is_block = || finding.message.starts_with("`insert_block`");
@@ -135,6 +138,14 @@ impl Session {
         };
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
         self.settle_made_elsewhere(job, findings);
+    }
+
+    /// Whether a file is plain URDF and nothing that names it runs xacro.
+    fn is_read_without_xacro(&self, file: &Path) -> bool {
+        let is_plain = file
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"));
+        is_plain && !self.callers(file).iter().any(Caller::runs_xacro)
     }
 
     /// Make infos of what is wrong in a robot that was set aside, but for what is wrong in files that are loaded without it.
@@ -347,6 +358,13 @@ fn words(text: &str) -> Vec<String> {
         .filter(|word| !word.is_empty())
         .map(str::to_owned)
         .collect()
+}
+
+/// Whether a finding is about text in front of the XML declaration: its fix removes the start of the file.
+fn is_before_declaration(finding: &Finding) -> bool {
+    let removes_start = |edit: &Edit| edit.span.range.start == 0 && edit.content.is_empty();
+    let mut edits = finding.fix.iter().flat_map(|fix| &fix.edits);
+    finding.rule == named::XML_SYNTAX_ERROR && edits.any(removes_start)
 }
 
 fn lower(findings: &mut [Finding]) {

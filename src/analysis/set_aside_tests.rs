@@ -388,6 +388,19 @@ fn what_bullet_takes() {
 }
 
 #[test]
+fn blanks_in_front_of_the_declaration() {
+    let robot = "\n<?xml version='1.0'?>\n<robot name='r'><link name='base'/></robot>";
+    let severity = |name: &str, launch: &str| {
+        found(&[(name, robot), ("r.launch", launch)], "xml-syntax-error")[0].1
+    };
+    let read = "<param name='robot_description' textfile='urdf/r.urdf'/>";
+    let run = "<param name='robot_description' command='xacro urdf/r.urdf'/>";
+    assert_eq!(severity("urdf/r.urdf", read), Severity::Warning);
+    assert_eq!(severity("urdf/r.urdf", run), Severity::Error);
+    assert_eq!(severity("urdf/r.xacro", read), Severity::Error);
+}
+
+#[test]
 fn equal_names_in_other_folders() {
     let severity = |launch: &str| {
         let files = [

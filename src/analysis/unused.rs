@@ -1,6 +1,7 @@
 //! What is wrong in files that nothing in a workspace uses: in repositories of others that were copied into it, and in settings of
 //! controllers.
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::beside::{Sort, is_settings, sort};
 use super::options::CheckOptions;
@@ -8,7 +9,7 @@ use super::outcome::Outcome;
 use super::session::Session;
 use super::task::Reason;
 use base::{FastMap, FastSet, FileId};
-use project::Controller;
+use project::{Controller, Settings};
 use rules::{Finding, Severity, Trait, named};
 use workspace::has_name;
 
@@ -163,13 +164,15 @@ impl Session {
             && self.are_others_launched(file)
     }
 
-    /// Whether a file lists controllers and no text names it, while texts name another one of its package.
+    /// Whether a file lists controllers or configures them and no text names it, while texts name another one of its package.
     fn is_left_behind(&self, file: &Path) -> bool {
         let lists = |file: &Path| self.is_for_manager(file);
         let folder = self.packages.containing(file).map(|package| package.folder);
         // what the setup assistant of MoveIt writes is found by its name
         let folder = folder.filter(|folder| !self.vfs.is_file(&folder.join(".setup_assistant")));
-        let Some(folder) = folder.filter(|_| lists(file) && !self.is_mentioned(file)) else {
+        let holds = |settings: Arc<Settings>| !settings.controllers.is_empty();
+        let is_own = || lists(file) || self.beside_settings(file).is_some_and(holds);
+        let Some(folder) = folder.filter(|_| is_own() && !self.is_mentioned(file)) else {
             return false;
         };
         let around = self.beside_around(file);

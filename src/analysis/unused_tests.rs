@@ -287,6 +287,36 @@ fn settings_that_no_text_names() {
         severity("load('r.urdf', 'two.yaml')"),
         Some(Severity::Error)
     );
+    // a file of that name in another package
+    let far = "load('r.urdf', 'one.yaml', '$(find far)/config/two.yaml')";
+    assert_eq!(severity(far), Some(Severity::Info));
+    assert_eq!(severity(&far.replace("far", "r")), Some(Severity::Error));
+}
+
+#[test]
+fn settings_without_a_manager_that_no_text_names() {
+    let robot = "<robot name='r'><link name='base'/><link name='w'/><joint name='wheel' type='continuous'><parent link='base'/>\
+                 <child link='w'/></joint></robot>";
+    let settings = "left:\n  go:\n    type: position_controllers/JointPositionController\n    joint: wheel\n\
+                    \n  turn:\n    type: position_controllers/JointPositionController\n    joint: fork\n";
+    let manager = "controller_manager:\n  ros__parameters:\n    update_rate: 50\n    show:\n      type: joint_state_broadcaster/JointStateBroadcaster\n";
+    let severity = |launch: &str| {
+        let files = [
+            ("urdf/r.urdf", robot),
+            ("config/one.yaml", manager),
+            ("config/two.yaml", settings),
+            ("launch/r.launch", launch),
+        ];
+        severity_in("controller-unknown-joint", &files)
+    };
+    let load =
+        "<param textfile='$(find r)/urdf/r.urdf'/><rosparam file='$(find r)/config/one.yaml'/>";
+    assert_eq!(severity(load), Some(Severity::Info));
+    let both = load.replace(
+        "one.yaml'/>",
+        "one.yaml'/><rosparam file='$(find r)/config/two.yaml'/>",
+    );
+    assert_eq!(severity(&both), Some(Severity::Error));
 }
 
 /// The severity of the only place of a rule in a package of these files.

@@ -233,12 +233,14 @@ impl Expander<'_> {
             detail: path.map(Detail::LookedFor),
             ..problem
         };
-        let problem = match error.kind == LoadErrorKind::NotFound
-            && self.world.packages.may_be_made(&error.path)
-        {
+        let is_missing = error.kind == LoadErrorKind::NotFound;
+        let problem = match is_missing && self.world.packages.may_be_made(&error.path) {
             true => problem
                 .excused()
                 .help("build the package to generate the file, or correct the path"),
+            false if is_missing && is_of_a_system(self.text_of(at)) => problem
+                .excused()
+                .help("install the file on this computer, or correct the path"),
             false => problem,
         };
         self.push(match meant {
@@ -330,4 +332,12 @@ fn has_placeholders(world: &World<'_>, template: &Path) -> bool {
         .iter()
         .any(|sign| file.text.contains(sign))
         || parts.any(is_name)
+}
+
+/// Whether a file is named by a path of the system folders of one computer: nothing in a repository can hold it.
+fn is_of_a_system(written: &str) -> bool {
+    const FOLDERS: [&str; 5] = ["/etc/", "/opt/", "/srv/", "/usr/", "/var/"];
+    FOLDERS
+        .iter()
+        .any(|folder| written.trim_start().starts_with(folder))
 }

@@ -14,6 +14,8 @@ pub(super) struct Hardware<'a> {
     joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
     /// The joints of blocks that declare no interface for commands: some hardware offers what it does not declare.
     undeclared: FastSet<&'a str>,
+    /// The joints of blocks that declare no interface at all.
+    unsaid: FastSet<&'a str>,
     /// Whether all joints are here: each robot has hardware, and none is left out.
     pub is_complete: bool,
 }
@@ -25,6 +27,7 @@ impl<'a> Hardware<'a> {
         let mut found = Self {
             joints: FastMap::default(),
             undeclared: FastSet::default(),
+            unsaid: FastSet::default(),
             is_complete: true,
         };
         for paired in cx.robots {
@@ -42,6 +45,8 @@ impl<'a> Hardware<'a> {
         for control in controls {
             let is_silent = control.joints.iter().all(|joint| joint.commands.is_empty());
             let is_undeclared = is_silent && !offers_only_declared(paired, control);
+            let is_unsaid =
+                is_undeclared && control.joints.iter().all(|joint| joint.states.is_empty());
             for joint in &control.joints {
                 let named = |interface: &Interface| {
                     interface.name.as_ref().is_some_and(|name| name.is_known())
@@ -52,6 +57,9 @@ impl<'a> Hardware<'a> {
                 }
                 if is_undeclared {
                     self.undeclared.insert(name);
+                }
+                if is_unsaid {
+                    self.unsaid.insert(name);
                 }
                 if !mistaken.contains(name) {
                     self.joints.entry(name).or_default().push(joint);
@@ -68,7 +76,12 @@ impl<'a> Hardware<'a> {
 
     /// Whether a joint is there, and does not offer an interface.
     pub fn lacks(&self, joint: &str, interface: &str, is_command: bool) -> bool {
-        let is_declared = !is_command || !self.undeclared.contains(joint);
+        let undeclared = if is_command {
+            &self.undeclared
+        } else {
+            &self.unsaid
+        };
+        let is_declared = !undeclared.contains(joint);
         is_declared && self.has(joint) && !self.offered(joint, is_command).contains(&interface)
     }
 

@@ -47,12 +47,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 name.origin,
                 format!("name of {what} {}contains {shown}", quoted(name)),
             )
-            // no controller ever names a joint that is fixed
-            .severity(if is_fixed_joint(cx, named, &name.value) {
-                Severity::Info
-            } else {
-                RULE.severity
-            })
+            // no controller ever names a joint that is fixed; frames may have the letters of any language
+            .severity(
+                if is_fixed_joint(cx, named, &name.value)
+                    || named == Named::Link && name.value.chars().all(is_letter)
+                {
+                    Severity::Info
+                } else {
+                    RULE.severity
+                },
+            )
             // a tool that writes such names writes all of them so
             .group(Group::Name(format!("{shown} in names").into()))
             .help("use only letters, digits, `_`, `-`, `.` and `/`");
@@ -136,6 +140,11 @@ fn quoted(name: &Text) -> String {
     } else {
         format!("`{}` ", name.value)
     }
+}
+
+/// Whether a letter is admitted, or one of another language than English.
+fn is_letter(c: char) -> bool {
+    is_admitted(c) || c.is_alphanumeric()
 }
 
 fn is_admitted(c: char) -> bool {

@@ -54,7 +54,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let is_off = |turned: &UnitQuaternion<f64>| turned.angle_to(&usual) > CALIBRATED;
         if is_off(&turned)
             && !is_mounted
-            && !is_of_ranges(cx, parent, child)
+            && !is_of_no_pictures(cx, parent, child)
             && turns_above(cx, parent, turned).iter().all(is_off)
         {
             let severity = if looks_aside(&turned) || looks_back(&turned) {
@@ -67,10 +67,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-/// Whether a frame is that of a sensor that measures ranges and takes no pictures: by its name, or by the sensor that a
-/// simulator has there.
-fn is_of_ranges(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
-    const NAMES: [&str; 4] = ["lidar", "laser", "radar", "sonar"];
+/// Whether a frame is that of a sensor that takes no pictures: by its name, or by the sensor that a simulator has there.
+fn is_of_no_pictures(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
+    const NAMES: [&str; 7] = ["accel", "gyro", "imu", "laser", "lidar", "radar", "sonar"];
     const SENSORS: [&str; 5] = ["ray", "gpu_ray", "lidar", "gpu_lidar", "sonar"];
     let tree = &cx.expansion.tree;
     let is_named = || {

@@ -1,7 +1,7 @@
 //! The bodies and materials of a robot.
 use super::super::context::DocumentCx;
 use expand::{XId, XKind, XTree};
-use model::{Body, Link, Material, Robot, ShapeKind, Text};
+use model::{Body, Link, Material, Robot, Shape, ShapeKind, Text};
 
 /// All visuals and collisions with their link, and whether it is a collision.
 pub(super) fn bodies<'a>(
@@ -60,15 +60,20 @@ pub(super) fn is_defined(material: &Material) -> bool {
     material.color.is_some() || material.texture.is_some()
 }
 
+/// The file of a mesh.
+pub(super) fn mesh_file(shape: &Shape) -> Option<&Text> {
+    match &shape.kind {
+        ShapeKind::Mesh { filename, .. } => filename.as_ref(),
+        _ => None,
+    }
+}
+
 /// The names of all meshes and textures.
 pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
     let shapes = bodies(cx)
         .flat_map(|(_, body, _)| body.geometry.iter().flat_map(|geometry| &geometry.shapes));
-    let meshes = shapes.filter_map(|shape| match &shape.kind {
-        ShapeKind::Mesh { filename, .. } => filename.as_ref(),
-        _ => None,
-    });
-    meshes
+    shapes
+        .filter_map(mesh_file)
         .chain(materials(cx).filter_map(|material| material.texture_file.as_ref()))
         .collect()
 }

@@ -4,8 +4,9 @@ use super::super::finding::Help;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::{is_defined, is_replaceable, visual_materials};
+use super::shapes::{is_defined, is_replaceable, mesh_file, visual_materials};
 use base::FastSet;
+use model::{Body, Material, Text};
 use workspace::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -52,7 +53,28 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 let report = report.help(Help::did_you_mean(near));
                 report.replace_with(Safety::Unsafe, format!("rename to `{near}`"), near).done();
             }
-            None => report.help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
+            None => report.severity(if is_on_colored_mesh(cx, material) { Severity::Info } else { RULE.severity }).help(format!("add <material name=\"{name}\"><color rgba=\"...\"/></material> to <robot>, or a <color> here")).done(),
         }
     }
+}
+
+/// Whether a material is that of a mesh in a format that holds colors of its own: these are shown without it.
+fn is_on_colored_mesh(cx: &RobotCx<'_>, material: &Material) -> bool {
+    const FORMATS: [&str; 4] = [".dae", ".glb", ".gltf", ".obj"];
+    let is_colored = |file: &Text| {
+        let name = file.value.trim().to_lowercase();
+        FORMATS.iter().any(|ending| name.ends_with(ending))
+    };
+    let is_its = |body: &&Body| {
+        body.material
+            .as_ref()
+            .is_some_and(|own| own.element == material.element)
+    };
+    let mut visuals = cx.robot.links.iter().flat_map(|link| &link.visuals);
+    let shapes = visuals.find(is_its).and_then(|body| body.geometry.as_ref());
+    let mut files = shapes
+        .into_iter()
+        .flat_map(|shapes| &shapes.shapes)
+        .filter_map(mesh_file);
+    files.next().is_some_and(is_colored)
 }

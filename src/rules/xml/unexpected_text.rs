@@ -54,7 +54,14 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
         "unexpected text `{shown}` in {}",
         walk::described(cx, parent)
     );
+    // what other languages write in front of a comment
+    let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
     out.report(trimmed(cx, node.origin), message)
+        .severity(if is_comment {
+            Severity::Info
+        } else {
+            RULE.severity
+        })
         .help("remove it, or put it in a comment <!-- ... -->; parsers ignore it")
         .done();
 }

@@ -24,8 +24,8 @@ const STARTERS: [&str; 3] = ["spawner", "load_controller", "switch_controller"];
 /// What the texts below a folder say, comments left out.
 #[derive(Default)]
 pub(super) struct Mentions {
-    /// The texts that hold the name of a file.
-    files: FastMap<String, Vec<PathBuf>>,
+    /// The texts that hold the name of a file, each with the package that is written in front of it.
+    files: FastMap<String, Vec<(PathBuf, Option<String>)>>,
     /// The texts that hold the name of a package, but for descriptions and what is built.
     packages: FastMap<String, Vec<PathBuf>>,
     /// The texts that start controllers.
@@ -47,8 +47,14 @@ pub(super) struct Mentions {
 impl Callers {
     /// Whether a text in the sources around a file holds its name; also where not all texts are known.
     pub fn mention_file(&self, file: &Path, packages: &Packages) -> bool {
-        let is_it =
-            |mentions: Arc<Mentions>| !mentions.is_whole || mentions.of(file).next().is_some();
+        let own = packages.containing(file);
+        let is_its = |(_, package): &(&Path, Option<&str>)| {
+            let own = own.as_ref().map(|package| package.name.as_str());
+            package.is_none() || own.is_none() || *package == own
+        };
+        let is_it = |mentions: Arc<Mentions>| {
+            !mentions.is_whole || mentions.with_packages(file).any(|found| is_its(&found))
+        };
         self.mentions(file, packages).is_none_or(is_it)
     }
 
@@ -138,18 +144,26 @@ impl Mentions {
             self.builds_moveit |= !is_description && text.contains("MoveItConfigs");
         }
         let is_use = !is_description && !path.ends_with("CMakeLists.txt");
-        let mut seen: FastSet<&str> = FastSet::default();
-        for word in text
-            .split(|c| !read::is_name(c))
-            .map(|word| word.trim_matches(['.', '-']))
-        {
+        let mut seen: FastSet<(&str, Option<String>)> = FastSet::default();
+        let mut end = 0;
+        for part in text.split_inclusive(|c| !read::is_name(c)) {
+            let start = end;
+            end += part.len();
+            let word = part
+                .trim_end_matches(|c| !read::is_name(c))
+                .trim_matches(['.', '-']);
             self.takes_srdf |= !is_description && !is_page && word == "srdf";
             let is_package = is_use && names.contains(word);
             let is_file = word.contains('.') && word.contains(char::is_alphabetic);
             if is_page {
                 self.add_distribution(word);
             }
-            if !(is_package || is_file) || !seen.insert(word) {
+            if !(is_package || is_file) {
+                continue;
+            }
+            let lead = || text.get(..start).unwrap_or_default();
+            let package = is_file.then(|| read::package_of(lead())).flatten();
+            if !seen.insert((word, package.clone())) {
                 continue;
             }
             if is_package {
@@ -162,7 +176,7 @@ impl Mentions {
                 self.files
                     .entry(word.to_owned())
                     .or_default()
-                    .push(path.to_owned());
+                    .push((path.to_owned(), package));
             }
         }
     }
@@ -193,14 +207,15 @@ impl Mentions {
 
     /// The texts other than a file itself that hold its name.
     pub fn of(&self, file: &Path) -> impl Iterator<Item = &Path> {
-        let all = self
-            .files
-            .get(name_of(file))
-            .into_iter()
-            .flatten()
-            .map(PathBuf::as_path);
+        self.with_packages(file).map(|(path, _)| path)
+    }
+
+    /// The texts other than a file itself that hold its name, each with the package that it writes in front of it.
+    fn with_packages(&self, file: &Path) -> impl Iterator<Item = (&Path, Option<&str>)> {
+        let all = self.files.get(name_of(file)).into_iter().flatten();
         let own = file.to_owned();
-        all.filter(move |path| *path != own)
+        all.filter(move |(path, _)| *path != own)
+            .map(|(path, package)| (path.as_path(), package.as_deref()))
     }
 
     /// The texts that hold the name of a package, but for descriptions and what is built.

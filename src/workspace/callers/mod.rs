@@ -376,6 +376,11 @@ impl Callers {
 }
 
 impl Caller {
+    /// Whether the text runs xacro, as far as it says.
+    pub fn runs_xacro(&self) -> bool {
+        self.era.is_some()
+    }
+
     /// Whether the text names a description, or the end of its name.
     fn says(&self, file: &Path) -> bool {
         self.descriptions.contains_key(name_of(file)) || self.ends(file)

@@ -214,6 +214,11 @@ fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
     found
 }
 
+/// The package that is written in front of a path whose last name follows `lead`.
+pub(super) fn package_of(lead: &str) -> Option<String> {
+    folders_before(lead).package
+}
+
 /// The folders that are written in front of a name, as far as they are: `urdf/old` of `$(find arm)/urdf/old/arm.urdf` and
 /// of `join(share, 'urdf', 'old', 'arm.urdf')`; and the package in front of them.
 fn folders_before(lead: &str) -> Written {
