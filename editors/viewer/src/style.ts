@@ -82,7 +82,7 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .programs table { border-collapse: collapse; width: 100%; } .programs th { text-align: left; font-weight: 600; white-space: nowrap; }
 .programs th, .programs td { padding: 3px 12px 3px 0; vertical-align: top; border-top: 1px solid var(--line); user-select: text; }
 .programs small { display: block; color: var(--muted); } .programs .rejected { color: var(--error); }
-.programs td button { color: var(--accent); text-decoration: underline; padding: 0 4px; min-height: 20px; display: block; }
+.programs td button { color: var(--accent); text-decoration: underline; padding: 0; min-height: 20px; display: block; }
 .titles { position: absolute; inset: 0; pointer-events: none; }
 .titles .title { position: absolute; top: 0; bottom: 0; padding: 8px 12px; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .titles .title + .title { border-left: 1px solid var(--line); }

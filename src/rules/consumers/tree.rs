@@ -1,6 +1,6 @@
 //! The tree of links and joints.
 use super::facts::{Facts, Found, joint_owner, link_owner};
-use base::FastMap;
+use base::{FastMap, FastSet};
 use model::{JointType, Link, Text, Version};
 
 /// More joints than these are too many for PyBullet.
@@ -163,6 +163,11 @@ fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
             out.add("names-by-case", name.origin, link_owner(link));
         }
     }
+    // links that are fixed to others become a part of those in SDFormat, as fixed joints do
+    let tops = facts.bodies.iter().filter_map(|body| body.links.first());
+    let moving: FastSet<&str> = tops
+        .filter_map(|&top| Some(facts.robot.links.get(top)?.name.as_ref()?.value.as_str()))
+        .collect();
     let mut joints: FastMap<&str, ()> = FastMap::default();
     for joint in &facts.robot.joints {
         let Some(name) = joint.name.as_ref().filter(|name| name.name().is_some()) else {
@@ -172,8 +177,8 @@ fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
             out.add("duplicate-joint", name.origin, joint_owner(joint));
         }
         if links.contains_key(name.value.as_str()) {
-            let is_fixed = joint.is(&[JointType::Fixed]);
-            let row = if is_fixed {
+            let is_gone = joint.is(&[JointType::Fixed]) || !moving.contains(name.value.as_str());
+            let row = if is_gone {
                 "link-and-fixed-joint-of-one-name"
             } else {
                 "link-and-joint-of-one-name"
