@@ -13,7 +13,7 @@ use vfs::SourceFile;
 use workspace::{Caller, Era, Target};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
-const KEPT: [&str; 16] = [
+const KEPT: [&str; 17] = [
     "archive",
     "archived",
     "attic",
@@ -28,6 +28,7 @@ const KEPT: [&str; 16] = [
     "original",
     "outdated",
     "past",
+    "testing",
     "tmp",
     "unused",
 ];

@@ -120,7 +120,12 @@ impl Session {
             .starters(file)
             .into_iter()
             .filter_map(|path| self.vfs.text(&path).ok());
-        let texts: Vec<_> = texts.collect();
+        let mut texts: Vec<_> = texts.collect();
+        // another controller manager may have a controller of that name
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        if texts.iter().any(|text| has_name(&text.text, &name)) {
+            texts.retain(|text| has_name(&text.text, &name));
+        }
         let is_started = |name: &str| texts.iter().any(|text| has_name(&text.text, name));
         !is_started(own)
             && settings

@@ -233,20 +233,34 @@ impl Expander<'_> {
             detail: path.map(Detail::LookedFor),
             ..problem
         };
-        let is_missing = error.kind == LoadErrorKind::NotFound;
-        let problem = match is_missing && self.world.packages.may_be_made(&error.path) {
-            true => problem
-                .excused()
-                .help("build the package to generate the file, or correct the path"),
-            false if is_missing && is_of_a_system(self.text_of(at)) => problem
-                .excused()
-                .help("install the file on this computer, or correct the path"),
-            false => problem,
+        let excuse = match error.kind {
+            LoadErrorKind::NotFound => self.excuse(&error.path, at),
+            _ => None,
+        };
+        let problem = match excuse {
+            Some(help) => problem.excused().help(help),
+            None => problem,
         };
         self.push(match meant {
             Some(meant) => meant.said_of(problem),
             None => problem,
         });
+    }
+
+    /// What to do about a file that is missing here and may be there on another computer, or after a build.
+    fn excuse(&self, path: &Path, at: Origin) -> Option<&'static str> {
+        let packages = self.world.packages;
+        if packages.may_be_made(path) {
+            Some("build the package to generate the file, or correct the path")
+        } else if packages.is_in_a_build(path) {
+            Some("build the package again, or correct the path: only an installed copy of the package was found")
+        } else if packages.is_ignored_by_git(path) {
+            Some("get the file that `.gitignore` leaves out, or correct the path")
+        } else if is_of_a_system(self.text_of(at)) {
+            Some("install the file on this computer, or correct the path")
+        } else {
+            None
+        }
     }
 
     fn root_name(&self) -> &str {

@@ -5,8 +5,11 @@ use std::sync::Arc;
 
 use ignore::gitignore::{Gitignore, GitignoreBuilder};
 
-use super::Packages;
+use super::{Packages, is_built};
 use vfs::Vfs;
+
+/// Files that have tools look for no packages in a folder.
+const IGNORE_MARKS: [&str; 3] = ["AMENT_IGNORE", "CATKIN_IGNORE", "COLCON_IGNORE"];
 
 /// What Git says about the files below a folder, in files that lie in it.
 #[derive(Default)]
@@ -19,6 +22,15 @@ impl Packages {
     /// Whether a `.gitignore` between a file and the top of its sources leaves the file out of the repository.
     pub fn is_ignored_by_git(&self, file: &Path) -> bool {
         self.is_matched(file, |rules| rules.ignored.as_ref())
+    }
+
+    /// Whether a file lies in what a build installed, and the build tool says so: what is missing there was not installed yet.
+    pub fn is_in_a_build(&self, file: &Path) -> bool {
+        let is_one = |folder: &Path| {
+            folder.file_name().is_some_and(is_built)
+                && IGNORE_MARKS.iter().any(|mark| self.vfs.is_file(&folder.join(mark)))
+        };
+        file.ancestors().skip(1).any(is_one)
     }
 
     /// Whether a `.gitattributes` between a file and the top of its sources gives the file to Git LFS.

@@ -94,6 +94,11 @@ fn report(
             report.severity(Severity::Info).help(help).done();
             continue;
         }
+        if cx.world.packages.is_in_a_build(&file.path) {
+            let help = "build the package again, or correct the path: only an installed copy of the package was found";
+            report.severity(Severity::Info).help(help).done();
+            continue;
+        }
         let report = report.help("correct the path, or add the file");
         match found.as_ref().filter(|_| moved.is_some()) {
             Some(found) => found_elsewhere(cx, report, file, found, package).done(),
