@@ -305,3 +305,90 @@ fn a_joint_has_another_name_in_one_variant() {
     assert_eq!(of(&with("bend", "fixed"), ""), 0);
     assert_eq!(of(&with("bend", "continuous"), "<joint name='bend'/>"), 0);
 }
+
+#[test]
+fn a_link_has_another_name_in_one_variant() {
+    let with = |link: &str, kind: &str| {
+        let joint = hinge("tilt", kind).replace("'hand'", &format!("'{link}'"));
+        format!("<link name='{link}'/>{joint}")
+    };
+    let of = |plain: &str, kind: &str, more: &str| {
+        painted(
+            &with(plain, kind),
+            &with("hand", kind),
+            more,
+            "srdf-unknown-link",
+        )
+    };
+    assert_eq!(of("palm", "continuous", ""), 1);
+    assert_eq!(of("hand", "continuous", ""), 0);
+    // two tools that are mounted in one place, and an SRDF that knows both names
+    assert_eq!(of("palm", "fixed", ""), 0);
+    assert_eq!(of("palm", "continuous", "<link name='palm'/>"), 0);
+}
+
+#[test]
+fn a_joint_is_missing_in_one_variant() {
+    let whole = format!("{HAND}{}", hinge("tilt", "fixed"));
+    let of = |plain: &str| painted(plain, &whole, "", "srdf-unknown-joint");
+    assert_eq!(of(HAND), 1);
+    assert_eq!(of(&whole), 0);
+    // without its link it is a part that only the other variant has
+    assert_eq!(of(""), 0);
+}
+
+#[test]
+fn a_controller_in_a_comment_of_a_launch_file_is_not_started() {
+    let more =
+        "stay:\n  ros__parameters:\n    joints: [lift]\n    command_interfaces: [velocity]\n";
+    let settings = format!("{SETTINGS}{more}");
+    let starts = |folder: &str, controllers: &str| {
+        format!(
+            "<launch><param name='robot_description' command='$(find xacro)/xacro $(find arm)/urdf/arm.urdf'/>\
+             <rosparam file='$(find arm)/config/{folder}/c.yaml'/>{controllers}</launch>"
+        )
+    };
+    let spawns =
+        |name: &str| format!("<node pkg='controller_manager' exec='spawner' args='{name}'/>");
+    let of = |go: &str| {
+        let launch = starts("one", &format!("{}{go}", spawns("stay")));
+        let files = [
+            ("urdf/arm.urdf", &*robot(VELOCITY, POSITION, "other.yaml")),
+            ("config/one/c.yaml", &settings),
+            ("config/two/c.yaml", more),
+            ("launch/one.launch", &launch),
+            ("launch/two.launch", &starts("two", &spawns("go"))),
+        ];
+        found(&files, RULE)
+    };
+    let at = |severity| vec![("config/one/c.yaml".to_owned(), severity)];
+    assert_eq!(of(&spawns("go")), at(Severity::Error));
+    assert_eq!(
+        of(&format!("<!-- {} -->", spawns("go"))),
+        at(Severity::Info)
+    );
+}
+
+#[test]
+fn a_file_of_few_joints_that_is_loaded_for_a_robot_elsewhere() {
+    let robot = "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:arg name='p' default=''/><link name='base'/>\
+                 <link name='a'/><joint name='lift' type='continuous'><parent link='base'/><child link='a'/></joint></robot>";
+    let settings = SETTINGS.replace("      - lift\n", "");
+    let starts = |package: &str| {
+        format!(
+            "<launch><param name='robot_description' command='$(find xacro)/xacro $(find {package})/urdf/arm.urdf.xacro'/>\
+             <rosparam file='$(find arm)/config/c.yaml'/></launch>"
+        )
+    };
+    let of = |other: &str| {
+        let files = [
+            ("urdf/arm.urdf.xacro", robot),
+            ("config/c.yaml", &settings),
+            ("launch/arm.launch", &starts("arm")),
+            ("launch/other.launch", &starts(other)),
+        ];
+        found(&files, "controller-unknown-joint").len()
+    };
+    assert_eq!(of("arm"), 1);
+    assert_eq!(of("elsewhere"), 0);
+}

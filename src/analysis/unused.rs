@@ -10,7 +10,7 @@ use super::task::Reason;
 use base::{FastMap, FastSet, FileId};
 use project::Controller;
 use rules::{Finding, Severity, Trait, named};
-use workspace::has_name;
+use workspace::{has_name, without_comments};
 
 impl Session {
     /// The files that were read for robots which this workspace uses; none when nothing in it was copied from others. What is
@@ -115,17 +115,34 @@ impl Session {
         let Some(own) = own.map(|own| own.name.name.as_str()) else {
             return false;
         };
-        let texts = self
-            .starters(file)
-            .into_iter()
-            .filter_map(|path| self.vfs.text(&path).ok());
-        let texts: Vec<_> = texts.collect();
-        let is_started = |name: &str| texts.iter().any(|text| has_name(&text.text, name));
+        let mut starters = self.starters(file);
+        // files of one name are told apart by their folders
+        if self.is_one_of_several(file) {
+            let name = |path: &Path| path.file_name()?.to_str().map(str::to_owned);
+            let words: Vec<String> = [Some(file), file.parent()]
+                .into_iter()
+                .filter_map(|path| name(path?))
+                .collect();
+            starters.retain(|path| words.iter().all(|word| self.says(path, word)));
+        }
+        let is_started = |name: &str| starters.iter().any(|path| self.says(path, name));
         !is_started(own)
             && settings
                 .controllers
                 .iter()
                 .any(|other| is_started(&other.name.name))
+    }
+
+    /// Whether a text has a name outside of its comments.
+    pub(super) fn says(&self, path: &Path, name: &str) -> bool {
+        let ending = path.file_name().and_then(|file| file.to_str());
+        self.vfs.text(path).is_ok_and(|text| {
+            has_name(&text.text, name)
+                && has_name(
+                    &without_comments(ending.unwrap_or_default(), &text.text),
+                    name,
+                )
+        })
     }
 
     /// Whether another file of the workspace lists the controller that a finding is about: it is for another controller manager.

@@ -152,7 +152,7 @@ impl<'a> BesideCx<'a> {
             && !self.is_virtual(kind, name)
             && (!is_in(self.known.get_or_init(|| (self.further)()))
                 || self.is_torn(kind, name)
-                || kind == Kind::Joint && self.is_renamed(name))
+                || self.is_renamed(kind, name))
     }
 
     /// Whether a joint of the robots hangs on a link that they do not have.
@@ -163,30 +163,57 @@ impl<'a> BesideCx<'a> {
         joints.any(|joint| is_it(&joint.parent) || is_it(&joint.child))
     }
 
-    /// Whether the robots have a joint in the place of one that other arguments give, of the same type, with the same
-    /// child, and of a name that no file beside them knows: one of the two was renamed.
-    fn is_renamed(&self, name: &str) -> bool {
+    /// Whether the robots have something in the place of a link or joint that other arguments give, with a name that no file
+    /// beside them knows: one of the two was renamed. Of joints that is one of the same type and child, of links the child of
+    /// the same joint that moves.
+    fn is_renamed(&self, kind: Kind, name: &str) -> bool {
         let further = self.known.get_or_init(|| (self.further)());
-        let Some(Some(place)) = further.places.get(name) else {
-            return false;
+        let own = &self.names.places;
+        let is_in_place = |place: &Place| {
+            let mut same = own.iter().filter(|(_, own)| own.contains(place));
+            same.any(|(other, _)| !self.is_named(kind, other)) || self.is_loose(&place.child)
         };
-        let is_in_place = |(other, own): (&EcoString, &Option<Place>)| {
-            own.as_ref() == Some(place) && !self.is_named(other)
+        let is_same_joint = |place: &Place, other: &Place| {
+            place.kind == other.kind && place.kind != "fixed" && !self.is_named(kind, &other.child)
         };
-        self.names.places.iter().any(is_in_place)
+        match kind {
+            Kind::Joint => {
+                let places = further.places.get(name);
+                places.is_some_and(|places| places.iter().any(is_in_place))
+            }
+            Kind::Link => further.places.iter().any(|(joint, places)| {
+                let mut places = places.iter().filter(|place| place.child == name);
+                let others = own.get(joint).into_iter().flatten();
+                places.any(|place| others.clone().any(|other| is_same_joint(place, other)))
+            }),
+            Kind::Group => false,
+        }
     }
 
-    /// Whether a file beside the robots has a joint of that name.
-    fn is_named(&self, joint: &str) -> bool {
+    /// Whether no joint leads to a link of a robot that has another root.
+    fn is_loose(&self, link: &str) -> bool {
+        let is_link = |paired: &&PairedRobot<'_>| paired.robot.link(link).is_some();
+        let has_child = |paired: &&PairedRobot<'_>| {
+            let child = |joint: &Joint| joint.child.as_ref().is_some_and(|text| text.value == link);
+            paired.robot.joints.iter().any(child)
+        };
+        let mut robots = self.robots.iter().filter(is_link);
+        robots.any(|paired| {
+            !has_child(&paired) && paired.robot.links.len() > 1 + paired.robot.joints.len()
+        })
+    }
+
+    /// Whether a file beside the robots has a name.
+    fn is_named(&self, kind: Kind, name: &str) -> bool {
         self.all.iter().any(|content| match content {
             Content::Srdf(srdf) => srdf
                 .names()
                 .iter()
-                .any(|(text, kind, _)| *kind == Kind::Joint && text.value == joint),
+                .any(|(text, own, _)| *own == kind && text.value == name),
             Content::Settings(settings) => settings
                 .names()
                 .iter()
-                .any(|(name, kind)| *kind == Kind::Joint && name.name == joint),
+                .any(|(own, its)| *its == kind && own.name == name),
         })
     }
 

@@ -12,8 +12,8 @@ pub struct Names {
     pub links: FastSet<EcoString>,
     /// Joints.
     pub joints: FastSet<EcoString>,
-    /// The places of joints; none for a joint that is in several.
-    pub places: FastMap<EcoString, Option<Place>>,
+    /// The places of joints.
+    pub places: FastMap<EcoString, Vec<Place>>,
     /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
     pub groups: FastSet<EcoString>,
     /// Interfaces of hardware that conditions decide on.
@@ -59,18 +59,18 @@ impl Names {
         );
         for joint in &robot.joints {
             let text = |text: &Option<Text>| Some(text.as_ref()?.name()?.clone());
-            if let Some(name) = text(&joint.name) {
-                let place = text(&joint.child).zip(text(&joint.kind));
-                self.add_place(name, place.map(|(child, kind)| Place { child, kind }));
+            let place = text(&joint.child).zip(text(&joint.kind));
+            if let Some((name, (child, kind))) = text(&joint.name).zip(place) {
+                self.add_place(name, Place { child, kind });
             }
         }
     }
 
     /// Add the place of a joint.
-    pub fn add_place(&mut self, joint: EcoString, place: Option<Place>) {
-        let known = self.places.entry(joint).or_insert_with(|| place.clone());
-        if *known != place {
-            *known = None;
+    pub fn add_place(&mut self, joint: EcoString, place: Place) {
+        let known = self.places.entry(joint).or_default();
+        if !known.contains(&place) {
+            known.push(place);
         }
     }
 
@@ -80,8 +80,10 @@ impl Names {
         self.joints.extend(other.joints.iter().cloned());
         self.groups.extend(other.groups.iter().cloned());
         self.interfaces.extend(other.interfaces.iter().cloned());
-        for (joint, place) in &other.places {
-            self.add_place(joint.clone(), place.clone());
+        for (joint, places) in &other.places {
+            for place in places {
+                self.add_place(joint.clone(), place.clone());
+            }
         }
         self.is_open |= other.is_open;
     }

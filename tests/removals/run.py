@@ -104,10 +104,11 @@ def robot(command, folder, path):
 
 
 def uses(name, texts):
-    """Lines of files that use a name, as (file, line); frames and comments are no use."""
+    """Lines of files that use a name, as (file, line); frames, comments and the names of virtual joints are no use."""
     word = re.compile(r'(?<![\w-])%s(?![\w-])' % re.escape(name))
+    unused = re.compile(r'\bparent_frame="[^"]*"|\w*frame\w*:.*|(^|\s)#.*|<!--.*?-->|(?<=<virtual_joint )name="[^"]*"')
     return {(file, number) for file, text in texts.items() for number, line in enumerate(text.splitlines(), 1)
-            if word.search(re.sub(r'\bparent_frame="[^"]*"|\w*frame\w*:.*|(^|\s)#.*|<!--.*?-->', '', line))}
+            if word.search(unused.sub('', line))}
 
 
 def gives(command, folder, root, kind, name):

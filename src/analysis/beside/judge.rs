@@ -18,7 +18,7 @@ use rules::{
     Chosen, Content, Finding, Names, Offered, PairedRobot, Place, all, check_beside,
     has_ignored_tags, is_semantic_name, is_whole,
 };
-use workspace::{Target, has_name};
+use workspace::Target;
 use xml::Node;
 
 /// What a comparison of files with their robots gave.
@@ -254,10 +254,8 @@ impl Session {
             |caller: &PathBuf| all.iter().filter(|one| one.contains(caller)).count() > 1;
         let names = |callers: &FastSet<PathBuf>| {
             let own = callers.iter().filter(|caller| !is_shared(caller));
-            let texts: Vec<_> = own
-                .filter_map(|caller| self.vfs.text(caller).ok())
-                .collect();
-            let is_named = |name: &EcoString| texts.iter().any(|text| has_name(&text.text, name));
+            let own: Vec<&PathBuf> = own.collect();
+            let is_named = |name: &EcoString| own.iter().any(|caller| self.says(caller, name));
             let names = controllers.iter().map(|one| one.name.name.clone());
             names.filter(is_named).collect()
         };
@@ -343,8 +341,8 @@ impl Session {
                     continue;
                 };
                 list.insert(name.clone());
-                if node.name() == "joint" {
-                    names.add_place(name, place_of(node));
+                if let Some(place) = place_of(node).filter(|_| node.name() == "joint") {
+                    names.add_place(name, place);
                 }
             }
             let included = reach(&source, &self.packages)
