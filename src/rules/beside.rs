@@ -170,22 +170,19 @@ impl<'a> BesideCx<'a> {
         let further = self.known.get_or_init(|| (self.further)());
         let own = &self.names.places;
         let is_in_place = |place: &Place| {
-            let mut same = own.iter().filter(|(_, own)| own.contains(place));
-            same.any(|(other, _)| !self.is_named(kind, other)) || self.is_loose(&place.child)
+            let is_same = |own: &&Place| own.child == place.child && own.kind == place.kind;
+            let mut same = own.iter().filter(is_same);
+            same.any(|own| !self.is_named(kind, &own.joint)) || self.is_loose(&place.child)
         };
-        let is_same_joint = |place: &Place, other: &Place| {
-            place.kind == other.kind && place.kind != "fixed" && !self.is_named(kind, &other.child)
+        let is_moved = |place: &Place| {
+            let is_same = |own: &&Place| own.joint == place.joint && own.kind == place.kind;
+            let mut same = own.iter().filter(is_same);
+            place.kind != "fixed" && same.any(|own| !self.is_named(kind, &own.child))
         };
+        let mut places = further.places.iter();
         match kind {
-            Kind::Joint => {
-                let places = further.places.get(name);
-                places.is_some_and(|places| places.iter().any(is_in_place))
-            }
-            Kind::Link => further.places.iter().any(|(joint, places)| {
-                let mut places = places.iter().filter(|place| place.child == name);
-                let others = own.get(joint).into_iter().flatten();
-                places.any(|place| others.clone().any(|other| is_same_joint(place, other)))
-            }),
+            Kind::Joint => places.any(|place| place.joint == name && is_in_place(place)),
+            Kind::Link => places.any(|place| place.child == name && is_moved(place)),
             Kind::Group => false,
         }
     }

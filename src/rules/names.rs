@@ -1,7 +1,7 @@
 //! Names in robots: what files beside them may use.
 use ecow::EcoString;
 
-use base::{FastMap, FastSet};
+use base::FastSet;
 use model::{Robot, Text};
 use project::Kind;
 
@@ -13,7 +13,7 @@ pub struct Names {
     /// Joints.
     pub joints: FastSet<EcoString>,
     /// The places of joints.
-    pub places: FastMap<EcoString, Vec<Place>>,
+    pub places: FastSet<Place>,
     /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
     pub groups: FastSet<EcoString>,
     /// Interfaces of hardware that conditions decide on.
@@ -23,8 +23,10 @@ pub struct Names {
 }
 
 /// The place of a joint in a robot.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Place {
+    /// The joint.
+    pub joint: EcoString,
     /// Its child.
     pub child: EcoString,
     /// Its type.
@@ -59,18 +61,10 @@ impl Names {
         );
         for joint in &robot.joints {
             let text = |text: &Option<Text>| Some(text.as_ref()?.name()?.clone());
-            let place = text(&joint.child).zip(text(&joint.kind));
-            if let Some((name, (child, kind))) = text(&joint.name).zip(place) {
-                self.add_place(name, Place { child, kind });
-            }
-        }
-    }
-
-    /// Add the place of a joint.
-    pub fn add_place(&mut self, joint: EcoString, place: Place) {
-        let known = self.places.entry(joint).or_default();
-        if !known.contains(&place) {
-            known.push(place);
+            let rest = text(&joint.child).zip(text(&joint.kind));
+            let place = text(&joint.name).zip(rest);
+            self.places
+                .extend(place.map(|(joint, (child, kind))| Place { joint, child, kind }));
         }
     }
 
@@ -80,11 +74,7 @@ impl Names {
         self.joints.extend(other.joints.iter().cloned());
         self.groups.extend(other.groups.iter().cloned());
         self.interfaces.extend(other.interfaces.iter().cloned());
-        for (joint, places) in &other.places {
-            for place in places {
-                self.add_place(joint.clone(), place.clone());
-            }
-        }
+        self.places.extend(other.places.iter().cloned());
         self.is_open |= other.is_open;
     }
 

@@ -340,9 +340,9 @@ impl Session {
                 let Some(name) = spelled(node, "name") else {
                     continue;
                 };
-                list.insert(name.clone());
+                list.insert(name);
                 if let Some(place) = place_of(node).filter(|_| node.name() == "joint") {
-                    names.add_place(name, place);
+                    names.places.insert(place);
                 }
             }
             let included = reach(&source, &self.packages)
@@ -370,6 +370,7 @@ fn place_of(joint: Node<'_>) -> Option<Place> {
         .child_elements()
         .find(|inner| inner.name() == "child")?;
     Some(Place {
+        joint: spelled(joint, "name")?,
         child: spelled(child, "link")?,
         kind: spelled(joint, "type")?,
     })
