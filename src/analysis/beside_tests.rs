@@ -158,3 +158,251 @@ fn what_gazebo_says_of_a_link_that_was_removed() {
     assert_eq!(of("pedestal"), Some(Severity::Warning));
     assert_eq!(of("foot"), None);
 }
+
+const SHOW_FAST: &str = "<launch><param name='robot_description' command='$(find xacro)/xacro $(find arm)/urdf/fast.urdf'/></launch>";
+const SHOW_SLOW: &str = "<launch><param name='robot_description' command='$(find xacro)/xacro $(find arm)/urdf/slow.urdf'/></launch>";
+
+#[test]
+fn one_of_several_robots_is_started_with_a_controller() {
+    let (fast, slow) = (
+        robot(VELOCITY, VELOCITY, "c.yaml"),
+        robot(VELOCITY, POSITION, "c.yaml"),
+    );
+    let of = |launch: &str| {
+        let files = [
+            ("urdf/fast.urdf", &*fast),
+            ("urdf/slow.urdf", &*slow),
+            ("config/c.yaml", SETTINGS),
+            ("launch/slow.launch", launch),
+            ("launch/show_fast.launch", SHOW_FAST),
+            ("launch/show_slow.launch", SHOW_SLOW),
+        ];
+        found(&files, RULE)
+    };
+    let starts = |robot: &str| {
+        format!(
+            "<param name='robot_description' command='$(find xacro)/xacro $(find arm)/urdf/{robot}.urdf'/>"
+        )
+    };
+    let spawns = "<node pkg='controller_manager' exec='spawner' args='go'/>";
+    let (fast, slow) = (starts("fast"), starts("slow"));
+    assert_eq!(
+        of(&format!("<launch>{slow}{spawns}</launch>")),
+        [("config/c.yaml".to_owned(), Severity::Warning)]
+    );
+    assert_eq!(of(&format!("<launch>{slow}</launch>")), []);
+    assert_eq!(of(&format!("<launch>{fast}{spawns}</launch>")), []);
+    assert_eq!(of(&format!("<launch>{slow}{fast}{spawns}</launch>")), []);
+}
+
+#[test]
+fn another_controller_of_the_joint_fits_the_robot() {
+    let (fast, slow) = (
+        robot(VELOCITY, VELOCITY, "c.yaml"),
+        robot(VELOCITY, POSITION, "c.yaml"),
+    );
+    let launch = "<launch><param name='robot_description' command='$(find xacro)/xacro $(find arm)/urdf/slow.urdf'/>\
+                  <node pkg='controller_manager' exec='spawner' args='go turn_slowly'/></launch>";
+    let of = |more: &str| {
+        let settings = format!("{SETTINGS}{more}");
+        let files = [
+            ("urdf/fast.urdf", &*fast),
+            ("urdf/slow.urdf", &*slow),
+            ("config/c.yaml", &*settings),
+            ("launch/slow.launch", launch),
+            ("launch/show_fast.launch", SHOW_FAST),
+            ("launch/show_slow.launch", SHOW_SLOW),
+        ];
+        found(&files, RULE).len()
+    };
+    let other = |interface: &str| {
+        format!(
+            "turn_slowly:\n  ros__parameters:\n    joints: [turn]\n    command_interfaces: [{interface}]\n"
+        )
+    };
+    assert_eq!(of(""), 1);
+    assert_eq!(of(&other("position")), 0);
+    assert_eq!(of(&other("effort")), 2);
+}
+
+#[test]
+fn a_condition_of_another_joint_offers_nothing() {
+    let of = |other: &str| {
+        let included = format!(
+            "<robot xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:macro name='more' params='prefix'>\
+             <ros2_control name='d' type='system'><joint name='{other}'><xacro:if value='false'>{VELOCITY}</xacro:if></joint>\
+             </ros2_control></xacro:macro></robot>"
+        );
+        let robot = robot(VELOCITY, POSITION, "c.yaml").replace(
+            "<robot name='arm'>",
+            "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:include filename='more.xacro'/>",
+        );
+        let files = [
+            ("urdf/arm.urdf.xacro", &*robot),
+            ("urdf/more.xacro", &included),
+            ("config/c.yaml", SETTINGS),
+        ];
+        found(&files, RULE).len()
+    };
+    assert_eq!(of("${prefix}finger"), 1);
+    assert_eq!(of("${prefix}turn"), 0);
+    assert_eq!(of("${prefix}"), 0);
+}
+
+#[test]
+fn blocks_of_one_name_are_read_together() {
+    let listed = "/**:\n  controller_manager:\n    ros__parameters:\n      go:\n        type: joint_trajectory_controller/JointTrajectoryController\n";
+    let block = |name: &str, joint: &str| {
+        format!(
+            "/**:\n  {name}:\n    ros__parameters:\n      joints: [{joint}]\n      command_interfaces: [velocity]\n"
+        )
+    };
+    let of = |joint: &str| {
+        let settings = format!("{listed}{}{}", block("go", joint), block("stay", "lift"));
+        let files = [
+            ("urdf/arm.urdf", &*robot(VELOCITY, POSITION, "c.yaml")),
+            ("config/c.yaml", &settings),
+        ];
+        [RULE, "controller-without-parameters"].map(|rule| found(&files, rule).len())
+    };
+    assert_eq!(of("turn"), [1, 0]);
+    assert_eq!(of("lift"), [0, 0]);
+}
+
+/// A robot that a switch makes of one of two texts, and an SRDF that names a joint and a link of it.
+fn painted(plain: &str, bright: &str, more: &str, rule: &str) -> usize {
+    let robot = format!(
+        "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:arg name='bright' default='false'/><link name='base'/>\
+         <xacro:if value='$(arg bright)'>{bright}</xacro:if><xacro:unless value='$(arg bright)'>{plain}</xacro:unless></robot>"
+    );
+    let srdf = format!(
+        "<robot name='arm'><group name='all'><link name='base'/><link name='hand'/><joint name='tilt'/>{more}</group></robot>"
+    );
+    let files = [("urdf/arm.urdf.xacro", &*robot), ("config/arm.srdf", &srdf)];
+    found(&files, rule).len()
+}
+
+/// A joint from the base to the hand.
+fn hinge(name: &str, kind: &str) -> String {
+    format!("<joint name='{name}' type='{kind}'><parent link='base'/><child link='hand'/></joint>")
+}
+
+const HAND: &str = "<link name='hand'/>";
+
+#[test]
+fn a_link_that_joints_need_is_missing_in_one_variant() {
+    let (bare, whole) = (
+        hinge("tilt", "continuous"),
+        format!("{HAND}{}", hinge("tilt", "continuous")),
+    );
+    let of = |plain: &str| painted(plain, &whole, "", "srdf-unknown-link");
+    assert_eq!(of(&bare), 1);
+    assert_eq!(of(&whole), 0);
+    // without its joint it is a part that only the other variant has
+    assert_eq!(of(""), 0);
+}
+
+#[test]
+fn a_joint_has_another_name_in_one_variant() {
+    let with = |name: &str, kind: &str| format!("{HAND}{}", hinge(name, kind));
+    let of = |plain: &str, more: &str| {
+        painted(
+            plain,
+            &with("tilt", "continuous"),
+            more,
+            "srdf-unknown-joint",
+        )
+    };
+    assert_eq!(of(&with("bend", "continuous"), ""), 1);
+    assert_eq!(of(&with("tilt", "continuous"), ""), 0);
+    // a variant that holds the link still, and an SRDF that knows both names
+    assert_eq!(of(&with("bend", "fixed"), ""), 0);
+    assert_eq!(of(&with("bend", "continuous"), "<joint name='bend'/>"), 0);
+}
+
+#[test]
+fn a_link_has_another_name_in_one_variant() {
+    let with = |link: &str, kind: &str| {
+        let joint = hinge("tilt", kind).replace("'hand'", &format!("'{link}'"));
+        format!("<link name='{link}'/>{joint}")
+    };
+    let of = |plain: &str, kind: &str, more: &str| {
+        painted(
+            &with(plain, kind),
+            &with("hand", kind),
+            more,
+            "srdf-unknown-link",
+        )
+    };
+    assert_eq!(of("palm", "continuous", ""), 1);
+    assert_eq!(of("hand", "continuous", ""), 0);
+    // two tools that are mounted in one place, and an SRDF that knows both names
+    assert_eq!(of("palm", "fixed", ""), 0);
+    assert_eq!(of("palm", "continuous", "<link name='palm'/>"), 0);
+}
+
+#[test]
+fn a_joint_is_missing_in_one_variant() {
+    let whole = format!("{HAND}{}", hinge("tilt", "fixed"));
+    let of = |plain: &str| painted(plain, &whole, "", "srdf-unknown-joint");
+    assert_eq!(of(HAND), 1);
+    assert_eq!(of(&whole), 0);
+    // without its link it is a part that only the other variant has
+    assert_eq!(of(""), 0);
+}
+
+#[test]
+fn a_controller_in_a_comment_of_a_launch_file_is_not_started() {
+    let more =
+        "stay:\n  ros__parameters:\n    joints: [lift]\n    command_interfaces: [velocity]\n";
+    let settings = format!("{SETTINGS}{more}");
+    let starts = |folder: &str, controllers: &str| {
+        format!(
+            "<launch><param name='robot_description' command='$(find xacro)/xacro $(find arm)/urdf/arm.urdf'/>\
+             <rosparam file='$(find arm)/config/{folder}/c.yaml'/>{controllers}</launch>"
+        )
+    };
+    let spawns =
+        |name: &str| format!("<node pkg='controller_manager' exec='spawner' args='{name}'/>");
+    let of = |go: &str| {
+        let launch = starts("one", &format!("{}{go}", spawns("stay")));
+        let files = [
+            ("urdf/arm.urdf", &*robot(VELOCITY, POSITION, "other.yaml")),
+            ("config/one/c.yaml", &settings),
+            ("config/two/c.yaml", more),
+            ("launch/one.launch", &launch),
+            ("launch/two.launch", &starts("two", &spawns("go"))),
+        ];
+        found(&files, RULE)
+    };
+    let at = |severity| vec![("config/one/c.yaml".to_owned(), severity)];
+    assert_eq!(of(&spawns("go")), at(Severity::Error));
+    assert_eq!(
+        of(&format!("<!-- {} -->", spawns("go"))),
+        at(Severity::Info)
+    );
+}
+
+#[test]
+fn a_file_of_few_joints_that_is_loaded_for_a_robot_elsewhere() {
+    let robot = "<robot name='arm' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:arg name='p' default=''/><link name='base'/>\
+                 <link name='a'/><joint name='lift' type='continuous'><parent link='base'/><child link='a'/></joint></robot>";
+    let settings = SETTINGS.replace("      - lift\n", "");
+    let starts = |package: &str| {
+        format!(
+            "<launch><param name='robot_description' command='$(find xacro)/xacro $(find {package})/urdf/arm.urdf.xacro'/>\
+             <rosparam file='$(find arm)/config/c.yaml'/></launch>"
+        )
+    };
+    let of = |other: &str| {
+        let files = [
+            ("urdf/arm.urdf.xacro", robot),
+            ("config/c.yaml", &settings),
+            ("launch/arm.launch", &starts("arm")),
+            ("launch/other.launch", &starts(other)),
+        ];
+        found(&files, "controller-unknown-joint").len()
+    };
+    assert_eq!(of("arm"), 1);
+    assert_eq!(of("elsewhere"), 0);
+}

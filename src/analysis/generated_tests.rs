@@ -88,6 +88,30 @@ fn launch_files_that_are_kept() {
     };
     assert_eq!(severity("launch/r.launch"), Severity::Warning);
     assert_eq!(severity("launch/past/r.launch"), Severity::Info);
+    assert_eq!(severity("launch/testing/r.launch"), Severity::Info);
+}
+
+#[test]
+fn includes_that_are_elsewhere() {
+    let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'><xacro:include filename='$(find r)/urdf/parts.xacro'/><link name='base'/></robot>";
+    let severity = |manifest: &str, further: &[(&str, &str)]| {
+        let files = [
+            (manifest, "<package><name>r</name></package>"),
+            ("urdf/r.urdf.xacro", robot),
+        ];
+        found(&[&files, further].concat(), "include-not-found")[0].1
+    };
+    assert_eq!(severity("package.xml", &[]), Severity::Error);
+    let ignored = (".gitignore", "urdf/parts.xacro\n");
+    assert_eq!(severity("package.xml", &[ignored]), Severity::Info);
+    // what an older build installed, without its sources
+    let installed = "install/r/share/r/package.xml";
+    let mark = ("install/COLCON_IGNORE", "");
+    assert_eq!(severity(installed, &[mark]), Severity::Info);
+    assert_eq!(
+        severity(&installed.replace("install", "parts"), &[]),
+        Severity::Error
+    );
 }
 
 #[test]

@@ -11,7 +11,7 @@ use super::task::Reason;
 use base::{FastMap, FastSet, FileId};
 use project::{Controller, Settings};
 use rules::{Finding, Severity, Trait, named};
-use workspace::has_name;
+use workspace::{has_name, without_comments};
 
 impl Session {
     /// The files that were read for robots which this workspace uses; none when nothing in it was copied from others. What is
@@ -116,22 +116,37 @@ impl Session {
         let Some(own) = own.map(|own| own.name.name.as_str()) else {
             return false;
         };
-        let texts = self
-            .starters(file)
-            .into_iter()
-            .filter_map(|path| self.vfs.text(&path).ok());
-        let mut texts: Vec<_> = texts.collect();
-        // another controller manager may have a controller of that name
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        if texts.iter().any(|text| has_name(&text.text, &name)) {
-            texts.retain(|text| has_name(&text.text, &name));
+        let mut starters = self.starters(file);
+        let name = |path: &Path| path.file_name()?.to_str().map(str::to_owned);
+        let names_it = |path: &PathBuf| name(file).is_some_and(|name| self.says(path, &name));
+        if self.is_one_of_several(file) {
+            // files of one name are told apart by their folders
+            let folder = file.parent().and_then(name);
+            let says_folder =
+                |path: &PathBuf| folder.as_ref().is_none_or(|name| self.says(path, name));
+            starters.retain(|path| names_it(path) && says_folder(path));
+        } else if starters.iter().any(names_it) {
+            // another controller manager may have a controller of that name
+            starters.retain(names_it);
         }
-        let is_started = |name: &str| texts.iter().any(|text| has_name(&text.text, name));
+        let is_started = |name: &str| starters.iter().any(|path| self.says(path, name));
         !is_started(own)
             && settings
                 .controllers
                 .iter()
                 .any(|other| is_started(&other.name.name))
+    }
+
+    /// Whether a text has a name outside of its comments.
+    pub(super) fn says(&self, path: &Path, name: &str) -> bool {
+        let ending = path.file_name().and_then(|file| file.to_str());
+        self.vfs.text(path).is_ok_and(|text| {
+            has_name(&text.text, name)
+                && has_name(
+                    &without_comments(ending.unwrap_or_default(), &text.text),
+                    name,
+                )
+        })
     }
 
     /// Whether another file of the workspace lists the controller that a finding is about: it is for another controller manager.

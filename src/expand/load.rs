@@ -253,7 +253,9 @@ impl Expander<'_> {
         if packages.may_be_made(path) {
             Some("build the package to generate the file, or correct the path")
         } else if packages.is_in_a_build(path) {
-            Some("build the package again, or correct the path: only an installed copy of the package was found")
+            Some(
+                "build the package again, or correct the path: only an installed copy of the package was found",
+            )
         } else if packages.is_ignored_by_git(path) {
             Some("get the file that `.gitignore` leaves out, or correct the path")
         } else if is_of_a_system(self.text_of(at)) {

@@ -42,7 +42,32 @@ pub fn may_be_settings(text: &str) -> bool {
     WORDS.iter().any(|word| text.contains(word))
 }
 
+/// Whether a text has a key twice at its left edge, as in two blocks of `/**:`.
+fn has_repeated(text: &str) -> bool {
+    let mut keys: Vec<&str> = Vec::new();
+    let is_key =
+        |line: &&str| line.starts_with(|first: char| !first.is_whitespace() && first != '#');
+    for line in text.lines().filter(is_key) {
+        let Some((key, _)) = line.split_once(':') else {
+            continue;
+        };
+        if keys.contains(&key) {
+            return true;
+        }
+        keys.push(key);
+    }
+    false
+}
+
 impl Settings {
+    /// The settings in a text, with its value. The parameters in several blocks of one name are those of all blocks.
+    pub fn read(text: &str, root: &Node) -> Option<Self> {
+        match has_repeated(text) {
+            true => Self::of(&yaml::load_repeated(text, "").ok()?),
+            false => Self::of(root),
+        }
+    }
+
     /// The settings in a YAML document; none when it says nothing about a robot.
     pub fn of(root: &Node) -> Option<Self> {
         let mut settings = Self {

@@ -46,11 +46,10 @@ pub(super) fn entries(node: &Node) -> impl Iterator<Item = (Named, &Node)> {
         .filter_map(|(key, value)| Some((Named::of(key)?, value)))
 }
 
-/// The value of a key.
+/// The value of a key; of several, the last.
 pub(super) fn get<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
-    entries(node)
-        .find(|(name, _)| name.name == key)
-        .map(|(_, value)| value)
+    let found = entries(node).filter(|(name, _)| name.name == key).last();
+    found.map(|(_, value)| value)
 }
 
 /// The text of a key.

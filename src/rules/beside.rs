@@ -5,9 +5,10 @@ use ecow::EcoString;
 
 use super::finding::Help;
 use super::grouping::Group;
+use super::names::{Names, Offered, Place, may_be};
 use super::rule::Severity;
 use super::sink::{Reported, Sink, span_of};
-use base::{FastSet, FileId, Span};
+use base::{FileId, Span};
 use expand::{Expansion, Origin};
 use model::{Joint, Kinematics, Robot, Text};
 use project::{Kind, Named, Settings, Srdf};
@@ -60,67 +61,8 @@ pub struct PairedRobot<'a> {
     pub robot: &'a Robot,
     /// How its links hang together.
     pub kinematics: &'a Kinematics,
-}
-
-/// Names of links and joints.
-#[derive(Clone, Debug, Default)]
-pub struct Names {
-    /// Links.
-    pub links: FastSet<EcoString>,
-    /// Joints.
-    pub joints: FastSet<EcoString>,
-    /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
-    pub groups: FastSet<EcoString>,
-    /// Interfaces of hardware that conditions decide on.
-    pub interfaces: FastSet<Offered>,
-    /// Whether other arguments bring in a file of a package that is absent: nobody knows what names it brings.
-    pub is_open: bool,
-}
-
-/// An interface that hardware may offer.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Offered {
-    /// Whether it is for commands.
-    pub is_command: bool,
-    /// Its joint; none where the text computes the name.
-    pub joint: Option<EcoString>,
-    /// Its name.
-    pub name: EcoString,
-}
-
-impl Names {
-    /// Add the names in a robot.
-    pub fn add(&mut self, robot: &Robot) {
-        self.links.extend(
-            robot
-                .links
-                .iter()
-                .filter_map(|link| link.name.as_ref()?.name().cloned()),
-        );
-        self.joints.extend(
-            robot
-                .joints
-                .iter()
-                .filter_map(|joint| joint.name.as_ref()?.name().cloned()),
-        );
-    }
-
-    /// Add the names of others.
-    pub fn extend(&mut self, other: &Self) {
-        self.links.extend(other.links.iter().cloned());
-        self.joints.extend(other.joints.iter().cloned());
-        self.groups.extend(other.groups.iter().cloned());
-        self.interfaces.extend(other.interfaces.iter().cloned());
-        self.is_open |= other.is_open;
-    }
-
-    fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
-        match kind {
-            Kind::Link => Some(&self.links),
-            Kind::Joint => Some(&self.joints),
-            Kind::Group => Some(&self.groups),
-        }
-    }
+    /// The controllers of the file that launch files of this robot name; none for the only robot.
+    pub started: &'a [EcoString],
 }
 
 impl<'a> BesideCx<'a> {
@@ -202,12 +144,74 @@ impl<'a> BesideCx<'a> {
         }
     }
 
-    /// Whether a link or joint is in none of the robots, or a group in none of their SRDFs, however they are expanded.
+    /// Whether a link or joint is in none of the robots, or a group in none of their SRDFs, however they are expanded. What
+    /// other arguments give counts, unless the robots themselves are meant to have it.
     pub(super) fn lacks(&self, kind: Kind, name: &str) -> bool {
         let is_in = |names: &Names| names.of(kind).is_none_or(|names| names.contains(name));
         !is_in(&self.names)
             && !self.is_virtual(kind, name)
-            && !is_in(self.known.get_or_init(|| (self.further)()))
+            && (!is_in(self.known.get_or_init(|| (self.further)()))
+                || self.is_torn(kind, name)
+                || self.is_renamed(kind, name))
+    }
+
+    /// Whether a joint of the robots hangs on a link that they do not have.
+    fn is_torn(&self, kind: Kind, name: &str) -> bool {
+        let is_it = |text: &Option<Text>| text.as_ref().is_some_and(|text| text.value == name);
+        let joints = self.robots.iter().flat_map(|paired| &paired.robot.joints);
+        let mut joints = joints.filter(|_| kind == Kind::Link);
+        joints.any(|joint| is_it(&joint.parent) || is_it(&joint.child))
+    }
+
+    /// Whether the robots have something in the place of a link or joint that other arguments give, with a name that no file
+    /// beside them knows: one of the two was renamed. Of joints that is one of the same type and child, of links the child of
+    /// the same joint that moves.
+    fn is_renamed(&self, kind: Kind, name: &str) -> bool {
+        let further = self.known.get_or_init(|| (self.further)());
+        let own = &self.names.places;
+        let is_in_place = |place: &Place| {
+            let is_same = |own: &&Place| own.child == place.child && own.kind == place.kind;
+            let mut same = own.iter().filter(is_same);
+            same.any(|own| !self.is_named(kind, &own.joint)) || self.is_loose(&place.child)
+        };
+        let is_moved = |place: &Place| {
+            let is_same = |own: &&Place| own.joint == place.joint && own.kind == place.kind;
+            let mut same = own.iter().filter(is_same);
+            place.kind != "fixed" && same.any(|own| !self.is_named(kind, &own.child))
+        };
+        let mut places = further.places.iter();
+        match kind {
+            Kind::Joint => places.any(|place| place.joint == name && is_in_place(place)),
+            Kind::Link => places.any(|place| place.child == name && is_moved(place)),
+            Kind::Group => false,
+        }
+    }
+
+    /// Whether no joint leads to a link of a robot that has another root.
+    fn is_loose(&self, link: &str) -> bool {
+        let is_link = |paired: &&PairedRobot<'_>| paired.robot.link(link).is_some();
+        let has_child = |paired: &&PairedRobot<'_>| {
+            let child = |joint: &Joint| joint.child.as_ref().is_some_and(|text| text.value == link);
+            paired.robot.joints.iter().any(child)
+        };
+        let mut robots = self.robots.iter().filter(is_link);
+        robots.any(|paired| {
+            !has_child(&paired) && paired.robot.links.len() > 1 + paired.robot.joints.len()
+        })
+    }
+
+    /// Whether a file beside the robots has a name.
+    fn is_named(&self, kind: Kind, name: &str) -> bool {
+        self.all.iter().any(|content| match content {
+            Content::Srdf(srdf) => srdf
+                .names()
+                .iter()
+                .any(|(text, own, _)| *own == kind && text.value == name),
+            Content::Settings(settings) => settings
+                .names()
+                .iter()
+                .any(|(own, its)| *its == kind && own.name == name),
+        })
     }
 
     /// Whether hardware of the robots offers an interface of a joint with other arguments.
@@ -216,7 +220,7 @@ impl<'a> BesideCx<'a> {
         let is_it = |one: &Offered| {
             one.is_command == is_command
                 && one.name == interface
-                && one.joint.as_ref().is_none_or(|own| own == joint)
+                && one.joint.as_deref().is_none_or(|own| may_be(own, joint))
         };
         offered.iter().any(is_it)
     }

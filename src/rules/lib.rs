@@ -21,6 +21,7 @@ mod joint;
 mod linter;
 mod moveit;
 pub mod named;
+mod names;
 mod numbers;
 mod package;
 mod place;
@@ -42,7 +43,7 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
-pub use beside::{BesideCx, Content, Names, Offered, PairedRobot};
+pub use beside::{BesideCx, Content, PairedRobot};
 pub use catalogue::{catalogue, catalogue_of};
 pub use check_beside::check_beside;
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, is_plain_urdf, is_whole};
@@ -55,6 +56,7 @@ pub use linter::{
 pub use moveit::{
     setup_assistant_file_not_found, setup_assistant_robot_fails, setup_assistant_unknown_argument,
 };
+pub use names::{Names, Offered, Place};
 pub use package::{
     Manifests, argument_never_set, generated_urdf_out_of_date, launched_file_not_found,
     missing_launch_argument, missing_packages, unknown_launch_argument, value_never_compared,

@@ -28,7 +28,9 @@ impl Packages {
     pub fn is_in_a_build(&self, file: &Path) -> bool {
         let is_one = |folder: &Path| {
             folder.file_name().is_some_and(is_built)
-                && IGNORE_MARKS.iter().any(|mark| self.vfs.is_file(&folder.join(mark)))
+                && IGNORE_MARKS
+                    .iter()
+                    .any(|mark| self.vfs.is_file(&folder.join(mark)))
         };
         file.ancestors().skip(1).any(is_one)
     }

@@ -24,7 +24,9 @@ mod uri;
 mod tests;
 
 pub use belonging::{UNQUOTED, Vicinity};
-pub use callers::{Caller, Callers, Era, Excluded, GivenArg, RobotCall, has_name};
+pub use callers::{
+    Caller, Callers, Era, Excluded, GivenArg, RobotCall, has_name, without_comments,
+};
 pub use include_pattern::{admitted_files, include_pattern, included_files, named_file};
 pub use install::{BUILD_FILES, Build, Built};
 pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};

@@ -17,11 +17,12 @@ use base::{FastMap, TextRange};
 ///
 /// # Errors
 /// The one PyYAML would report.
-pub(super) fn construct(tree: Tree, root: Id) -> Result<Node, Failure> {
+pub(super) fn construct(tree: Tree, root: Id, keys: Keys) -> Result<Node, Failure> {
     let active = vec![false; tree.len()];
     let mut constructor = Constructor {
         tree,
         active,
+        keys,
         made: 0,
         failure: None,
     };
@@ -32,8 +33,18 @@ pub(super) fn construct(tree: Tree, root: Id) -> Result<Node, Failure> {
     }
 }
 
+/// What becomes of a key that a mapping has several times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Keys {
+    /// It has the last value, as in Python.
+    Once,
+    /// Each is there with its value.
+    Repeated,
+}
+
 struct Constructor {
     tree: Tree,
+    keys: Keys,
     /// The nodes being made: one of them inside itself is an error.
     active: Vec<bool>,
     made: usize,
@@ -257,7 +268,8 @@ impl Constructor {
             };
             let value = self.node(value_id, level);
             match places.get(&hashed).and_then(|&place| made.get_mut(place)) {
-                Some(slot) => slot.1 = value,
+                Some(slot) if self.keys == Keys::Once => slot.1 = value,
+                Some(_) => made.push((key, value)),
                 None => {
                     places.insert(hashed, made.len());
                     made.push((key, value));

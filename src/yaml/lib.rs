@@ -24,6 +24,7 @@ use num_bigint::BigInt;
 pub use error::YamlError;
 
 use base::TextRange;
+use construct::Keys;
 
 /// A value and where it is written. A value reached through an alias has the place of its anchor.
 #[derive(Clone, Debug, PartialEq)]
@@ -126,10 +127,23 @@ impl Unit {
 /// Whatever PyYAML refuses, a value that contains itself, and values nested or multiplied beyond
 /// reason. `name` is the file name in messages.
 pub fn load(text: &str, name: &str) -> Result<Node, YamlError> {
+    load_with(text, name, Keys::Once)
+}
+
+/// Like [`load`], but a key that a mapping has several times is there each time, in the order of the text: readers of
+/// parameters in ROS 2 put the values together.
+///
+/// # Errors
+/// As those of [`load`].
+pub fn load_repeated(text: &str, name: &str) -> Result<Node, YamlError> {
+    load_with(text, name, Keys::Repeated)
+}
+
+fn load_with(text: &str, name: &str, keys: Keys) -> Result<Node, YamlError> {
     let tree = compose::compose(text).map_err(|error| error.finish(text, name))?;
     match tree {
         Some((tree, root)) => {
-            construct::construct(tree, root).map_err(|error| error.finish(text, name))
+            construct::construct(tree, root, keys).map_err(|error| error.finish(text, name))
         }
         None => Ok(Node {
             kind: Kind::Null,

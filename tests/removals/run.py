@@ -1,17 +1,22 @@
 #!/usr/bin/env python3
-"""Remove links, joints, groups and interfaces of robots one by one: the files beside them that no longer fit must be found.
+"""Remove or rename links, joints, groups and interfaces of robots one by one: the files beside them that no longer fit must be found.
 
     tests/removals/run.py --bin target/release/xacro-lint                 in docs/examples/pick_arm
     tests/removals/run.py --bin target/release/xacro-lint FOLDER...       in other workspaces; each robot with files beside it
     tests/removals/run.py --bin target/release/xacro-lint --most 40 ...   at most so many removals of each workspace, spread evenly
+    tests/removals/run.py --bin target/release/xacro-lint --rename ...    rename instead
+    tests/removals/run.py --bin target/release/xacro-lint --seed 1 --count 100 FOLDER...
+        so many changes drawn from all workspaces, see draw.py
 
 A removal is the definition of one thing: a `<link>` or `<joint>` of the description or the call of the macro that makes it, a
 `<group>` of the SRDF, an interface in `<ros2_control>`. Only names that a file beside the robot uses are removed. A removal is found when the linter reports something
 that it did not report before, in a line that uses the name, or in the `<ros2_control>` that names the joint as well. The test
-passes when 95 % are found.
+passes when 95 % are found. A rename gives the definition a new name in all that the robot itself reads; the files beside it keep the
+old one.
 """
 import argparse
 import collections
+import contextlib
 import json
 import os
 import pathlib
@@ -26,6 +31,8 @@ ENOUGH = 0.95
 ENVIRONMENT = {k: v for k, v in os.environ.items() if not k.startswith(('ROS', 'AMENT', 'CMAKE_PREFIX', 'COLCON'))}
 
 Removal = collections.namedtuple('Removal', 'kind name file start end')
+# what a name gets at its end
+RENAMED = '_renamed'
 
 
 def run(command, folder, *arguments):
@@ -78,29 +85,30 @@ def definitions(text, tag, name):
             yield match.start(), end
 
 
-def robots(command, folder):
-    """The descriptions with files beside them: their files, names, and files beside."""
-    found = []
-    for path in sorted(folder.rglob('*')):
-        if not path.is_file() or not path.name.endswith(('.urdf', '.xacro')) or 'srdf' in path.name:
-            continue
-        inside = str(path.relative_to(folder))
-        try:
-            read = json.loads(run(command, folder, 'deps', inside, '--format', 'json'))
-            beside = [entry['path'] for entry in read['beside'] if entry['kind'] != 'setup-assistant']
-            tree = json.loads(run(command, folder, 'tree', inside, '--format', 'json') or 'null') if beside else None
-        except (RuntimeError, ValueError):
-            continue
-        if tree:
-            found.append((inside, tree, [file for file in read['files'] if file.startswith(str(folder))], beside))
-    return found
+def descriptions(folder):
+    """The files that may be robots."""
+    return [path for path in sorted(folder.rglob('*'))
+            if path.is_file() and path.name.endswith(('.urdf', '.xacro')) and 'srdf' not in path.name]
+
+
+def robot(command, folder, path):
+    """A description with files beside it: its name, links and joints, its files, and the files beside; None without any."""
+    inside = str(path.relative_to(folder))
+    try:
+        deps = json.loads(run(command, folder, 'deps', inside, '--format', 'json'))
+        beside = [entry['path'] for entry in deps['beside'] if entry['kind'] != 'setup-assistant']
+        tree = json.loads(run(command, folder, 'tree', inside, '--format', 'json') or 'null') if beside else None
+    except (RuntimeError, ValueError):
+        return None
+    return (inside, tree, [file for file in deps['files'] if file.startswith(str(folder))], beside) if tree else None
 
 
 def uses(name, texts):
-    """Lines of files that use a name, as (file, line); frames and comments are no use."""
+    """Lines of files that use a name, as (file, line); frames, comments and the names of virtual joints are no use."""
     word = re.compile(r'(?<![\w-])%s(?![\w-])' % re.escape(name))
+    unused = re.compile(r'\bparent_frame="[^"]*"|\w*frame\w*:.*|(^|\s)#.*|<!--.*?-->|(?<=<virtual_joint )name="[^"]*"')
     return {(file, number) for file, text in texts.items() for number, line in enumerate(text.splitlines(), 1)
-            if word.search(re.sub(r'\bparent_frame="[^"]*"|\w*frame\w*:.*|(^|\s)#.*|<!--.*?-->', '', line))}
+            if word.search(unused.sub('', line))}
 
 
 def gives(command, folder, root, kind, name):
@@ -114,15 +122,48 @@ def without(text, start, end):
     return text[:start] + re.sub('[^\n]', '', text[start:end]) + text[end:]
 
 
+def renamed(text, kind, written):
+    """A text in which a link or joint, as its name is written, has another name where it is defined and where others refer to it."""
+    place = r'(?:<%s\s(?:"[^"]*"|[^">])*?\bname=|\b(?:%s|reference)=)"%s(?=")' % (kind, kind, re.escape(written))
+    text = re.sub(place, lambda match: match.group(0) + RENAMED, text)
+    return text.replace('>%s<' % written, '>%s<' % (written + RENAMED))
+
+
+def changed(removal, files, is_rename):
+    """The texts of files after a removal, or a rename instead; `files` are those that the robot reads."""
+    text = read(removal.file)
+    if not is_rename:
+        return {removal.file: without(text, removal.start, removal.end)}
+    end = re.compile(r'<(?:"[^"]*"|[^">])*').match(text, removal.start).end()
+    tag = text[removal.start:end]
+    written = re.search(r'\bname="([^"]+)"', tag).group(1)
+    if re.match('<(?:link|joint)\\s', tag):
+        return {file: renamed(read(file), removal.kind, written) for file in {removal.file, *files}}
+    tag = re.sub(r'(\bname="[^"]+)"', r'\1%s"' % RENAMED, tag, count=1)
+    return {removal.file: text[:removal.start] + tag + text[end:]}
+
+
+@contextlib.contextmanager
+def applied(texts):
+    """Files have other texts for a while."""
+    before = {file: pathlib.Path(file).read_bytes() for file in texts}
+    for file, text in texts.items():
+        pathlib.Path(file).write_text(text, 'utf-8')
+    try:
+        yield
+    finally:
+        for file, data in before.items():
+            pathlib.Path(file).write_bytes(data)
+
+
 def place_of(command, folder, root, files, kind, name):
     """The element without which the robot lacks a link or joint: its definition, or the call of a macro that makes it."""
     for tag in (kind, r'xacro:[\w.]+'):
         for file in files:
             text = read(file)
             for start, end in definitions(text, tag, name):
-                pathlib.Path(file).write_text(without(text, start, end), 'utf-8')
-                is_gone = not gives(command, folder, root, kind, name)
-                pathlib.Path(file).write_text(text, 'utf-8')
+                with applied({file: without(text, start, end)}):
+                    is_gone = not gives(command, folder, root, kind, name)
                 if is_gone:
                     return file, start, end
     return None
@@ -140,7 +181,7 @@ def removals(command, folder):
         seen.add((file, start))
         return [Removal(kind, name, file, start, end)] if is_new and end else []
 
-    for root, tree, files, beside in robots(command, folder):
+    for root, tree, files, beside in filter(None, (robot(command, folder, path) for path in descriptions(folder))):
         texts = {file: read(file) for file in beside}
         named = [('link', name) for name in tree['links']] + [('joint', joint['name']) for joint in tree['joints']]
         for kind, name in named:
@@ -194,30 +235,39 @@ def beside_files(folder):
             if path.is_file() and path.name.endswith(suffixes)}
 
 
-def remove(command, source, most, verbose):
+def copied(source, into):
+    """A copy of a workspace without meshes, as a repository of its own."""
+    folder = pathlib.Path(into).resolve() / source.name
+    unneeded = shutil.ignore_patterns('.git', '*.stl', '*.STL', '*.dae', '*.obj', '*.png', '*.jpg')
+    shutil.copytree(source, folder, symlinks=True, ignore=unneeded)
+    (folder / '.git').mkdir(exist_ok=True)
+    return folder
+
+
+def tell(removal, is_rename, folder, found, new):
+    line = read(removal.file).count('\n', 0, removal.start) + 1
+    place = '%s:%d' % (pathlib.Path(removal.file).relative_to(folder.parent), line)
+    what = ('found' if found else 'NOT FOUND', 'rename' if is_rename else 'removal', removal.kind, removal.name, place)
+    print('%s: %s of %s `%s` of %s' % what, flush=True)
+    for rule, file, line, message in ([] if found else new[:4]):
+        print('    %s:%d %s: %s' % (file, line, rule, message))
+
+
+def remove(command, source, options):
     """How many removals were tried and found by kind."""
     counts = collections.Counter()
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name).resolve() / source.name
-        shutil.copytree(source, folder, symlinks=True, ignore=shutil.ignore_patterns('*.stl', '*.STL', '*.dae', '*.obj', '*.png', '*.jpg'))
-        (folder / '.git').mkdir(exist_ok=True)
-        before = findings(command, folder)
-        texts = beside_files(folder)
+        folder = copied(source, name)
+        before, texts = findings(command, folder), beside_files(folder)
         planned = list(removals(command, folder))
-        step = max(1, -(-len(planned) // most)) if most else 1
+        step = max(1, -(-len(planned) // options.most)) if options.most else 1
         for removal in planned[::step]:
-            path = pathlib.Path(removal.file)
-            text = read(path)
-            path.write_text(without(text, removal.start, removal.end), 'utf-8')
-            new = list(fresh(findings(command, folder), before))
+            with applied(changed(removal, map(str, descriptions(folder)), options.rename)):
+                new = list(fresh(findings(command, folder), before))
             found = is_found(removal, new, folder, texts)
-            path.write_text(text, 'utf-8')
             counts[removal.kind, found] += 1
-            if verbose or not found:
-                place = '%s:%d' % (path.relative_to(folder), text.count('\n', 0, removal.start) + 1)
-                print('%s: %s `%s` of %s' % ('found' if found else 'NOT FOUND', removal.kind, removal.name, place), flush=True)
-                for rule, file, line, message in ([] if found else new[:4]):
-                    print('    %s:%d %s: %s' % (file, line, rule, message))
+            if options.verbose or not found:
+                tell(removal, options.rename, folder, found, new)
     return counts
 
 
@@ -225,21 +275,28 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--bin', default='target/release/xacro-lint')
     parser.add_argument('--most', type=int, default=0)
+    parser.add_argument('--rename', action='store_true')
+    parser.add_argument('--seed', type=int)
+    parser.add_argument('--count', type=int, default=100)
     parser.add_argument('--verbose', action='store_true')
     parser.add_argument('folders', nargs='*', type=pathlib.Path)
     options = parser.parse_args()
     command = str(pathlib.Path(options.bin).resolve())
-    folders = options.folders or [HERE.parent.parent / 'docs' / 'examples' / 'pick_arm']
+    folders = [folder.resolve() for folder in options.folders or [HERE.parent.parent / 'docs' / 'examples' / 'pick_arm']]
     total = collections.Counter()
-    for folder in folders:
-        counts = remove(command, folder.resolve(), options.most, options.verbose)
-        found = sum(count for (_, is_it), count in counts.items() if is_it)
-        print('%s: %d of %d removals found' % (folder.name, found, sum(counts.values())), flush=True)
-        total += counts
+    if options.seed is not None:
+        import draw  # which needs this file
+        total = draw.changes(command, folders, options)
+    else:
+        for folder in folders:
+            counts = remove(command, folder, options)
+            found = sum(count for (_, is_it), count in counts.items() if is_it)
+            print('%s: %d of %d found' % (folder.name, found, sum(counts.values())), flush=True)
+            total += counts
     for kind in sorted({kind for kind, _ in total}):
         print('%-9s %d of %d' % (kind, total[kind, True], total[kind, True] + total[kind, False]))
     found, tried = sum(count for (_, is_it), count in total.items() if is_it), sum(total.values())
-    print('%d of %d removals found' % (found, tried))
+    print('%d of %d found' % (found, tried))
     return 0 if tried and found >= ENOUGH * tried else 1
 
 

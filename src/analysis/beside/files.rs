@@ -155,7 +155,10 @@ impl Session {
             return None;
         }
         let yaml = self.vfs.yaml(path, "").ok()?;
-        Some(Arc::new(Settings::of(yaml.value.as_ref().ok()?)?))
+        Some(Arc::new(Settings::read(
+            &text.text,
+            yaml.value.as_ref().ok()?,
+        )?))
     }
 }
 

@@ -15,8 +15,8 @@ use super::paired::Pairing;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use rules::{
-    Chosen, Content, Finding, Names, Offered, PairedRobot, all, check_beside, has_ignored_tags,
-    is_semantic_name, is_whole,
+    Chosen, Content, Finding, Names, Offered, PairedRobot, Place, all, check_beside,
+    has_ignored_tags, is_semantic_name, is_whole,
 };
 use workspace::Target;
 use xml::Node;
@@ -167,10 +167,12 @@ impl Session {
         around: &[Beside],
         cancel: &CancelFlag,
     ) -> Vec<Finding> {
+        let started = self.started_controllers(own, paired);
         let robots: Vec<PairedRobot<'_>> = paired
             .robots
             .iter()
-            .filter_map(|one| {
+            .enumerate()
+            .filter_map(|(number, one)| {
                 let (expansion, robot, kinematics) = (
                     &one.expansion,
                     one.robot.as_ref()?,
@@ -180,6 +182,7 @@ impl Session {
                     expansion,
                     robot,
                     kinematics,
+                    started: started.get(number).map_or(&[], Vec::as_slice),
                 })
             })
             .collect();
@@ -231,6 +234,32 @@ impl Session {
                 tally: None,
             },
         )
+    }
+
+    /// For each of several robots, the controllers of a file that launch files name which start this robot and none of the others.
+    fn started_controllers(&self, own: &Beside, paired: &Paired) -> Vec<Vec<EcoString>> {
+        let controllers = own.settings().map(|settings| &settings.controllers);
+        let Some(controllers) =
+            controllers.filter(|all| !all.is_empty() && paired.robots.len() > 1)
+        else {
+            return Vec::new();
+        };
+        let starts = |robot: &Analyzed| {
+            let calls = self.robot_calls(&robot.root.file);
+            let callers: FastSet<PathBuf> = calls.into_iter().map(|one| one.call.caller).collect();
+            callers
+        };
+        let all: Vec<FastSet<PathBuf>> = paired.robots.iter().map(|one| starts(one)).collect();
+        let is_shared =
+            |caller: &PathBuf| all.iter().filter(|one| one.contains(caller)).count() > 1;
+        let names = |callers: &FastSet<PathBuf>| {
+            let own = callers.iter().filter(|caller| !is_shared(caller));
+            let own: Vec<&PathBuf> = own.collect();
+            let is_named = |name: &EcoString| own.iter().any(|caller| self.says(caller, name));
+            let names = controllers.iter().map(|one| one.name.name.clone());
+            names.filter(is_named).collect()
+        };
+        all.iter().map(names).collect()
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.
@@ -308,8 +337,13 @@ impl Session {
                     "group" if node.child_elements().next().is_some() => &mut names.groups,
                     _ => continue,
                 };
-                let name = node.attr("name").map(|name| name.raw());
-                list.extend(name.filter(|name| !name.contains('$')).map(EcoString::from));
+                let Some(name) = spelled(node, "name") else {
+                    continue;
+                };
+                list.insert(name);
+                if let Some(place) = place_of(node).filter(|_| node.name() == "joint") {
+                    names.places.insert(place);
+                }
             }
             let included = reach(&source, &self.packages)
                 .files(&self.vfs)
@@ -322,6 +356,24 @@ impl Session {
             }
         }
     }
+}
+
+/// The value of an attribute that the text spells out.
+fn spelled(node: Node<'_>, attribute: &str) -> Option<EcoString> {
+    let value = node.attr(attribute)?.raw();
+    (!value.contains('$')).then(|| value.into())
+}
+
+/// The place of a joint, as far as the text spells it out.
+fn place_of(joint: Node<'_>) -> Option<Place> {
+    let child = joint
+        .child_elements()
+        .find(|inner| inner.name() == "child")?;
+    Some(Place {
+        joint: spelled(joint, "name")?,
+        child: spelled(child, "link")?,
+        kind: spelled(joint, "type")?,
+    })
 }
 
 /// Add the interfaces of hardware that a condition decides on.
@@ -343,10 +395,9 @@ fn add_interfaces(condition: Node<'_>, names: &mut Names) {
     }
 }
 
-/// The name of the joint that an interface is in, when the text spells it out.
+/// The name of the joint that an interface is in, as the text spells it.
 fn joint_around(interface: Node<'_>) -> Option<EcoString> {
     let outer = std::iter::successors(interface.parent(), |node| node.parent());
     let joint = outer.into_iter().find(|node| node.name() == "joint")?;
-    let name = joint.attr("name")?.raw();
-    (!name.contains('$')).then(|| name.into())
+    Some(joint.attr("name")?.raw().into())
 }

@@ -50,7 +50,7 @@ impl Session {
     }
 
     /// Whether another folder of the package has a file of the same name.
-    fn is_one_of_several(&self, path: &Path) -> bool {
+    pub(in super::super) fn is_one_of_several(&self, path: &Path) -> bool {
         let is_near = self.near(path);
         let is_other = |other: &&PathBuf| {
             other.file_name() == path.file_name()
@@ -227,20 +227,20 @@ impl Session {
             }
         };
         let mut roots: Vec<RootChoice> = Vec::new();
+        // a file that is loaded for a robot elsewhere, too, may be for that one alone
+        let mut is_named = true;
         let calls = self.calls_around(path);
         for group in calls.chunk_by(|a, b| a.call.caller == b.call.caller) {
             let is_meant = group.first().is_some_and(|first| says(&first.call.caller));
-            for root in group
-                .iter()
-                .filter(|_| is_meant)
-                .filter_map(|call| self.started(call))
-            {
+            let meant = || group.iter().filter(|_| is_meant);
+            is_named &= meant().all(|call| call.target.is_some());
+            for root in meant().filter_map(|call| self.started(call)) {
                 if !roots.contains(&root) {
                     roots.push(root);
                 }
             }
         }
-        Pairing::named(roots)
+        Pairing::named(roots).map(|found| Pairing { is_named, ..found })
     }
 
     /// The robots in files of the same name, `arm.urdf` for `arm.srdf`; else those of the name that an SRDF says.

@@ -85,14 +85,60 @@ const COMMANDED: [(&str, &str, &str); 13] = [
 ];
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(hardware) = Hardware::of(cx) else {
+    let Some(all) = Hardware::of(cx) else {
         return;
     };
+    let lacks = |joint: &str, interface: &str, is_command| all.lacks(joint, interface, is_command);
+    let chosen: Vec<&Controller> = of_ros2(cx).collect();
+    check_with(cx, out, (&all, &lacks), &chosen, RULE.severity);
+    // what one of several robots offers is no help to another one that is started with the controller
+    for paired in cx.robots.iter().filter(|paired| !paired.started.is_empty()) {
+        let Some(own) = Hardware::of_robots(std::slice::from_ref(paired)) else {
+            continue;
+        };
+        let is_started = |one: &&Controller| paired.started.contains(&one.name.name);
+        let started: Vec<&Controller> = of_ros2(cx).filter(is_started).collect();
+        let is_served = |joint: &str| started.iter().any(|one| fits(&own, one, joint));
+        let lacks = |joint: &str, interface: &str, is_command| {
+            own.lacks(joint, interface, is_command)
+                && !all.lacks(joint, interface, is_command)
+                && !is_served(joint)
+        };
+        check_with(cx, out, (&own, &lacks), &started, Severity::Warning);
+    }
+}
+
+/// The controllers of the file that are for ROS 2.
+fn of_ros2<'a>(cx: &BesideCx<'a>) -> impl Iterator<Item = &'a Controller> + use<'a> {
     let controllers = cx
         .settings()
         .into_iter()
         .flat_map(|settings| &settings.controllers);
-    for controller in controllers.filter(|controller| controller.is_ros2) {
+    controllers.filter(|controller| controller.is_ros2)
+}
+
+/// Whether a controller can command a joint with what the hardware offers.
+fn fits(hardware: &Hardware<'_>, controller: &Controller, joint: &str) -> bool {
+    let mut named = controller.joints.iter().map(|(_, own)| &own.name);
+    let commands = || controller.commands.iter().chain(&controller.interface);
+    let offers =
+        |(name, is_command): (&Named, bool)| !hardware.lacks(joint, &name.name, is_command);
+    named.any(|own| own == joint)
+        && commands().next().is_some()
+        && interfaces(controller).all(offers)
+}
+
+/// Whether a joint has no interface of a name, for commands or not.
+type Lacks<'l> = &'l dyn Fn(&str, &str, bool) -> bool;
+
+fn check_with(
+    cx: &BesideCx<'_>,
+    out: &mut Sink<'_>,
+    (hardware, lacks): (&Hardware<'_>, Lacks<'_>),
+    controllers: &[&Controller],
+    severity: Severity,
+) {
+    for controller in controllers {
         for (interface, is_command) in interfaces(controller) {
             let of = |key: &str| controller.joints.iter().any(|(own, _)| own == key);
             // with joints of their own, commands are not for `joints`
@@ -102,23 +148,19 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "joints"
             };
             let lacking = joints(controller, key)
-                .find(|joint| hardware.lacks(&joint.name, &interface.name, is_command));
+                .find(|joint| lacks(&joint.name, &interface.name, is_command));
             if let Some(joint) = lacking {
-                report(
-                    cx,
-                    out,
-                    &hardware,
-                    interface,
-                    (&joint.name, &interface.name, is_command),
-                );
+                let what = (joint.name.as_str(), interface.name.as_str(), is_command);
+                report(cx, out, (hardware, severity), interface, what);
             }
         }
         let class = class_of(cx, controller);
         for (_, key, interface) in COMMANDED.iter().filter(|(of, ..)| Some(*of) == class) {
-            let lacking = joints(controller, key)
-                .filter(|joint| hardware.lacks(&joint.name, interface, true));
+            let lacking =
+                joints(controller, key).filter(|joint| lacks(&joint.name, interface, true));
             lacking.for_each(|joint| {
-                report(cx, out, &hardware, joint, (&joint.name, interface, true))
+                let what = (joint.name.as_str(), *interface, true);
+                report(cx, out, (hardware, severity), joint, what)
             });
         }
     }
@@ -162,7 +204,7 @@ fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Option<&'a str
 fn report(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
-    hardware: &Hardware<'_>,
+    (hardware, severity): (&Hardware<'_>, Severity),
     place: &Named,
     (joint, interface, is_command): (&str, &str, bool),
 ) {
@@ -187,7 +229,8 @@ fn report(
             offered.join("`, `")
         ),
     };
-    cx.report(out, place, message).help(help).done();
+    let report = cx.report(out, place, message).severity(severity);
+    report.help(help).done();
 }
 
 /// The interfaces that a controller names, with whether each is for commands.

@@ -24,13 +24,18 @@ impl<'a> Hardware<'a> {
     /// None where no robot has hardware, or not all names are known. A joint with a mistake of its own is left out: what it
     /// offers is not what was meant. A robot without hardware offers controllers nothing.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
+        Self::of_robots(cx.robots)
+    }
+
+    /// The same for some robots.
+    pub fn of_robots(robots: &'a [PairedRobot<'a>]) -> Option<Self> {
         let mut found = Self {
             joints: FastMap::default(),
             undeclared: FastSet::default(),
             unsaid: FastSet::default(),
             is_complete: true,
         };
-        for paired in cx.robots {
+        for paired in robots {
             found.add(paired)?;
         }
         (!found.joints.is_empty()).then_some(found)

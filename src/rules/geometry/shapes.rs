@@ -17,17 +17,15 @@ pub(super) fn bodies<'a>(
 }
 
 /// Whether what should be in an element `inside` a visual or collision is in a comment there: somebody took it out, and nothing is
-/// lost with it.
+/// lost with it. urdfdom keeps the link without this body and all that it would have read after it: further visuals, and
+/// then collisions.
 pub(in super::super) fn is_taken_out(tree: &XTree, body: XId, inside: XId) -> bool {
     let is_meant =
         |child: XId| tree.get(child).kind == XKind::Comment && tree.get(child).text.contains('<');
-    tree.children(inside).any(is_meant) && is_last(tree, body)
-}
-
-/// Whether nothing of a link is lost with a visual or collision that cannot be read but itself. urdfdom keeps the link without this
-/// body and all that it would have read after it: further visuals, and then collisions.
-pub(in super::super) fn is_last(tree: &XTree, body: XId) -> bool {
-    let Some(link) = tree.parent(body) else {
+    let Some(link) = tree
+        .parent(body)
+        .filter(|_| tree.children(inside).any(is_meant))
+    else {
         return false;
     };
     let last = |name: &str| {

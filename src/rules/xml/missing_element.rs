@@ -1,6 +1,6 @@
 //! An element without a child that parsers insist on.
 use super::super::context::DocumentCx;
-use super::super::geometry::{is_last, is_taken_out};
+use super::super::geometry::is_taken_out;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
@@ -39,13 +39,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .done();
             continue;
         }
-        let tree = &cx.expansion.tree;
-        let is_body = missing == ["geometry"] && tree.get(id).text == "collision";
-        let severity = match missing == ["geometry"] && is_taken_out(tree, id, id) {
-            true => Severity::Info,
-            // urdfdom drops what is empty, and nothing else
-            false if is_body && is_last(tree, id) => Severity::Warning,
-            false => RULE.severity,
+        let is_meant = missing == ["geometry"] && is_taken_out(&cx.expansion.tree, id, id);
+        let severity = if is_meant {
+            Severity::Info
+        } else {
+            RULE.severity
         };
         let add: Vec<String> = missing
             .iter()

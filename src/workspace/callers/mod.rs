@@ -13,7 +13,7 @@ mod read;
 
 pub use called::RobotCall;
 pub use choices::Excluded;
-pub use read::has_name;
+pub use read::{has_name, without_comments};
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

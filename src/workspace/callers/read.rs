@@ -143,7 +143,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
 }
 
 /// A text without its comments: what they name is not called.
-pub(super) fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
+pub fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
     match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
         "launch" | "xml" | "test" | "xacro" | "urdf" if text.contains("<!--") => {
             let mut parts = text.split("<!--");
