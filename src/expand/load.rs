@@ -234,7 +234,7 @@ impl Expander<'_> {
             ..problem
         };
         let excuse = match error.kind {
-            LoadErrorKind::NotFound => self.excuse(&error.path, at),
+            LoadErrorKind::NotFound if !is_other => self.excuse(&error.path, at),
             _ => None,
         };
         let problem = match excuse {
@@ -256,13 +256,20 @@ impl Expander<'_> {
             Some(
                 "build the package again, or correct the path: only an installed copy of the package was found",
             )
-        } else if packages.is_ignored_by_git(path) {
+        } else if packages.is_ignored_by_git(path) && !self.is_ignored_itself(at) {
             Some("get the file that `.gitignore` leaves out, or correct the path")
         } else if is_of_a_system(self.text_of(at)) {
             Some("install the file on this computer, or correct the path")
         } else {
             None
         }
+    }
+
+    /// Whether Git leaves out the file that a place is in as well: then it says nothing of another one.
+    fn is_ignored_itself(&self, at: Origin) -> bool {
+        let place = self.result.place(at);
+        let file = place.and_then(|place| self.result.files.get(place.file.0 as usize));
+        file.is_none_or(|file| self.world.packages.is_ignored_by_git(&file.source.path))
     }
 
     fn root_name(&self) -> &str {
