@@ -20,11 +20,16 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// # Errors
 /// Those of the system.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    replace(path, bytes, &|| true)
+    replace(path, bytes, &|| true, None)
 }
 
-/// The same, if at the last moment everything is still `as_before`.
-fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Result<()> {
+/// The same, if at the last moment everything is still `as_before`; `lock` is the file itself, open.
+fn replace(
+    path: &Path,
+    bytes: &[u8],
+    as_before: &dyn Fn() -> bool,
+    lock: Option<File>,
+) -> io::Result<()> {
     let target = std::fs::canonicalize(path).unwrap_or_else(|_| end_of_links(path));
     let existing = std::fs::metadata(&target).ok();
     if existing.as_ref().is_some_and(|found| !found.is_file()) {
@@ -61,7 +66,16 @@ fn replace(path: &Path, bytes: &[u8], as_before: &dyn Fn() -> bool) -> io::Resul
         if !as_before() {
             return Err(changed_meanwhile());
         }
-        std::fs::rename(&temporary, &target)
+        let renamed = std::fs::rename(&temporary, &target);
+        let is_open = |error: &io::Error| error.kind() == io::ErrorKind::PermissionDenied;
+        // some systems replace no file that is open, be it here
+        match lock.filter(|_| renamed.as_ref().is_err_and(is_open)) {
+            Some(lock) => {
+                drop(lock);
+                std::fs::rename(&temporary, &target)
+            }
+            None => renamed,
+        }
     });
     if written.is_err() {
         // The first error is the one to tell.
@@ -125,13 +139,15 @@ pub(super) fn change(
     limit: u64,
     change: impl FnOnce(&[u8]) -> io::Result<Option<Vec<u8>>>,
 ) -> io::Result<()> {
-    let _lock = lock(path)?;
+    let lock = lock(path)?;
     let state = || read::stat(path).map(|found| found.stamp).ok();
     let before = state();
     let old = read::stat(path)
         .and_then(|known| read::bytes(path, &known, limit))
         .map_err(|error| io::Error::other(error.reason()))?;
-    change(&old)?.map_or(Ok(()), |new| replace(path, &new, &|| state() == before))
+    change(&old)?.map_or(Ok(()), |new| {
+        replace(path, &new, &|| state() == before, Some(lock))
+    })
 }
 
 /// The file at `path`, locked against others that use this function.
