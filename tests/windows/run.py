@@ -139,6 +139,8 @@ def fixes(suite):
         done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
     suite.check('a file that is open elsewhere', 'panicked' not in done.stderr and b'</robot>\r\n' in path.read_bytes(),
                 done.stdout + done.stderr)
+    done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
+    suite.check('a file is fixed', done.returncode == 0 and b'type="fixed"' in path.read_bytes(), done.stdout + done.stderr)
 
 
 def output(suite):
