@@ -9,7 +9,7 @@ use facts::{Fact, FactKind, facts};
 use vfs::SourceFile;
 use workspace::config::Pattern;
 use workspace::{Packages, include_pattern, included_files};
-use xml::Node;
+use xml::{Document, Node};
 
 /// The arguments that are the whole name of a file that a file includes: `extra` of `$(arg extra)`.
 fn given_whole(source: &SourceFile) -> Vec<String> {
@@ -83,7 +83,51 @@ fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option
                 .into_owned(),
         )
     });
-    names.map(|name| include_pattern(&name, &source.path, packages))
+    names.flat_map(move |name| {
+        let given = with_defaults(document, &name, MOST_DEFAULTS).into_iter();
+        let given = given.filter_map(|name| include_pattern(&name, &source.path, packages));
+        let own = include_pattern(&name, &source.path, packages);
+        std::iter::once(own).chain(given.map(Some))
+    })
+}
+
+/// Arguments and properties in the values of others that are followed.
+const MOST_DEFAULTS: u32 = 4;
+
+/// A file name that begins with an argument or a property, as in `$(arg folder)/arm.xacro`, with the values that the document gives
+/// that: a folder is often named in this way, and may be anywhere.
+fn with_defaults(document: &Document, name: &str, left: u32) -> Vec<String> {
+    let name = name.trim();
+    let argument = name.strip_prefix("$(arg ");
+    let argument = argument.and_then(|rest| rest.split_once(')'));
+    let property = name.strip_prefix("${");
+    let property = property.and_then(|rest| rest.split_once('}'));
+    let (tag, (given, rest)) = match (argument, property) {
+        (Some(argument), _) => ("xacro:arg", argument),
+        (_, Some(property)) => ("xacro:property", property),
+        _ => return Vec::new(),
+    };
+    let nodes = document.parts().flat_map(|(_, item)| item.all_nodes());
+    let is_it = |node: &Node<'_>| {
+        node.name() == tag
+            && node
+                .attr("name")
+                .is_some_and(|attr| attr.raw() == given.trim())
+    };
+    let value = |node: Node<'_>| {
+        let attr = node.attr("default").or_else(|| node.attr("value"))?;
+        Some(attr.value(document.entities()).into_owned())
+    };
+    let values = nodes.filter(is_it).filter_map(value);
+    values
+        .flat_map(|value| match left.checked_sub(1) {
+            Some(left) if value.starts_with('$') && !value.starts_with("$(find ") => {
+                with_defaults(document, &value, left)
+            }
+            _ => vec![value],
+        })
+        .map(|value| format!("{value}{rest}"))
+        .collect()
 }
 
 /// What the files of a workspace include, arranged so that nobody has to try every pattern on every file.
@@ -202,6 +246,11 @@ mod tests {
         tree.write("p/robots/s.xacro", &include("../urdf/arm_$(arg arm).xacro"));
         tree.write("p/robots/t.xacro", &include("../$(arg kind)/parts/u.xacro"));
         tree.write("p/robots/self.xacro", &include("self.xacro"));
+        let elsewhere = include("$(arg folder)/offsets.xacro").replace(
+            "<robot>",
+            "<robot><xacro:property name=\"own\" value=\"$(find p)/calibration\"/><xacro:arg name=\"folder\" default=\"${own}\"/>",
+        );
+        tree.write("p/robots/v.xacro", &elsewhere);
         let packages = Packages::new(
             tree.vfs().clone(),
             &tree.environment(&[]),
@@ -211,7 +260,7 @@ mod tests {
             let source = tree.vfs().document(&tree.path(name)).unwrap();
             Included::by(&source, &packages)
         };
-        let names = ["r", "s", "t", "self"].map(|name| of(&format!("p/robots/{name}.xacro")));
+        let names = ["r", "s", "t", "v", "self"].map(|name| of(&format!("p/robots/{name}.xacro")));
         let included = Included::of(names.into());
         for (file, expected) in [
             ("p/urdf/a.xacro", true),
@@ -221,6 +270,9 @@ mod tests {
             ("p/hands/parts/u.xacro", true),
             ("p/hands/left/parts/u.xacro", true),
             ("p/hands/u.xacro", false),
+            ("p/calibration/offsets.xacro", true),
+            ("p/calibration/other.xacro", false),
+            ("p/offsets.xacro", false),
             ("p/robots/self.xacro", false),
             ("p/robots/r.xacro", false),
         ] {

@@ -77,8 +77,8 @@ pub use selection::selection;
 pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
 pub use text_names::{
-    Documents, Given, Meaning, NameText, TextNames, definitions_by_text, further_places,
-    occurrences,
+    Documents, Given, Meaning, NameText, TextNames, definitions_by_text, definitions_elsewhere,
+    further_places, occurrences,
 };
 pub use tokens::{Modifiers, Token, TokenKind, tokens};
 pub use unseen::unseen_name;

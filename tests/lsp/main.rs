@@ -33,6 +33,7 @@ mod lifecycle;
 mod limits;
 mod logs;
 mod names;
+mod names_by_arguments;
 mod navigation;
 mod picked;
 mod preview;

@@ -59,7 +59,7 @@ fn arm() -> Client {
 }
 
 #[track_caller]
-fn leads(client: &mut Client, file: &str, at: &str, expected: &[&str]) {
+pub(super) fn leads(client: &mut Client, file: &str, at: &str, expected: &[&str]) {
     let targets = client.request("textDocument/definition", client.at(file, at));
     let shown = |link: &Value| {
         client.shown(
@@ -144,7 +144,7 @@ fn where_callers_decide_each_definition_is_named() {
     );
 }
 
-fn references(client: &mut Client, file: &str, at: &str) -> Vec<String> {
+pub(super) fn references(client: &mut Client, file: &str, at: &str) -> Vec<String> {
     let mut params = client.at(file, at);
     params["context"] = json!({ "includeDeclaration": true });
     let found = client.request("textDocument/references", params);

@@ -2,7 +2,7 @@
 
 use super::TextNames;
 use crate::context::Cx;
-use crate::names::{NameUse, Target, evaluated_uses};
+use crate::names::{NameUse, Target, definition_of, evaluated_uses};
 use crate::rename::definition_at;
 use crate::robot_names::{robot_name_at, uses_of};
 use base::{FastSet, Span, TextRange};
@@ -22,10 +22,29 @@ pub fn definitions_by_text(
     (!targets.is_empty()).then_some((span.range, targets))
 }
 
+/// The definitions that a name which was evaluated may mean with other arguments, besides the one that it meant, which stands
+/// in a condition then: those that the texts allow. None where the texts say something else than the expansion.
+pub fn definitions_elsewhere(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<Target> {
+    let own = cx.symbol_at(offset);
+    let Some(own) = own.and_then(|(id, _)| definition_of(cx, id)) else {
+        return Vec::new();
+    };
+    if !names.depends(cx.source.id, offset, own.name) {
+        return Vec::new();
+    }
+    let (_, mut targets) = definitions_by_text(cx, names, offset).unwrap_or_default();
+    targets.retain(|target| target.name != own.name);
+    targets
+}
+
 /// All places of the name at an offset, its definition among them, evaluated or not; none when there is no name.
 pub fn occurrences(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> {
     let mut found = match cx.symbol_at(offset) {
-        Some((id, _)) => evaluated_uses(cx, id),
+        Some((id, _)) => {
+            let elsewhere = definitions_elsewhere(cx, names, offset);
+            let elsewhere = elsewhere.iter().map(|target| target.name);
+            with_uses(cx, evaluated_uses(cx, id), elsewhere)
+        }
         None => by_text(cx, names, offset),
     };
     if found.is_empty() {
@@ -62,12 +81,21 @@ fn by_text(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> {
     let Some((_, meaning)) = names.at(cx.source.id, offset) else {
         return Vec::new();
     };
-    let mut found: Vec<NameUse> = Vec::new();
-    for given in meaning.all() {
-        let own = definition_at(cx, given.span).map(|id| evaluated_uses(cx, id));
+    let given = meaning.all().iter().map(|given| given.span);
+    with_uses(cx, Vec::new(), given)
+}
+
+/// Uses, and definitions with the uses of these that were evaluated.
+fn with_uses(
+    cx: &Cx<'_>,
+    mut found: Vec<NameUse>,
+    given: impl Iterator<Item = Span>,
+) -> Vec<NameUse> {
+    for span in given {
+        let own = definition_at(cx, span).map(|id| evaluated_uses(cx, id));
         let own = own.unwrap_or_else(|| {
             vec![NameUse {
-                span: given.span,
+                span,
                 is_definition: true,
             }]
         });

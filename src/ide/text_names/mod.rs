@@ -8,13 +8,14 @@
 mod answers;
 mod collect;
 mod files;
+mod readings;
 mod resolve;
 mod timing;
 mod ways;
 
 use ecow::EcoString;
 
-pub use answers::{definitions_by_text, occurrences};
+pub use answers::{definitions_by_text, definitions_elsewhere, occurrences};
 pub use ways::{Documents, further_places};
 
 use base::{FastMap, FastSet, FileId, Span};
@@ -30,8 +31,10 @@ pub struct TextNames {
     guards: Vec<Guard>,
     /// The files that were read.
     files: FastSet<FileId>,
-    /// Where the files that are read more than once are read.
+    /// Where each file is read.
     readings: FastMap<FileId, Vec<Reading>>,
+    /// The files that several conditions bring in.
+    several: FastSet<FileId>,
     /// By file, the tags of the includes that bring it in.
     included_at: FastMap<FileId, Vec<Span>>,
     /// The definitions of a name.
@@ -85,8 +88,8 @@ struct Used {
     order: u32,
     /// The innermost condition around it.
     guard: Guard,
-    /// Whether it is evaluated later than where it stands.
-    is_lazy: bool,
+    /// The property whose value it stands in, when that is evaluated later than where it stands.
+    lazy_in: Option<u32>,
     /// Whether it is the name in an end tag.
     is_end: bool,
 }
@@ -213,12 +216,25 @@ impl TextNames {
         if let Some(given) = self.given.iter().find(|given| here(given.span)) {
             return Some((given.span, Meaning::One(given)));
         }
-        let used = self
-            .used
-            .iter()
-            .filter(|used| here(used.span))
-            .min_by_key(|used| used.span.range.len())?;
+        let used = self.use_at(file, offset)?;
         Some((used.span, self.meaning(used)))
+    }
+
+    /// Whether conditions decide if the name at an offset of a file means a definition that it may mean.
+    fn depends(&self, file: FileId, offset: u32, definition: Span) -> bool {
+        let Some(used) = self.use_at(file, offset) else {
+            return false;
+        };
+        let meaning = self.meaning(used);
+        let mut meant = meaning.all().iter();
+        let own = meant.find(|given| given.span == definition);
+        own.is_some_and(|own| !self.is_sure(own, used.seen()))
+    }
+
+    fn use_at(&self, file: FileId, offset: u32) -> Option<&Used> {
+        let here = |used: &&Used| used.span.file == file && used.span.range.touches(offset);
+        let used = self.used.iter().filter(here);
+        used.min_by_key(|used| used.span.range.len())
     }
 
     /// The texts that use one of these definitions, or may do so.

@@ -14,7 +14,7 @@ impl TextNames {
     /// What a use means.
     pub(super) fn meaning(&self, used: &Used) -> Meaning<'_> {
         let mut found = self.candidates(used, Some(used.order));
-        found = self.latest(used, found);
+        found = self.latest(used, found, &mut { MOST_CALLS });
         let mut given: Vec<&Given> = found
             .iter()
             .filter_map(|&id| self.given.get(id as usize))
@@ -60,7 +60,7 @@ impl TextNames {
             _ if !used.of.is_empty() => self.members(named, used).into_iter().collect(),
             _ => {
                 let (mut seen, mut found) = (FastSet::default(), BTreeSet::new());
-                let order = order.filter(|_| !used.is_lazy);
+                let order = order.filter(|_| used.lazy_in.is_none());
                 used.scopes.iter().for_each(|&scope| {
                     self.visible((scope, used.seen()), named, order, &mut seen, &mut found)
                 });
@@ -137,7 +137,12 @@ impl TextNames {
 
     /// Of definitions in the scope of the use: the last one in front of it, and those behind that which a condition
     /// may leave out.
-    fn latest(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+    pub(super) fn latest(
+        &self,
+        used: &Used,
+        found: BTreeSet<u32>,
+        left: &mut u32,
+    ) -> BTreeSet<u32> {
         let given = |id: &u32| self.given.get(*id as usize);
         let is_sure = |id: &u32| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
         if used.class == Class::Argument {
@@ -154,12 +159,14 @@ impl TextNames {
         if used.class == Class::Macro {
             return self.at_that_time(used, found);
         }
-        let own = |given: &Given| {
-            !given.handed_out && given.scopes == used.scopes && given.order < used.order
-        };
+        let in_scope = |given: &Given| !given.handed_out && given.scopes == used.scopes;
+        let own = |given: &Given| in_scope(given) && given.order < used.order;
         let is_own = |id: &u32| given(id).is_some_and(own);
-        if used.is_lazy || !found.iter().any(is_own) {
-            return self.at_the_calls(used, found);
+        if !found.iter().any(is_own) {
+            return match self.at_each_call(used, &found, left) {
+                Some(found) => found,
+                None => self.at_the_calls(used, found),
+            };
         }
         let before: BTreeSet<u32> = found.iter().copied().filter(is_own).collect();
         let sure = before.iter().filter(|id| is_sure(id));
@@ -169,6 +176,24 @@ impl TextNames {
         let since = last
             .and_then(|id| given(&id))
             .map_or(0, |given| given.order);
+        if used.lazy_in.is_some() {
+            // it is evaluated later, when others may have been defined; those in front of a sure one are gone
+            let last = self.last_use(used);
+            let is_gone = |id: &u32| {
+                let own = given(id).filter(|given| in_scope(given));
+                own.is_some_and(|own| own.order < since || own.order >= last)
+            };
+            let left = found.into_iter().filter(|id| !is_gone(id));
+            return self.at_the_calls(used, left.collect());
+        }
+        let own_file = |id: &u32| given(id).is_some_and(|own| own.span.file == used.span.file);
+        if !last.is_some_and(|id| own_file(&id)) {
+            let all = found.iter().copied();
+            let all = all.filter(|id| given(id).is_some_and(in_scope)).collect();
+            if let Some(found) = self.at_each_reading(used, &all) {
+                return found;
+            }
+        }
         let later = |id: &u32| {
             given(id).is_some_and(|given| given.order >= since && given.order < used.order)
         };
@@ -188,12 +213,11 @@ impl TextNames {
             return false;
         }
         let own = given.span.file;
-        let Some(readings) = self.readings.get(&own) else {
+        let Some(readings) = self.several(own) else {
             // of a file that is read at several places, no condition around those is sure
-            let guard = if self.readings.contains_key(&at.file) {
-                Guard::default()
-            } else {
-                at.guard
+            let guard = match self.several(at.file) {
+                Some(_) => Guard::default(),
+                None => at.guard,
             };
             return self.is_within(guard, given.guard);
         };
@@ -201,7 +225,7 @@ impl TextNames {
             // whatever brings the file in brings in both
             return self.is_within(at.guard, given.guard);
         }
-        let (Some(first), false) = (readings.first(), self.readings.contains_key(&at.file)) else {
+        let (Some(first), None) = (readings.first(), self.several(at.file)) else {
             return false;
         };
         let is_outside = given.guard == first.guard;
@@ -380,6 +404,8 @@ impl TextNames {
 }
 
 const MOST_STEPS: usize = 32;
+/// Calls that are followed back from one use.
+const MOST_CALLS: u32 = 200;
 
 fn joined(outer: &str, inner: &str) -> EcoString {
     match (outer, inner) {

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::{Given, Scope, ScopeId, Seen, TextNames, Used};
+use super::{Class, Given, Scope, ScopeId, Seen, TextNames, Used};
 use base::{FastMap, FastSet};
+use expand::UseKind;
 
 /// Calls inside of calls that are followed back.
 const MOST_CALLS: u32 = 8;
@@ -42,6 +43,70 @@ impl TextNames {
             .into_iter()
             .filter(|id| before(id, last) && !before(id, since))
             .collect()
+    }
+
+    /// When the value that a use stands in is evaluated at the latest: when the property is last used, as far as that happens in
+    /// the scope of the property.
+    pub(super) fn last_use(&self, used: &Used) -> u32 {
+        let property = used.lazy_in.and_then(|id| self.given.get(id as usize));
+        let Some(property) = property else {
+            return u32::MAX;
+        };
+        let same = self.used.iter().filter(|other| {
+            other.class == Class::Value
+                && other.name == property.name
+                && other.order > property.order
+        });
+        let last = same.filter_map(|other| {
+            let is_here = other.lazy_in.is_none()
+                && other.kind != UseKind::Given
+                && other.scopes == property.scopes;
+            let means_it = |given: &&Given| given.span == property.span;
+            match is_here {
+                true => self
+                    .meaning(other)
+                    .all()
+                    .iter()
+                    .any(means_it)
+                    .then_some(other.order),
+                false => Some(u32::MAX),
+            }
+        });
+        last.max().unwrap_or(u32::MAX)
+    }
+
+    /// Of definitions with one name that the body around a use does not make: those that its callers would mean in its place. None
+    /// where a caller is not known.
+    pub(super) fn at_each_call(
+        &self,
+        used: &Used,
+        found: &BTreeSet<u32>,
+        left: &mut u32,
+    ) -> Option<BTreeSet<u32>> {
+        if found.len() < 2 {
+            return None;
+        }
+        let mut counting = BTreeSet::new();
+        for &scope in &used.scopes {
+            let calls = self.calls_of.get(&self.macro_of(scope)?)?;
+            for call in calls.iter().filter_map(|&id| self.used.get(id as usize)) {
+                *left = left.checked_sub(1)?;
+                // a macro of a namespace sees that, and not who calls it
+                if !call.of.is_empty() {
+                    return None;
+                }
+                let there = Used {
+                    kind: used.kind,
+                    class: used.class,
+                    name: used.name.clone(),
+                    ..call.clone()
+                };
+                let seen = self.candidates(&there, Some(there.order));
+                let meant = self.latest(&there, seen, left);
+                counting.extend(meant.intersection(found));
+            }
+        }
+        (!counting.is_empty()).then_some(counting)
     }
 
     /// Of definitions with one name, those that count while the macro around a use is called. What stands outside of macros is evaluated in
@@ -96,13 +161,11 @@ impl TextNames {
         left: &mut u32,
     ) -> Option<BTreeSet<u32>> {
         let given = |id: &u32| self.given.get(*id as usize);
-        let is_own = |given: &Given| {
-            given.is_in_body && given.scopes == used.scopes && given.order < used.order
-        };
-        let own = found.iter().filter_map(given).filter(|given| is_own(given));
+        let own = found.iter().filter_map(given);
+        let own = own.filter_map(|given| self.own_order(given, used));
         let since = own
-            .filter(|given| self.is_sure(given, used.seen()))
-            .map(|given| given.order)
+            .filter(|(_, is_sure)| *is_sure)
+            .map(|(order, _)| order)
             .max();
         let mut counting = match since {
             Some(_) => BTreeSet::new(),
@@ -114,9 +177,9 @@ impl TextNames {
                 self.is_called_between((since, used), of, &mut FastSet::default())
             })
         };
-        let counts = |given: &Given| match is_own(given) {
-            true => given.order >= since,
-            false => given.scopes.iter().any(is_called),
+        let counts = |given: &Given| match self.own_order(given, used) {
+            Some((order, _)) => order >= since,
+            None => given.scopes.iter().any(is_called),
         };
         counting.extend(
             found
@@ -125,6 +188,19 @@ impl TextNames {
                 .filter(|id| given(id).is_some_and(counts)),
         );
         Some(counting)
+    }
+
+    /// When the body around a use last defines something in front of it, itself or by an include, and whether it is sure to.
+    fn own_order(&self, given: &Given, used: &Used) -> Option<(u32, bool)> {
+        let included = self.included_order(given, used);
+        if included.is_some_and(|(_, is_sure)| is_sure) {
+            return included;
+        }
+        let is_own = given.is_in_body && given.scopes == used.scopes && given.order < used.order;
+        if is_own {
+            return Some((given.order, self.is_sure(given, used.seen())));
+        }
+        included
     }
 
     /// Whether the body around a use calls a macro in front of it, but behind a place, be it through others.

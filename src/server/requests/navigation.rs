@@ -97,7 +97,15 @@ pub fn definition(
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
     let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
     let symbol = match asked.cx().symbol_at(asked.offset) {
-        Some(_) => ide::definitions(&asked.cx(), asked.offset),
+        Some(_) => ide::definitions(&asked.cx(), asked.offset).map(|(range, mut targets)| {
+            let names = asked.names(state);
+            targets.extend(ide::definitions_elsewhere(
+                &asked.cx(),
+                &names,
+                asked.offset,
+            ));
+            (range, targets)
+        }),
         None => by_text(),
     };
     let file = if symbol.is_some() {

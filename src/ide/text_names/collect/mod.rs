@@ -43,9 +43,9 @@ impl TextNames {
                 is_in_body: false,
             };
             reader.file(&root, at, 0);
-            let (several, mut readings) = (reader.several, reader.readings);
-            readings.retain(|file, _| several.contains(file));
+            let (several, readings) = (reader.several, reader.readings);
             names.readings = readings;
+            names.several = several;
         }
         for (id, given) in (0..).zip(&names.given) {
             names
@@ -208,7 +208,7 @@ impl Reader<'_> {
                 open.extend(inside.map(|inside| (range.end, inside)));
             } else {
                 while let Some(site) = sites.next_if(|site| site.range.start < range.end) {
-                    self.mentions(part, site, at, false);
+                    self.mentions(part, site, at, None);
                 }
             }
         }

@@ -93,18 +93,21 @@ impl Reader<'_> {
                         scope: callers,
                         ..at
                     },
-                    false,
+                    None,
                 );
             }
             "xacro:property" => {
                 let at_once = node.attr("lazy_eval").is_some() || node.attr("scope").is_some();
-                self.mentions(part, site, at, !at_once && !is("name"));
+                let own = node.attr("name").map(|name| part.span(name.value_range()));
+                let own = own.and_then(|span| self.known.get(&(span, true)).copied());
+                let is_later = !at_once && !is("name");
+                self.mentions(part, site, at, own.filter(|_| is_later));
             }
-            _ => self.mentions(part, site, at, false),
+            _ => self.mentions(part, site, at, None),
         }
     }
 
-    pub(super) fn mentions(&mut self, part: &Part<'_>, site: &Site, at: At, is_lazy: bool) {
+    pub(super) fn mentions(&mut self, part: &Part<'_>, site: &Site, at: At, lazy_in: Option<u32>) {
         let mut path = String::new();
         let first = self.names.used.len();
         for mention in &site.mentions {
@@ -128,7 +131,7 @@ impl Reader<'_> {
             .used
             .iter_mut()
             .skip(first)
-            .for_each(|used| used.is_lazy = is_lazy);
+            .for_each(|used| used.lazy_in = lazy_in);
     }
 
     pub(super) fn scope(&mut self, scope: Scope) -> ScopeId {
@@ -209,7 +212,7 @@ impl Reader<'_> {
                 of: of.into(),
                 order: self.order,
                 guard: at.guard,
-                is_lazy: false,
+                lazy_in: None,
                 is_end: false,
             }),
         }
