@@ -108,6 +108,19 @@ fn a_value_that_is_evaluated_later_means_nothing_in_front_of_a_sure_definition()
 }
 
 #[test]
+fn what_a_called_macro_hands_out_hides_what_callers_have() {
+    let main = "<xacro:arg name=\"on\" default=\"false\"/><xacro:property name=\"size\" value=\"1\"/>\n\
+        <xacro:macro name=\"measure\"><xacro:property name=\"size\" value=\"2\" scope=\"parent\"/></xacro:macro>\n\
+        <xacro:macro name=\"pad\"><link name=\"old_${size}\"/>\n\
+        <xacro:measure/><link name=\"new_${size}\"/></xacro:macro>\n\
+        <xacro:if value=\"$(arg on)\"><xacro:pad/></xacro:if><link name=\"base\"/>";
+    let mut client = with(&[("r.urdf.xacro", main)]);
+    let file = "src/r.urdf.xacro";
+    leads(&mut client, file, "old_${si|ze}", &["r.urdf.xacro:2 size"]);
+    leads(&mut client, file, "new_${si|ze}", &["r.urdf.xacro:3 size"]);
+}
+
+#[test]
 fn a_body_calls_the_macros_that_it_includes_itself() {
     let load = |kind: &str| {
         format!(

@@ -1,6 +1,6 @@
 //! From a use to the definitions that it may mean.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use ecow::EcoString;
 
@@ -159,52 +159,64 @@ impl TextNames {
         if used.class == Class::Macro {
             return self.at_that_time(used, found);
         }
-        let in_scope = |given: &Given| !given.handed_out && given.scopes == used.scopes;
-        let own = |given: &Given| in_scope(given) && given.order < used.order;
-        let is_own = |id: &u32| given(id).is_some_and(own);
-        if !found.iter().any(is_own) {
+        let own = self.in_front(used, &found);
+        if own.is_empty() {
             return match self.at_each_call(used, &found, left) {
                 Some(found) => found,
                 None => self.at_the_calls(used, found),
             };
         }
-        let before: BTreeSet<u32> = found.iter().copied().filter(is_own).collect();
-        let sure = before.iter().filter(|id| is_sure(id));
-        let last = sure
-            .max_by_key(|id| given(id).map(|given| given.order))
-            .copied();
-        let since = last
-            .and_then(|id| given(&id))
-            .map_or(0, |given| given.order);
+        let sure = own.iter().filter(|(_, (_, is_sure))| *is_sure);
+        let last = sure.max_by_key(|(_, (order, _))| *order);
+        let since = last.map_or(0, |(_, (order, _))| *order);
+        let later = |id: &u32| own.get(id).is_some_and(|(order, _)| *order >= since);
+        let in_scope = |id: &u32| given(id).is_some_and(|given| self.is_in_scope(given, used));
         if used.lazy_in.is_some() {
             // it is evaluated later, when others may have been defined; those in front of a sure one are gone
-            let last = self.last_use(used);
-            let is_gone = |id: &u32| {
-                let own = given(id).filter(|given| in_scope(given));
-                own.is_some_and(|own| own.order < since || own.order >= last)
-            };
+            let end = self.last_use(used);
+            let is_late = |id: &u32| in_scope(id) && given(id).is_some_and(|own| own.order >= end);
+            let is_gone = |id: &u32| own.contains_key(id) && !later(id) || is_late(id);
             let left = found.into_iter().filter(|id| !is_gone(id));
             return self.at_the_calls(used, left.collect());
         }
         let own_file = |id: &u32| given(id).is_some_and(|own| own.span.file == used.span.file);
-        if !last.is_some_and(|id| own_file(&id)) {
-            let all = found.iter().copied();
-            let all = all.filter(|id| given(id).is_some_and(in_scope)).collect();
+        if !last.is_some_and(|(id, _)| own_file(id)) {
+            let all = found.iter().copied().filter(in_scope).collect();
             if let Some(found) = self.at_each_reading(used, &all) {
                 return found;
             }
         }
-        let later = |id: &u32| {
-            given(id).is_some_and(|given| given.order >= since && given.order < used.order)
-        };
         match last {
-            Some(_) => found.into_iter().filter(later).filter(is_own).collect(),
+            Some(_) => found.into_iter().filter(later).collect(),
             None => {
-                let is_other = |id: &u32| given(id).is_none_or(|given| given.scopes != used.scopes);
-                let left = found.into_iter().filter(|id| is_other(id) || is_own(id));
+                let left = found
+                    .into_iter()
+                    .filter(|id| !in_scope(id) || own.contains_key(id));
                 self.at_the_calls(used, left.collect())
             }
         }
+    }
+
+    /// Whether a definition is made in the scope of a use, by its own text.
+    fn is_in_scope(&self, given: &Given, used: &Used) -> bool {
+        !given.handed_out && given.scopes == used.scopes
+    }
+
+    /// The ones of some definitions that are made in the scope of a use and in front of it, be it by a macro that is called
+    /// there and hands them out: with the order in which they are made, and whether they are sure to be.
+    fn in_front(&self, used: &Used, found: &BTreeSet<u32>) -> BTreeMap<u32, (u32, bool)> {
+        let order = |given: &Given| {
+            if given.handed_out {
+                return self.handed_out_order(given, used);
+            }
+            let is_own = self.is_in_scope(given, used) && given.order < used.order;
+            is_own.then(|| (given.order, self.is_sure(given, used.seen())))
+        };
+        let found = found.iter().filter_map(|&id| {
+            let order = self.given.get(id as usize).and_then(order)?;
+            Some((id, order))
+        });
+        found.collect()
     }
 
     /// Whether a definition is made whenever something is evaluated.

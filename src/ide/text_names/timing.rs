@@ -190,6 +190,24 @@ impl TextNames {
         Some(counting)
     }
 
+    /// When a macro that hands out a definition is last called in the scope of a use and in front of it, and whether the definition is
+    /// sure to be made then.
+    pub(super) fn handed_out_order(&self, given: &Given, used: &Used) -> Option<(u32, bool)> {
+        let makers = given.scopes.iter().filter_map(|&own| self.macro_of(own));
+        let calls = makers.filter_map(|of| Some((of, self.calls_of.get(&of)?)));
+        let calls = calls.flat_map(|(of, calls)| calls.iter().map(move |&call| (of, call)));
+        let calls = calls.filter_map(|(of, call)| Some((of, self.used.get(call as usize)?)));
+        let in_front =
+            calls.filter(|(_, call)| call.scopes == used.scopes && call.order < used.order);
+        let (of, call) = in_front.max_by_key(|(_, call)| call.order)?;
+        let guard = self.given.get(of as usize)?.guard;
+        let is_sure = given.is_sure
+            && given.guard == guard
+            && call.span.file == used.span.file
+            && self.is_within(used.guard, call.guard);
+        Some((call.order, is_sure))
+    }
+
     /// When the body around a use last defines something in front of it, itself or by an include, and whether it is sure to.
     fn own_order(&self, given: &Given, used: &Used) -> Option<(u32, bool)> {
         let included = self.included_order(given, used);
