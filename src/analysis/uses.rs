@@ -71,7 +71,8 @@ impl Session {
     fn is_name_of_no_controller(&self, file: &Path, finding: &Finding) -> bool {
         const WHAT: &str = "contains whitespace";
         let name = finding.message.split('`').nth(1).unwrap_or_default();
-        if !finding.message.contains(WHAT) || !self.is_loaded(file) {
+        let is_joint = finding.message.starts_with("name of joint");
+        if !is_joint || !finding.message.contains(WHAT) || !self.is_loaded(file) {
             return false;
         }
         let is_ros2 = self.is_for_ament(file);
