@@ -91,7 +91,7 @@ impl Session {
             };
             let before = found.len();
             self.findings_of(group, known, found);
-            if self.is_kept(&call.call.caller) {
+            if found.len() > before && self.is_launch_left_over(&call.call.caller) {
                 found
                     .iter_mut()
                     .skip(before)

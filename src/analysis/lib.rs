@@ -56,6 +56,7 @@ mod set_aside;
 mod suppress;
 mod task;
 mod unused;
+mod uses;
 mod walk;
 mod world;
 
@@ -77,6 +78,8 @@ mod unused_parts_tests;
 mod unused_tests;
 #[cfg(test)]
 mod used_names_tests;
+#[cfg(test)]
+mod uses_tests;
 
 pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};

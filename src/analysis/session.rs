@@ -312,6 +312,41 @@ impl Session {
         self.callers.never_simulate(file, &self.packages)
     }
 
+    /// Whether launch files and programs use what lies around a file, and none of them needs masses and inertia.
+    pub(super) fn is_never_weighed(&self, file: &Path) -> bool {
+        self.callers.never_weigh(file, &self.packages)
+    }
+
+    /// Whether launch files and programs use what lies around a file, and nothing there needs collisions.
+    pub(super) fn is_never_met(&self, file: &Path) -> bool {
+        self.callers.never_meet(file, &self.packages)
+    }
+
+    /// Whether the launch files of a description need no masses, while others simulate another one.
+    pub(super) fn is_handled_elsewhere(&self, file: &Path) -> bool {
+        self.callers.handle_only(file, &self.packages)
+    }
+
+    /// Whether launch files start the controllers of another description, and none names this one.
+    pub(super) fn is_another_controlled(&self, file: &Path) -> bool {
+        self.callers.control_another(file, &self.packages)
+    }
+
+    /// Whether a description is only spawned in Gazebo, under a name of its own.
+    pub(super) fn is_only_spawned(&self, file: &Path) -> bool {
+        self.callers.only_spawn(file, &self.packages)
+    }
+
+    /// Whether a file lies in a package that was put aside for another one.
+    pub(super) fn is_put_aside(&self, file: &Path) -> bool {
+        self.callers.is_put_aside(file, &self.packages)
+    }
+
+    /// Whether there are launch files or programs around a file.
+    pub(super) fn has_programs(&self, file: &Path) -> bool {
+        self.callers.run_something(file, &self.packages)
+    }
+
     /// Whether the pages around a file name only old distributions.
     pub(super) fn is_for_old_ros(&self, file: &Path) -> bool {
         self.callers.is_for_old_ros(file, &self.packages)

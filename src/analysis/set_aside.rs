@@ -86,9 +86,17 @@ impl Session {
                 || self.is_for_kinematics(&job.file);
             is_idle.then_some(Severity::Info)
         });
+        let about_inertia = |finding: &Finding| {
+            finding.rule.category == Category::Inertia && !finding.rule.has(Trait::WrongSign)
+        };
+        self.lower_where(findings, about_inertia, || {
+            let is_idle = self.is_never_weighed(&job.file) || self.is_handled_elsewhere(&job.file);
+            is_idle.then_some(Severity::Info)
+        });
         let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
         self.lower_where(findings, about_contact, || {
-            let is_idle = self.is_loaded(&job.file) && self.is_never_simulated(&job.file);
+            let is_idle = self.is_loaded(&job.file)
+                && (self.is_never_simulated(&job.file) || self.is_never_met(&job.file));
             is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
@@ -139,6 +147,7 @@ impl Session {
         };
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
         self.settle_made_elsewhere(job, findings);
+        self.settle_by_use(job, findings);
     }
 
     /// Whether a file is plain URDF and nothing that names it runs xacro.
@@ -258,6 +267,7 @@ impl Session {
                 || self.is_left_over(file)
                 || self.is_passed_over(file)
                 || self.is_beside_model(file)
+                || self.is_put_aside(file)
                 || is_empty()
         };
         let is_unused = |file: &Path| !self.is_named(file) && is_other();
@@ -405,16 +415,17 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
         };
         let said = |finding: &Finding| {
             let ways = finding.call_sites.iter().map(|way| way.message.clone());
-            let code = finding.rule.code;
+            let (code, severity) = (finding.rule.code, finding.severity);
             ways.chain([finding.message.clone()])
-                .map(|message| (code, message))
+                .map(|message| (code, severity, message))
                 .collect::<Vec<_>>()
         };
-        let said: FastSet<(&str, String)> = source.findings.iter().flat_map(said).collect();
+        let said: FastSet<(&str, Severity, String)> =
+            source.findings.iter().flat_map(said).collect();
         if let Some(outcome) = outcomes.get_mut(number) {
-            outcome
-                .findings
-                .retain(|finding| !said.contains(&(finding.rule.code, finding.message.clone())));
+            outcome.findings.retain(|finding| {
+                !said.contains(&(finding.rule.code, finding.severity, finding.message.clone()))
+            });
             let is_walked = outcome.job.reason == Reason::Walked;
             if is_walked && !session.is_loaded(&file) && !session.is_included(&file) {
                 lower(&mut outcome.findings);

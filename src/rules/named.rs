@@ -1,6 +1,8 @@
 //! Rules that others than the rules themselves speak about.
 use super::rule::Rule;
-use super::{control, geometry, joint, linter, moveit, package, srdf, structure, xacro, xml};
+use super::{
+    control, conventions, geometry, joint, linter, moveit, package, srdf, structure, xacro, xml,
+};
 
 /// `gazebo-unknown-reference`
 pub const GAZEBO_UNKNOWN_REFERENCE: &Rule = &control::gazebo_unknown_reference::RULE;
@@ -24,6 +26,12 @@ pub const UNKNOWN_GEOMETRY_TYPE: &Rule = &geometry::unknown_geometry_type::RULE;
 pub const MISSING_JOINT_LIMIT: &Rule = &joint::missing_joint_limit::RULE;
 /// `missing-limit-attribute`
 pub const MISSING_LIMIT_ATTRIBUTE: &Rule = &joint::missing_limit_attribute::RULE;
+/// `missing-robot-name`
+pub const MISSING_ROBOT_NAME: &Rule = &xml::missing_robot_name::RULE;
+/// `invalid-name`
+pub const INVALID_NAME: &Rule = &conventions::invalid_name::RULE;
+/// `ros2-control-duplicate-joint`
+pub const ROS2_CONTROL_DUPLICATE_JOINT: &Rule = &control::ros2_control_duplicate_joint::RULE;
 /// `zero-axis`
 pub const ZERO_AXIS: &Rule = &joint::zero_axis::RULE;
 /// `invalid-config`

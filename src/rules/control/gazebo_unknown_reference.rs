@@ -46,8 +46,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .group(group);
         match near {
             Some(near) => {
+                // the part that the name resembles has its color
+                let is_left_over = is_color(cx, block) && has_own(cx, near);
+                let severity = if is_left_over { Severity::Info } else { RULE.severity };
                 let report =
-                    report.help(Help::did_you_mean(near).and("SDFormat ignores an element with an unknown reference"));
+                    report.severity(severity).help(Help::did_you_mean(near).and("SDFormat ignores an element with an unknown reference"));
                 rename(report, cx.expansion, text, near).done();
             }
             None => report
@@ -139,6 +142,16 @@ fn is_commented_out(cx: &RobotCx<'_>, name: &str) -> bool {
             .filter_map(|rest| rest.split("-->").next());
         comments.into_iter().any(holds)
     })
+}
+
+/// Whether there is an element about a link or joint of that name.
+fn has_own(cx: &RobotCx<'_>, name: &str) -> bool {
+    let mut named = cx
+        .robot
+        .gazebo
+        .iter()
+        .filter_map(|block| block.reference.as_ref());
+    named.any(|text| text.value == name)
 }
 
 /// Whether an element gives a color and nothing else: without it, nothing behaves differently.

@@ -15,7 +15,7 @@ mod misspelled_plugin;
 mod plugin_file_not_found;
 mod plugin_unknown_joint;
 mod plugins;
-mod ros2_control_duplicate_joint;
+pub(super) mod ros2_control_duplicate_joint;
 pub(super) mod ros2_control_duplicate_name;
 mod ros2_control_fixed_joint;
 mod ros2_control_initial_value_out_of_limits;
@@ -36,6 +36,7 @@ mod transmissions;
 
 use super::rule::Rule;
 pub(crate) use joints::range as limits_of;
+pub(crate) use plugin_unknown_joint::driven;
 
 /// The rules.
 pub(super) static RULES: &[&Rule] = &[

@@ -4,7 +4,8 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use super::plugins::plugins_of;
-use model::Text;
+use expand::XTree;
+use model::{Robot, Text};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL029",
@@ -62,14 +63,24 @@ const TAGS: [(&str, &[&str]); 13] = [
 ];
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let tree = &cx.expansion.tree;
+    let names = named_by_plugins(&cx.expansion.tree, cx.robot, |_| true);
+    unknown_joints(cx, out, names.iter(), "plugin", RULE.severity);
+}
+
+/// The joints that plugins of Gazebo for drives move.
+pub(in super::super) fn driven(tree: &XTree, robot: &Robot) -> Vec<Text> {
+    named_by_plugins(tree, robot, |tags| tags == WHEELS)
+}
+
+/// The names of joints in parameters of plugins that are known, of those whose tags are `wanted`.
+fn named_by_plugins(tree: &XTree, robot: &Robot, wanted: impl Fn(&[&str]) -> bool) -> Vec<Text> {
     let mut names: Vec<Text> = Vec::new();
-    for plugin in plugins_of(tree, cx.robot) {
+    for plugin in plugins_of(tree, robot) {
         let Some(file) = Text::attr(tree, plugin, "filename") else {
             continue;
         };
         let known = TAGS.iter().find(|(part, _)| file.value.contains(part));
-        let Some((_, tags)) = known.filter(|_| file.is_known()) else {
+        let Some((_, tags)) = known.filter(|(_, tags)| file.is_known() && wanted(tags)) else {
             continue;
         };
         for parameter in tree
@@ -81,5 +92,5 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             names.extend(Text::content(tree, parameter).filter(is_plain));
         }
     }
-    unknown_joints(cx, out, names.iter(), "plugin", RULE.severity);
+    names
 }

@@ -7,7 +7,7 @@ use super::joints::is_before_jazzy;
 use base::FastMap;
 use model::{ControlJoint, Interface, Text};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "CTL007",
     name: "ros2-control-duplicate-joint",
     category: Category::Control,

@@ -4,6 +4,8 @@ use super::super::numbers::short;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, range, value_place};
+use base::FastSet;
+use model::Text;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL009",
@@ -20,7 +22,26 @@ pub(super) static RULE: Rule = Rule {
 /// What calculation may lose.
 const ROUNDING: f64 = 1e-6;
 
+/// What nobody sees.
+const NOTHING: f64 = 1e-3;
+
+/// Parts of the names of hardware that starts where the description says: mocks, simulators and bridges to them. Hardware of a real
+/// robot starts where the robot is.
+const READERS: [&str; 10] = [
+    "mock",
+    "fake",
+    "sim",
+    "gz",
+    "gazebo",
+    "ign_",
+    "mujoco",
+    "isaac",
+    "webots",
+    "topic_based",
+];
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
+    let real = joints_of_real_hardware(cx);
     for (control, joint) in controlled(cx) {
         let Some((lower, upper)) = range(joint) else {
             continue;
@@ -32,16 +53,25 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let Some(text) = interface.param("initial_value") else {
                 continue;
             };
-            if text
+            let beyond = text
                 .number()
-                .is_some_and(|value| value < lower - ROUNDING || value > upper + ROUNDING)
-            {
+                .map(|value| (lower - value).max(value - upper));
+            if let Some(beyond) = beyond.filter(|&beyond| beyond > ROUNDING) {
+                let is_real = control
+                    .name
+                    .as_ref()
+                    .is_some_and(|name| real.contains(name.value.as_str()));
+                let severity = match is_real || beyond <= NOTHING {
+                    true => Severity::Info,
+                    false => RULE.severity,
+                };
                 let message = format!(
                     "initial value of joint `{}` is {}, outside its limits",
                     joint.shown(),
                     text.value
                 );
                 out.report(value_place(cx.expansion, text), message)
+                    .severity(severity)
                     .help(format!(
                         "write a value from {} to {}",
                         short(lower),
@@ -51,4 +81,23 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// The joints of hardware whose plugin is none of those that read initial values.
+fn joints_of_real_hardware<'a>(cx: &DocumentCx<'a>) -> FastSet<&'a str> {
+    let tree = &cx.expansion.tree;
+    let is_real = |class: &Text| {
+        let name = class.value.to_ascii_lowercase();
+        class.is_known() && !READERS.iter().any(|part| name.contains(part))
+    };
+    let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls);
+    let real = controls.filter(|control| {
+        let class = control
+            .plugin(tree)
+            .and_then(|plugin| Text::content(tree, plugin));
+        class.is_some_and(|class| is_real(&class))
+    });
+    real.flat_map(|control| &control.joints)
+        .filter_map(|joint| Some(joint.name.as_ref()?.value.as_str()))
+        .collect()
 }

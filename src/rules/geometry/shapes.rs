@@ -20,12 +20,20 @@ pub(super) fn bodies<'a>(
 /// lost with it. urdfdom keeps the link without this body and all that it would have read after it: further visuals, and
 /// then collisions.
 pub(in super::super) fn is_taken_out(tree: &XTree, body: XId, inside: XId) -> bool {
-    let is_meant =
-        |child: XId| tree.get(child).kind == XKind::Comment && tree.get(child).text.contains('<');
-    let Some(link) = tree
-        .parent(body)
-        .filter(|_| tree.children(inside).any(is_meant))
-    else {
+    let is_meant = |child: XId| {
+        tree.get(child).kind == XKind::Comment && is_about_geometry(&tree.get(child).text)
+    };
+    tree.children(inside).any(is_meant) && is_read_last(tree, body)
+}
+
+/// Whether a comment holds an element, or says something of the geometry, in most languages by this word.
+fn is_about_geometry(comment: &str) -> bool {
+    comment.contains('<') || comment.to_lowercase().contains("geom")
+}
+
+/// Whether urdfdom reads a visual or collision of its link last, so that nothing else is lost with it.
+pub(in super::super) fn is_read_last(tree: &XTree, body: XId) -> bool {
+    let Some(link) = tree.parent(body) else {
         return false;
     };
     let last = |name: &str| {

@@ -21,10 +21,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let axes: Vec<_> = moving_axes(cx.joints())
         .map(|(joint, text, axis)| (joint, text, axis, length(axis)))
         .collect();
-    let is_habit = is_habit(axes.iter().map(|&(.., length)| length));
+    let lengths: Vec<f64> = axes.iter().map(|&(.., length)| length).collect();
     for (joint, text, axis, length) in axes {
         if length >= NO_LENGTH && !is_unit(length) {
-            let is_meant = is_habit || is_diagonal(axis);
+            let is_meant = is_habit(&lengths, length) || is_diagonal(axis);
             let message = format!(
                 "axis of joint `{}` is not a unit vector: its length is {}",
                 joint.shown(),
@@ -49,12 +49,14 @@ fn is_unit(length: f64) -> bool {
     (length - 1.0).abs() <= 1e-3
 }
 
-/// Whether three axes or more all have the same length, which is not 1: a program wrote them in another unit, and the
-/// directions are right.
-fn is_habit(mut lengths: impl ExactSizeIterator<Item = f64>) -> bool {
-    let many = lengths.len() >= 3;
-    let first = lengths.next().filter(|&first| many && !is_unit(first));
-    first.is_some_and(|first| lengths.all(|length| (length - first).abs() <= 1e-3 * first))
+/// Whether three axes or more of a robot have the same length, which is not 1: a program or somebody wrote them in another unit, and
+/// the directions are right.
+fn is_habit(lengths: &[f64], length: f64) -> bool {
+    const MANY: usize = 3;
+    let same = lengths
+        .iter()
+        .filter(|&&other| (other - length).abs() <= 1e-3 * length);
+    same.count() >= MANY
 }
 
 /// Whether an axis such as `1 1 0` is a direction that somebody wrote down without a root.

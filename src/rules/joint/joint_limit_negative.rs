@@ -1,9 +1,10 @@
 //! A negative effort or velocity.
 use super::super::context::DocumentCx;
+use super::super::control::driven;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::{JointType, Limit, Version};
+use model::{Joint, JointType, Limit, Robot, Version};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "JNT008",
@@ -33,10 +34,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let Some(text) = text else { continue };
             if let Some(value) = text.number().filter(|&value| value < 0.0) {
                 // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
-                let severity = if value == -1.0 && !is_new {
-                    Severity::Warning
-                } else {
-                    Severity::Error
+                let severity = match value == -1.0 && !is_new {
+                    true if is_only_driven(cx, joint) => Severity::Info,
+                    true => Severity::Warning,
+                    false => Severity::Error,
                 };
                 let message = format!(
                     "joint `{}` has negative {name} {}",
@@ -57,4 +58,19 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// Whether a plugin of Gazebo for drives moves a joint, and nothing else does: there, `-1` means what it says.
+fn is_only_driven(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
+    let Some(robot) = cx.robot else { return false };
+    let is_it = |name: &str| name == joint.shown();
+    let is_controlled = |robot: &Robot| {
+        let hardware = robot.controls.iter().flat_map(|control| &control.joints);
+        let mut listed = hardware.filter_map(|joint| joint.name.as_ref());
+        let transmitted = robot.transmissions.iter().flat_map(|one| &one.joints);
+        let mut transmitted = transmitted.filter_map(|(_, name)| name.as_ref());
+        listed.any(|name| is_it(&name.value)) || transmitted.any(|name| is_it(&name.value))
+    };
+    let mut driven = driven(&cx.expansion.tree, robot).into_iter();
+    driven.any(|name| is_it(name.value.trim())) && !is_controlled(robot)
 }

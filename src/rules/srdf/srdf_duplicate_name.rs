@@ -24,15 +24,16 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         ("group", RULE.severity),
         srdf.groups.iter().map(|group| own(&group.name)),
     );
+    // MoveIt takes the last one
     report(
         out,
-        ("end effector", RULE.severity),
+        ("end effector", Severity::Warning),
         srdf.effectors.iter().map(|effector| own(&effector.name)),
     );
     // MoveIt takes one of them, for the root of the robot
     report(
         out,
-        ("virtual joint", Severity::Warning),
+        ("virtual joint", Severity::Info),
         srdf.virtual_joints.iter().map(|joint| own(&joint.name)),
     );
     let states = srdf.states.iter().filter_map(|state| {

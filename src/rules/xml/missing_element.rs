@@ -1,11 +1,11 @@
 //! An element without a child that parsers insist on.
 use super::super::context::DocumentCx;
-use super::super::geometry::is_taken_out;
+use super::super::geometry::{is_read_last, is_taken_out};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::walk;
-use expand::XId;
+use expand::{XId, XKind, XTree};
 use model::tag_start;
 
 pub(super) static RULE: Rule = Rule {
@@ -39,7 +39,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .done();
             continue;
         }
-        let is_meant = missing == ["geometry"] && is_taken_out(&cx.expansion.tree, id, id);
+        let tree = &cx.expansion.tree;
+        let is_blank = || is_empty_collision(tree, id) && is_read_last(tree, id);
+        let is_meant = missing == ["geometry"] && (is_taken_out(tree, id, id) || is_blank());
         let severity = if is_meant {
             Severity::Info
         } else {
@@ -54,6 +56,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .help(format!("add {}", add.join(" and ")))
             .done();
     }
+}
+
+/// Whether an element is a collision in which nothing was written.
+fn is_empty_collision(tree: &XTree, id: XId) -> bool {
+    tree.get(id).text == "collision"
+        && tree
+            .children(id)
+            .all(|child| tree.get(child).kind == XKind::Text)
 }
 
 /// The required children that are absent, not misspelled, and in no tag that lacks its prefix.

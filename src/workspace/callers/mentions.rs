@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Callers, name_of, read, walk};
+use super::{Callers, name_of, purpose, read, walk};
 use crate::Packages;
 use base::{FastMap, FastSet};
 
@@ -28,6 +28,8 @@ pub(super) struct Mentions {
     files: FastMap<String, Vec<(PathBuf, Option<String>)>>,
     /// The texts that hold the name of a package, but for descriptions and what is built.
     packages: FastMap<String, Vec<PathBuf>>,
+    /// The packages that descriptions name.
+    read: FastSet<String>,
     /// The texts that start controllers.
     starters: Vec<PathBuf>,
     /// Whether a program builds the configuration of MoveIt from the names of packages.
@@ -36,8 +38,14 @@ pub(super) struct Mentions {
     takes_srdf: bool,
     /// Whether a text simulates, plans or controls something.
     simulates: bool,
+    /// Whether a text simulates or plans something: controllers alone need no collisions.
+    pub meets: bool,
+    /// Whether a launch file or program plans or controls something, or simulates it.
+    pub moves: bool,
+    /// Whether a launch file or program needs masses, or a description is prepared for one that does.
+    pub weighs: bool,
     /// Whether there is a launch file or a program.
-    runs: bool,
+    pub runs: bool,
     /// Whether a page names an old distribution, and whether one names a newer one.
     distributions: (bool, bool),
     /// Whether all texts were read.
@@ -135,6 +143,12 @@ impl Mentions {
         let is_description = read::is_description(name_of(path));
         let is_page = read::is_page(path);
         self.simulates |= read::simulates(text);
+        self.meets |= purpose::meets(text);
+        self.moves |= !is_description && !is_page && read::simulates(text);
+        self.weighs |= match is_description {
+            true => purpose::is_for_gazebo(text),
+            false => !is_page && purpose::weighs(text),
+        };
         self.runs |=
             !is_description && (name_of(path).contains("launch") || read::is_program(path));
         if !is_description && !is_page && STARTERS.iter().any(|word| text.contains(word)) {
@@ -154,6 +168,10 @@ impl Mentions {
                 .trim_matches(['.', '-']);
             self.takes_srdf |= !is_description && !is_page && word == "srdf";
             let is_package = is_use && names.contains(word);
+            // in `package://name/` and `$(find name)`
+            if is_description && part.ends_with(['/', ')']) && names.contains(word) {
+                self.read.insert(word.to_owned());
+            }
             let is_file = word.contains('.') && word.contains(char::is_alphabetic);
             if is_page {
                 self.add_distribution(word);
@@ -216,6 +234,11 @@ impl Mentions {
         let own = file.to_owned();
         all.filter(move |(path, _)| *path != own)
             .map(|(path, package)| (path.as_path(), package.as_deref()))
+    }
+
+    /// Whether a description names a package.
+    pub fn is_read(&self, package: &str) -> bool {
+        self.read.contains(package)
     }
 
     /// The texts that hold the name of a package, but for descriptions and what is built.

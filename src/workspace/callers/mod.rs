@@ -7,8 +7,10 @@ mod called;
 mod choices;
 mod config;
 mod copied;
+mod defaults;
 mod mentions;
 mod programs;
+mod purpose;
 mod read;
 
 pub use called::RobotCall;

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::{Caller, Era, GivenArg, Written, config};
+use super::{Caller, Era, GivenArg, Written, config, defaults};
 use crate::launch;
 use base::FastMap;
 
@@ -26,7 +26,7 @@ fn era(text: &str) -> Option<Era> {
 }
 
 /// Words in launch files that run something that needs masses and collisions.
-const SIMULATES: [&str; 9] = [
+pub(super) const SIMULATES: [&str; 9] = [
     "gazebo",
     "ros_gz",
     "ros_ign",
@@ -34,9 +34,12 @@ const SIMULATES: [&str; 9] = [
     "pybullet",
     "isaac",
     "webots",
-    "controller_manager",
+    CONTROLLERS,
     "moveit",
 ];
+
+/// What runs controllers, also without a simulation.
+pub(super) const CONTROLLERS: &str = "controller_manager";
 
 /// Whether a text runs something that needs masses and collisions.
 pub(super) fn simulates(text: &str) -> bool {
@@ -130,7 +133,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         path: path.to_owned(),
         descriptions,
         endings,
-        is_open: takes_any(text),
+        is_open: takes_any(text) && !defaults::has_default(name, text),
         era: era(text),
         is_bullet: ["loadURDF(", "Bullet", "pybullet"]
             .iter()
@@ -181,7 +184,7 @@ fn without_line_comment(line: &str) -> &str {
 
 /// The names of descriptions in a text, each with the folders that are written in front of it. What is only installed or
 /// included is not called.
-fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
+pub(super) fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
     let mut found: FastMap<String, Vec<Written>> = FastMap::default();
     for ending in [".xacro", ".urdf", ".URDF"] {
         for (at, _) in text.match_indices(ending) {

@@ -1,0 +1,128 @@
+//! What is right, and of no account for those who use the file.
+use std::path::{Path, PathBuf};
+
+use super::session::Session;
+use super::task::Job;
+use expand::ProblemKind;
+use rules::{Finding, Severity, named};
+use vfs::without_parents;
+use workspace::{RobotCall, Target};
+
+impl Session {
+    /// What breaks nothing for the launch files and programs that use a file is an info.
+    pub(super) fn settle_by_use(&self, job: &Job, findings: &mut [Finding]) {
+        let file = &job.file;
+        let info = || Some(Severity::Info);
+        let about = |rule| move |finding: &Finding| finding.rule == rule;
+        // both blocks meet in a robot whose controllers nothing starts
+        self.lower_where(findings, about(named::ROS2_CONTROL_DUPLICATE_JOINT), || {
+            let is_idle = self.is_for_assistant(file) && self.is_another_controlled(file);
+            is_idle.then_some(Severity::Info)
+        });
+        self.lower_where(findings, about(named::MISSING_ROBOT_NAME), || {
+            self.is_only_spawned(file).then_some(Severity::Info)
+        });
+        // what runs here does not need its packages
+        let is_far = |finding: &Finding| {
+            finding.rule == named::PACKAGE_NOT_FOUND && finding.message.starts_with("none of")
+        };
+        self.lower_where(findings, is_far, || {
+            (!self.is_loaded(file) && self.has_programs(file)).then_some(Severity::Info)
+        });
+        let is_spaced = |finding: &Finding| {
+            finding.rule == named::INVALID_NAME && self.is_name_of_no_controller(file, finding)
+        };
+        self.lower_where(findings, is_spaced, info);
+        let is_unmade = |finding: &Finding| {
+            finding.problem == Some(ProblemKind::ExpressionError)
+                && self.is_made_by_a_program(file, finding)
+        };
+        self.lower_where(findings, is_unmade, info);
+        let is_unread = |finding: &Finding| {
+            finding.rule == named::MISSING_PACKAGE_DEPENDENCY
+                && self.is_in_idle_default(file, finding)
+        };
+        self.lower_where(findings, is_unread, info);
+    }
+
+    /// Whether nobody runs a launch file: it is kept, in a package that was put aside, or for ROS 1 in a package for ROS 2.
+    pub(super) fn is_launch_left_over(&self, file: &Path) -> bool {
+        let is_of_ros1 = file.extension().is_some_and(|ending| ending == "launch");
+        self.is_kept(file) || is_of_ros1 && self.is_for_ament(file) || self.is_put_aside(file)
+    }
+
+    /// Whether the manifest of the package around a file says that it is built for ROS 2.
+    fn is_for_ament(&self, file: &Path) -> bool {
+        let package = self.packages.containing(file);
+        let manifest = package.map(|package| self.vfs.text(&package.folder.join("package.xml")));
+        self.packages.generation(file) == Some(Target::Ros2)
+            && manifest
+                .is_some_and(|manifest| manifest.is_ok_and(|file| file.text.contains("ament_")))
+    }
+
+    /// Whether a file is one that the setup assistant of MoveIt wrote around a description.
+    fn is_for_assistant(&self, file: &Path) -> bool {
+        let package = self.packages.containing(file);
+        package.is_some_and(|package| self.vfs.is_file(&package.folder.join(".setup_assistant")))
+    }
+
+    /// Whether whitespace in the name of a joint splits no arguments: launch files use the robot, and no text that starts controllers
+    /// has the name. Launch files of ROS 1 do not count in a package for ROS 2.
+    fn is_name_of_no_controller(&self, file: &Path, finding: &Finding) -> bool {
+        const WHAT: &str = "contains whitespace";
+        let name = finding.message.split('`').nth(1).unwrap_or_default();
+        let is_joint = finding.message.starts_with("name of joint");
+        if !is_joint || !finding.message.contains(WHAT) || !self.is_loaded(file) {
+            return false;
+        }
+        let is_ros2 = self.is_for_ament(file);
+        let is_run = |path: &&PathBuf| {
+            !(is_ros2 && path.extension().is_some_and(|ending| ending == "launch"))
+        };
+        let has_it = |path: &PathBuf| {
+            self.vfs
+                .text(path)
+                .is_ok_and(|file| file.text.contains(name))
+        };
+        !self.starters(file).iter().filter(is_run).any(has_it)
+    }
+
+    /// Whether an expression reads a file that is missing here and that `.gitignore` leaves out: a program makes it.
+    fn is_made_by_a_program(&self, file: &Path, finding: &Finding) -> bool {
+        const MISSING: &str = "No such file or directory: '";
+        let path = finding.message.split(MISSING).nth(1);
+        let Some(path) = path.and_then(|rest| rest.split('\'').next()) else {
+            return false;
+        };
+        let folder = file.parent().unwrap_or(file);
+        let is_ignored = |path: PathBuf| self.packages.is_ignored_by_git(&without_parents(&path));
+        is_ignored(folder.join(path)) || is_ignored(self.vfs.absolute(Path::new(path)))
+    }
+
+    /// Whether a finding is in the default of an argument that all calls of the file give.
+    fn is_in_idle_default(&self, file: &Path, finding: &Finding) -> bool {
+        let own = self.vfs.path(finding.span.file);
+        let Ok(source) = self.vfs.document(&own) else {
+            return false;
+        };
+        let is_it = |at: u32| at == finding.span.range.start;
+        let node = source.document.parts().find_map(|(base, item)| {
+            item.all_nodes()
+                .find(|node| {
+                    node.attr("default").is_some_and(|value| {
+                        let range = value.value_range().shift(base);
+                        node.name() == "xacro:arg" && (range.start..range.end).any(is_it)
+                    })
+                })
+                .and_then(|node| Some(node.attr("name")?.raw().to_owned()))
+        });
+        let Some(name) = node else { return false };
+        let all = self.calls_around(file);
+        let mut calls = all
+            .iter()
+            .filter(|call| call.target.as_deref() == Some(file))
+            .peekable();
+        let gives = |call: &RobotCall| call.call.args.iter().any(|argument| argument.name == name);
+        calls.peek().is_some() && calls.all(gives)
+    }
+}

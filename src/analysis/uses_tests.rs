@@ -1,0 +1,289 @@
+//! What is right, and of no account for those who use the file.
+use super::set_aside_tests::{BROKEN, found};
+use rules::Severity;
+
+const MANIFEST: (&str, &str) = ("package.xml", "<package><name>arm</name></package>");
+
+/// The severity of the first place of a rule in these files.
+fn severity(rule: &str, files: &[(&str, &str)]) -> Option<Severity> {
+    found(files, rule).first().map(|found| found.1)
+}
+
+#[test]
+fn inertia_that_nothing_computes_with() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |launch: &str, others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            ("launch/arm.launch", launch),
+        ];
+        severity("inertia-triangle-inequality", &[&own, others].concat())
+    };
+    let plans = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='moveit_ros_move_group'/>";
+    assert_eq!(of(plans, &[]), Some(Severity::Info));
+    // what is only shown here may be simulated by others
+    let shows = "<param textfile='$(find arm)/urdf/arm.urdf'/><node pkg='rviz'/>";
+    assert_eq!(of(shows, &[]), Some(Severity::Error));
+    let simulates = "<include file='$(find gazebo_ros)/launch/empty_world.launch'/>";
+    assert_eq!(
+        of(plans, &[("launch/sim.launch", simulates)]),
+        Some(Severity::Error)
+    );
+    assert_eq!(
+        of(plans, &[("scripts/hold.py", "import pinocchio")]),
+        Some(Severity::Error)
+    );
+    let plugin = "<robot name='r'><gazebo><plugin name='p' filename='p.so'/></gazebo></robot>";
+    assert_eq!(
+        of(plans, &[("urdf/gazebo.xacro", plugin)]),
+        Some(Severity::Error)
+    );
+    // a sign that is lost is a slip, whoever reads it
+    let negative = robot.replace("iyy='0.1'", "iyy='-0.1'");
+    let files = [
+        MANIFEST,
+        ("urdf/arm.urdf", negative.as_str()),
+        ("launch/arm.launch", plans),
+    ];
+    assert_eq!(
+        severity("inertia-not-positive-definite", &files),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn inertia_of_another_robot_than_the_simulated_one() {
+    let robot = "<robot name='r'><link name='base'><inertial><mass value='1'/>\
+                 <inertia ixx='1' ixy='0' ixz='0' iyy='0.1' iyz='0' izz='0.1'/></inertial></link></robot>";
+    let of = |loads: &str, simulates: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/real.urdf", robot),
+            (
+                "urdf/sim.urdf",
+                "<robot name='s'><link name='base'/></robot>",
+            ),
+            ("launch/real.launch", loads),
+            ("launch/sim.launch", simulates),
+        ];
+        severity("inertia-triangle-inequality", &files)
+    };
+    let loads = "<param textfile='$(find arm)/urdf/real.urdf'/><node pkg='driver'/>";
+    let simulates = "<param textfile='$(find arm)/urdf/sim.urdf'/><include file='$(find gazebo_ros)/x.launch'/>";
+    assert_eq!(of(loads, simulates), Some(Severity::Info));
+    // a launch file that simulates includes the one that loads it
+    let includes = format!("{simulates}<include file='$(find arm)/launch/real.launch'/>");
+    assert_eq!(of(loads, &includes), Some(Severity::Error));
+    assert_eq!(
+        of(loads, &simulates.replace("sim.urdf", "real.urdf")),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn blocks_of_hardware_that_meet_in_the_robot_of_the_assistant() {
+    let block = "<ros2_control name='NAME' type='system'><hardware><plugin>mock_components/GenericSystem</plugin></hardware>\
+                 <joint name='a'><command_interface name='position'/></joint></ros2_control>";
+    let robot = |blocks: &str| {
+        format!(
+            "<robot name='r'><link name='base'/><link name='tip'/><joint name='a' type='continuous'>\
+             <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/></joint>{blocks}</robot>"
+        )
+    };
+    let (one, two) = (block.replace("NAME", "one"), block.replace("NAME", "two"));
+    let both = robot(&format!("{one}{two}"));
+    let single = robot(&one);
+    let of = |launch: &str, assistant: &str| {
+        let files = [
+            ("arm/package.xml", MANIFEST.1),
+            ("arm/urdf/arm.urdf", single.as_str()),
+            (
+                "config/package.xml",
+                "<package><name>arm_config</name></package>",
+            ),
+            (assistant, "moveit_setup_assistant_config:\n"),
+            ("config/config/arm.urdf", both.as_str()),
+            ("arm/launch/arm.launch.py", launch),
+        ];
+        severity("ros2-control-duplicate-joint", &files)
+    };
+    let starts =
+        "get_package_share_directory('arm') + '/urdf/arm.urdf', Node(package='controller_manager')";
+    let assistant = "config/.setup_assistant";
+    assert_eq!(of(starts, assistant), Some(Severity::Info));
+    assert_eq!(
+        of(&starts.replace("controller_manager", "viewer"), assistant),
+        Some(Severity::Error)
+    );
+    assert_eq!(of(starts, "config/notes.txt"), Some(Severity::Error));
+    let own = starts.replace("'arm') + '/urdf", "'arm_config') + '/config");
+    assert_eq!(of(&own, assistant), Some(Severity::Error));
+}
+
+#[test]
+fn names_that_the_spawner_of_gazebo_gives() {
+    let of = |launch: &str| {
+        let files = [
+            MANIFEST,
+            (
+                "urdf/arm.urdf",
+                "<robot name=''><link name='base'/></robot>",
+            ),
+            ("launch/arm.launch", launch),
+        ];
+        severity("missing-robot-name", &files)
+    };
+    let spawns = "<param name='d' textfile='$(find arm)/urdf/arm.urdf'/>\
+                  <node pkg='gazebo_ros' type='spawn_model' args='-urdf -model arm -param d'/>";
+    assert_eq!(of(spawns), Some(Severity::Info));
+    let shows = format!("{spawns}<node pkg='robot_state_publisher'/>");
+    assert_eq!(of(&shows), Some(Severity::Error));
+    assert_eq!(of(&spawns.replace("-model arm", "")), Some(Severity::Error));
+}
+
+#[test]
+fn spaces_that_split_no_arguments() {
+    let robot = "<robot name='r'><link name='base'/><link name='tip'/><joint name='turn 1' type='continuous'>\
+                 <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/></joint></robot>";
+    let manifest = |build: &str| {
+        format!("<package><name>arm</name><buildtool_depend>{build}</buildtool_depend></package>")
+    };
+    let of = |build: &str, others: &[(&str, &str)]| {
+        let manifest = manifest(build);
+        let own = [("package.xml", manifest.as_str()), ("urdf/arm.urdf", robot)];
+        severity("invalid-name", &[&own, others].concat())
+    };
+    let loads = (
+        "launch/arm.launch",
+        "<param textfile='$(find arm)/urdf/arm.urdf'/>",
+    );
+    let starts = (
+        "launch/control.launch",
+        "<node type='spawner' args='turn 1_controller'/>",
+    );
+    assert_eq!(of("catkin", &[]), Some(Severity::Warning));
+    assert_eq!(of("catkin", &[loads]), Some(Severity::Info));
+    assert_eq!(of("catkin", &[loads, starts]), Some(Severity::Warning));
+    // nobody can run it
+    let loads = (
+        "launch/arm.launch.py",
+        "get_package_share_directory('arm') + '/urdf/arm.urdf'",
+    );
+    assert_eq!(of("ament_cmake", &[loads, starts]), Some(Severity::Info));
+    let starts = (
+        "launch/control.launch.py",
+        "Node(executable='spawner', arguments='turn 1_controller'.split())",
+    );
+    assert_eq!(of("ament_cmake", &[loads, starts]), Some(Severity::Warning));
+}
+
+#[test]
+fn values_that_a_program_writes() {
+    let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+                 <xacro:property name='v' value=\"${load_yaml('../made/values.yaml')}\"/><link name='${v}'/></robot>";
+    let of = |ignored: &str| {
+        let files = [MANIFEST, ("urdf/arm.xacro", robot), (".gitignore", ignored)];
+        severity("expression-error", &files)
+    };
+    assert_eq!(of("/made/\n"), Some(Severity::Info));
+    assert_eq!(of("/other/\n"), Some(Severity::Error));
+}
+
+#[test]
+fn packages_in_defaults_that_all_calls_replace() {
+    let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+                 <xacro:arg name='values' default='$(find sim)/v.yaml'/><link name='base'/></robot>";
+    let of = |launch: &str| {
+        let files = [
+            ("arm/package.xml", MANIFEST.1),
+            ("sim/package.xml", "<package><name>sim</name></package>"),
+            ("arm/urdf/arm.xacro", robot),
+            ("arm/launch/arm.launch", launch),
+        ];
+        severity("missing-package-dependency", &files)
+    };
+    let gives = "<launch><param name='d' command=\"xacro '$(find arm)/urdf/arm.xacro' values:=x.yaml\"/></launch>";
+    assert_eq!(of(gives), Some(Severity::Info));
+    assert_eq!(
+        of(&gives.replace(" values:=x.yaml", "")),
+        Some(Severity::Warning)
+    );
+    assert_eq!(of(""), Some(Severity::Warning));
+}
+
+#[test]
+fn packages_that_were_put_aside() {
+    let other = "<package><name>not_arm</name></package>";
+    let of = |file: &str, others: &[(&str, &str)]| {
+        let own = [
+            ("arm/package.xml", MANIFEST.1),
+            (
+                "arm/urdf/arm.urdf",
+                "<robot name='arm'><link name='base'/></robot>",
+            ),
+            (
+                "arm/launch/arm.launch",
+                "<param textfile='$(find arm)/urdf/arm.urdf'/>",
+            ),
+            ("not_arm/package.xml", other),
+            (file, BROKEN),
+        ];
+        severity("missing-element", &[&own, others].concat())
+    };
+    let twin = "not_arm/urdf/arm.urdf";
+    assert_eq!(of(twin, &[]), Some(Severity::Info));
+    let page = ("README.md", "The package not_arm is for the other arm.");
+    assert_eq!(of(twin, &[page]), Some(Severity::Error));
+    let uses = "<robot name='c'><link name='a'><visual><geometry><mesh filename='package://not_arm/a.stl'/></geometry></visual></link></robot>";
+    assert_eq!(of(twin, &[("cell/c.urdf", uses)]), Some(Severity::Error));
+    // the other package has nothing at this place
+    assert_eq!(of("not_arm/urdf/hand.urdf", &[]), Some(Severity::Error));
+}
+
+#[test]
+fn robots_whose_packages_are_missing() {
+    let robot = "<robot name='r'><link name='base'><visual><geometry><mesh filename='package://far/a.stl'/></geometry></visual></link></robot>";
+    let of = |others: &[(&str, &str)]| {
+        severity(
+            "package-not-found",
+            &[&[("a/r.urdf", robot)], others].concat(),
+        )
+    };
+    assert_eq!(of(&[]), Some(Severity::Warning));
+    assert_eq!(
+        of(&[("a/run.py", "print('no robot')")]),
+        Some(Severity::Info)
+    );
+    assert_eq!(
+        of(&[("a/run.py", "load('r.urdf')")]),
+        Some(Severity::Warning)
+    );
+}
+
+#[test]
+fn launch_files_that_nobody_runs() {
+    let of = |name: &str, build: &str| {
+        let manifest = format!(
+            "<package><name>arm</name><buildtool_depend>{build}</buildtool_depend></package>"
+        );
+        let gone =
+            "<launch><param name='d' command=\"xacro '$(find arm)/urdf/gone.xacro'\"/></launch>";
+        let files = [
+            ("package.xml", manifest.as_str()),
+            (
+                "urdf/arm.urdf",
+                "<robot name='arm'><link name='base'/></robot>",
+            ),
+            (name, gone),
+        ];
+        severity("launched-file-not-found", &files)
+    };
+    assert_eq!(of("launch/arm.launch", "catkin"), Some(Severity::Warning));
+    assert_eq!(of("launch/arm.launch", "ament_cmake"), Some(Severity::Info));
+    assert_eq!(
+        of("launch/arm.launch.xml", "ament_cmake"),
+        Some(Severity::Warning)
+    );
+}

@@ -1,0 +1,156 @@
+//! What the launch files and programs of a workspace use a description for.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::read::{CONTROLLERS, SIMULATES};
+use super::{Caller, Callers, Uses};
+use crate::Packages;
+
+/// Words in launch files and programs that run something that needs masses: simulators, and libraries for dynamics.
+const WEIGHS: [&str; 16] = [
+    "gazebo",
+    "ros_gz",
+    "ros_ign",
+    "gz_sim",
+    "mujoco",
+    "bullet",
+    "isaac",
+    "webots",
+    "coppelia",
+    "vrep",
+    "drake",
+    "pinocchio",
+    "rbdl",
+    "RBDL",
+    "dynamics",
+    "Dynamics",
+];
+
+/// Whether a text runs something that needs masses and inertia.
+pub(super) fn weighs(text: &str) -> bool {
+    WEIGHS.iter().any(|word| text.contains(word))
+}
+
+/// Whether a text runs something that needs collisions.
+pub(super) fn meets(text: &str) -> bool {
+    let mut words = SIMULATES.iter().filter(|word| **word != CONTROLLERS);
+    words.any(|word| text.contains(word))
+}
+
+/// Whether a description has something that only Gazebo runs.
+pub(super) fn is_for_gazebo(text: &str) -> bool {
+    text.contains("<gazebo") && (text.contains("<plugin") || text.contains("<sensor"))
+}
+
+impl Callers {
+    /// Whether launch files and programs plan with what lies around a file or control it, and nothing there needs masses and inertia:
+    /// none of them simulates anything or computes dynamics, and no description has a plugin or sensor for Gazebo. What is only shown
+    /// there may be simulated by others.
+    pub fn never_weigh(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages)
+            .is_some_and(|all| all.is_whole && all.moves && !all.weighs)
+    }
+
+    /// Whether launch files and programs use what lies around a file, and no text there simulates or plans anything.
+    pub fn never_meet(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages)
+            .is_some_and(|all| all.is_whole && all.runs && !all.meets)
+    }
+
+    /// Whether launch files load the description `file` and neither they nor the texts that name them need masses, while others
+    /// simulate another one that is there.
+    pub fn handle_only(&self, file: &Path, packages: &Packages) -> bool {
+        let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
+            return false;
+        };
+        let needs_masses =
+            |path: &Path| packages.vfs.text(path).is_ok_and(|file| weighs(&file.text));
+        let may_weigh = |path: &Path| needs_masses(path) || mentions.of(path).any(needs_masses);
+        let all = self.of(file, packages);
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && !caller.is_page())
+            .peekable();
+        let simulates_another = |all: Arc<Uses>| {
+            let mut others = all.callers.iter().filter(|caller| caller.is_launch());
+            others
+                .any(|caller| all.has_another(caller, file, packages) && needs_masses(&caller.path))
+        };
+        loaders.peek().is_some()
+            && loaders.all(|caller| caller.is_launch() && !may_weigh(&caller.path))
+            && self.around(file, packages).is_some_and(simulates_another)
+    }
+
+    /// Whether a launch file starts the controllers or simulation of another description that is there, and none names this one.
+    pub fn control_another(&self, file: &Path, packages: &Packages) -> bool {
+        const STARTS: [&str; 4] = ["controller_manager", "ros2_control_node", "gazebo", "gz_"];
+        let starts = |caller: &Caller| {
+            let text = packages.vfs.text(&caller.path);
+            text.is_ok_and(|file| STARTS.iter().any(|word| file.text.contains(word)))
+        };
+        let is_it = |all: Arc<Uses>| {
+            let mut launches = all.callers.iter().filter(|caller| caller.is_launch());
+            launches.any(|caller| all.has_another(caller, file, packages) && starts(caller))
+        };
+        let mut named = self
+            .of(file, packages)
+            .into_iter()
+            .filter(Caller::is_launch);
+        !named.any(|caller| caller.says(file)) && self.around(file, packages).is_some_and(is_it)
+    }
+
+    /// Whether nothing but launch files that spawn models of Gazebo under a name of their own load a description.
+    pub fn only_spawn(&self, file: &Path, packages: &Packages) -> bool {
+        const NAMES: [&str; 2] = ["-model ", "-entity"];
+        const READS: [&str; 4] = [
+            "robot_state_publisher",
+            "move_group",
+            "MoveIt",
+            "controller_manager",
+        ];
+        let spawns = |caller: &Caller| {
+            let text = packages.vfs.text(&caller.path);
+            text.is_ok_and(|file| {
+                let has = |words: &[&str]| words.iter().any(|word| file.text.contains(word));
+                file.text.contains("spawn_") && has(&NAMES) && !has(&READS)
+            })
+        };
+        let all = self.of(file, packages);
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && !caller.is_page())
+            .peekable();
+        loaders.peek().is_some() && loaders.all(spawns)
+    }
+
+    /// Whether a file lies in a package that was put aside: no text names it, and another package, which texts do name, has a
+    /// file at the same place.
+    pub fn is_put_aside(&self, file: &Path, packages: &Packages) -> bool {
+        let Some(own) = packages.containing(file) else {
+            return false;
+        };
+        let Some(top) = packages.sources_around(file) else {
+            return false;
+        };
+        let inside = file.strip_prefix(&own.folder).unwrap_or(file);
+        let is_twin = |(name, folder): &(String, PathBuf)| {
+            *name != own.name && packages.vfs.is_file(&folder.join(inside))
+        };
+        let mut twins = packages.below(&top);
+        twins.retain(is_twin);
+        if twins.is_empty() {
+            return false;
+        }
+        let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
+            return false;
+        };
+        let is_named = |name: &str| mentions.uses(name).next().is_some() || mentions.is_read(name);
+        !is_named(&own.name) && twins.iter().any(|(name, _)| is_named(name))
+    }
+
+    /// Whether there are launch files or programs around a file.
+    pub fn run_something(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages).is_some_and(|all| all.runs)
+    }
+}
