@@ -197,48 +197,18 @@ fn files_that_are_left_over() {
         ),
         // whoever calls the launch file names the robot
         (
-            vec![
-                ("launch/new.launch", new.as_str()),
-                (
-                    "launch/show.launch",
-                    "<param command='xacro $(arg model)'/><arg name=\"model\"/>",
-                ),
-            ],
-            Severity::Error,
-        ),
-        (
-            vec![
-                ("launch/new.launch", new.as_str()),
-                (
-                    "launch/show.launch.py",
-                    "Command(['xacro ', LaunchConfiguration('model')])",
-                ),
-            ],
-            Severity::Error,
-        ),
-        // from a folder of robots
-        (
             vec![(
                 "launch/show.launch",
-                "<param command='xacro $(arg model)'/><arg name=\"model\" default=\"urdf/$(arg name)\"/>\
-                 <arg name=\"name\" default=\"new.urdf\"/>",
+                "<param command='xacro $(arg model)'/><arg name='model' default='new.urdf'/>",
             )],
             Severity::Error,
-        ),
-        // nobody names another one than the default
-        (
-            vec![(
-                "launch/show.launch",
-                "<param command='xacro $(arg model)'/><arg name=\"model\" default=\"new.urdf\"/>",
-            )],
-            Severity::Info,
         ),
         (
             vec![(
                 "launch/show.launch.py",
                 "Command(['xacro ', LaunchConfiguration('model')]), 'new.urdf'",
             )],
-            Severity::Info,
+            Severity::Error,
         ),
         // this one has the source of the launched robot for its name
         (

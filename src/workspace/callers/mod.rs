@@ -7,7 +7,6 @@ mod called;
 mod choices;
 mod config;
 mod copied;
-mod defaults;
 mod mentions;
 mod programs;
 mod purpose;

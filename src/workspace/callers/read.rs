@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::{Caller, Era, GivenArg, Written, config, defaults};
+use super::{Caller, Era, GivenArg, Written, config};
 use crate::launch;
 use base::FastMap;
 
@@ -133,7 +133,7 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         path: path.to_owned(),
         descriptions,
         endings,
-        is_open: takes_any(text) && !defaults::has_default(name, text),
+        is_open: takes_any(text),
         era: era(text),
         is_bullet: ["loadURDF(", "Bullet", "pybullet"]
             .iter()
