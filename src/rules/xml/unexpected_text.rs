@@ -56,14 +56,32 @@ fn report(cx: &DocumentCx<'_>, parent: XId, text: XId, out: &mut Sink<'_>) {
     );
     // what other languages write in front of a comment
     let is_comment = ["#", "//"].iter().any(|start| shown.starts_with(start));
+    let is_harmless = is_comment || is_left_over(cx, parent, text);
     out.report(trimmed(cx, node.origin), message)
-        .severity(if is_comment {
+        .severity(if is_harmless {
             Severity::Info
         } else {
             RULE.severity
         })
         .help("remove it, or put it in a comment <!-- ... -->; parsers ignore it")
         .done();
+}
+
+/// Whether a text is a bracket that was typed twice, as in `<link name="a"/>>`. An end of a comment without its start is more: what
+/// stands in front of it was to be left out.
+fn is_left_over(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
+    let tree = &cx.expansion.tree;
+    let shown = tree.get(text).text.trim();
+    if shown != "-->" {
+        return shown.chars().all(|c| matches!(c, '<' | '>' | '/' | '-'));
+    }
+    let before = tree.children(parent).take_while(|&child| child != text);
+    let is_blank = |id: &XId| {
+        let node = tree.get(*id);
+        node.kind == XKind::Text && node.text.trim().is_empty()
+    };
+    let last = before.filter(|id| !is_blank(id)).last();
+    last.is_some_and(|last| tree.get(last).kind == XKind::Comment)
 }
 
 /// A place without the blanks around its text.

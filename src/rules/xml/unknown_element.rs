@@ -71,7 +71,12 @@ fn report(
         .parent(id)
         .map_or(String::new(), |id| walk::described(cx, id));
     let message = format!("unknown element `{name}` in {around}");
-    let group = Group::Value(format!("{name} in {}", parent.name).into());
+    // all that another language writes as elements is one mistake
+    let group = match parent.attribute(name) {
+        Some(_) => format!("attributes of {}", parent.name),
+        None => format!("{name} in {}", parent.name),
+    };
+    let group = Group::Value(group.into());
     let report = out
         .report(tag_start(cx.expansion, id), message)
         .group(group);
