@@ -267,7 +267,6 @@ impl Session {
                 || self.is_left_over(file)
                 || self.is_passed_over(file)
                 || self.is_beside_model(file)
-                || self.is_put_aside(file)
                 || is_empty()
         };
         let is_unused = |file: &Path| !self.is_named(file) && is_other();

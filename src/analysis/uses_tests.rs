@@ -214,35 +214,6 @@ fn packages_in_defaults_that_all_calls_replace() {
 }
 
 #[test]
-fn packages_that_were_put_aside() {
-    let other = "<package><name>not_arm</name></package>";
-    let of = |file: &str, others: &[(&str, &str)]| {
-        let own = [
-            ("arm/package.xml", MANIFEST.1),
-            (
-                "arm/urdf/arm.urdf",
-                "<robot name='arm'><link name='base'/></robot>",
-            ),
-            (
-                "arm/launch/arm.launch",
-                "<param textfile='$(find arm)/urdf/arm.urdf'/>",
-            ),
-            ("not_arm/package.xml", other),
-            (file, BROKEN),
-        ];
-        severity("missing-element", &[&own, others].concat())
-    };
-    let twin = "not_arm/urdf/arm.urdf";
-    assert_eq!(of(twin, &[]), Some(Severity::Info));
-    let page = ("README.md", "The package not_arm is for the other arm.");
-    assert_eq!(of(twin, &[page]), Some(Severity::Error));
-    let uses = "<robot name='c'><link name='a'><visual><geometry><mesh filename='package://not_arm/a.stl'/></geometry></visual></link></robot>";
-    assert_eq!(of(twin, &[("cell/c.urdf", uses)]), Some(Severity::Error));
-    // the other package has nothing at this place
-    assert_eq!(of("not_arm/urdf/hand.urdf", &[]), Some(Severity::Error));
-}
-
-#[test]
 fn robots_whose_packages_are_missing() {
     let robot = "<robot name='r'><link name='base'><visual><geometry><mesh filename='package://far/a.stl'/></geometry></visual></link></robot>";
     let of = |others: &[(&str, &str)]| {

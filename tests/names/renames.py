@@ -188,7 +188,7 @@ class Trial:
     def forced(self, root, after, moved, gone, old, new, is_robots):
         plain, tried = self.before(root, []), 0
         conditions = [(path, number) for path in after if path in self.folder.robots[root].texts
-                      for number in range(len(self.folder.texts[path].conditions))]
+                      for number in range(len(self.folder.robots[root].texts[path].conditions))]
         for path, number in self.rng.sample(conditions, min(MOST_CONDITIONS, len(conditions))):
             text = texts.Text(path, after[path])
             for taken in (True, False):
