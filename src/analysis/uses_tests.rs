@@ -1,5 +1,5 @@
 //! What is right, and of no account for those who use the file.
-use super::set_aside_tests::{BROKEN, found};
+use super::set_aside_tests::found;
 use rules::Severity;
 
 const MANIFEST: (&str, &str) = ("package.xml", "<package><name>arm</name></package>");
