@@ -93,6 +93,8 @@ fn read(source: &SourceFile, packages: &Packages) -> impl Iterator<Item = Option
 
 /// Arguments and properties in the values of others that are followed.
 const MOST_DEFAULTS: u32 = 4;
+/// Values of one argument or property that are followed: each may have as many again.
+const MOST_VALUES: usize = 4;
 
 /// A file name that begins with an argument or a property, as in `$(arg folder)/arm.xacro`, with the values that the document gives
 /// that: a folder is often named in this way, and may be anywhere.
@@ -118,7 +120,7 @@ fn with_defaults(document: &Document, name: &str, left: u32) -> Vec<String> {
         let attr = node.attr("default").or_else(|| node.attr("value"))?;
         Some(attr.value(document.entities()).into_owned())
     };
-    let values = nodes.filter(is_it).filter_map(value);
+    let values = nodes.filter(is_it).filter_map(value).take(MOST_VALUES);
     values
         .flat_map(|value| match left.checked_sub(1) {
             Some(left) if value.starts_with('$') && !value.starts_with("$(find ") => {
@@ -251,6 +253,11 @@ mod tests {
             "<robot><xacro:property name=\"own\" value=\"$(find p)/calibration\"/><xacro:arg name=\"folder\" default=\"${own}\"/>",
         );
         tree.write("p/robots/v.xacro", &elsewhere);
+        // values that name themselves, each in many ways
+        let again = "<xacro:property name=\"own\" value=\"${own}\"/>".repeat(200);
+        let endless =
+            include("${own}/offsets.xacro").replace("<robot>", &format!("<robot>{again}"));
+        tree.write("p/robots/w.xacro", &endless);
         let packages = Packages::new(
             tree.vfs().clone(),
             &tree.environment(&[]),
@@ -260,7 +267,8 @@ mod tests {
             let source = tree.vfs().document(&tree.path(name)).unwrap();
             Included::by(&source, &packages)
         };
-        let names = ["r", "s", "t", "v", "self"].map(|name| of(&format!("p/robots/{name}.xacro")));
+        let names =
+            ["r", "s", "t", "v", "w", "self"].map(|name| of(&format!("p/robots/{name}.xacro")));
         let included = Included::of(names.into());
         for (file, expected) in [
             ("p/urdf/a.xacro", true),
