@@ -214,6 +214,40 @@ fn packages_in_defaults_that_all_calls_replace() {
 }
 
 #[test]
+fn launch_files_of_packages_that_were_put_aside() {
+    let gone = "<launch><param name='d' command=\"xacro '$(find arm)/urdf/gone.xacro'\"/></launch>";
+    let robot = "<robot name='arm'><link name='base'/></robot>";
+    let of = |twin: &str, page: &str| {
+        let files = [
+            ("arm/package.xml", MANIFEST.1),
+            ("arm/urdf/arm.urdf", robot),
+            (
+                "arm/launch/arm.launch",
+                "<param textfile='$(find arm)/urdf/arm.urdf'/>",
+            ),
+            (
+                "not_arm/package.xml",
+                "<package><name>not_arm</name></package>",
+            ),
+            (twin, gone),
+            ("README.md", page),
+        ];
+        severity("launched-file-not-found", &files)
+    };
+    let twin = "not_arm/launch/arm.launch";
+    assert_eq!(of(twin, "An arm."), Some(Severity::Info));
+    assert_eq!(
+        of(twin, "The package not_arm is for the first arm."),
+        Some(Severity::Warning)
+    );
+    // the other package has nothing at this place
+    assert_eq!(
+        of("not_arm/launch/show.launch", "An arm."),
+        Some(Severity::Warning)
+    );
+}
+
+#[test]
 fn robots_whose_packages_are_missing() {
     let robot = "<robot name='r'><link name='base'><visual><geometry><mesh filename='package://far/a.stl'/></geometry></visual></link></robot>";
     let of = |others: &[(&str, &str)]| {
