@@ -210,7 +210,8 @@ mod tests {
                 "e_name devel/e",
                 "below_name h/below",
                 "c_name install/c",
-                "d_name log/d"
+                "d_name log/d",
+                "k_name target/k"
             ]
         );
     }
