@@ -62,10 +62,7 @@ impl World {
 
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
-        let vfs = Arc::new(Vfs::with_cwd(
-            config::Limits::default().file_bytes(),
-            env.cwd.clone(),
-        ));
+        let vfs = Arc::new(Vfs::of(&env, config::Limits::default().file_bytes()));
         Self::over(vfs, env, folders)
     }
 

@@ -179,6 +179,18 @@ impl Vfs {
         }
     }
 
+    /// The files that a run sees: relative paths start at its working directory.
+    pub fn of(env: &Environment, max_file_bytes: u64) -> Self {
+        let shared = Arc::new(Shared {
+            disk: Disk::within(&env.within),
+            ..Shared::default()
+        });
+        Self {
+            shared,
+            ..Self::with_cwd(max_file_bytes, env.cwd.clone())
+        }
+    }
+
     /// Files in memory, at first none: see [`Vfs::put`]. Nothing of the machine is seen.
     pub fn in_memory(max_file_bytes: u64, cwd: PathBuf) -> Self {
         let shared = Arc::new(Shared {
