@@ -310,6 +310,26 @@ return function(test, skip)
     child:wait('not (' .. mount .. ')')
   end)
 
+  test('XacroArgs completes presets and arguments', function(child)
+    fixture.write(
+      child.folder .. '/src/xacro-lint.toml',
+      table.concat({
+        '[[roots]]',
+        'file = "pan_tilt/urdf/pan_tilt.urdf.xacro"',
+        'args = { mount = "shelf" }',
+        'presets.wall = { mount = "wall" }',
+      }, '\n')
+    )
+    child:edit(fixture.robot)
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    local words = child:value([[vim.fn.getcompletion('XacroArgs ', 'cmdline')]])
+    table.sort(words)
+    assert(vim.deep_equal(words, { 'default', 'mount:=shelf', 'wall' }), vim.inspect(words))
+    assert(vim.deep_equal(child:value([[vim.fn.getcompletion('XacroArgs w', 'cmdline')]]), { 'wall' }))
+    child:type(':XacroArgs wall<CR>')
+    child:wait([[require('xacro').status():find('mount:=wall', 1, true)]])
+  end)
+
   test('XacroArgs asks for one argument, with values that are known', function(child)
     child:edit(fixture.robot)
     child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
@@ -377,6 +397,45 @@ return function(test, skip)
       answer
     )
     socket:close()
+  end)
+
+  test('the preview follows the cursor', function(child)
+    child:edit(fixture.robot)
+    child:lua([[
+      _G.told = {}
+      local client = require('xacro.client')
+      local notify = client.notify
+      client.notify = function(to, method, params)
+        if method == 'xacro/preview/select' then
+          table.insert(_G.told, params.location)
+        end
+        notify(to, method, params)
+      end
+    ]])
+    child:type('gg')
+    child:type(':XacroPreview<CR>')
+    child:wait([[_G.opened[1] or _G.said[1] ]])
+    assert(child:value('#_G.told') == 0)
+    child:type('5jw')
+    child:wait([[_G.told[1] ~= nil]])
+    local told = child:value('_G.told[#_G.told]')
+    assert(told.uri:find('pan_tilt.urdf.xacro', 1, true) and told.range.start.line == 5, vim.inspect(told))
+  end)
+
+  test('a server that has ended is said once, and started again', function(child)
+    child:edit(fixture.robot)
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    -- without the request before it, this ends the server with an error
+    child:lua([[require('xacro.client').notify(vim.lsp.get_clients()[1], 'exit', {})]])
+    child:wait([[require('xacro').status() == 'server stopped, see :XacroRestart']])
+    local said = child:value('_G.said')
+    assert(#said == 1 and said[1]:find('exit code 1', 1, true), vim.inspect(said))
+    child:type(':XacroRestart<CR>')
+    child:wait([[require('xacro').status():find('pan_tilt', 1, true)]])
+    child:type(':XacroRestart<CR>')
+    child:wait([[#vim.lsp.get_clients() == 0 or require('xacro').status():find('pan_tilt', 1, true)]])
+    child:change('${m0 / 3}', '${m_0 / 3}')
+    child:wait('#vim.diagnostic.get(0) == 1')
   end)
 
   test('XacroTree lists links and leads to them', function(child)

@@ -21,11 +21,15 @@ local function by_the_page(block)
 end
 
 return function(test)
+  -- by the syntax file or by the tree-sitter parser, where one is installed
+  local colored =
+    [[vim.fn.synID(1, 2, 1) > 0 or vim.treesitter.highlighter.active[vim.api.nvim_get_current_buf()] ~= nil]]
   local start, enable = snippet('nvim-start'), snippet('nvim-enable')
   test('the page of the editors, for 0.10', { plugin = false, init = by_the_page(start) }, function(child)
     child:edit(fixture.robot)
     child:change('${m0 / 3}', '${m_0 / 3}')
     child:wait('#vim.diagnostic.get(0) == 1')
+    assert(child:value(colored), 'the text has no colors')
   end)
 
   if vim.lsp.config then
@@ -33,6 +37,7 @@ return function(test)
       child:edit(fixture.robot)
       child:change('${m0 / 3}', '${m_0 / 3}')
       child:wait('#vim.diagnostic.get(0) == 1')
+      assert(child:value(colored), 'the text has no colors')
     end)
   end
 
@@ -77,7 +82,7 @@ return function(test)
       vim.cmd.helptags(copy .. '/doc')
       vim.opt.runtimepath:prepend(copy)
     ]])
-    for _, command in ipairs({ 'Expand', 'ExpandAt', 'Root', 'Args', 'Instance', 'Preview', 'Tree' }) do
+    for _, command in ipairs({ 'Expand', 'ExpandAt', 'Root', 'Args', 'Instance', 'Preview', 'Restart', 'Tree' }) do
       child:lua('vim.cmd.help(...)', ':Xacro' .. command)
       assert(child:value('vim.api.nvim_get_current_line()'):find('*:Xacro' .. command .. '*', 1, true))
     end

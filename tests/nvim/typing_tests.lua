@@ -24,6 +24,30 @@ return function(test)
     child:type('<Esc>')
   end)
 
+  if vim.lsp.completion then
+    test('the menu that opens while one types inserts nothing', { config = '{ completion = true }' }, function(child)
+      child:edit(fixture.robot)
+      child:at('<link name="$(arg mount)|"/>')
+      child:type('o')
+      child:type('<lt>')
+      child:wait([[vim.fn.pumvisible() == 1]])
+      child:type('jo')
+      child:wait([[vim.trim(vim.api.nvim_get_current_line()) == '<jo']])
+      child:type('<Esc>')
+    end)
+
+    test('who chose how the menu behaves is left alone', {
+      init = function(server)
+        return ('vim.o.completeopt = "menu,noinsert"\nvim.g.xacro = { cmd = { %q }, completion = true }\n'):format(
+          server
+        )
+      end,
+    }, function(child)
+      child:edit(fixture.robot)
+      assert(child:value('vim.bo.completeopt') == '', child:value('vim.bo.completeopt'))
+    end)
+  end
+
   test('lines between tags are indented as the file is', function(child)
     child:edit(fixture.robot)
     child:at('<link name="$(arg mount)|"/>')

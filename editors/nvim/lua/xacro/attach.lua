@@ -17,6 +17,29 @@ local function keep_gq(client, bufnr)
   end
 end
 
+--- The menu that opens while one types must put nothing into the text by itself, which the default of 'completeopt' lets
+--- it do. Who chose `noselect` or `noinsert` has chosen. Before 0.11 the option is that of all buffers, and is left alone.
+---@param bufnr integer
+local function keep_what_is_typed(bufnr)
+  local words = vim.split(vim.o.completeopt, ',', { trimempty = true })
+  if vim.tbl_contains(words, 'noselect') or vim.tbl_contains(words, 'noinsert') then
+    return
+  end
+  local wanted = vim.list_extend(words, { 'menuone', 'noselect' })
+  vim.bo[bufnr].completeopt = table.concat(wanted, ',')
+end
+
+--- Completion while one types, where Neovim has it.
+---@param client vim.lsp.Client
+---@param bufnr integer
+local function complete(client, bufnr)
+  if not vim.lsp.completion then
+    return
+  end
+  keep_what_is_typed(bufnr)
+  vim.lsp.completion.enable(true, client.id, bufnr, { autotrigger = true })
+end
+
 ---@param client vim.lsp.Client
 ---@param bufnr integer
 local function attached(client, bufnr)
@@ -24,16 +47,16 @@ local function attached(client, bufnr)
   local wanted = config.get()
   if not vim.tbl_contains(require('xacro.start').filetypes, vim.bo[bufnr].filetype) then
     keep_gq(client, bufnr)
-    if wanted.completion and vim.lsp.completion and vim.bo[bufnr].filetype ~= 'yaml' then
-      vim.lsp.completion.enable(true, client.id, bufnr, { autotrigger = true })
+    if wanted.completion and vim.bo[bufnr].filetype ~= 'yaml' then
+      complete(client, bufnr)
     end
     return
   end
   if wanted.inlay_hints then
     vim.lsp.inlay_hint.enable(true, { bufnr = bufnr })
   end
-  if wanted.completion and vim.lsp.completion then
-    vim.lsp.completion.enable(true, client.id, bufnr, { autotrigger = true })
+  if wanted.completion then
+    complete(client, bufnr)
   end
   if wanted.code_lens then
     require('xacro.lens').enable(bufnr)

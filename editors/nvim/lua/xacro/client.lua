@@ -24,7 +24,7 @@ end
 function M.get_or_warn(bufnr)
   local client = M.of(bufnr)
   if not client then
-    M.show('no server for this file; see :checkhealth xacro', vim.log.levels.WARN)
+    M.show('no server for this file; try :XacroRestart, or see :checkhealth xacro', vim.log.levels.WARN)
   end
   return client
 end
@@ -90,6 +90,26 @@ function M.ask(bufnr, method, params, on_answer, quiet)
         client.cancel_request(id)
       end
     end
+end
+
+--- Ask and wait for at most `patience` milliseconds, for what Neovim wants at once; none where there is no answer.
+---@param bufnr integer
+---@param method string
+---@param params table
+---@param patience integer
+---@return any?
+function M.ask_now(bufnr, method, params, patience)
+  local client = M.of(bufnr)
+  if not client then
+    return nil
+  end
+  local answer
+  if new then
+    answer = client:request_sync(method, params, patience, bufnr)
+  else
+    answer = client.request_sync(method, params, patience, bufnr)
+  end
+  return answer and answer.result
 end
 
 --- Run a command of the server, when it has it.

@@ -1,10 +1,14 @@
 --- The commands of the user.
 local M = {}
 
---- Names and values of arguments, for the command line.
 ---@return string[]
 local function files(lead)
   return vim.fn.getcompletion(lead, 'file')
+end
+
+---@return string[]
+local function arguments(lead)
+  return require('xacro.roots').complete(lead)
 end
 
 function M.define()
@@ -27,9 +31,13 @@ function M.define()
   command('XacroRoot', function(call)
     require('xacro.roots').root(call.args, call.bang)
   end, { bang = true, nargs = '?', complete = files, desc = 'Select the robot for this file; with ! automatic' })
-  command('XacroArgs', function(call)
-    require('xacro.roots').args(call.fargs, call.bang)
-  end, { bang = true, nargs = '*', desc = 'Set arguments of the robot, name:=value; with ! reset' })
+  command(
+    'XacroArgs',
+    function(call)
+      require('xacro.roots').args(call.fargs, call.bang)
+    end,
+    { bang = true, nargs = '*', complete = arguments, desc = 'Set arguments of the robot, name:=value; with ! reset' }
+  )
   command('XacroInstance', function(call)
     require('xacro.roots').instance(call.bang)
   end, { bang = true, desc = 'Select the macro call for values; with ! all calls' })
@@ -42,6 +50,9 @@ function M.define()
   command('XacroExplain', function(call)
     require('xacro.explain').open(call.args)
   end, { nargs = '?', desc = 'Explain a rule; without a name, that of the diagnostic at the cursor' })
+  command('XacroRestart', function()
+    require('xacro.start').restart()
+  end, { desc = 'Stop the server and start it again' })
   vim.api.nvim_set_hl(0, 'XacroPlace', { link = 'Visual', default = true })
   vim.api.nvim_set_hl(0, 'XacroTitle', { link = 'Title', default = true })
   vim.api.nvim_set_hl(0, 'XacroBanner', { link = 'DiagnosticError', default = true })

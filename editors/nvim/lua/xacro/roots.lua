@@ -106,17 +106,42 @@ local function set_args(bufnr, root, changes)
   set(bufnr, { uri = root.uri, preset = root.preset, args = next(args) and args or nil })
 end
 
---- The presets of the active root file, the default one first.
+--- The presets of the active root file: the default one, then the others in their order.
 ---@param roots table
 ---@return table[]
 local function presets(roots)
-  local own = vim.tbl_filter(function(candidate)
-    return candidate.uri == roots.active.uri
-  end, roots.candidates)
-  table.sort(own, function(a, b)
-    return (a.preset or '') < (b.preset or '')
-  end)
+  local default, named = {}, {}
+  for _, candidate in ipairs(roots.candidates) do
+    if candidate.uri == roots.active.uri then
+      table.insert(candidate.preset and named or default, candidate)
+    end
+  end
+  local own = vim.list_extend(default, named)
   return #own > 1 and own or {}
+end
+
+--- How long the command line waits for names.
+local PATIENCE = 300
+
+--- Presets and arguments of the robot that begin as typed, with the values that arguments have.
+---@param lead string
+---@return string[]
+function M.complete(lead)
+  local bufnr = vim.api.nvim_get_current_buf()
+  local roots = lsp.ask_now(bufnr, 'xacro/roots', { textDocument = lsp.document(bufnr) }, PATIENCE)
+  if not roots or not roots.active then
+    return {}
+  end
+  local words = {}
+  for _, known in ipairs(presets(roots)) do
+    words[#words + 1] = known.preset or 'default'
+  end
+  for _, arg in ipairs(roots.args) do
+    words[#words + 1] = ('%s:=%s'):format(arg.name, arg.value or '')
+  end
+  return vim.tbl_filter(function(word)
+    return vim.startswith(word, lead)
+  end, words)
 end
 
 ---@param bufnr integer
@@ -148,7 +173,7 @@ end
 ---@param roots table
 local function pick_arg(bufnr, roots)
   local given = roots.active.args or {}
-  local items = vim.list_extend(vim.list_slice(roots.args), presets(roots))
+  local items = vim.list_extend(presets(roots), roots.args)
   vim.ui.select(items, {
     prompt = 'Argument of ' .. shown({ uri = roots.active.uri }),
     format_item = function(item)

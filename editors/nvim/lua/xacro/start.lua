@@ -25,6 +25,8 @@ local SETTINGS = {
   'moveit_setup_assistant_config:',
 }
 local MOST_LINES = 2000
+--- The signal by which Neovim stops servers.
+local TERMINATED = 15
 
 --- Whether a file may call robots with arguments, by its name.
 ---@param name string
@@ -152,6 +154,12 @@ local function common()
     init_options = { client = { contextChanged = true, lensCommands = true } },
     handlers = require('xacro.handlers').of_server(),
     commands = require('xacro.handlers').of_lenses(),
+    on_exit = function(code, signal)
+      -- that it has ended is said by Neovim
+      if code ~= 0 or signal ~= 0 and signal ~= TERMINATED then
+        vim.schedule(require('xacro.status').stopped)
+      end
+    end,
   }
 end
 
@@ -167,6 +175,18 @@ function M.config()
     end
   end
   return found
+end
+
+--- How often, and every how many milliseconds, it is asked whether a server has stopped.
+local STOP_TRIES, STOP_PAUSE = 100, 30
+
+---@param client vim.lsp.Client
+local function stop(client)
+  if vim.fn.has('nvim-0.11') == 1 then
+    client:stop(true)
+  else
+    client.stop(true)
+  end
 end
 
 local warned = false
@@ -193,6 +213,36 @@ function M.start(bufnr)
   local wanted = common()
   wanted.root_dir = M.root(bufnr)
   vim.lsp.start(wanted, { bufnr = bufnr, reuse_client = reuse })
+end
+
+--- Start the server for all open files that it concerns.
+local function start_all()
+  if config.get().autostart and vim.lsp.enable then
+    vim.lsp.enable(M.name)
+    return
+  end
+  for _, bufnr in ipairs(vim.api.nvim_list_bufs()) do
+    if vim.api.nvim_buf_is_loaded(bufnr) then
+      M.start(bufnr)
+    end
+  end
+end
+
+--- Stop the server, and start it again for all open files.
+function M.restart()
+  for _, client in ipairs(vim.lsp.get_clients({ name = M.name })) do
+    stop(client)
+  end
+  local tries = 0
+  local function once_stopped()
+    tries = tries + 1
+    if #vim.lsp.get_clients({ name = M.name }) == 0 or tries > STOP_TRIES then
+      start_all()
+    else
+      vim.defer_fn(once_stopped, STOP_PAUSE)
+    end
+  end
+  once_stopped()
 end
 
 --- Let opened files start the server.

@@ -33,6 +33,16 @@ function M.text(bufnr)
   return texts[vim.uri_from_bufnr(bufnr or vim.api.nvim_get_current_buf())] or ''
 end
 
+--- What is shown where the server has ended although nobody stopped it.
+local STOPPED = 'server stopped, see :XacroRestart'
+
+--- The server has ended by itself: what it said of the files holds no more.
+function M.stopped()
+  for uri in pairs(texts) do
+    M.set(uri, STOPPED)
+  end
+end
+
 --- Ask the server, which tells of changes only.
 ---@param bufnr integer
 ---@param on_text? fun(text: string)
