@@ -414,3 +414,63 @@ fn index_and_catalogue_are_up_to_date() {
         );
     }
 }
+
+/// The setting `xacro.diagnostics.rules` of the VS Code extension: an editor of settings offers the names in it.
+fn setting() -> String {
+    let values = serde_json::json!(["error", "warning", "info", "hint", "off"]);
+    let mut text = String::from(
+        r#""xacro.diagnostics.rules": {
+            "type": "object",
+            "scope": "resource",
+            "default": {},
+            "markdownDescription": "Severity of rules by name, code or code prefix, for example `{ \"unused-property\": \"off\", \"NAM\": \"hint\" }`.",
+            "properties": {
+"#,
+    );
+    let mut rules: Vec<&Rule> = rules::all().collect();
+    rules.sort_by_key(|rule| rule.name);
+    let rows: Vec<String> = rules
+        .iter()
+        .map(|rule| {
+            let Rule {
+                name,
+                code,
+                severity,
+                default,
+                ..
+            } = rule;
+            let description = match default.to_string().as_str() {
+                "on" => format!("{code}, {severity} by default"),
+                other => format!("{code}, {severity}, {other} by default"),
+            };
+            format!("              \"{name}\": {{ \"enum\": {values}, \"description\": \"{description}\" }}")
+        })
+        .collect();
+    text.push_str(&rows.join(",\n"));
+    text.push_str(&format!(
+        r#"
+            }},
+            "additionalProperties": {{ "enum": {values} }},
+            "order": 1
+          }}"#
+    ));
+    text
+}
+
+#[test]
+fn the_setting_of_vs_code_has_all_rules() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("editors/vscode/package.json");
+    let stored = fs::read_to_string(&path).unwrap();
+    let begin = stored.find("\"xacro.diagnostics.rules\": {").unwrap();
+    let end = begin + stored[begin..].find("\n          }").unwrap() + "\n          }".len();
+    let made = format!("{}{}{}", &stored[..begin], setting(), &stored[end..]);
+    if std::env::var_os("UPDATE").is_some() {
+        fs::write(&path, &made).unwrap();
+    }
+    let stored = fs::read_to_string(&path).unwrap();
+    assert!(
+        stored == made,
+        "editors/vscode/package.json is old: run `UPDATE=1 cargo test --test rules`"
+    );
+    serde_json::from_str::<serde_json::Value>(&stored).unwrap();
+}
