@@ -120,7 +120,6 @@ impl Leads {
             related,
             similar: None,
             fix: None,
-            suggestion: None,
             group: None,
             ..error
         })
@@ -142,7 +141,6 @@ fn hint(findings: Vec<Finding>, call: Span) -> Option<Finding> {
         help: None,
         similar: None,
         fix: None,
-        suggestion: None,
         ..first
     };
     Some(Finding {
@@ -207,7 +205,6 @@ fn at_call(finding: &Finding, site: &CallSite) -> Finding {
             .clone()
             .filter(|_| site.help == finding.help),
         fix: finding.fix.clone().filter(|_| alone),
-        suggestion: None,
         call_sites: Vec::new(),
         ..finding.clone()
     }

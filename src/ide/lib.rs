@@ -4,6 +4,7 @@
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
 mod actions;
+mod arguments;
 mod beside;
 mod calls;
 mod code;
@@ -46,6 +47,7 @@ pub use actions::{
     inlinable, inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
     suggested,
 };
+pub use arguments::{arguments_behind, possible_values};
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colors::{Color, color_text, colors};
