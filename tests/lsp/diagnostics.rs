@@ -692,3 +692,41 @@ fn a_package_that_is_not_found_says_what_is_not_checked() {
     );
     assert!(missing[0]["severity"].as_i64() <= Some(2), "{missing:?}");
 }
+
+#[test]
+fn a_hint_at_a_call_names_what_that_call_makes() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    client.edit(UNIT, "${m0 * 2}", "-1");
+    let hints = |client: &mut Client| -> Vec<String> {
+        let found = client.diagnostics(ROBOT).into_iter();
+        let hints = found.filter(|found| found["severity"] == 4);
+        hints
+            .map(|found| found["message"].as_str().unwrap().to_owned())
+            .filter(|message| message.starts_with("this call causes"))
+            .collect()
+    };
+    assert!(client.eventually(|client| hints(client).len() == 2));
+    let found = hints(&mut client);
+    for (hint, own, other) in [
+        (&found[0], "`pan_body`", "tilt_body"),
+        (&found[1], "`tilt_body`", "pan_body"),
+    ] {
+        assert!(hint.contains(own) && !hint.contains(other), "{found:?}");
+    }
+    // a call further out: which of the calls inside are its own is not known
+    client.edit(
+        ROBOT,
+        "<xacro:unit name=\"pan\" parent=\"$(arg mount)\"><origin xyz=\"0 0 0.1\"/></xacro:unit>",
+        "<xacro:macro name=\"both\" params=\"n\"><xacro:unit name=\"${n}\" parent=\"$(arg mount)\"><origin/></xacro:unit></xacro:macro>\n\
+         <xacro:both n=\"pan\"/>",
+    );
+    assert!(client.eventually(|client| hints(client).len() == 3));
+    let found = hints(&mut client);
+    let outer: Vec<&String> = found
+        .iter()
+        .filter(|hint| !hint.contains("_body"))
+        .collect();
+    assert_eq!(outer.len(), 1, "{found:?}");
+}
