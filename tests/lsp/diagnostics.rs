@@ -730,3 +730,45 @@ fn a_hint_at_a_call_names_what_that_call_makes() {
         .collect();
     assert_eq!(outer.len(), 1, "{found:?}");
 }
+
+#[test]
+fn a_name_that_cannot_be_computed_hides_no_missing_link() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let joint =
+        "<joint name=\"j\" type=\"fixed\"><parent link=\"desk\"/><child link=\"gone\"/></joint>";
+    let with = |name: &str| format!("<link name=\"{name}\"/>{joint}\n</robot>");
+    client.edit(ROBOT, "</robot>", &with("left_${nope}"));
+    let found = client.diagnostics(ROBOT);
+    let undefined = found.iter().find(|found| found["code"] == "undefined-link");
+    assert!(undefined.is_some(), "{found:?}");
+    let says = |found: &[Value]| {
+        let about = found
+            .iter()
+            .find(|found| found["code"] == "undefined-property");
+        about.unwrap()["message"].as_str().unwrap().to_owned()
+    };
+    let message = says(&found);
+    assert!(
+        message.contains("`pan_tilt.urdf.xacro` is not checked in full"),
+        "{message}"
+    );
+    // a name of which nothing is known may be that of the link
+    client.edit(ROBOT, "left_${nope}", "${nope}");
+    let found = client.diagnostics(ROBOT);
+    assert!(
+        !found.iter().any(|found| found["code"] == "undefined-link"),
+        "{found:?}"
+    );
+    assert!(says(&found).contains("is not checked in full"), "{found:?}");
+    // what is known says everything
+    client.edit(ROBOT, "${nope}", "gone");
+    let found = client.diagnostics(ROBOT);
+    assert!(
+        !found.iter().any(|found| found["message"]
+            .as_str()
+            .unwrap()
+            .contains("not checked in full")),
+        "{found:?}"
+    );
+}
