@@ -62,7 +62,7 @@ pub use format::{Indent, format, format_range, indentation, own_indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
 pub use instances::{SelectedInstance, pin, pinned};
-pub use locate::{At, Part, locate};
+pub use locate::{At, Part, locate, on_name_of_tag};
 pub use moved::{Move, renamed_files};
 pub use names::{NameUse, Target, definition_of, definitions};
 pub use navigate::{
