@@ -42,8 +42,10 @@ impl World {
         let mut candidates = self.candidates(path);
         let edited = |choice: &RootChoice| std::cmp::Reverse(self.last_edit(&choice.file));
         let package = |choice: &RootChoice| !self.same_package(&choice.file, path);
+        // the sort is stable: the runs of a file stay as the configuration lists them, the one without a preset first
         candidates.sort_by_cached_key(|(choice, near)| {
-            (edited(choice), *near, package(choice), choice.clone())
+            let file = choice.file.clone();
+            (edited(choice), *near, package(choice), file)
         });
         let picked = self.picked(path).map(|root| (root, Reason::Picked));
         let commented = || {

@@ -3,7 +3,8 @@ use std::path::Path;
 
 use base::Span;
 use expand::Expansion;
-use rules::{Finding, Rule, Severity, losses, needs_whole};
+use model::Robot;
+use rules::{Finding, Rule, Severity, is_whole, losses, needs_names, needs_whole, unknown_names};
 
 /// Rules that are named, at most.
 const NAMED: usize = 3;
@@ -18,15 +19,29 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// What is not checked of an expansion, of the rules that are wanted.
-    pub(super) fn of(expansion: &Expansion, wanted: &[&'static Rule]) -> Self {
-        let skipped = wanted.iter().filter(|rule| needs_whole(rule));
+    /// What is not checked of an expansion, of the rules that are wanted: where elements are left out, or where there was an
+    /// error and the names of links or joints are not known.
+    pub(super) fn of(
+        expansion: &Expansion,
+        robot: Option<&Robot>,
+        wanted: &[&'static Rule],
+        findings: &[Finding],
+    ) -> Option<Self> {
+        if !is_whole(expansion) {
+            return Some(Self::new(losses(expansion), wanted, needs_whole));
+        }
+        let is_error =
+            |finding: &Finding| finding.severity == Severity::Error && finding.problem.is_some();
+        let robot = robot.filter(|_| findings.iter().any(is_error))?;
+        let at = unknown_names(expansion, robot);
+        (!at.is_empty()).then(|| Self::new(at, wanted, needs_names))
+    }
+
+    fn new(at: Vec<Span>, wanted: &[&'static Rule], is_skipped: impl Fn(&Rule) -> bool) -> Self {
+        let skipped = wanted.iter().filter(|rule| is_skipped(rule));
         let mut rules: Vec<_> = skipped.map(|rule| rule.name).collect();
         rules.sort_unstable();
-        Self {
-            at: losses(expansion),
-            rules,
-        }
+        Self { at, rules }
     }
 
     /// The number of the finding that is about what left out a part: the first one, in the order of the expansion.

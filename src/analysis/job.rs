@@ -20,7 +20,7 @@ use model::Robot;
 use rules::consumers::{self, Tally};
 use rules::{
     Activation, Chosen, Finding, RootKind, Rule, Selector, Suppressions, all, check_expansion,
-    check_files, holds_for_semantic, include_tags, is_semantic, is_whole, missing_packages, named,
+    check_files, holds_for_semantic, include_tags, is_semantic, missing_packages, named,
 };
 use vfs::{LoadError, LoadErrorKind};
 
@@ -163,7 +163,11 @@ pub(super) fn judge(
         } else {
             BTreeSet::new()
         },
-        cut: (is_meant && !is_whole(expansion)).then(|| Cut::of(expansion, &rules)),
+        cut: if is_meant {
+            Cut::of(expansion, robot, &rules, &findings)
+        } else {
+            None
+        },
         is_context: job.reason == Reason::Root,
         is_as_called: false,
         complete: expansion.whole

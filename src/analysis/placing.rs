@@ -26,14 +26,15 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
             .map(|site| at_call(&finding, site))
             .collect();
         if moved.is_empty() || moved.len() < finding.call_sites.len() {
+            for call in noted(&finding, &moved, vfs, open) {
+                let noted = &mut calls.entry(call).or_default().noted;
+                noted.push(as_in(&finding, call));
+            }
             // the calls are told apart from here on: nobody asks for them again
             let finding = Finding {
                 call_sites: Vec::new(),
                 ..finding
             };
-            for call in noted(&finding, &moved, vfs, open) {
-                calls.entry(call).or_default().noted.push(finding.clone());
-            }
             let leads = closed(&finding, open).map(|call| calls.entry(call).or_default());
             placed.extend(match leads {
                 Some(leads) => leads.take_over(finding),
@@ -61,6 +62,22 @@ pub(super) fn place(report: &mut Report, vfs: &Vfs, is_open: impl Fn(&Path) -> b
         )
     });
     report.findings = placed;
+}
+
+/// A finding as it reads in one call: a message that names a link or joint names that of the call. Where the macro is called
+/// further inside, and its calls differ, which of them belong to this one is not known: no name is better than another's.
+fn as_in(finding: &Finding, call: Span) -> Finding {
+    let sites = &finding.call_sites;
+    let message = match sites.iter().find(|site| site.call == call) {
+        Some(site) => site.message.clone(),
+        None if sites.iter().all(|site| site.message == finding.message) => finding.message.clone(),
+        None => format!("`{}` in what it expands to", finding.rule.name),
+    };
+    Finding {
+        message,
+        call_sites: Vec::new(),
+        ..finding.clone()
+    }
 }
 
 /// What a call or an include in an open file leads to.
@@ -120,7 +137,6 @@ impl Leads {
             related,
             similar: None,
             fix: None,
-            suggestion: None,
             group: None,
             ..error
         })
@@ -142,7 +158,6 @@ fn hint(findings: Vec<Finding>, call: Span) -> Option<Finding> {
         help: None,
         similar: None,
         fix: None,
-        suggestion: None,
         ..first
     };
     Some(Finding {
@@ -207,7 +222,6 @@ fn at_call(finding: &Finding, site: &CallSite) -> Finding {
             .clone()
             .filter(|_| site.help == finding.help),
         fix: finding.fix.clone().filter(|_| alone),
-        suggestion: None,
         call_sites: Vec::new(),
         ..finding.clone()
     }

@@ -15,7 +15,7 @@ use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
 use model::{Kinematics, Robot};
-use rules::{Check, Finding, RootKind, Severity, is_plain_urdf, missing_robot_name, named};
+use rules::{Finding, RootKind, Severity, is_plain_urdf, missing_robot_name, named, needs_names};
 use workspace::RobotCall;
 use workspace::launch::Argument;
 
@@ -259,7 +259,7 @@ impl Session {
 
 /// Whether a finding may be false in a file that is not expanded by itself, or with other arguments.
 fn depends_on_role(finding: &Finding) -> bool {
-    finding.outside.is_some() || matches!(finding.rule.check, Check::Whole(_))
+    finding.outside.is_some() || needs_names(finding.rule)
 }
 
 fn verdict(role: Role, finding: &Finding) -> Verdict {

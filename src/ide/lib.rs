@@ -4,6 +4,7 @@
 //! meaning of names take a [`Cx`]: the file in the expansion of its active root.
 
 mod actions;
+mod arguments;
 mod beside;
 mod calls;
 mod code;
@@ -46,6 +47,7 @@ pub use actions::{
     inlinable, inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
     suggested,
 };
+pub use arguments::{arguments_behind, possible_values};
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
 pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
 pub use colors::{Color, color_text, colors};
@@ -60,7 +62,7 @@ pub use format::{Indent, format, format_range, indentation, own_indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
 pub use instances::{SelectedInstance, pin, pinned};
-pub use locate::{At, Part, locate};
+pub use locate::{At, Part, locate, on_name_of_tag};
 pub use moved::{Move, renamed_files};
 pub use names::{NameUse, Target, definition_of, definitions};
 pub use navigate::{

@@ -94,6 +94,30 @@ fn part(node: Node<'_>, inside: u32) -> Part<'_> {
     }
 }
 
+/// The offset of the name of a tag, for one at the `<` or the `xacro:` in front of it: these mean what the name means. Every
+/// other offset stays as it is.
+pub fn on_name_of_tag(document: &Document, offset: u32) -> u32 {
+    const PREFIX: &str = "xacro:";
+    let place = document.item_at(offset);
+    let inside = offset.saturating_sub(place.start);
+    let name = |node: &Node<'_>| {
+        let prefix = match node.name().starts_with(PREFIX) {
+            true => PREFIX.len() as u32,
+            false => 0,
+        };
+        node.name_range().start + prefix
+    };
+    let is_in_front = |node: &Node<'_>| {
+        node.kind() == NodeKind::Element
+            && node.start_tag_range().start <= inside
+            && inside < name(node)
+    };
+    let mut nodes = place.item.all_nodes();
+    nodes
+        .find(is_in_front)
+        .map_or(offset, |node| place.start + name(&node))
+}
+
 impl At<'_> {
     /// A range of the item as a range of the file.
     pub fn shift(&self, range: TextRange) -> TextRange {

@@ -19,7 +19,10 @@ pub struct Insertion {
 pub fn on_type(document: &Document, offset: u32, character: char, unit: &str) -> Vec<Insertion> {
     let typed = typed(document, offset);
     match character {
-        '>' => end_tag(&typed).into_iter().collect(),
+        '>' => end_tag(&typed)
+            .or_else(|| without_added(&typed))
+            .into_iter()
+            .collect(),
         '/' => name_of_end_tag(&typed).into_iter().collect(),
         '\n' => indentation(document, &typed, unit).unwrap_or_default(),
         _ => Vec::new(),
@@ -47,6 +50,24 @@ fn end_tag(typed: &Typed) -> Option<Insertion> {
     })
 }
 
+/// Behind the `>` of an end tag: where the end tag that was added follows, it gives way. Whoever types fast is done with the
+/// name before the answer to `</` comes, which is of no use then.
+fn without_added(typed: &Typed) -> Option<Insertion> {
+    if typed.what != Typing::Content || !typed.before.is_empty() {
+        return None;
+    }
+    let (before, name) = typed.text_before.strip_suffix('>')?.rsplit_once("</")?;
+    let mut reader = Reader::new(before);
+    reader.run();
+    reader.open.last().filter(|open| open.name == name)?;
+    let around = typed.open.iter().filter(|open| open.name == name).count();
+    let length = added_end_tag(typed, name, around + 1)?;
+    Some(Insertion {
+        range: TextRange::new(typed.offset, typed.offset + length),
+        text: String::new(),
+    })
+}
+
 /// Behind `</`: the name of the open element, and the `>`. Where its end tag follows already, somebody types by habit
 /// what was added: that end tag gives way to the one that is typed.
 fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
@@ -55,7 +76,12 @@ fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
         .open
         .last()
         .filter(|_| is_here && !typed.after.starts_with(is_name_char))?;
-    if let Some(length) = added_end_tag(typed, &open.name) {
+    let same = typed
+        .open
+        .iter()
+        .filter(|other| other.name == open.name)
+        .count();
+    if let Some(length) = added_end_tag(typed, &open.name, same) {
         let range = TextRange::new(typed.offset, typed.offset + length);
         return Some(Insertion {
             range,
@@ -73,13 +99,13 @@ fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
     })
 }
 
-/// The length of the end tag of the innermost open element, when nothing but blanks is in front of it.
-fn added_end_tag(typed: &Typed, name: &str) -> Option<u32> {
+/// The length of the end tag of this name that follows, when nothing but blanks is in front of it and `same` such end tags
+/// close what is open.
+fn added_end_tag(typed: &Typed, name: &str, same: usize) -> Option<u32> {
     let rest = typed.after.trim_start();
     rest.strip_prefix("</")?
         .strip_prefix(name)
         .filter(|rest| rest.starts_with('>'))?;
-    let same = typed.open.iter().filter(|open| open.name == name).count();
     let mut reader = Reader::new(&typed.after).until_unmatched(same);
     reader.run();
     let ends = reader
@@ -211,6 +237,16 @@ mod tests {
             ("<a><!-- <b>|", "<a><!-- <b>"),
             ("<a><!-- b -->|", "<a><!-- b -->"),
             ("<a x=\"1 >|\"", "<a x=\"1 >\""),
+            // an end tag typed by habit and fast: the one that was added goes
+            ("<a><b></b>|</b></a>", "<a><b></b></a>"),
+            (
+                "<a>\n  <b>\n    </b>|\n  </b>\n</a>",
+                "<a>\n  <b>\n    </b>\n</a>",
+            ),
+            ("<b><b></b>|</b>", "<b><b></b></b>"),
+            ("<b><b></b>|</b></b>", "<b><b></b></b>"),
+            ("<a><b></b>|</a>", "<a><b></b></a>"),
+            ("<a></b>|</b></a>", "<a></b></b></a>"),
         ] {
             assert_eq!(edited(text, '>'), expected);
         }

@@ -96,17 +96,19 @@ impl Robot {
             .all(|joint| joint.is(&[JointType::Fixed]))
     }
 
-    /// Whether all names of links and joints and all ends of joints are known. In `{prefix}tcp` a `$` is missing.
+    /// Whether all names of links and joints and all ends of joints are known.
     pub fn names_are_known(&self) -> bool {
-        let known = |text: &Option<Text>| {
-            text.as_ref().is_none_or(|text| {
-                text.is_known() && !(text.value.contains('{') && text.is_literal())
-            })
-        };
-        self.links.iter().all(|link| known(&link.name))
-            && self
-                .joints
-                .iter()
-                .all(|joint| known(&joint.name) && known(&joint.parent) && known(&joint.child))
+        self.doubtful_names().next().is_none()
+    }
+
+    /// The names of links and joints and the ends of joints that are not known for sure.
+    pub fn doubtful_names(&self) -> impl Iterator<Item = &Text> {
+        let of_links = self.links.iter().filter_map(|link| link.name.as_ref());
+        let of_joints = self
+            .joints
+            .iter()
+            .flat_map(|joint| [&joint.name, &joint.parent, &joint.child])
+            .filter_map(Option::as_ref);
+        of_links.chain(of_joints).filter(|text| text.is_doubtful())
     }
 }

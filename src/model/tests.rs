@@ -82,6 +82,29 @@ fn unknown_names_are_no_names() {
 }
 
 #[test]
+fn names_may_be_what_their_known_part_fits() {
+    let may = |name: &str, wanted: &str| {
+        let (_, robot) = robot(&format!("<link name='{name}'/>"));
+        robot.links[0].name.as_ref().unwrap().may_be(wanted)
+    };
+    for (name, fits, does_not) in [
+        ("${oops}", "gone", ""),
+        ("left_${oops}", "left_hand", "hand"),
+        ("${oops}_hand", "left_hand", "left_foot"),
+        ("a_${oops}_b_${1/0}_c", "a_x_b_y_c", "a_x_c"),
+        ("${oops}_a", "x_a", "_b"),
+        ("hand", "hand", "foot"),
+        ("{prefix}hand", "left_hand", ""),
+    ] {
+        assert!(may(name, fits), "{name} {fits}");
+        assert!(
+            does_not.is_empty() || !may(name, does_not),
+            "{name} {does_not}"
+        );
+    }
+}
+
+#[test]
 fn what_is_no_robot() {
     assert!(Robot::of(&expanded("<sdf/>")).is_none());
     assert!(

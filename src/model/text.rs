@@ -40,6 +40,41 @@ impl Text {
         self.pieces.iter().all(|piece| !piece.unknown)
     }
 
+    /// Whether a part of the value could not be computed, or perhaps was to be: in `{prefix}tcp` a `$` is missing.
+    pub fn is_doubtful(&self) -> bool {
+        !self.is_known() || self.value.contains('{') && self.is_literal()
+    }
+
+    /// Whether a doubtful value may turn out to be `name`: what is known of it fits.
+    pub fn may_be(&self, name: &str) -> bool {
+        let mut known: Vec<&str> = Vec::new();
+        let mut start = 0;
+        for piece in self.pieces.iter().filter(|piece| piece.unknown) {
+            known.push(
+                self.value
+                    .get(start..piece.out.start as usize)
+                    .unwrap_or(""),
+            );
+            start = piece.out.end as usize;
+        }
+        let end = self.value.get(start..).unwrap_or("");
+        let Some((begin, middle)) = known.split_first() else {
+            return self.is_doubtful() || self.value == name;
+        };
+        let inner = name
+            .strip_prefix(begin)
+            .and_then(|rest| rest.strip_suffix(end));
+        let mut parts = middle.iter();
+        // the known parts in between stand in this order
+        inner.is_some_and(|inner| {
+            parts
+                .try_fold(inner, |rest, part| {
+                    rest.split_once(part).map(|(_, behind)| behind)
+                })
+                .is_some()
+        })
+    }
+
     /// Whether the source holds the value itself, not an expression.
     pub fn is_literal(&self) -> bool {
         self.pieces.is_empty()

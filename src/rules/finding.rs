@@ -25,8 +25,6 @@ pub struct Finding {
     pub similar: Option<String>,
     /// Edits that fix it.
     pub fix: Option<Fix>,
-    /// A change that editors offer where there is no fix: a person has to complete it.
-    pub suggestion: Option<Fix>,
     /// The macro calls in which it holds, when the text that is wrong stands in the body of a macro.
     pub call_sites: Vec<CallSite>,
     /// Whether it holds in some calls of that macro only, because the text reads differently in others.
@@ -70,7 +68,6 @@ impl Finding {
             help: None,
             similar: None,
             fix: None,
-            suggestion: None,
             call_sites: Vec::new(),
             partial: false,
             problem: None,

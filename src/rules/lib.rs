@@ -66,7 +66,8 @@ pub use problems::{rejections, rule_of};
 pub use registry::{all, by_code, find, nearest_selector, unknown_selector};
 pub use rule::{Activation, Category, Check, Rule, Safety, Severity};
 pub use run::{
-    Chosen, check_expansion, check_files, check_recovered, has_ignored_tags, losses, needs_whole,
+    Chosen, check_expansion, check_files, check_recovered, has_ignored_tags, losses, needs_names,
+    needs_whole, unknown_names,
 };
 pub use selection::{Selection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic, is_semantic_file, is_semantic_name};

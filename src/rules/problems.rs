@@ -23,8 +23,6 @@ struct Conversion {
     range: Option<fn(&Document, TextRange) -> TextRange>,
     /// The fix of a problem without a replacement.
     fix: Option<fn(&ProblemCx<'_>) -> Option<Fix>>,
-    /// What an editor offers where there is no fix.
-    suggestion: Option<fn(&ProblemCx<'_>) -> Option<Fix>>,
 }
 
 impl Conversion {
@@ -33,7 +31,6 @@ impl Conversion {
             rule,
             range: None,
             fix: None,
-            suggestion: None,
         }
     }
 
@@ -44,11 +41,6 @@ impl Conversion {
 
     const fn fixed(mut self, fix: fn(&ProblemCx<'_>) -> Option<Fix>) -> Self {
         self.fix = Some(fix);
-        self
-    }
-
-    const fn suggesting(mut self, suggestion: fn(&ProblemCx<'_>) -> Option<Fix>) -> Self {
-        self.suggestion = Some(suggestion);
         self
     }
 
@@ -64,9 +56,9 @@ impl Conversion {
             Kind::UndefinedMacro => Self::to(&found::UNDEFINED_MACRO),
             Kind::UndefinedArg => Self::to(&found::UNDEFINED_ARG),
             Kind::UndefinedBlock => Self::to(&found::UNDEFINED_BLOCK),
-            Kind::MissingMacroParam => Self::to(&missing_macro_param::RULE)
-                .fixed(missing_macro_param::fix)
-                .suggesting(missing_macro_param::suggestion),
+            Kind::MissingMacroParam => {
+                Self::to(&missing_macro_param::RULE).fixed(missing_macro_param::fix)
+            }
             Kind::UnknownMacroParam => {
                 Self::to(&unknown_macro_param::RULE).fixed(unknown_macro_param::fix)
             }
@@ -198,7 +190,6 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         rule,
         range: placed,
         fix,
-        suggestion,
     } = Conversion::of(problem.kind);
     if problem.kind == ProblemKind::ShadowedBuiltin
         && !shadowed_builtin::is_news(expansion, problem)
@@ -238,16 +229,10 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         }],
     });
     let fix = replaced.or_else(|| fix?(&cx));
-    let suggestion = if fix.is_some() {
-        None
-    } else {
-        suggestion.and_then(|suggestion| suggestion(&cx))
-    };
     let mut finding = Finding {
         severity: severity(rule, expansion, problem, (file, document)),
         help: problem.help.clone(),
         fix,
-        suggestion,
         problem: Some(problem.kind),
         outside: problem.outside.clone(),
         probed: problem.probed,

@@ -114,6 +114,8 @@ pub enum Check {
     /// An expanded robot of which everything is there: the rule says that something is missing. Nothing is missing from
     /// a part of a robot.
     Whole(fn(&RobotCx<'_>, &mut Sink<'_>)),
+    /// The same, also where names of links and joints could not be computed: the rule compares with what is known of them.
+    Named(fn(&RobotCx<'_>, &mut Sink<'_>)),
     /// A file beside robots of which everything is there.
     Beside(fn(&BesideCx<'_>, &mut Sink<'_>)),
     /// A file beside robots that is compared with SRDFs only: the robots may be unknown.

@@ -23,7 +23,21 @@ use xml::Node;
 
 /// Whether a rule does not run on a robot that errors left out a part of.
 pub fn needs_whole(rule: &Rule) -> bool {
-    matches!(rule.check, Check::Whole(_) | Check::WholeDocument(_))
+    matches!(rule.check, Check::WholeDocument(_)) || needs_names(rule)
+}
+
+/// Whether a rule asks which links and joints there are: of a robot with names that could not be computed, it says less or
+/// nothing.
+pub fn needs_names(rule: &Rule) -> bool {
+    matches!(rule.check, Check::Whole(_) | Check::Named(_))
+}
+
+/// Where the names of links and joints could not be computed.
+pub fn unknown_names(expansion: &Expansion, robot: &Robot) -> Vec<Span> {
+    let pieces = robot.doubtful_names().flat_map(|text| &text.pieces);
+    let unknown = pieces.filter(|piece| piece.unknown);
+    let places = unknown.filter_map(|piece| expansion.place(piece.source));
+    places.filter_map(|place| span(expansion, place)).collect()
 }
 
 /// The places of what left out a part of the robot, in the order of the expansion.
@@ -110,7 +124,8 @@ pub fn check_expansion(
     sink.set_probed(false);
     if let Some(robot) = robot.filter(|_| kind == RootKind::Robot) {
         let kinematics = Kinematics::of(robot);
-        let whole = complete && !unprefixed.structure && robot.names_are_known();
+        let is_there = complete && !unprefixed.structure;
+        let whole = is_there && robot.names_are_known();
         let cx = RobotCx {
             expansion,
             robot,
@@ -121,6 +136,7 @@ pub fn check_expansion(
         chosen.run(&mut sink, |rule, sink| match rule.check {
             Check::Robot(check) => check(&cx, sink),
             Check::Whole(check) if whole => check(&cx, sink),
+            Check::Named(check) if is_there => check(&cx, sink),
             _ => {}
         });
     }

@@ -409,7 +409,7 @@ fn f23_a_lens_counts_the_calls_of_a_macro() {
             lens["command"]["title"].as_str().unwrap().to_owned()
         })
         .collect();
-    assert_eq!(titles, ["2 calls in 1 root", "expand"]);
+    assert_eq!(titles, ["2 calls in 1 root", "Expand"]);
     let lenses = client.request("textDocument/codeLens", client.of(ROBOT));
     let titles: Vec<&str> = lenses
         .as_array()

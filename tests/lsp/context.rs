@@ -52,6 +52,42 @@ fn configured_roots_come_with_their_arguments() {
 }
 
 #[test]
+fn the_default_comes_first_and_presets_in_the_order_of_the_file() {
+    let folder = pan_tilt();
+    let config = "[[roots]]\nfile = \"pan_tilt/urdf/pan_tilt.urdf.xacro\"\nargs = { mount = \"shelf\" }\n\
+                  presets.tall = { mount = \"mast\" }\npresets.bench = { mount = \"bench\" }\n";
+    write(&folder, "src/xacro-lint.toml", config);
+    let mut client = Client::with(folder, Options::default());
+    client.open(UNIT);
+    let found = client.request("xacro/roots", client.of(UNIT));
+    assert_eq!(
+        found["active"]["args"],
+        json!({ "mount": "shelf" }),
+        "{found}"
+    );
+    let candidates = found["candidates"].as_array().unwrap().iter();
+    let presets: Vec<&str> = candidates
+        .map(|candidate| candidate["preset"].as_str().unwrap_or("-"))
+        .collect();
+    assert_eq!(presets, ["-", "tall", "bench"]);
+}
+
+#[test]
+fn arguments_are_listed_as_they_are_declared() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.edit(
+        ROBOT,
+        "<xacro:arg name=\"mount\" default=\"desk\"/>",
+        "<xacro:arg name=\"zoom\" default=\"1\"/><xacro:arg name=\"mount\" default=\"desk\"/><xacro:arg name=\"axis\" default=\"x\"/>",
+    );
+    let found = client.request("xacro/roots", client.of(ROBOT));
+    let names = found["args"].as_array().unwrap().iter();
+    let names: Vec<&str> = names.map(|arg| arg["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["zoom", "mount", "axis"]);
+}
+
+#[test]
 fn what_appears_on_the_disk_is_noticed() {
     let mut client = Client::start();
     client.open(ROBOT);

@@ -692,3 +692,83 @@ fn a_package_that_is_not_found_says_what_is_not_checked() {
     );
     assert!(missing[0]["severity"].as_i64() <= Some(2), "{missing:?}");
 }
+
+#[test]
+fn a_hint_at_a_call_names_what_that_call_makes() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    client.open(UNIT);
+    client.edit(UNIT, "${m0 * 2}", "-1");
+    let hints = |client: &mut Client| -> Vec<String> {
+        let found = client.diagnostics(ROBOT).into_iter();
+        let hints = found.filter(|found| found["severity"] == 4);
+        hints
+            .map(|found| found["message"].as_str().unwrap().to_owned())
+            .filter(|message| message.starts_with("this call causes"))
+            .collect()
+    };
+    assert!(client.eventually(|client| hints(client).len() == 2));
+    let found = hints(&mut client);
+    for (hint, own, other) in [
+        (&found[0], "`pan_body`", "tilt_body"),
+        (&found[1], "`tilt_body`", "pan_body"),
+    ] {
+        assert!(hint.contains(own) && !hint.contains(other), "{found:?}");
+    }
+    // a call further out: which of the calls inside are its own is not known
+    client.edit(
+        ROBOT,
+        "<xacro:unit name=\"pan\" parent=\"$(arg mount)\"><origin xyz=\"0 0 0.1\"/></xacro:unit>",
+        "<xacro:macro name=\"both\" params=\"n\"><xacro:unit name=\"${n}\" parent=\"$(arg mount)\"><origin/></xacro:unit></xacro:macro>\n\
+         <xacro:both n=\"pan\"/>",
+    );
+    assert!(client.eventually(|client| hints(client).len() == 3));
+    let found = hints(&mut client);
+    let outer: Vec<&String> = found
+        .iter()
+        .filter(|hint| !hint.contains("_body"))
+        .collect();
+    assert_eq!(outer.len(), 1, "{found:?}");
+}
+
+#[test]
+fn a_name_that_cannot_be_computed_hides_no_missing_link() {
+    let mut client = Client::start();
+    client.open(ROBOT);
+    let joint =
+        "<joint name=\"j\" type=\"fixed\"><parent link=\"desk\"/><child link=\"gone\"/></joint>";
+    let with = |name: &str| format!("<link name=\"{name}\"/>{joint}\n</robot>");
+    client.edit(ROBOT, "</robot>", &with("left_${nope}"));
+    let found = client.diagnostics(ROBOT);
+    let undefined = found.iter().find(|found| found["code"] == "undefined-link");
+    assert!(undefined.is_some(), "{found:?}");
+    let says = |found: &[Value]| {
+        let about = found
+            .iter()
+            .find(|found| found["code"] == "undefined-property");
+        about.unwrap()["message"].as_str().unwrap().to_owned()
+    };
+    let message = says(&found);
+    assert!(
+        message.contains("`pan_tilt.urdf.xacro` is not checked in full"),
+        "{message}"
+    );
+    // a name of which nothing is known may be that of the link
+    client.edit(ROBOT, "left_${nope}", "${nope}");
+    let found = client.diagnostics(ROBOT);
+    assert!(
+        !found.iter().any(|found| found["code"] == "undefined-link"),
+        "{found:?}"
+    );
+    assert!(says(&found).contains("is not checked in full"), "{found:?}");
+    // what is known says everything
+    client.edit(ROBOT, "${nope}", "gone");
+    let found = client.diagnostics(ROBOT);
+    assert!(
+        !found.iter().any(|found| found["message"]
+            .as_str()
+            .unwrap()
+            .contains("not checked in full")),
+        "{found:?}"
+    );
+}

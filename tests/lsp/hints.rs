@@ -83,6 +83,11 @@ fn numbers_are_short_and_what_is_evident_has_no_hint() {
     let lines = [
         ("<origin xyz=\"${1 / m0} 0 0\"/>", Some("= 6.667")),
         ("<origin rpy=\"0 0 ${m0 * pi}\"/>", Some("= 0.4712 (27°)")),
+        ("<origin xyz=\"${m0 * 1e6 / 4.5} 0 0\"/>", Some("= 33333.0")),
+        (
+            "<origin xyz=\"${m0 * -1e6 / 4.5} 0 0\"/>",
+            Some("= -33333.0"),
+        ),
         ("<origin rpy=\"${pi} 0 0\"/>", None),
         ("<origin rpy=\"0 ${-pi/2} 0\"/>", None),
         ("<xacro:property name=\"m1\" value=\"${m0}\"/>", None),

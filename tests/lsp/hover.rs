@@ -498,3 +498,42 @@ fn a_table_says_what_programs_make_of_an_element() {
         assert!(!axis.contains("rejected"), "{axis}");
     }
 }
+
+#[test]
+fn all_of_a_tag_in_front_of_its_name_is_about_the_name() {
+    let mut client = both();
+    let (text, range) = hover(&mut client, ROBOT, "<xacro:un|it name=\"pan\"");
+    assert_eq!(range, "unit");
+    for at in [
+        "|<xacro:unit name=\"pan\"",
+        "<|xacro:unit name=\"pan\"",
+        "<xac|ro:unit name=\"pan\"",
+        "<xacro|:unit name=\"pan\"",
+    ] {
+        let found = hover(&mut client, ROBOT, at);
+        assert_eq!(found, (text.clone(), range.clone()), "{at}");
+    }
+    let on_name = hover(&mut client, ROBOT, "<li|nk name");
+    assert_eq!(hover(&mut client, ROBOT, "|<link name"), on_name);
+}
+
+#[test]
+fn what_one_call_of_a_macro_makes() {
+    let mut client = both();
+    let of_macro = |client: &mut Client| hover(client, UNIT, "<xacro:macro name=\"un|it").0;
+    let text = of_macro(&mut client);
+    assert!(
+        text.contains("creates 1 link, 1 joint in each of 2 calls"),
+        "{text}"
+    );
+    client.edit(
+        ROBOT,
+        "<xacro:unit name=\"pan\" parent=\"$(arg mount)\"><origin xyz=\"0 0 0.1\"/></xacro:unit>",
+        "",
+    );
+    let text = of_macro(&mut client);
+    assert!(
+        text.contains("creates 1 link, 1 joint in its only call"),
+        "{text}"
+    );
+}

@@ -102,6 +102,19 @@ fn every_kind_of_place_has_its_result() {
 }
 
 #[test]
+fn all_of_a_call_in_front_of_its_name_expands() {
+    let mut client = both();
+    let on_name = at(&mut client, ROBOT, "<xacro:un|it name=\"pan\"");
+    for place in [
+        "|<xacro:unit name=\"pan\"",
+        "<xac|ro:unit name=\"pan\"",
+        "<xacro|:unit name=\"pan\"",
+    ] {
+        assert_eq!(at(&mut client, ROBOT, place), on_name, "{place}");
+    }
+}
+
+#[test]
 fn a_macro_expands_call_by_call() {
     let mut client = both();
     let mut params = client.at(UNIT, "<xacro:ma|cro");

@@ -417,3 +417,17 @@ fn uses_are_found_in_all_robots_and_in_values_of_yaml() {
     .map(str::to_owned);
     assert_eq!(found, expected);
 }
+
+#[test]
+fn all_of_a_call_in_front_of_its_name_leads_to_the_macro() {
+    let mut client = both();
+    for at in [
+        "|<xacro:unit name=\"pan\"",
+        "<|xacro:unit name=\"pan\"",
+        "<xac|ro:unit name=\"pan\"",
+        "<xacro|:unit name=\"pan\"",
+    ] {
+        check_definition(&mut client, ROBOT, at, &["unit.xacro:3 unit"]);
+    }
+    check_definition(&mut client, ROBOT, "|<link name", &[]);
+}

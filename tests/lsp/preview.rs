@@ -67,6 +67,18 @@ fn subscribing_gives_the_robot() {
 }
 
 #[test]
+fn arguments_come_in_the_order_of_their_declarations() {
+    let (mut client, id, _) = subscribed();
+    client.edit(
+        ROBOT,
+        "<xacro:arg name=\"mount\" default=\"desk\"/>",
+        "<xacro:arg name=\"zoom\" default=\"1\"/><xacro:arg name=\"mount\" default=\"desk\"/><xacro:arg name=\"axis\" default=\"x\"/>",
+    );
+    let next = model(&mut client, &id);
+    assert_eq!(names(&next["args"]), ["zoom", "mount", "axis"]);
+}
+
+#[test]
 fn an_edit_of_an_included_file_gives_the_next_revision() {
     let (mut client, id, first) = subscribed();
     client.edit(UNIT, "1.57\" effort", "1.2\" effort");

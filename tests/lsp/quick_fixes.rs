@@ -88,12 +88,6 @@ fn fixes_of_syntax_and_of_xacro() {
             "🤖 &lt; b",
         ),
         (
-            call("<xacro:m/>"),
-            "missing-macro-param",
-            "Add `tool=",
-            "<xacro:m tool=\"\"/>",
-        ),
-        (
             call("<xacro:m tool=\"🤖\" sise=\"2\"/>"),
             "unknown-macro-param",
             "size",
@@ -347,6 +341,120 @@ fn a_package_that_is_used_is_declared() {
             .any(|found| found.ends_with("missing-package-dependency"))
     };
     assert!(client.eventually(is_clean));
+}
+
+#[test]
+fn a_missing_parameter_gets_no_empty_value_that_makes_no_sense() {
+    let mut client = Client::start();
+    let call = |parameter: &str| {
+        robot(&format!(
+            "<xacro:macro name=\"m\" params=\"{parameter}\"><link name=\"🤖${{{parameter}}}\"/></xacro:macro><xacro:m/>"
+        ))
+    };
+    show(&mut client, &call("length"));
+    let found = fixes(&mut client, FILE, "missing-macro-param");
+    let adds = |action: &serde_json::Value| action.to_string().contains("=\\\"\\\"");
+    assert!(!found.iter().any(adds), "{found:?}");
+    show(&mut client, &call("prefix"));
+    let found = fixes(&mut client, FILE, "missing-macro-param");
+    titled(&found, "Add the missing parameters with empty values");
+}
+
+#[test]
+fn errors_that_come_from_an_argument_begin_with_the_question_for_its_value() {
+    let mut client = Client::start();
+    write(
+        &client.folder,
+        "src/pan_tilt/config/arm_small/size.yaml",
+        "length: 1\n",
+    );
+    write(
+        &client.folder,
+        "src/pan_tilt/config/arm_big/size.yaml",
+        "width: 2\n",
+    );
+    write(
+        &client.folder,
+        "src/pan_tilt/urdf/arm_small.xacro",
+        "<robot/>\n",
+    );
+    let load = "<xacro:property name=\"c\" value=\"${xacro.load_yaml('$(find pan_tilt)/config/$(arg kind)/size.yaml')}\"/>";
+    let arg = |value: &str| {
+        format!("<!-- one of: arm_big, arm_tiny --><xacro:arg name=\"kind\" default=\"{value}\"/>")
+    };
+    let link = "<link name=\"🤖${c['length']}\"/>";
+    for (text, rule, values) in [
+        (
+            format!("{}{load}{link}", arg("none")),
+            "expression-error",
+            vec!["arm_big", "arm_small", "arm_tiny"],
+        ),
+        (
+            format!("{}{load}{link}", arg("arm_big")),
+            "undefined-property",
+            vec!["arm_big", "arm_small", "arm_tiny"],
+        ),
+        (
+            format!(
+                "{}<link name=\"🤖${{dict(a=1)['$(arg kind)']}}\"/>",
+                arg("none")
+            ),
+            "expression-error",
+            vec!["arm_big", "arm_tiny"],
+        ),
+        (
+            format!(
+                "{}<xacro:if value=\"$(arg kind)\"><link name=\"🤖\"/></xacro:if>",
+                arg("none")
+            ),
+            "invalid-condition",
+            vec!["arm_big", "arm_tiny"],
+        ),
+        (
+            format!(
+                "{}<xacro:include filename=\"$(arg kind).xacro\"/><link name=\"🤖\"/>",
+                arg("none")
+            ),
+            "include-not-found",
+            vec!["arm_small", "arm_big", "arm_tiny"],
+        ),
+        (
+            format!(
+                "{}<link name=\"🤖${{float('$(arg kind)')}}\"/>",
+                arg("none")
+            ),
+            "expression-error",
+            vec!["arm_big", "arm_tiny"],
+        ),
+    ] {
+        show(&mut client, &robot(&text));
+        let found = fixes(&mut client, FILE, rule);
+        assert_eq!(
+            found[0]["title"], "Set argument `kind`…",
+            "{text}: {found:?}"
+        );
+        let offered = found[0]["command"]["arguments"][0]["values"].clone();
+        let offered: Vec<&str> = offered
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|value| value.as_str().unwrap())
+            .collect();
+        for value in values {
+            assert!(offered.contains(&value), "{text}: {offered:?}");
+        }
+    }
+    // an error that no argument has a part in
+    show(
+        &mut client,
+        &robot(&format!(
+            "{}<link name=\"🤖${{1/0}}$(arg kind)\"/>",
+            arg("none")
+        )),
+    );
+    let found = fixes(&mut client, FILE, "expression-error");
+    let sets = |action: &serde_json::Value| action["title"].as_str().unwrap().starts_with("Set");
+    assert!(!found.iter().any(sets), "{found:?}");
 }
 
 #[test]

@@ -216,6 +216,15 @@ fn is_prefix(value: &Value) -> bool {
     matches!(value, Value::Str(text) if text.is_empty() || text.ends_with(['_', '/', '-']))
 }
 
+/// A number with four digits that count; those in front of the point all stay.
+fn four(number: f64) -> f64 {
+    const FOUR_IN_FRONT: f64 = 1000.0;
+    if number.abs() >= FOUR_IN_FRONT {
+        return number.round();
+    }
+    format!("{number:.3e}").parse().unwrap_or(number)
+}
+
 /// A value with four digits that count, and an angle in degrees beside it.
 fn rounded(value: &Value, is_angle: bool, most: usize) -> String {
     let number = match value {
@@ -225,11 +234,6 @@ fn rounded(value: &Value, is_angle: bool, most: usize) -> String {
             _ => return short(value, most),
         },
         _ => return short(value, most),
-    };
-    let four = |number: f64| {
-        format!("{number:.3e}")
-            .parse()
-            .map_or(number, |rounded: f64| rounded)
     };
     let shown = short(&Value::Float(four(number)), most);
     if is_angle && number != 0.0 {

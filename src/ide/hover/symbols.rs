@@ -413,12 +413,15 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
     match (links % calls.len(), joints % calls.len()) {
         (0, 0) => {
             let (links, joints) = (links / calls.len(), joints / calls.len());
-            format!(
-                "creates {}, {} in each of {}",
+            let made = format!(
+                "creates {}, {}",
                 count(links, "link"),
-                count(joints, "joint"),
-                count(calls.len(), "call")
-            )
+                count(joints, "joint")
+            );
+            match calls.len() {
+                1 => format!("{made} in its only call"),
+                calls => format!("{made} in each of {}", count(calls, "call")),
+            }
         }
         _ => {
             format!(

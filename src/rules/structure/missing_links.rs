@@ -40,7 +40,8 @@ pub(super) struct Use {
     pub(super) literal: bool,
 }
 
-/// All links that joints name and nobody defines, in the order of their first use.
+/// All links that joints name and nobody defines, in the order of their first use. A link whose name could not be computed
+/// may be any that its known part fits.
 pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     let mut missing: IndexMap<EcoString, Uses> = IndexMap::new();
     let almost = OnceCell::new();
@@ -53,7 +54,10 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
             else {
                 continue;
             };
-            if almost.get_or_init(|| almost_links(cx)).contains(name) {
+            if almost.get_or_init(|| almost_links(cx)).contains(name)
+                || text.is_doubtful()
+                || may_be_there(cx, name)
+            {
                 continue;
             }
             let used = Use {
@@ -86,6 +90,14 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
             uses,
         })
         .collect()
+}
+
+/// Whether a link whose name could not be computed may have this name.
+fn may_be_there(cx: &RobotCx<'_>, name: &str) -> bool {
+    let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
+    names
+        .filter(|text| text.is_doubtful())
+        .any(|text| text.may_be(name))
 }
 
 /// The names of links that are there but for something else that is reported: a tag that is misspelled, spaces in the name.

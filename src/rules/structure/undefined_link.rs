@@ -14,7 +14,7 @@ pub(in super::super) static RULE: Rule = Rule {
     since: "0.1",
     fix: Some(Safety::Unsafe),
     docs: page("undefined-link"),
-    check: Check::Whole(check),
+    check: Check::Named(check),
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {

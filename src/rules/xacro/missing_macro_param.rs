@@ -25,18 +25,7 @@ pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
                 .any(|word| name.contains(word))
     };
     let all_empty = missing(cx.problem).iter().all(may_be_empty);
-    all_empty
-        .then(|| add(cx, "add the missing parameters with empty values"))
-        .flatten()
-}
-
-/// What editors offer in its place: the parameters with values that the author has to fill in.
-pub(in super::super) fn suggestion(cx: &ProblemCx<'_>) -> Option<Fix> {
-    add(cx, &format!("add `{}`", attributes(cx.problem)))
-}
-
-fn add(cx: &ProblemCx<'_>, message: &str) -> Option<Fix> {
-    if missing(cx.problem).is_empty() {
+    if missing(cx.problem).is_empty() || !all_empty {
         return None;
     }
     let range = TextRange::empty(cx.span.range.end);
@@ -47,7 +36,7 @@ fn add(cx: &ProblemCx<'_>, message: &str) -> Option<Fix> {
     }];
     Some(Fix {
         safety: Safety::Unsafe,
-        message: message.to_owned(),
+        message: "add the missing parameters with empty values".to_owned(),
         edits,
     })
 }

@@ -20,7 +20,7 @@ use crate::diagnostics::diagnostic;
 use crate::failure::Failure;
 use crate::locations::places;
 use crate::outbox::ClientRequest;
-use crate::requests::arguments::set_argument;
+use crate::requests::arguments::set_arguments;
 use crate::requests::code_action::{APPLY, code_action, refactor};
 use crate::requests::navigation::{about_files, asked};
 use crate::requests::refactorings::refactor_actions;
@@ -32,7 +32,7 @@ use base::{CancelFlag, Span, TextRange};
 use expand::ProblemKind;
 use facts::{FactKind, facts};
 use ide::{self, Action, ActionKind, MacroFile};
-use rules::{Edit, Finding, Fix, Rule, named};
+use rules::{Edit, Finding, Rule, named};
 use vfs::SourceFile;
 use workspace::config::find_config;
 use xml::Document;
@@ -216,7 +216,7 @@ fn quick_fixes(
             continue;
         };
         let (rule, range) = (finding.rule, finding.span.range);
-        found.extend(set_argument(state, params, path, finding, &diagnostic));
+        found.extend(set_arguments(state, params, finding, &diagnostic, cancel)?);
         let mut actions: Vec<(Action, bool)> = Vec::new();
         if let Some(fix) = &finding.fix {
             let (title, edits) = (fix.message.clone(), fix.edits.clone());
@@ -307,7 +307,7 @@ fn asked_about_in(
     found
 }
 
-/// Fixes that need more than the text: what findings suggest, other files, what names mean.
+/// Fixes that need more than the text: other files, what names mean.
 fn further_fixes(
     state: &mut State,
     params: &CodeActionParams,
@@ -325,18 +325,6 @@ fn further_fixes(
                 .as_deref()
                 .and_then(|near| ide::suggested(source, range, near)),
         );
-        let suggestion = finding.suggestion.clone();
-        actions.extend(suggestion.map(
-            |Fix {
-                 message: title,
-                 edits,
-                 ..
-             }| Action {
-                title,
-                kind: ActionKind::Fix,
-                edits,
-            },
-        ));
     }
     if finding.problem == Some(ProblemKind::UndefinedMacro) {
         state.world.scan(|| cancel.is_cancelled());

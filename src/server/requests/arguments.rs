@@ -1,62 +1,103 @@
-//! The action that sets an argument of the robot, for a finding that another value may settle.
-use std::path::Path;
-
-use lsp_types::{CodeAction, CodeActionKind, CodeActionParams, Command, Diagnostic};
+//! The actions that set an argument of the robot, for a finding that another value may settle.
+use lsp_types::{
+    CodeAction, CodeActionKind, CodeActionParams, Command, Diagnostic, TextDocumentPositionParams,
+};
 use serde_json::json;
 
+use crate::failure::Failure;
+use crate::requests::asked::Asked;
+use crate::requests::navigation::asked;
 use crate::state::State;
-use expand::Outside;
+use base::CancelFlag;
+use expand::{Outside, ProblemKind};
 use rules::Finding;
 
 /// Values that are offered, at most.
 const MOST_VALUES: usize = 20;
 
-/// The action, for clients that ask the user for the value.
-pub(super) fn set_argument(
+/// The actions, for clients that ask the user for the value.
+pub(super) fn set_arguments(
     state: &mut State,
     params: &CodeActionParams,
-    path: &Path,
     finding: &Finding,
     shown: &Diagnostic,
-) -> Option<CodeAction> {
-    let Some(Outside::Argument(name)) = &finding.outside else {
-        return None;
-    };
-    if !state.client.own.lens_commands {
-        return None;
+    cancel: &CancelFlag,
+) -> Result<Vec<CodeAction>, Failure> {
+    if !state.client.own.lens_commands || !may_be_settled(finding) {
+        return Ok(Vec::new());
     }
-    let values = known_values(state, path, name)?;
-    let title = format!("Set argument `{name}`…");
-    let argument =
-        json!({ "textDocument": params.text_document, "name": name.as_str(), "values": values });
-    Some(CodeAction {
-        title: title.clone(),
-        kind: Some(CodeActionKind::QUICKFIX),
-        diagnostics: Some(vec![shown.clone()]),
-        command: Some(Command {
-            title,
-            command: "xacro.setArgs".to_owned(),
-            arguments: Some(vec![argument]),
-        }),
-        ..CodeAction::default()
-    })
+    let document = params.text_document.clone();
+    let at = TextDocumentPositionParams::new(document, params.range.start);
+    let asked = asked(state, &at, cancel)?;
+    let mut found = Vec::new();
+    for name in arguments_of(&asked, finding) {
+        let Some(values) = known_values(state, &asked, &name) else {
+            continue;
+        };
+        let title = format!("Set argument `{name}`…");
+        let argument =
+            json!({ "textDocument": params.text_document, "name": name, "values": values });
+        found.push(CodeAction {
+            title: title.clone(),
+            kind: Some(CodeActionKind::QUICKFIX),
+            diagnostics: Some(vec![shown.clone()]),
+            command: Some(Command {
+                title,
+                command: "xacro.setArgs".to_owned(),
+                arguments: Some(vec![argument]),
+            }),
+            ..CodeAction::default()
+        });
+    }
+    Ok(found)
 }
 
-/// The values of an argument in presets and in calls of launch files, each once. `None` for a file that is seen
-/// under no robot.
-fn known_values(state: &mut State, path: &Path, name: &str) -> Option<Vec<String>> {
-    let context = state.world.context(path);
+/// Whether another value of an argument may make a finding go away.
+fn may_be_settled(finding: &Finding) -> bool {
+    matches!(finding.outside, Some(Outside::Argument(_)))
+        || matches!(
+            finding.problem,
+            Some(
+                ProblemKind::ExpressionError
+                    | ProblemKind::InvalidCondition
+                    | ProblemKind::IncludeNotFound
+                    | ProblemKind::GlobIncludeNoMatch
+                    | ProblemKind::PackageNotFound
+                    | ProblemKind::UndefinedProperty
+            )
+        )
+}
+
+/// The argument that a finding says to depend on, or else those that are read at its place.
+fn arguments_of(asked: &Asked, finding: &Finding) -> Vec<String> {
+    match &finding.outside {
+        Some(Outside::Argument(name)) => vec![name.to_string()],
+        _ => ide::arguments_behind(&asked.cx(), finding.span.range),
+    }
+}
+
+/// The values of an argument in presets and in calls of launch files, then those that it may have by files and comments,
+/// each once. `None` for a file that is seen under no robot.
+fn known_values(state: &mut State, asked: &Asked, name: &str) -> Option<Vec<String>> {
+    let context = state.world.context(&asked.source.path);
     let root = context.root?;
     let presets = context
         .candidates
         .iter()
         .map(|(choice, _)| choice)
         .filter(|choice| choice.file == root.file);
-    let calls = state.world.session().launched_roots(&root.file);
+    let session = state.world.session();
+    let calls = session.launched_roots(&root.file);
+    let settings = session.settings(&asked.source.path);
+    let around = session.rule_env(&settings.config);
+    let given = presets.chain(&calls).flat_map(|choice| &choice.args);
+    let given = given
+        .filter(|(known, _)| known == name)
+        .map(|(_, value)| value.clone());
     let mut values: Vec<String> = Vec::new();
-    for (known, value) in presets.chain(&calls).flat_map(|choice| &choice.args) {
-        if known == name && !values.contains(value) {
-            values.push(value.clone());
+    for value in given.chain(ide::possible_values(&asked.cx(), around, name)) {
+        if !values.contains(&value) {
+            values.push(value);
         }
     }
     values.truncate(MOST_VALUES);

@@ -22,6 +22,13 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
+    /// What is asked about at the `<` or the prefix of a tag is its name.
+    #[must_use]
+    pub fn on_name(mut self) -> Self {
+        self.offset = ide::on_name_of_tag(&self.source.document, self.offset);
+        self
+    }
+
     /// The file in the expansion of its root.
     pub fn cx(&self) -> Cx<'_> {
         Cx {

@@ -44,7 +44,7 @@ pub fn expand_at(
     params: ExpandAtParams,
     cancel: &CancelFlag,
 ) -> Result<Option<ExpandedPlace>, Failure> {
-    let mut asked = asked(state, &params.at, cancel)?;
+    let mut asked = asked(state, &params.at, cancel)?.on_name();
     if let Some(root) = params.root {
         let root = chosen(state, root)?;
         let analyzed = state

@@ -43,6 +43,7 @@ pub fn hover(
     let Some(asked) = asked_for_name(state, at, cancel)? else {
         return Ok(None);
     };
+    let asked = asked.on_name();
     Ok(
         hover_at(state, &asked, asked.offset)
             .map(|hover| hover_answer(state, &asked.source, hover)),

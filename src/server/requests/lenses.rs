@@ -73,7 +73,7 @@ pub fn lenses(
             data: serde_json::to_value(&calls).ok(),
         });
         let here = json!({ "textDocument": text_document, "position": range.start });
-        found.push(lens(range, "expand", "xacro.expandAt", here));
+        found.push(lens(range, "Expand", "xacro.expandAt", here));
     }
     Ok(Some(found))
 }

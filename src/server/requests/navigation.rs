@@ -94,6 +94,7 @@ pub fn definition(
     let Some(asked) = asked_for_name(state, at, cancel)? else {
         return Ok(None);
     };
+    let asked = asked.on_name();
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
     let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
     let symbol = match asked.cx().symbol_at(asked.offset) {
