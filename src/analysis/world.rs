@@ -94,7 +94,8 @@ impl World {
 
     /// A world with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
-        let mut world = Self::new(self.env.clone(), self.folders.clone());
+        let files = Arc::new(self.session.vfs.uncovered());
+        let mut world = Self::over(files, self.env.clone(), self.folders.clone());
         let editor = self.editor.iter().cloned();
         world.set_folder_settings(editor.map(|(own, folder)| (own, Some(folder))).collect());
         world
