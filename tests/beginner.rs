@@ -199,6 +199,7 @@ fn session(folder: &Path) -> (Session, CheckOptions) {
     let env = Environment {
         vars,
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let setup = Setup {
         about: folder.to_owned(),

@@ -46,6 +46,7 @@ fn answer(line: &str, cwd: &Path) -> String {
     let env = Environment {
         vars,
         cwd: cwd.to_owned(),
+        ..Environment::default()
     };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut stdin = input.as_bytes();

@@ -36,6 +36,7 @@ fn environment(folder: &Path) -> Environment {
     Environment {
         vars,
         cwd: folder.to_owned(),
+        ..Environment::default()
     }
 }
 

@@ -23,7 +23,18 @@ fn check(format: &str) -> String {
     let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
     let mut io = Io::plain(&mut out, &mut err, &mut stdin);
     let args = ["check", "--output-format", format].map(str::to_owned);
-    assert_eq!(cli::run(&args, &Environment { vars, cwd }, &mut io), 1);
+    assert_eq!(
+        cli::run(
+            &args,
+            &Environment {
+                vars,
+                cwd,
+                ..Environment::default()
+            },
+            &mut io
+        ),
+        1
+    );
     String::from_utf8(out).unwrap()
 }
 

@@ -156,6 +156,7 @@ fn expanded(file: &Path) -> String {
     let env = Environment {
         vars,
         cwd: file.parent().unwrap().to_owned(),
+        ..Environment::default()
     };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut input = std::io::empty();

@@ -52,7 +52,15 @@ impl Folder {
         let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
         let mut io = Io::plain(&mut out, &mut err, &mut stdin);
         let words: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
-        cli::run(&words, &Environment { vars, cwd }, &mut io);
+        cli::run(
+            &words,
+            &Environment {
+                vars,
+                cwd,
+                ..Environment::default()
+            },
+            &mut io,
+        );
         out.extend(err);
         String::from_utf8(out).unwrap()
     }

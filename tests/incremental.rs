@@ -27,6 +27,7 @@ impl Session {
         let env = Environment {
             vars,
             cwd: folder.to_owned(),
+            ..Environment::default()
         };
         let mut world = World::new(env, vec![folder.to_owned()]);
         while world.scan(|| false).is_some() {}

@@ -218,6 +218,7 @@ fn run(folder: &Path, arguments: &[&str], input: &mut dyn Read) -> String {
     let env = Environment {
         vars,
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let arguments: Vec<String> = arguments.iter().map(|&word| word.to_owned()).collect();
@@ -301,6 +302,7 @@ fn quick_proof_expansions() {
         let env = Environment {
             vars: BTreeMap::new(),
             cwd: folder.clone(),
+            ..Environment::default()
         };
         let session = Session::new(
             &env,
@@ -1065,6 +1067,7 @@ fn found_below(levels: usize) -> bool {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let options = PackageOptions {
         explicit: vec![folder.clone()],
@@ -1097,6 +1100,7 @@ fn suggested_below(levels: usize) -> bool {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let packages = Packages::new(
         Arc::new(Vfs::with_cwd(1 << 20, folder.clone())),
@@ -1128,6 +1132,7 @@ fn callers_of(folder: &Path, robot: &str) -> usize {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let options = PackageOptions {
         workspace_folders: vec![folder.to_owned()],
@@ -1242,6 +1247,7 @@ fn caller_calls() {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
     let packages = Packages::new(vfs, &env, PackageOptions::default());
@@ -1279,6 +1285,7 @@ fn launch_includes() {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
     let packages = Packages::new(vfs, &env, PackageOptions::default());
@@ -1374,6 +1381,7 @@ fn manifest_nodes() {
         let env = Environment {
             vars: BTreeMap::new(),
             cwd: folder.clone(),
+            ..Environment::default()
         };
         let options = PackageOptions {
             explicit: vec![folder.clone()],
@@ -1402,6 +1410,7 @@ fn installed_behind(before: &str) -> bool {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
     Packages::new(vfs, &env, PackageOptions::default())
@@ -1439,6 +1448,7 @@ fn build_depth() {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let vfs = Arc::new(Vfs::with_cwd(1 << 24, folder.clone()));
     assert!(
@@ -1468,6 +1478,7 @@ fn many_folders() {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.clone(),
+        ..Environment::default()
     };
     let options = PackageOptions {
         explicit: vec![folder.clone()],

@@ -48,7 +48,11 @@ fn draw((name, robot, options): (&str, &str, &str), folder: &Path) -> PathBuf {
         "AMENT_PREFIX_PATH".to_owned(),
         cwd.join("none").display().to_string(),
     )]);
-    let env = Environment { vars, cwd };
+    let env = Environment {
+        vars,
+        cwd,
+        ..Environment::default()
+    };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut stdin = std::io::empty();
     let path = folder.join(name);

@@ -140,6 +140,7 @@ fn round_trip(folder: &Path, robots: &[Robot]) -> usize {
     let env = Environment {
         vars,
         cwd: folder.to_path_buf(),
+        ..Environment::default()
     };
     let options = PackageOptions {
         workspace_folders: vec![folder.to_path_buf()],

@@ -153,6 +153,7 @@ fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
     let env = Environment {
         vars,
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let extend_select = Some(vec![rule.name.to_owned()]);
     let overrides = Overrides {

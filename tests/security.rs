@@ -69,6 +69,7 @@ fn run(folder: &Path, arguments: &[&str]) -> String {
     let env = Environment {
         vars,
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let arguments: Vec<String> = arguments.iter().map(|&word| word.to_owned()).collect();

@@ -32,6 +32,7 @@ fn expanded(fixture: &str) -> Expansion {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: cwd.to_path_buf(),
+        ..Environment::default()
     };
     let packages = Packages::new(vfs.clone(), &env, PackageOptions::default());
     let request = Request {

@@ -167,6 +167,7 @@ fn findings(folder: &Path, paths: Vec<PathBuf>) -> Vec<Finding> {
     let env = Environment {
         vars,
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let extend_select = Some(vec!["ALL".to_owned()]);
     let overrides = Overrides {

@@ -55,10 +55,7 @@ impl Session {
     /// # Errors
     /// When the configuration file that `setup` names cannot be read.
     pub fn new(env: &Environment, setup: Setup) -> Result<Self, LoadError> {
-        let vfs = Arc::new(Vfs::with_cwd(
-            config::Limits::default().file_bytes(),
-            env.cwd.clone(),
-        ));
+        let vfs = Arc::new(Vfs::of(env, config::Limits::default().file_bytes()));
         let configs = Configs::new(&vfs, setup.overrides.clone())?;
         Ok(Self::with(vfs, env, setup, configs))
     }

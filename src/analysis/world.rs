@@ -62,10 +62,7 @@ impl World {
 
     /// A world that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
-        let vfs = Arc::new(Vfs::with_cwd(
-            config::Limits::default().file_bytes(),
-            env.cwd.clone(),
-        ));
+        let vfs = Arc::new(Vfs::of(&env, config::Limits::default().file_bytes()));
         Self::over(vfs, env, folders)
     }
 
@@ -94,8 +91,11 @@ impl World {
 
     /// A world with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
-        let files = Arc::new(self.session.vfs.uncovered());
-        let mut world = Self::over(files, self.env.clone(), self.folders.clone());
+        let (env, folders) = (self.env.clone(), self.folders.clone());
+        let mut world = match self.session.vfs.uncovered() {
+            Some(files) => Self::over(Arc::new(files), env, folders),
+            None => Self::new(env, folders),
+        };
         let editor = self.editor.iter().cloned();
         world.set_folder_settings(editor.map(|(own, folder)| (own, Some(folder))).collect());
         world

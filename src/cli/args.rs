@@ -67,6 +67,8 @@ pub(super) enum Command {
     /// Run the language server: editors start it and talk to it on standard input and output
     #[cfg(feature = "lsp")]
     Server(ServerArgs),
+    /// Answer coding assistants: tools of the Model Context Protocol that only read, on standard input and output
+    Mcp(McpArgs),
     /// Print a shell completion script
     Completions {
         /// The shell
@@ -298,6 +300,16 @@ pub(super) struct ServerArgs {
     /// Print version
     #[arg(short = 'V', long)]
     pub(super) version: bool,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct McpArgs {
+    /// The folder whose files may be read; no others are
+    #[arg(value_name = "DIR", default_value = ".")]
+    pub(super) folder: PathBuf,
+    /// Search this folder for packages first, and allow reading it; repeatable
+    #[arg(long, value_name = "DIR")]
+    pub(super) package_path: Vec<String>,
 }
 
 #[derive(Args, Debug)]

@@ -77,10 +77,7 @@ pub fn run(args: &[String], env: &Environment, io: &mut Io<'_>) -> u8 {
 }
 
 fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let vfs = Arc::new(Vfs::with_cwd(
-        Config::default().limits.file_bytes(),
-        env.cwd.clone(),
-    ));
+    let vfs = Arc::new(Vfs::of(env, Config::default().limits.file_bytes()));
     let root = env.cwd.join(options.root_dir.as_deref().unwrap_or(""));
     // of a configuration only the limits count here: what comes out is as with the reference
     let config = Config::for_file(&vfs, &root.join(&options.input)).config;

@@ -146,6 +146,7 @@ mod tests {
             let env = Environment {
                 vars: BTreeMap::from_iter(pairs),
                 cwd: "/".into(),
+                ..Environment::default()
             };
             assert_eq!(
                 (has_colors(&env, true), has_colors(&env, false)),

@@ -15,6 +15,7 @@ mod fingerprints;
 mod format;
 mod io;
 mod listing;
+mod mcp;
 mod options;
 mod packages;
 mod picture;
@@ -114,6 +115,7 @@ fn dispatch(command: Command, env: &Environment, io: &mut Io<'_>) -> u8 {
         Command::Config(options) => config::run(&options, env, io),
         #[cfg(feature = "lsp")]
         Command::Server(options) => serve(&options, env, io),
+        Command::Mcp(options) => mcp::run(&options, env, io),
         Command::Completions { shell } => completions(shell, io),
     }
 }

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use super::args::{RenderArgs, Viewpoint};
+use clap::Parser;
+
+use super::args::{Arguments, Command, RenderArgs, Viewpoint};
 use super::io::Io;
 use super::render::visible;
 use super::svg;
@@ -27,14 +29,33 @@ enum Form {
 
 /// Run `render`.
 pub(super) fn run(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    match draw(args, env, io) {
+    let written = draw(args, env, io).and_then(|(code, bytes)| match bytes {
+        Some(bytes) => write(args, &bytes, env).map(|()| code),
+        None => Ok(code),
+    });
+    match written {
         Ok(code) => code,
         Err(message) => fails(io, &message),
     }
 }
 
-/// Draw the picture and write it; the exit code.
-fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, String> {
+/// Run a command line of `render` without writing its file: the exit code, and the picture.
+pub(super) fn drawn(words: &[String], env: &Environment, io: &mut Io<'_>) -> (u8, Option<Vec<u8>>) {
+    let name = std::iter::once("xacro-lint").chain(words.iter().map(String::as_str));
+    let drawn = match Arguments::try_parse_from(name).map(|arguments| arguments.command) {
+        Ok(Command::Render(args)) => draw(&args, env, io),
+        Ok(_) => Err("not a command that draws".into()),
+        Err(error) => Err(error.to_string()),
+    };
+    drawn.unwrap_or_else(|message| (fails(io, &message), None))
+}
+
+/// Draw the picture; the exit code, and its bytes unless there is nothing to draw.
+fn draw(
+    args: &RenderArgs,
+    env: &Environment,
+    io: &mut Io<'_>,
+) -> Result<(u8, Option<Vec<u8>>), String> {
     let form = form(&args.output, args.tree)?;
     let shot = shot(args)?;
     let Expanded {
@@ -51,24 +72,21 @@ fn draw(args: &RenderArgs, env: &Environment, io: &mut Io<'_>) -> Result<u8, Str
     if tree.is_none() {
         explain(&session, &file, arguments, env, io);
     }
-    let bytes = match (args.tree, tree.as_ref(), robot.as_ref()) {
-        (true, Some(tree), _) => svg::draw(tree).into_bytes(),
+    match (args.tree, tree.as_ref(), robot.as_ref()) {
+        (true, Some(tree), _) => Ok((0, Some(svg::draw(tree).into_bytes()))),
         (false, _, Some(robot)) => {
             let Some((bytes, whole)) =
                 picture(args, form, &shot, (&session, &expansion, robot), io)?
             else {
-                return Ok(1);
+                return Ok((1, None));
             };
-            write(args, &bytes, env)?;
-            return Ok(u8::from(tree.is_none() || !whole));
+            Ok((u8::from(tree.is_none() || !whole), Some(bytes)))
         }
         _ => {
             no_tree(&expansion, io);
-            return Ok(1);
+            Ok((1, None))
         }
-    };
-    write(args, &bytes, env)?;
-    Ok(0)
+    }
 }
 
 /// The picture of a robot, and whether all of it could be drawn; none when there is nothing to draw.

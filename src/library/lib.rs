@@ -123,10 +123,7 @@ impl fmt::Display for Problem {
 /// Expand a xacro file; plain URDF comes out as it is. Relative paths are relative to the working directory.
 pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     let env = Environment::capture();
-    let vfs = Arc::new(Vfs::with_cwd(
-        Config::default().limits.file_bytes(),
-        env.cwd.clone(),
-    ));
+    let vfs = Arc::new(Vfs::of(&env, Config::default().limits.file_bytes()));
     let explicit = options
         .package_path
         .iter()

@@ -9,12 +9,17 @@ use super::DirEntry;
 use super::error::{LoadError, LoadErrorKind};
 use super::read::{self, Identity, Kind, Stamp, Stat};
 
+/// Said of a file that may not be looked at.
+const OUTSIDE: &str = "Outside of the folders that may be read";
+
 /// Where files are.
 #[derive(Default)]
 pub(super) enum Disk {
     /// The file system of the machine.
     #[default]
     System,
+    /// Folders of the machine, without links in their paths; nothing outside of them is seen.
+    Within(Vec<PathBuf>),
     /// Files that somebody put there.
     Memory(Memory),
 }
@@ -41,6 +46,15 @@ impl Disk {
     /// A place for files in memory.
     pub(super) fn memory() -> Self {
         Self::Memory(Memory::default())
+    }
+
+    /// Only these folders of the machine; all of it when there are none.
+    pub(super) fn within(folders: &[PathBuf]) -> Self {
+        if folders.is_empty() {
+            return Self::System;
+        }
+        let real = |folder: &PathBuf| std::fs::canonicalize(folder).unwrap_or(folder.clone());
+        Self::Within(folders.iter().map(real).collect())
     }
 
     /// Put a file in memory, or take it away; whether this is the place for it.
@@ -88,7 +102,7 @@ impl Disk {
     /// When there is none, or none that may be looked at.
     pub(super) fn stat(&self, path: &Path) -> Result<Stat, LoadError> {
         self.in_memory(|files| stat(files, path))
-            .unwrap_or_else(|| read::stat(path))
+            .unwrap_or_else(|| self.allowed(path).and_then(|()| read::stat(path)))
     }
 
     /// The bytes of a regular file of at most `limit` bytes, `known` to be one since a moment ago.
@@ -112,7 +126,10 @@ impl Disk {
             Some(bytes) => Ok(bytes.to_vec()),
             None => Err(self.want(path)),
         });
-        in_memory.unwrap_or_else(|| read::bytes(path, known, limit))
+        in_memory.unwrap_or_else(|| {
+            self.allowed(path)
+                .and_then(|()| read::bytes(path, known, limit))
+        })
     }
 
     /// Note that the content of a file is wanted; why there is none.
@@ -127,7 +144,8 @@ impl Disk {
     /// The names in the folder at an absolute path, each looked at when it is asked for.
     pub(super) fn entries(&self, path: &Path) -> impl Iterator<Item = DirEntry> + use<> {
         let in_memory = self.in_memory(|files| entries(files, path));
-        let on_disk = in_memory.is_none().then(|| read::entries(path));
+        let is_on_disk = in_memory.is_none() && self.allowed(path).is_ok();
+        let on_disk = is_on_disk.then(|| read::entries(path));
         in_memory
             .into_iter()
             .flatten()
@@ -140,20 +158,53 @@ impl Disk {
             let path = super::without_parents(path);
             stat(files, &path).is_ok().then_some(path)
         });
-        in_memory.unwrap_or_else(|| std::fs::canonicalize(path).ok())
+        in_memory.unwrap_or_else(|| {
+            let path = std::fs::canonicalize(path).ok()?;
+            self.allowed(&path).is_ok().then_some(path)
+        })
     }
 
     /// Whether there is anything at `path`, be it a link that leads nowhere.
     pub(super) fn is_present(&self, path: &Path) -> bool {
         let in_memory = self.in_memory(|files| stat(files, path).is_ok());
-        in_memory.unwrap_or_else(|| std::fs::symlink_metadata(path).is_ok())
+        in_memory.unwrap_or_else(|| self.is_below(path) && std::fs::symlink_metadata(path).is_ok())
     }
 
     /// Whether there is a folder at `path` that is no link.
     pub(super) fn is_own_folder(&self, path: &Path) -> bool {
         let in_memory =
             self.in_memory(|files| stat(files, path).is_ok_and(|stat| stat.kind == Kind::Folder));
-        in_memory.unwrap_or_else(|| path.symlink_metadata().is_ok_and(|found| found.is_dir()))
+        in_memory.unwrap_or_else(|| {
+            self.is_below(path) && path.symlink_metadata().is_ok_and(|found| found.is_dir())
+        })
+    }
+
+    /// Whether a file of the machine may be looked at: it lies in the folders that are seen, wherever links lead.
+    ///
+    /// # Errors
+    /// One that says so, and the same whether there is such a file or not.
+    fn allowed(&self, path: &Path) -> Result<(), LoadError> {
+        let Self::Within(folders) = self else {
+            return Ok(());
+        };
+        let real = std::fs::canonicalize(path);
+        // of a file that does not exist, the folders around it say where it would be
+        let around = || {
+            let mut folders = path.ancestors().skip(1);
+            folders.find_map(|folder| std::fs::canonicalize(folder).ok())
+        };
+        let lies = real.as_ref().ok().cloned().or_else(around);
+        if !lies.is_some_and(|lies| folders.iter().any(|folder| lies.starts_with(folder))) {
+            return Err(LoadError::refused(OUTSIDE, path));
+        }
+        real.map(drop)
+            .map_err(|error| LoadError::from_io(&error, path))
+    }
+
+    /// Whether the folder that holds `path` may be looked at.
+    fn is_below(&self, path: &Path) -> bool {
+        path.parent()
+            .is_none_or(|folder| self.allowed(folder).is_ok())
     }
 
     /// The files in memory below a folder; none when they are on the disk.
@@ -163,7 +214,7 @@ impl Disk {
 
     fn in_memory<T>(&self, look: impl FnOnce(&Files) -> T) -> Option<T> {
         match self {
-            Self::System => None,
+            Self::System | Self::Within(_) => None,
             Self::Memory(Memory { files, .. }) => {
                 Some(look(&files.read().unwrap_or_else(PoisonError::into_inner)))
             }
@@ -298,7 +349,7 @@ mod tests {
         assert_eq!(vfs.bytes(mesh, 100).unwrap(), b"solid");
         let open = vfs.overlay([(mesh.to_owned(), "text".to_owned())]);
         assert_eq!(open.text(mesh).unwrap().text, "text");
-        assert_eq!(open.uncovered().text(mesh).unwrap().text, "solid");
+        assert_eq!(open.uncovered().unwrap().text(mesh).unwrap().text, "solid");
     }
 
     #[test]

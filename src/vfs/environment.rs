@@ -14,6 +14,8 @@ pub struct Environment {
     pub vars: BTreeMap<String, String>,
     /// Working directory, absolute.
     pub cwd: PathBuf,
+    /// Folders outside of which no file is read; none: all files may be read.
+    pub within: Vec<PathBuf>,
 }
 
 /// Text without what is not Unicode in it.
@@ -31,6 +33,7 @@ impl Environment {
         Self {
             vars,
             cwd: spelled(std::env::current_dir().unwrap_or_default()),
+            within: Vec::new(),
         }
     }
 

@@ -180,6 +180,18 @@ impl Vfs {
         }
     }
 
+    /// The files that a run sees: relative paths start at its working directory.
+    pub fn of(env: &Environment, max_file_bytes: u64) -> Self {
+        let shared = Arc::new(Shared {
+            disk: Disk::within(&env.within),
+            ..Shared::default()
+        });
+        Self {
+            shared,
+            ..Self::with_cwd(max_file_bytes, env.cwd.clone())
+        }
+    }
+
     /// These files as they would be with other texts. The original is not touched, whatever becomes of the overlay; file
     /// numbers are the same in both.
     pub fn overlay(&self, texts: impl IntoIterator<Item = (PathBuf, String)>) -> Self {

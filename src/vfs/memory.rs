@@ -44,17 +44,13 @@ impl Vfs {
         matches!(self.shared.disk, Disk::Memory(_))
     }
 
-    /// The files as they are without what is open.
-    pub fn uncovered(&self) -> Self {
+    /// The files in memory as they are without what is open; none where files are on a disk.
+    pub fn uncovered(&self) -> Option<Self> {
         let limit = self.max_file_bytes.load(Ordering::Relaxed);
-        let files = Self::with_cwd(limit, self.cwd.clone());
-        match self.shared.disk {
-            Disk::System => files,
-            Disk::Memory(_) => Self {
-                shared: self.shared.clone(),
-                ..files
-            },
-        }
+        self.is_in_memory().then(|| Self {
+            shared: self.shared.clone(),
+            ..Self::with_cwd(limit, self.cwd.clone())
+        })
     }
 
     /// The files in memory below a folder, in the order of their paths; none where files are on a disk.

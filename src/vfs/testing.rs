@@ -63,6 +63,7 @@ impl Tree {
         Environment {
             vars: vars.collect(),
             cwd: self.root.clone(),
+            ..Environment::default()
         }
     }
 }

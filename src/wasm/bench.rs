@@ -40,6 +40,7 @@ impl Default for Bench {
         let env = Environment {
             vars: BTreeMap::new(),
             cwd: cwd.clone(),
+            ..Environment::default()
         };
         let vfs = Arc::new(Vfs::in_memory(
             Config::default().limits.file_bytes(),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::packages::Packages;
-use super::root::is_built;
+use super::root::{is_built, is_cache};
 use super::similar::nearest;
 use base::limits::{NAMESAKE_DEPTH, NAMESAKE_FILES};
 use base::{FastMap, FastSet};
@@ -92,8 +92,7 @@ impl Index {
                 continue;
             }
             let entries = vfs.list_dir(&folder);
-            // what a tool made and can make again says so
-            if entries.iter().any(|entry| entry.name == "CACHEDIR.TAG") {
+            if is_cache(&entries) {
                 continue;
             }
             for entry in entries.iter() {

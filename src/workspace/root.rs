@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use super::manifest::MANIFEST;
-use vfs::Vfs;
+use vfs::{DirEntry, Vfs};
 
 /// Folders that colcon and catkin make beside `src`; nothing in them is a source.
 const BUILT: [&str; 7] = [
@@ -20,6 +20,11 @@ const BUILT: [&str; 7] = [
 /// Whether a folder of that name is made by a build tool of ROS.
 pub fn is_built(name: impl AsRef<OsStr>) -> bool {
     BUILT.iter().any(|built| name.as_ref() == *built)
+}
+
+/// Whether a folder says that a tool made it and can make it again, by the tag of <https://bford.info/cachedir/>.
+pub(super) fn is_cache(names: &[DirEntry]) -> bool {
+    names.iter().any(|entry| entry.name == "CACHEDIR.TAG")
 }
 
 /// The workspace that `start` (a folder) lies in: the nearest folder above it that holds the `src` it lies

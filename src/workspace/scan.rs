@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::install::BUILD_FILES;
 use super::manifest::{self, MANIFEST};
-use super::root::is_built;
+use super::root::{is_built, is_cache};
 use base::limits::{SCAN_DEPTH, SCAN_FOLDERS};
 use base::{FastMap, FastSet};
 use vfs::{DirEntry, Vfs};
@@ -28,9 +28,10 @@ impl Rules {
             Rules::Workspace => &["COLCON_IGNORE", "AMENT_IGNORE", "CATKIN_IGNORE"],
             Rules::RosPackagePath => &["CATKIN_IGNORE"],
         };
-        names
+        let is_marked = names
             .iter()
-            .any(|entry| markers.contains(&entry.name.as_str()))
+            .any(|entry| markers.contains(&entry.name.as_str()));
+        is_marked || self == Rules::Workspace && is_cache(names)
     }
 
     fn descends_into(self, name: &str) -> bool {
@@ -176,6 +177,8 @@ mod tests {
             "h/below/package.xml",
             "i/CATKIN_IGNORE",
             "i/package.xml",
+            "target/CACHEDIR.TAG",
+            "target/k/package.xml",
             "COLCON_IGNORE",
         ]);
         assert_eq!(
@@ -194,6 +197,7 @@ mod tests {
                 "below_name h/below",
                 "c_name install/c",
                 "d_name log/d",
+                "k_name target/k",
                 "j_name a/web/node_modules/j",
             ]
         );
@@ -206,7 +210,8 @@ mod tests {
                 "e_name devel/e",
                 "below_name h/below",
                 "c_name install/c",
-                "d_name log/d"
+                "d_name log/d",
+                "k_name target/k"
             ]
         );
     }

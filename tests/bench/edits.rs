@@ -41,6 +41,7 @@ fn world(folder: &Path) -> World {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     World::new(env, vec![folder.to_owned()])
 }

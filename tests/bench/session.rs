@@ -46,6 +46,7 @@ impl Session {
         let env = Environment {
             vars: BTreeMap::new(),
             cwd: folder.to_owned(),
+            ..Environment::default()
         };
         let (mut world, path, text) = (
             World::new(env, Vec::new()),

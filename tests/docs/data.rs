@@ -35,6 +35,7 @@ fn findings(folder: &Path, words: &[&str]) -> String {
     let env = Environment {
         vars: vars.into(),
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let words: Vec<String> = words.iter().map(|word| (*word).to_owned()).collect();

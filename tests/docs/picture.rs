@@ -25,6 +25,7 @@ fn printed() -> String {
     let env = Environment {
         vars: vars.into(),
         cwd: root().to_owned(),
+        ..Environment::default()
     };
     let (mut out, mut err) = (Vec::new(), Vec::new());
     let mut nothing = &b""[..];

@@ -26,6 +26,8 @@ REPOSITORY = build.REPOSITORY
 FUNCTIONS = {'sin': 10, 'cos': 10, 'tan': 10, 'asin': 1, 'acos': 1, 'atan': 20, 'exp': 20, 'log': 0, 'log10': 0, 'sqrt': 0,
              'sinh': 10, 'cosh': 10, 'tanh': 5, 'pow': 0, 'atan2': 10}
 CHUNK = 2000
+# seconds for a command: under Wine, with another one beside it, the largest example takes more than two minutes
+PATIENCE = 400
 # glibc itself gives another last bit for one argument in a thousand on processors without fused multiplication
 MOST_DIFFERENT = 0.005
 PARTS = '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="tip"><link name="tip"/></xacro:macro></robot>\n'
@@ -55,7 +57,7 @@ class Suite:
 
     def run(self, *arguments, cwd=None, **variables):
         return subprocess.run([*self.command, *map(str, arguments)], cwd=cwd or self.folder, capture_output=True,
-                              encoding='utf-8', timeout=120, env=dict(self.environment, **variables), stdin=subprocess.DEVNULL)
+                              encoding='utf-8', timeout=PATIENCE, env=dict(self.environment, **variables), stdin=subprocess.DEVNULL)
 
     def check(self, name, is_right, found=''):
         self.passed, self.failed = self.passed + bool(is_right), self.failed + (not is_right)
@@ -124,6 +126,13 @@ def packages(suite):
                 done.stdout + done.stderr)
 
 
+def is_all_or_nothing(done, path, before, after):
+    """Either the file is fixed, or it is as it was and its name is in the message."""
+    if done.returncode == 0:
+        return path.read_bytes() == after
+    return path.read_bytes() == before and path.name in done.stderr + done.stdout and 'panicked' not in done.stderr
+
+
 def fixes(suite):
     """A file that may not be written stays as it is, with a message; others are fixed."""
     path = suite.folder / 'fix.urdf'
@@ -131,16 +140,18 @@ def fixes(suite):
            '    <parent link="a"/>\r\n    <child link="b"/>\r\n  </joint>\r\n</robot>\r\n'
     path.write_bytes(text.encode())
     path.chmod(stat.S_IREAD)
+    fixed = text.replace('"Fixed"', '"fixed"').encode()
+    # under Wine, files that programs of this system hold are free, and the owner may write read-only ones
     done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
-    is_protected = path.read_bytes() == text.encode() or os.name != 'nt'
-    suite.check('a read-only file', is_protected and 'panicked' not in done.stderr, done.stdout + done.stderr)
+    suite.check('a read-only file', is_all_or_nothing(done, path, text.encode(), fixed), done.stdout + done.stderr)
     path.chmod(stat.S_IREAD | stat.S_IWRITE)
+    path.write_bytes(text.encode())
     with path.open('rb'):
         done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
-    suite.check('a file that is open elsewhere', 'panicked' not in done.stderr and b'</robot>\r\n' in path.read_bytes(),
-                done.stdout + done.stderr)
+    suite.check('a file that is open elsewhere', is_all_or_nothing(done, path, text.encode(), fixed), done.stdout + done.stderr)
+    path.write_bytes(text.encode())
     done = suite.run('fix', 'fix.urdf', '--unsafe-fixes')
-    suite.check('a file is fixed', done.returncode == 0 and b'type="fixed"' in path.read_bytes(), done.stdout + done.stderr)
+    suite.check('a file is fixed', done.returncode == 0 and path.read_bytes() == fixed, done.stdout + done.stderr)
 
 
 def output(suite):

@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)] // a test may fail loudly
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -43,8 +42,8 @@ impl Client {
     fn new() -> Self {
         let cwd = PathBuf::from("/workspace");
         let env = Environment {
-            vars: BTreeMap::new(),
             cwd: cwd.clone(),
+            ..Environment::default()
         };
         let vfs = Arc::new(Vfs::in_memory(1_000_000, cwd));
         let manifest = "<package format=\"3\"><name>crane</name></package>";

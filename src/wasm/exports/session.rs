@@ -1,6 +1,5 @@
 //! A session with the language server, over files in memory.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -22,8 +21,11 @@ impl Default for Held {
         let cwd = PathBuf::from(FOLDER);
         let limit = Config::default().limits.file_bytes();
         let vfs = Arc::new(Vfs::in_memory(limit, cwd.clone()));
-        let vars = BTreeMap::new();
-        let server = Embedded::new(vfs.clone(), Environment { vars, cwd });
+        let env = Environment {
+            cwd,
+            ..Environment::default()
+        };
+        let server = Embedded::new(vfs.clone(), env);
         Self { vfs, server }
     }
 }

@@ -22,7 +22,7 @@ use std::sync::Arc;
 use super::Packages;
 use super::launch;
 use super::memo::Memo;
-use super::root::is_built;
+use super::root::{is_built, is_cache};
 use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
 use base::{FastMap, FastSet};
 use vfs::Vfs;
@@ -539,8 +539,7 @@ fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
             continue;
         }
         let entries = vfs.list_dir(&folder);
-        // what a tool made and can make again says so
-        if entries.iter().any(|entry| entry.name == "CACHEDIR.TAG") {
+        if is_cache(&entries) {
             continue;
         }
         for entry in entries.iter() {

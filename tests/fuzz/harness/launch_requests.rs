@@ -61,6 +61,7 @@ pub fn launch_requests(data: &[u8]) {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.to_owned(),
+        ..Environment::default()
     };
     let mut world = World::new(env, vec![folder.to_owned()]);
     world.set_text(&path, text.clone());

@@ -22,6 +22,7 @@ fn environment() -> Environment {
     Environment {
         vars,
         cwd: PathBuf::from("/none"),
+        ..Environment::default()
     }
 }
 

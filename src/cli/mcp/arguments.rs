@@ -1,0 +1,140 @@
+//! The arguments of a tool: what they are declared as, and the words of a command line that they become.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use vfs::{Environment, Vfs};
+
+/// An argument of a tool.
+pub(super) struct Parameter {
+    pub(super) name: &'static str,
+    pub(super) kind: Kind,
+    pub(super) description: &'static str,
+    pub(super) is_required: bool,
+}
+
+/// What an argument is, and how the command line has it.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Kind {
+    /// A file or folder.
+    Path,
+    /// Files and folders.
+    Paths,
+    /// Arguments of the robot: an object whose values are texts, numbers or booleans.
+    RobotArguments,
+    /// A word.
+    Word,
+    /// Names, for an option that takes them with commas.
+    Names(&'static str),
+    /// One of these words, for an option.
+    Choice(&'static str, &'static [&'static str]),
+    /// Switches an option on.
+    Flag(&'static str),
+    /// An object of numbers or texts, for an option that takes `name=value`.
+    Pairs(&'static str),
+}
+
+impl Parameter {
+    /// Its JSON schema.
+    pub(super) fn schema(&self) -> Value {
+        let value = json!({ "type": ["string", "number", "boolean"] });
+        let mut schema = match self.kind {
+            Kind::Path | Kind::Word => json!({ "type": "string" }),
+            Kind::Paths | Kind::Names(_) => {
+                json!({ "type": "array", "items": { "type": "string" } })
+            }
+            Kind::RobotArguments | Kind::Pairs(_) => {
+                json!({ "type": "object", "additionalProperties": value })
+            }
+            Kind::Choice(_, words) => json!({ "type": "string", "enum": words }),
+            Kind::Flag(_) => json!({ "type": "boolean" }),
+        };
+        if let Some(fields) = schema.as_object_mut() {
+            fields.insert("description".into(), self.description.into());
+        }
+        schema
+    }
+
+    /// The words that a value becomes.
+    ///
+    /// # Errors
+    /// When the value is of another kind, or names a file that may not be read.
+    pub(super) fn words(&self, value: &Value, env: &Environment) -> Result<Vec<String>, String> {
+        let wrong = |expected: &str| format!("argument `{}` must be {expected}", self.name);
+        let word = |value: &Value| {
+            let word = value.as_str().filter(|word| !word.starts_with('-'));
+            word.map(str::to_owned)
+                .ok_or_else(|| wrong("text that does not start with `-`"))
+        };
+        let list = || value.as_array().ok_or_else(|| wrong("an array of texts"));
+        let object = || value.as_object().ok_or_else(|| wrong("an object"));
+        match self.kind {
+            Kind::Word => Ok(vec![word(value)?]),
+            Kind::Path => Ok(vec![self.path(value, env)?]),
+            Kind::Paths => list()?.iter().map(|value| self.path(value, env)).collect(),
+            Kind::Names(option) => {
+                let names: Result<Vec<String>, String> = list()?.iter().map(word).collect();
+                Ok(vec![format!("{option}={}", names?.join(","))])
+            }
+            Kind::Choice(option, words) => match value.as_str() {
+                Some(word) if words.contains(&word) => Ok(vec![format!("{option}={word}")]),
+                _ => Err(wrong(&format!("one of `{}`", words.join("`, `")))),
+            },
+            Kind::Flag(option) => match value.as_bool() {
+                Some(is_on) => Ok(is_on.then(|| option.to_owned()).into_iter().collect()),
+                None => Err(wrong("true or false")),
+            },
+            Kind::RobotArguments => {
+                let pair = |(name, value): (&String, &Value)| match name.starts_with('-') {
+                    true => Err(wrong("an object whose names do not start with `-`")),
+                    false => Ok(format!("{name}:={}", self.scalar(value)?)),
+                };
+                object()?.iter().map(pair).collect()
+            }
+            Kind::Pairs(option) => {
+                let pair = |(name, value): (&String, &Value)| {
+                    Ok(format!("{option}={name}={}", self.scalar(value)?))
+                };
+                object()?.iter().map(pair).collect()
+            }
+        }
+    }
+
+    /// A path of a file or folder that may be read, as no command line takes it for something else.
+    fn path(&self, value: &Value, env: &Environment) -> Result<String, String> {
+        let path = value
+            .as_str()
+            .filter(|path| !path.is_empty() && !path.contains(":="))
+            .ok_or_else(|| {
+                format!(
+                    "argument `{}` must be the path of a file or folder",
+                    self.name
+                )
+            })?;
+        if !Vfs::of(env, 0).exists(Path::new(path)) {
+            let folder = vfs::slashed(&env.cwd);
+            return Err(format!(
+                "cannot read `{path}`: it does not exist, or is outside of `{folder}`"
+            ));
+        }
+        let is_plain = Path::new(path).is_absolute() || !path.starts_with('-');
+        Ok(if is_plain {
+            path.to_owned()
+        } else {
+            format!("./{path}")
+        })
+    }
+
+    /// A value as a launch file would give it.
+    fn scalar(&self, value: &Value) -> Result<String, String> {
+        match value {
+            Value::String(text) => Ok(text.clone()),
+            Value::Number(_) | Value::Bool(_) => Ok(value.to_string()),
+            _ => Err(format!(
+                "argument `{}` must have texts, numbers or booleans as values",
+                self.name
+            )),
+        }
+    }
+}
