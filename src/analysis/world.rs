@@ -91,7 +91,11 @@ impl World {
 
     /// A world with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
-        let mut world = Self::new(self.env.clone(), self.folders.clone());
+        let (env, folders) = (self.env.clone(), self.folders.clone());
+        let mut world = match self.session.vfs.uncovered() {
+            Some(files) => Self::over(Arc::new(files), env, folders),
+            None => Self::new(env, folders),
+        };
         let editor = self.editor.iter().cloned();
         world.set_folder_settings(editor.map(|(own, folder)| (own, Some(folder))).collect());
         world

@@ -28,6 +28,16 @@ mod host {
         pub fn now() -> Self {
             Self(CLOCK.get().map_or(Duration::ZERO, |clock| clock()))
         }
+
+        /// The time since then.
+        pub fn elapsed(self) -> Duration {
+            Self::now().saturating_duration_since(self)
+        }
+
+        /// The time since an earlier moment; none since a later one.
+        pub fn saturating_duration_since(self, earlier: Self) -> Duration {
+            self.0.saturating_sub(earlier.0)
+        }
     }
 
     impl Add<Duration> for Instant {

@@ -2,6 +2,7 @@
 use std::collections::HashMap;
 use std::time::Duration;
 
+use futures_util::future::BoxFuture;
 use lsp_types::{MessageActionItem, MessageType, ShowDocumentParams, Url};
 use tokio::sync::mpsc::UnboundedReceiver;
 use tower_lsp::Client;
@@ -18,11 +19,13 @@ const CLIENT_TIMEOUT: Duration = Duration::from_secs(10);
 /// Requests that the user answers wait longer.
 const USER_TIMEOUT: Duration = Duration::from_secs(600);
 
-/// Send requests until the process ends. What waits for an answer does not hold up what follows.
+/// Send requests until the process ends. What waits for an answer does not hold up what follows: `start` runs it beside,
+/// for as long as it says.
 pub(super) async fn run_client_requests(
     client: Client,
     queue: Queue<State>,
     mut requests: UnboundedReceiver<ClientRequest>,
+    start: impl Fn(BoxFuture<'static, ()>, Duration),
 ) {
     while let Some(request) = requests.recv().await {
         let timeout = match request {
@@ -30,7 +33,7 @@ pub(super) async fn run_client_requests(
             _ => CLIENT_TIMEOUT,
         };
         let asked = run(client.clone(), queue.clone(), request);
-        drop(tokio::spawn(tokio::time::timeout(timeout, asked)));
+        start(Box::pin(asked), timeout);
     }
 }
 

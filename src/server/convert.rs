@@ -8,11 +8,33 @@ use xml::Document;
 
 /// The path a document is kept under. What is no file keeps its whole name, below no folder.
 pub(super) fn path(uri: &Url) -> PathBuf {
-    let file = (uri.scheme() == "file")
-        .then(|| uri.to_file_path().ok())
-        .flatten();
-    file.filter(|path| !path.to_string_lossy().contains('\0'))
+    file_path(uri)
+        .filter(|path| !path.to_string_lossy().contains('\0'))
         .unwrap_or_else(|| Path::new("/").join(uri.as_str().replace(['/', '\0'], "_")))
+}
+
+/// The path of a file, where a URI is that of one.
+pub(super) fn file_path(uri: &Url) -> Option<PathBuf> {
+    if uri.scheme() != "file" {
+        return None;
+    }
+    #[cfg(any(unix, windows))]
+    return uri.to_file_path().ok();
+    // what a browser has for a system has no paths of its own
+    #[cfg(not(any(unix, windows)))]
+    return Some(
+        workspace::percent_decoded(uri.path())
+            .unwrap_or_else(|| uri.path().to_owned())
+            .into(),
+    );
+}
+
+/// The URI of a file.
+pub(super) fn file_uri(path: &Path) -> Option<Url> {
+    #[cfg(any(unix, windows))]
+    return Url::from_file_path(path).ok();
+    #[cfg(not(any(unix, windows)))]
+    return Url::parse(&base::paths::HERE.file_uri(path.to_str()?)).ok();
 }
 
 /// A position in the encoding agreed with the client.

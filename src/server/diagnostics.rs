@@ -1,7 +1,6 @@
 //! Findings as diagnostics: pushed when there is a pause, or asked for.
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use lsp_types::{
     CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
@@ -24,6 +23,7 @@ use crate::scanning::scan_first;
 use crate::state::{Cause, State};
 use analysis::{Report, is_settings};
 use base::CancelFlag;
+use base::clock::Instant;
 use base::limits::{DIAGNOSTICS, RELATED};
 use rules::{Finding, Rule, Severity, Trait};
 

@@ -13,6 +13,7 @@ use crate::publishing::withdraw;
 use crate::refreshing::refresh;
 use crate::settings::request_settings;
 use crate::state::{Cause, OpenDocument, State};
+use base::clock::Instant;
 
 pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
@@ -26,7 +27,7 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     state.schedule.cause = Cause::Opened(path.clone());
     state.documents.insert(path, open);
     // what there is to say of a file should not wait for a pause in typing
-    state.schedule.due = Some(std::time::Instant::now());
+    state.schedule.due = Some(Instant::now());
 }
 
 /// Who has opened an installed copy should edit the source: the next build replaces the copy.

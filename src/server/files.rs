@@ -62,7 +62,7 @@ pub fn will_rename_files(
     params: RenameFilesParams,
     cancel: &CancelFlag,
 ) -> Result<Option<WorkspaceEdit>, Failure> {
-    let path = |uri: &str| Url::parse(uri).ok()?.to_file_path().ok();
+    let path = |uri: &str| convert::file_path(&Url::parse(uri).ok()?);
     let moves: Vec<Move> = params
         .files
         .iter()
@@ -198,7 +198,7 @@ pub fn files_deleted(state: &mut State, params: DeleteFilesParams) {
 fn files_changed(state: &mut State, uris: Vec<String>) {
     let paths: Vec<PathBuf> = uris
         .iter()
-        .filter_map(|uri| Url::parse(uri).ok()?.to_file_path().ok())
+        .filter_map(|uri| convert::file_path(&Url::parse(uri).ok()?))
         .collect();
     state.world.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));

@@ -33,6 +33,12 @@ pub(super) fn read(input: impl BufRead, mut take: impl FnMut(Incoming) -> bool) 
     bodies(input, |body, is_reply| take(message(&body, is_reply)));
 }
 
+/// The message that a body is, repaired where it can be.
+pub(super) fn of_body(body: &[u8]) -> Incoming {
+    let (body, is_reply) = checked(body);
+    message(&body, is_reply)
+}
+
 /// A body with a plain header.
 pub(super) fn framed(body: &[u8]) -> Vec<u8> {
     let mut message = format!("Content-Length: {}\r\n\r\n", body.len()).into_bytes();

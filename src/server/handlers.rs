@@ -48,7 +48,8 @@ use crate::state::State;
 /// The protocol side of the server.
 pub(super) struct Handlers {
     pub queue: Queue<State>,
-    pub shutdown: Shutdown,
+    /// How the process ends; none where it is not ours to end.
+    pub shutdown: Option<Shutdown>,
 }
 
 impl Handlers {

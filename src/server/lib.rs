@@ -10,6 +10,7 @@ mod contexts;
 mod convert;
 mod diagnostics;
 mod documents;
+mod embedded;
 mod exit;
 mod failure;
 mod files;
@@ -37,8 +38,10 @@ mod transport;
 mod views;
 
 use tokio::runtime::Builder;
-use tower_lsp::LspService;
+use tower_lsp::{Client, ClientSocket, LspService};
 
+use analysis::World;
+pub use embedded::Embedded;
 use exit::{Shutdown, Watched};
 use expand::spawn_on_large_stack;
 use handlers::Handlers;
@@ -73,43 +76,21 @@ async fn serve(env: Environment) -> u8 {
     let announced = status.clone();
     let log = Log::start(&env, outbox.clone());
     tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
-    let mut state = State::new(env, outbox, status, log);
+    let mut state = State::new(World::new(env, Vec::new()), outbox, status, log);
     state.queue = Some(queue.clone());
     if spawn_on_large_stack("analysis", move || main_loop::run(state, &jobs)).is_err() {
         return 1;
     }
     let (post, exit) = (queue.clone(), shutdown.clone());
-    let service = LspService::build(move |client| {
-        tokio::spawn(client_requests::run_client_requests(
-            client,
-            post.clone(),
-            requests,
-        ));
+    let (service, socket) = service(move |client| {
+        let start = |asked, timeout| drop(tokio::spawn(tokio::time::timeout(timeout, asked)));
+        let asking = client_requests::run_client_requests(client, post.clone(), requests, start);
+        tokio::spawn(asking);
         Handlers {
             queue: post,
-            shutdown: exit,
+            shutdown: Some(exit),
         }
-    })
-    .custom_method("xacro/expand", Handlers::expand)
-    .custom_method("xacro/expandAt", Handlers::expand_at)
-    .custom_method("xacro/setInstance", Handlers::set_instance)
-    .custom_method("xacro/toSource", Handlers::to_source)
-    .custom_method("xacro/toExpanded", Handlers::to_expanded)
-    .custom_method("xacro/roots", Handlers::roots)
-    .custom_method("xacro/setRoot", Handlers::set_root)
-    .custom_method("xacro/tree", Handlers::tree)
-    .custom_method("xacro/preview/subscribe", Handlers::preview_subscribe)
-    .custom_method("xacro/preview/unsubscribe", Handlers::preview_unsubscribe)
-    .custom_method("xacro/preview/setRoot", Handlers::preview_root)
-    .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
-    .custom_method("xacro/preview/select", Handlers::preview_select)
-    .custom_method("xacro/log", Handlers::log)
-    .custom_method("$/setTrace", Handlers::set_trace)
-    .custom_method(framing::BAD_MESSAGE, Handlers::bad_message);
-    // not in what users run
-    #[cfg(debug_assertions)]
-    let service = service.custom_method("xacro/debug/fail", Handlers::fail);
-    let (service, socket) = service.finish();
+    });
     let service = Watched {
         inner: service,
         shutdown: shutdown.clone(),
@@ -123,4 +104,29 @@ async fn serve(env: Environment) -> u8 {
     })
     .await;
     shutdown.code()
+}
+
+/// The protocol around handlers.
+fn service(handlers: impl FnOnce(Client) -> Handlers) -> (LspService<Handlers>, ClientSocket) {
+    let service = LspService::build(handlers)
+        .custom_method("xacro/expand", Handlers::expand)
+        .custom_method("xacro/expandAt", Handlers::expand_at)
+        .custom_method("xacro/setInstance", Handlers::set_instance)
+        .custom_method("xacro/toSource", Handlers::to_source)
+        .custom_method("xacro/toExpanded", Handlers::to_expanded)
+        .custom_method("xacro/roots", Handlers::roots)
+        .custom_method("xacro/setRoot", Handlers::set_root)
+        .custom_method("xacro/tree", Handlers::tree)
+        .custom_method("xacro/preview/subscribe", Handlers::preview_subscribe)
+        .custom_method("xacro/preview/unsubscribe", Handlers::preview_unsubscribe)
+        .custom_method("xacro/preview/setRoot", Handlers::preview_root)
+        .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
+        .custom_method("xacro/preview/select", Handlers::preview_select)
+        .custom_method("xacro/log", Handlers::log)
+        .custom_method("$/setTrace", Handlers::set_trace)
+        .custom_method(framing::BAD_MESSAGE, Handlers::bad_message);
+    // not in what users run
+    #[cfg(debug_assertions)]
+    let service = service.custom_method("xacro/debug/fail", Handlers::fail);
+    service.finish()
 }

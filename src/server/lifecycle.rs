@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::capabilities;
 use crate::client::{CLIENT_OPTIONS, ResolvedCapabilities, options};
+use crate::convert;
 use crate::exit::{Shutdown, watch_process};
 use crate::failure::Failure;
 use crate::outbox::ClientRequest;
@@ -19,15 +20,13 @@ use vfs::is_process_alive;
 
 pub fn initialize(
     state: &mut State,
-    (params, shutdown): (InitializeParams, Shutdown),
+    (params, shutdown): (InitializeParams, Option<Shutdown>),
     _: &CancelFlag,
 ) -> Result<InitializeResult, Failure> {
     state.client = ResolvedCapabilities::of(&params);
     // a client in another container or on another machine is not to be seen from here
-    if let Some(process) = params
-        .process_id
-        .filter(|&process| is_process_alive(process))
-    {
+    let process = params.process_id.zip(shutdown);
+    if let Some((process, shutdown)) = process.filter(|(process, _)| is_process_alive(*process)) {
         watch_process(process, shutdown);
     }
     state.encoding = encoding(&params);
@@ -140,10 +139,7 @@ fn folders(params: &InitializeParams) -> Vec<PathBuf> {
             .filter(|path| path.is_absolute())
             .collect();
     }
-    uris.into_iter()
-        .filter(|uri| uri.scheme() == "file")
-        .filter_map(|uri| uri.to_file_path().ok())
-        .collect()
+    uris.into_iter().filter_map(convert::file_path).collect()
 }
 
 fn registration(method: &str, options: Value) -> Registration {

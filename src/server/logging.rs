@@ -3,18 +3,18 @@
 use std::collections::VecDeque;
 use std::fmt::{Debug, Write};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
 
 use lsp_types::notification::{LogTrace, Notification};
 use lsp_types::{LogTraceParams, TraceValue};
 use tracing::field::{Field, Visit};
 use tracing::level_filters::LevelFilter;
 use tracing::{Event, Level, Subscriber};
-use tracing_subscriber::filter::Targets;
-use tracing_subscriber::layer::{Context, SubscriberExt};
-use tracing_subscriber::{Layer, fmt};
+use tracing_subscriber::filter::{Filtered, Targets};
+use tracing_subscriber::layer::{Context, Identity, Layered, SubscriberExt};
+use tracing_subscriber::{Layer, Registry, fmt};
 
 use crate::outbox::Outbox;
+use base::clock::Instant;
 use base::limits::LOG_LINES;
 use vfs::Environment;
 
@@ -33,33 +33,45 @@ struct Shared {
 }
 
 impl Log {
-    /// Begin to log. Once a process: a second log gets no events.
+    /// Begin to log, on standard error as well. Once a process: a second log gets no events.
     pub fn start(env: &Environment, outbox: Outbox) -> Self {
-        let log = Self(Arc::new(Shared {
-            outbox,
-            start: Instant::now(),
-            trace: Mutex::new(TraceValue::Off),
-            last: Mutex::default(),
-        }));
-        let own = Targets::new().with_target("server", LevelFilter::DEBUG);
         let asked: Result<Option<Targets>, _> = env.var(VARIABLE).map(str::parse).transpose();
         let unreadable = asked.is_err();
-        let shown = asked.unwrap_or_else(|_| Some(own.clone())).map(|targets| {
+        let shown = asked.unwrap_or_else(|_| Some(own())).map(|targets| {
             fmt::layer()
                 .with_ansi(false)
                 .with_writer(std::io::stderr)
                 .with_filter(targets)
         });
-        let layers = tracing_subscriber::registry()
-            .with(log.clone().with_filter(own))
-            .with(shown);
-        let _ = tracing::subscriber::set_global_default(layers);
+        let log = Self::begin(outbox, shown);
         if unreadable {
             let levels = "`error`, `warn`, `info`, `debug` or `trace`";
             tracing::warn!(
                 "`{VARIABLE}` is not one of {levels}, nor a list such as `server=debug`; using `debug`"
             );
         }
+        log
+    }
+
+    /// Begin to log for the client and for reports alone.
+    pub fn without_output(outbox: Outbox) -> Self {
+        Self::begin(outbox, None::<Identity>)
+    }
+
+    fn begin<L>(outbox: Outbox, shown: Option<L>) -> Self
+    where
+        L: Layer<Layered<Filtered<Self, Targets, Registry>, Registry>> + Send + Sync,
+    {
+        let log = Self(Arc::new(Shared {
+            outbox,
+            start: Instant::now(),
+            trace: Mutex::new(TraceValue::Off),
+            last: Mutex::default(),
+        }));
+        let layers = tracing_subscriber::registry()
+            .with(log.clone().with_filter(own()))
+            .with(shown);
+        let _ = tracing::subscriber::set_global_default(layers);
         log
     }
 
@@ -86,6 +98,11 @@ impl Log {
         }
         last.push_back(line);
     }
+}
+
+/// What we say ourselves.
+fn own() -> Targets {
+    Targets::new().with_target("server", LevelFilter::DEBUG)
 }
 
 impl<S: Subscriber> Layer<S> for Log {

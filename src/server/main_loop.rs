@@ -1,7 +1,7 @@
 //! The analysis thread: it alone owns the state, and works off one job after the other.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use lsp_types::MessageType;
 
@@ -10,6 +10,7 @@ use crate::preview::make_previews;
 use crate::queue::Job;
 use crate::scanning::scan;
 use crate::state::State;
+use base::clock::Instant;
 
 /// How long an edit takes at most from its message to its job.
 const ON_ITS_WAY: Duration = Duration::from_millis(2);
@@ -36,7 +37,7 @@ pub(super) fn run(mut state: State, jobs: &Receiver<Job<State>>) {
 }
 
 /// How long to wait for a job before idle work; none: for ever.
-fn pause(state: &State) -> Option<Duration> {
+pub(super) fn pause(state: &State) -> Option<Duration> {
     if state.previews.due && !state.previews.views.is_empty() {
         return Some(Duration::ZERO);
     }
@@ -52,7 +53,7 @@ fn pause(state: &State) -> Option<Duration> {
 }
 
 /// What is done when nobody waits for anything.
-fn idle(state: &mut State) {
+pub(super) fn idle(state: &mut State) {
     if state.previews.due && !state.previews.views.is_empty() {
         return make_previews(state);
     }
@@ -65,7 +66,7 @@ fn idle(state: &mut State) {
 }
 
 /// Run a job; a panic in it is logged and ends that job only.
-fn guarded(state: &mut State, job: Job<State>) {
+pub(super) fn guarded(state: &mut State, job: Job<State>) {
     let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(state))) else {
         return;
     };

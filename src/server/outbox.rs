@@ -9,8 +9,6 @@ use lsp_types::{
 use serde::Serialize;
 use tokio::sync::mpsc::{UnboundedReceiver, UnboundedSender, unbounded_channel};
 
-use crate::framing::framed;
-
 /// A request to the client.
 pub(super) enum ClientRequest {
     /// Capabilities to be registered.
@@ -22,8 +20,16 @@ pub(super) enum ClientRequest {
     /// A progress token to be made.
     CreateProgress(String),
     /// A document to be shown to the user.
+    #[cfg_attr(
+        not(feature = "preview"),
+        allow(dead_code, reason = "asked for by the preview in a browser")
+    )]
     ShowDocument(Url, Range),
     /// A page to be shown outside of the editor.
+    #[cfg_attr(
+        not(feature = "preview"),
+        allow(dead_code, reason = "asked for by the preview in a browser")
+    )]
     ShowPage(Url),
     /// Edits to be made.
     ApplyEdit(Box<WorkspaceEdit>),
@@ -72,12 +78,12 @@ impl Outbox {
 
     /// Send a notification.
     pub fn notify(&self, method: &str, params: &impl Serialize) {
-        self.notify_encoded(&notification(method, params));
+        self.notify_encoded(notification(method, params));
     }
 
     /// Send a notification that is JSON already.
-    pub fn notify_encoded(&self, notification: &[u8]) {
-        let _ = self.notifications.send(framed(notification));
+    pub fn notify_encoded(&self, notification: Vec<u8>) {
+        let _ = self.notifications.send(notification);
     }
 
     /// Send a request.

@@ -87,7 +87,7 @@ impl ClientNames {
     fn with<T>(&self, work: impl FnOnce(&Names<'_>) -> T) -> T {
         let uri = |path: &Path| {
             let open = self.uris.get(path).cloned();
-            open.or_else(|| Some(Url::from_file_path(path).ok()?.to_string()))
+            open.or_else(|| Some(convert::file_uri(path)?.to_string()))
         };
         let path = |uri: &str| Some(convert::path(&Url::parse(uri).ok()?));
         work(&Names {

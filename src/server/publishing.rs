@@ -37,7 +37,7 @@ fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) 
         true => state.sent.diagnostics.messages.remove(&path),
         false => state.sent.diagnostics.messages.insert(path, hash),
     };
-    state.outbox.notify_encoded(&message);
+    state.outbox.notify_encoded(message);
 }
 
 /// A closed file has no diagnostics of its own any more.

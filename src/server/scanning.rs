@@ -1,12 +1,11 @@
 //! The scan of the workspace, with progress.
-use std::time::Instant;
-
 use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::refreshing::refresh;
 use crate::state::{Cause, State};
 use base::CancelFlag;
+use base::clock::Instant;
 
 /// The client made the token for the scan, or will not show it.
 pub fn progress_created(state: &mut State, made: bool) {

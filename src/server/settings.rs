@@ -5,6 +5,7 @@ use std::time::Duration;
 use lsp_types::{DidChangeConfigurationParams, MessageType, Url};
 use serde_json::Value;
 
+use crate::convert;
 use crate::outbox::ClientRequest;
 use crate::state::{Cause, State};
 use ide::HintSettings;
@@ -17,7 +18,7 @@ pub fn request_settings(state: &State) {
             .world
             .folders()
             .iter()
-            .map(|folder| Url::from_file_path(folder).ok());
+            .map(|folder| convert::file_uri(folder));
         let mut scopes: Vec<_> = folders.collect();
         if scopes.is_empty() {
             scopes.push(None);

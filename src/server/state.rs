@@ -2,7 +2,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use lsp_types::Url;
 
@@ -15,7 +15,8 @@ use crate::queue::QueueStatus;
 use crate::sent::Sent;
 use analysis::World;
 use base::Encoding;
-use vfs::{Environment, SourceFile};
+use base::clock::Instant;
+use vfs::SourceFile;
 
 /// An open document.
 #[derive(Clone, Debug)]
@@ -128,9 +129,9 @@ impl State {
     /// be noticed.
     pub const DELAY: Duration = Duration::from_millis(20);
 
-    pub fn new(env: Environment, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
+    pub fn new(world: World, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
         Self {
-            world: World::new(env, Vec::new()),
+            world,
             client: ResolvedCapabilities::default(),
             encoding: Encoding::Utf16,
             outbox,
@@ -174,7 +175,7 @@ impl State {
             .documents
             .get(path)
             .map(|document| document.uri.clone());
-        open.or_else(|| Url::from_file_path(path).ok())
+        open.or_else(|| convert::file_uri(path))
     }
 
     /// A document that the client may ask about.

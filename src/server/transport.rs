@@ -29,7 +29,7 @@ const HANDLERS_AT_ONCE: usize = 1024;
 
 /// What goes out unasked.
 pub(super) struct Outgoing {
-    /// Notifications, with their headers.
+    /// Notifications, as JSON.
     pub notifications: UnboundedReceiver<Vec<u8>>,
     /// Requests, and where their replies go.
     pub socket: ClientSocket,
@@ -156,7 +156,7 @@ async fn write(
     loop {
         let message = tokio::select! {
             biased;
-            Some(notification) = notifications.recv() => notification,
+            Some(notification) = notifications.recv() => framing::framed(&notification),
             Some(request) = requests.next() => encoded(&request),
             answer = answers.recv() => match answer {
                 Some(answer) => encoded(&answer),

@@ -1,9 +1,9 @@
 //! What lies below the buffers: the disk of this machine, or files in memory where there is none, as in a browser.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Bound;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use super::DirEntry;
 use super::error::{LoadError, LoadErrorKind};
@@ -21,7 +21,14 @@ pub(super) enum Disk {
     /// Folders of the machine, without links in their paths; nothing outside of them is seen.
     Within(Vec<PathBuf>),
     /// Files that somebody put there.
-    Memory(RwLock<Files>),
+    Memory(Memory),
+}
+
+/// Files that somebody put, and those whose content somebody should put.
+#[derive(Default)]
+pub(super) struct Memory {
+    files: RwLock<Files>,
+    wanted: Mutex<BTreeSet<PathBuf>>,
 }
 
 /// Files in memory by their absolute paths. Folders exist as long as there is something in them.
@@ -29,7 +36,8 @@ pub(super) type Files = BTreeMap<PathBuf, File>;
 
 /// A file in memory.
 pub(super) struct File {
-    bytes: Arc<[u8]>,
+    /// None: only its name is known.
+    bytes: Option<Arc<[u8]>>,
     /// Different for every content of every file.
     revision: u64,
 }
@@ -37,7 +45,7 @@ pub(super) struct File {
 impl Disk {
     /// A place for files in memory.
     pub(super) fn memory() -> Self {
-        Self::Memory(RwLock::default())
+        Self::Memory(Memory::default())
     }
 
     /// Only these folders of the machine; all of it when there are none.
@@ -51,21 +59,41 @@ impl Disk {
 
     /// Put a file in memory, or take it away; whether this is the place for it.
     pub(super) fn put(&self, path: PathBuf, bytes: Option<Vec<u8>>, revision: u64) -> bool {
-        let Self::Memory(files) = self else {
+        let file = bytes.map(|bytes| File {
+            bytes: Some(bytes.into()),
+            revision,
+        });
+        self.set(path, file)
+    }
+
+    /// Put the name of a file in memory whose content is elsewhere; whether this is the place for it.
+    pub(super) fn put_name(&self, path: PathBuf, revision: u64) -> bool {
+        let file = File {
+            bytes: None,
+            revision,
+        };
+        self.set(path, Some(file))
+    }
+
+    fn set(&self, path: PathBuf, file: Option<File>) -> bool {
+        let Self::Memory(Memory { files, .. }) = self else {
             return false;
         };
         let mut files = files.write().unwrap_or_else(PoisonError::into_inner);
-        match bytes {
-            Some(bytes) => files.insert(
-                path,
-                File {
-                    bytes: bytes.into(),
-                    revision,
-                },
-            ),
+        match file {
+            Some(file) => files.insert(path, file),
             None => files.remove(&path),
         };
         true
+    }
+
+    /// The files whose content was asked for, and of which only the names are here.
+    pub(super) fn take_wanted(&self) -> Vec<PathBuf> {
+        let Self::Memory(Memory { wanted, .. }) = self else {
+            return Vec::new();
+        };
+        let mut wanted = wanted.lock().unwrap_or_else(PoisonError::into_inner);
+        std::mem::take(&mut *wanted).into_iter().collect()
     }
 
     /// The state of a file or folder.
@@ -92,12 +120,25 @@ impl Disk {
             let file = files
                 .get(path)
                 .ok_or_else(|| LoadError::new(LoadErrorKind::NotFound, path))?;
-            Ok(file.bytes.to_vec())
+            Ok(file.bytes.clone())
+        });
+        let in_memory = in_memory.map(|found| match found? {
+            Some(bytes) => Ok(bytes.to_vec()),
+            None => Err(self.want(path)),
         });
         in_memory.unwrap_or_else(|| {
             self.allowed(path)
                 .and_then(|()| read::bytes(path, known, limit))
         })
+    }
+
+    /// Note that the content of a file is wanted; why there is none.
+    fn want(&self, path: &Path) -> LoadError {
+        if let Self::Memory(Memory { wanted, .. }) = self {
+            let mut wanted = wanted.lock().unwrap_or_else(PoisonError::into_inner);
+            wanted.insert(path.to_owned());
+        }
+        LoadError::elsewhere(path)
     }
 
     /// The names in the folder at an absolute path, each looked at when it is asked for.
@@ -174,7 +215,7 @@ impl Disk {
     fn in_memory<T>(&self, look: impl FnOnce(&Files) -> T) -> Option<T> {
         match self {
             Self::System | Self::Within(_) => None,
-            Self::Memory(files) => {
+            Self::Memory(Memory { files, .. }) => {
                 Some(look(&files.read().unwrap_or_else(PoisonError::into_inner)))
             }
         }
@@ -191,7 +232,7 @@ fn below<'a>(files: &'a Files, folder: &'a Path) -> impl Iterator<Item = (&'a Pa
 
 fn stat(files: &Files, path: &Path) -> Result<Stat, LoadError> {
     if let Some(file) = files.get(path) {
-        let size = file.bytes.len() as u64;
+        let size = file.bytes.as_ref().map_or(0, |bytes| bytes.len()) as u64;
         return Ok(Stat {
             kind: Kind::Regular,
             size,
@@ -292,6 +333,23 @@ mod tests {
             vfs.canonical(Path::new("/w/b/../a")),
             without_parents(Path::new("/w/a"))
         );
+    }
+
+    #[test]
+    fn content_that_is_elsewhere_is_asked_for() {
+        let vfs = vfs(&[("a/package.xml", "<package/>")]);
+        let mesh = Path::new("/w/a/mesh.stl");
+        assert!(vfs.put_name(mesh) && vfs.is_file(mesh) && vfs.take_wanted().is_empty());
+        assert_eq!(vfs.list_dir(Path::new("a")).len(), 2);
+        let refused = vfs.bytes(mesh, 100).unwrap_err();
+        assert_eq!(refused.strerror, "its content was not loaded");
+        assert_eq!(vfs.take_wanted(), [mesh.to_owned()]);
+        assert!(vfs.take_wanted().is_empty());
+        vfs.put(mesh, Some(b"solid".to_vec()));
+        assert_eq!(vfs.bytes(mesh, 100).unwrap(), b"solid");
+        let open = vfs.overlay([(mesh.to_owned(), "text".to_owned())]);
+        assert_eq!(open.text(mesh).unwrap().text, "text");
+        assert_eq!(open.uncovered().unwrap().text(mesh).unwrap().text, "solid");
     }
 
     #[test]

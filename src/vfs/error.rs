@@ -68,6 +68,16 @@ impl LoadError {
         }
     }
 
+    /// A file of which only the name is known.
+    pub(super) fn elsewhere(path: &Path) -> Self {
+        Self {
+            kind: LoadErrorKind::Other,
+            errno: 5,
+            strerror: "its content was not loaded".to_owned(),
+            path: path.to_owned(),
+        }
+    }
+
     /// The reason in words: for a file that is too large with the limit.
     pub fn reason(&self) -> String {
         match self.kind {

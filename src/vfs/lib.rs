@@ -15,6 +15,7 @@ mod environment;
 mod error;
 mod glob;
 mod ids;
+mod memory;
 mod output;
 mod process;
 mod read;
@@ -189,31 +190,6 @@ impl Vfs {
             shared,
             ..Self::with_cwd(max_file_bytes, env.cwd.clone())
         }
-    }
-
-    /// Files in memory, at first none: see [`Vfs::put`]. Nothing of the machine is seen.
-    pub fn in_memory(max_file_bytes: u64, cwd: PathBuf) -> Self {
-        let shared = Arc::new(Shared {
-            disk: Disk::memory(),
-            ..Shared::default()
-        });
-        Self {
-            shared,
-            ..Self::with_cwd(max_file_bytes, cwd)
-        }
-    }
-
-    /// Put a file among those in memory, or take it away (`None`); false where files are on a disk, which stay as they
-    /// are.
-    pub fn put(&self, path: &Path, bytes: Option<Vec<u8>>) -> bool {
-        self.shared
-            .disk
-            .put(self.absolute(path), bytes, self.next_revision())
-    }
-
-    /// The files in memory below a folder, in the order of their paths; none where files are on a disk.
-    pub fn files_in_memory(&self, folder: &Path) -> Option<Vec<PathBuf>> {
-        self.shared.disk.below(&self.absolute(folder))
     }
 
     /// These files as they would be with other texts. The original is not touched, whatever becomes of the overlay; file

@@ -18,7 +18,7 @@ use workspace::config::Config;
 use workspace::{PackageOptions, Packages};
 
 /// The folder of all files. Paths outside are possible; nothing is searched there.
-const FOLDER: &str = "/workspace";
+pub(crate) const FOLDER: &str = "/workspace";
 /// Time that looking for robots may take.
 const PATIENCE: Duration = Duration::from_secs(10);
 

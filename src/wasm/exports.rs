@@ -8,11 +8,19 @@
     reason = "only the attributes that name functions for the host are unsafe; no memory is touched by hand"
 )]
 
+#[cfg(not(feature = "server"))]
+mod questions;
+#[cfg(feature = "server")]
+mod session;
+
 use std::cell::RefCell;
 use std::sync::Once;
 use std::time::Duration;
 
-use super::bench::Bench;
+#[cfg(not(feature = "server"))]
+use questions::Held;
+#[cfg(feature = "server")]
+use session::Held;
 
 #[link(wasm_import_module = "host")]
 unsafe extern "C" {
@@ -26,7 +34,7 @@ static STARTED: Once = Once::new();
 
 #[derive(Default)]
 struct State {
-    bench: Bench,
+    held: Held,
     input: Vec<u8>,
     output: Vec<u8>,
 }
@@ -68,7 +76,7 @@ extern "C" fn put(path: usize) {
         let mut name = std::mem::take(&mut state.input);
         let content = name.split_off(path.min(name.len()));
         state
-            .bench
+            .held
             .put(&String::from_utf8_lossy(&name), Some(content));
     });
 }
@@ -77,31 +85,24 @@ extern "C" fn put(path: usize) {
 #[unsafe(no_mangle)]
 extern "C" fn remove() {
     with(|state| {
-        let path = String::from_utf8_lossy(&std::mem::take(&mut state.input)).into_owned();
-        state.bench.put(&path, None);
+        let path = state.text();
+        state.held.put(&path, None);
     });
 }
 
-/// Answer the question in the input; the length of the answer.
-#[unsafe(no_mangle)]
-extern "C" fn call() -> usize {
-    answer(|bench, question| bench.call(question).map(String::into_bytes))
-}
+impl State {
+    /// The input as text.
+    fn text(&mut self) -> String {
+        String::from_utf8_lossy(&std::mem::take(&mut self.input)).into_owned()
+    }
 
-/// The bytes of the file of a model whose id is the input; the length of the answer.
-#[unsafe(no_mangle)]
-extern "C" fn mesh() -> usize {
-    answer(|bench, id| bench.mesh(id))
-}
-
-fn answer(work: impl FnOnce(&mut Bench, &str) -> Result<Vec<u8>, String>) -> usize {
-    with(|state| {
-        let question = String::from_utf8_lossy(&std::mem::take(&mut state.input)).into_owned();
-        let (mark, answer) = match work(&mut state.bench, &question) {
+    /// Leave an answer; its length.
+    fn answer(&mut self, answer: Result<Vec<u8>, String>) -> usize {
+        let (mark, answer) = match answer {
             Ok(answer) => (0, answer),
             Err(message) => (1, message.into_bytes()),
         };
-        state.output = [vec![mark], answer].concat();
-        state.output.len()
-    })
+        self.output = [vec![mark], answer].concat();
+        self.output.len()
+    }
 }

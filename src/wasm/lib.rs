@@ -2,7 +2,8 @@
 //! of.
 //!
 //! A [`Bench`] holds files. A [`Call`] comes as JSON and is answered as JSON. Nothing is decided here: checks are those
-//! of `analysis`, expansions those of `expand`, models those of `preview`.
+//! of `analysis`, expansions those of `expand`, models those of `preview`. With the feature `server`, what is called from
+//! outside is the language server instead (`server::Embedded`).
 
 mod bench;
 mod calls;

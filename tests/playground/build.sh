@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Build the program for WebAssembly into target/playground/xacro_lint.wasm.
+# Build the program for WebAssembly into target/playground/xacro_lint.wasm, or with `server` as the argument, the
+# language server into target/playground/xacro_lsp.wasm.
 #
 # With the target of rustup where it is installed (`rustup target add wasm32-unknown-unknown`), else with the compiler
 # of Debian (packages of `rust-web`), which is unpacked below target and not installed.
@@ -38,7 +39,14 @@ if [ ! -d "$sysroot/lib/rustlib/$target" ]; then
     export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$sysroot/lib/rustlib/$host/bin/rust-lld"
     extra=(-Zbuild-std=std,panic_abort)
 fi
-cargo rustc --quiet --locked -p xacro-lsp-wasm --lib --crate-type cdylib --profile wasm --target "$target" "${extra[@]}"
+name=xacro_lint
+features=()
+if [ "${1:-}" = server ]; then
+    name=xacro_lsp
+    features=(--features server)
+fi
+cargo rustc --quiet --locked -p xacro-lsp-wasm --lib --crate-type cdylib --profile wasm --target "$target" \
+    "${features[@]}" "${extra[@]}"
 built="$CARGO_TARGET_DIR/$target/wasm/wasm.wasm"
 # the same bytes are left alone, so that what holds them is not built again
-cmp -s "$built" "$out/xacro_lint.wasm" || cp "$built" "$out/xacro_lint.wasm"
+cmp -s "$built" "$out/$name.wasm" || cp "$built" "$out/$name.wasm"

@@ -1,5 +1,5 @@
 // The extension in a real VS Code.
-//   node e2e.mjs --code-server DIR --vsix FILE --out DIR [--only NAME[,NAME]] [--shots]
+//   node e2e.mjs --code-server DIR --vsix FILE --web-vsix FILE --out DIR [--only NAME[,NAME]] [--shots]
 import assert from "node:assert/strict";
 import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -11,6 +11,7 @@ const { values } = parseArgs({
   options: {
     "code-server": { type: "string" },
     vsix: { type: "string" },
+    "web-vsix": { type: "string" },
     out: { type: "string" },
     only: { type: "string" },
     shots: { type: "boolean", default: false },
@@ -25,6 +26,8 @@ const PROFILES = {
   plain: {},
   trust: { trust: true },
   missing: { settings: { "xacro.server.path": "/no/such/program" } },
+  // the extension host in the browser: as in VS Code for the Web, nothing of the extension runs on the server
+  web: { settings: { "remote.extensionKind": { "xacro-lsp.xacro-lsp": ["web"] } }, vsix: "web-vsix" },
 };
 
 /**
@@ -572,6 +575,86 @@ test("preview", "measuring_cell", async (window) => {
   await until("the robot after a reload", async () => (await body("ok").catch(() => null)) === "true");
 }, { needs: "viewer/viewer.js" });
 
+const web = { profile: "web", share: "web" };
+
+test("web-problems", "broken_cell", async (window, server) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  for (const [part, message, rule] of [
+    ["<xacro:reference_bals", "reference_bals", "undefined-macro"],
+    ['<property name="stylus_length"', "`property` is missing", "unprefixed-xacro-tag"],
+    ['<child link="probe_body"', "has more than one parent joint", "multiple-parents"],
+  ]) {
+    const shown = await window.problem(message);
+    assert.ok(shown.includes(rule) && shown.includes(`[Ln ${file.find(part)[0]}, `), shown);
+  }
+  // names of files that are read by nobody are known, too
+  assert.match(await window.problem("Link_3.stl"), /mesh-case-mismatch/);
+  assert.deepEqual(server.servers(), [], "no program runs");
+}, web);
+
+test("web-reading", "broken_cell", async (window) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  await window.editor.click();
+  await window.go(...file.find("{stylus_length}", 3));
+  assert.match(await window.hover("stylus_length"), /0\.05/);
+  await window.go(...file.find("<xacro:measuring_table", 12));
+  await until("the definition in the included file", async () => {
+    await window.press("F12");
+    const tab = window.page.locator('.tab.active[data-resource-name="furniture.xacro"]');
+    return tab.waitFor({ timeout: 3000 }).then(() => true, () => false);
+  });
+}, web);
+
+test("web-typing", "broken_cell", async (window) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  await window.editor.click();
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  await window.press("Enter");
+  await window.page.keyboard.type("<xacro:refer");
+  await window.page.locator(".suggest-widget.visible .monaco-list-row", { hasText: "reference_balls" }).first().waitFor();
+  await window.press("Escape");
+  await window.command("File: Revert File");
+  // a keystroke makes a finding
+  await window.go(...file.find("xacro:broken_probe", 12));
+  await window.page.keyboard.type("x");
+  await window.problem("brokenx_probe");
+  await window.command("File: Revert File");
+}, web);
+
+test("web-files", "broken_cell", async (window) => {
+  // what other programs do to the files is seen
+  source(window, "src/broken_cell/urdf/furniture.xacro").write((text) => text.replace('name="table_height" value="0.75"', 'name="table_hight" value="0.75"'));
+  await window.file("broken_cell.xacro");
+  assert.match(await window.problem("table_height"), /is not defined/);
+}, web);
+
+test("web-quick-fix", "broken_cell", async (window) => {
+  const file = source(window, BROKEN);
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  await window.editor.click();
+  await window.go(...file.find("reference_bals", 3));
+  await window.press("Control+.");
+  await window.page.locator(".action-widget .monaco-list-row.focused", { hasText: "reference_balls" }).waitFor();
+  await window.press("Enter");
+  await window.save();
+  await file.has("<xacro:reference_balls");
+  await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
+}, web);
+
+test("web-preview", "measuring_cell", async (window) => {
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Xacro: Open Preview");
+  const body = (name) => window.webview.locator("body").getAttribute(`data-${name}`);
+  // the meshes come by messages, too
+  await until("the robot with its meshes", async () => (await body("ok")) === "true" && (await body("loading")) === "0");
+}, { profile: "web", needs: "viewer/viewer.js" });
+
 async function main() {
   const program = resolve(values["code-server"]);
   const browser = await openBrowser();
@@ -582,7 +665,7 @@ async function main() {
     const own = chosen.filter((each) => each.profile === profile);
     if (own.length === 0) continue;
     const server = new CodeServer(program, fresh(join(out, `profile-${profile}`)), options);
-    await server.install(resolve(values.vsix));
+    await server.install(resolve(values[options.vsix ?? "vsix"]));
     await server.start();
     for (const share of new Set(own.map((each) => each.share))) {
       const group = own.filter((each) => each.share === share);

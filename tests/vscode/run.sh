@@ -3,6 +3,8 @@
 #
 #   tests/vscode/run.sh            installs what it needs (Debian packages, npm), builds, tests
 #
+# The web tests run in the extension host of the browser, with the server for WebAssembly.
+#
 # XACRO_LSP names the server to be put into the extension; without it, one is built. Arguments are passed on to
 # e2e.mjs (`--only NAME`, `--shots`).
 set -euo pipefail
@@ -50,9 +52,18 @@ if [ -d editors/viewer ]; then
     packages editors/viewer
     (cd editors/viewer && npm run --silent build)
 fi
-node editors/vscode/scripts/package.mjs --server "$server" --out "$work/xacro-lsp.vsix" >"$work/package.log" 2>&1 ||
-    { cat "$work/package.log"; exit 1; }
-if grep -i warning "$work/package.log"; then echo "vsce warns"; exit 1; fi
-tail -1 "$work/package.log"
+# Packages the extension with what the arguments name; `web` beside the one for this platform.
+package() {
+    local name=$1
+    shift
+    node editors/vscode/scripts/package.mjs --out "$work/$name.vsix" "$@" >"$work/package.log" 2>&1 ||
+        { cat "$work/package.log"; exit 1; }
+    if grep -i warning "$work/package.log"; then echo "vsce warns"; exit 1; fi
+    tail -1 "$work/package.log"
+}
+tests/playground/build.sh server
+package xacro-lsp --server "$server"
+package xacro-lsp-web --wasm target/playground/xacro_lsp.wasm
 
-node tests/vscode/e2e.mjs --code-server "$work/code-server" --vsix "$work/xacro-lsp.vsix" --out "$work/e2e" "$@"
+node tests/vscode/e2e.mjs --code-server "$work/code-server" --vsix "$work/xacro-lsp.vsix" \
+    --web-vsix "$work/xacro-lsp-web.vsix" --out "$work/e2e" "$@"

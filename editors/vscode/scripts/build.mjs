@@ -11,9 +11,13 @@ const production = has("--production");
 
 const common = { bundle: true, minify: production, sourcemap: production ? false : "linked", logLevel: "warning", absWorkingDir: root };
 const host = { ...common, platform: "node", format: "cjs", target: "node18", external: ["vscode"] };
+const web = { ...common, platform: "browser", target: "es2022", mainFields: ["browser", "module", "main"] };
 const page = { ...common, platform: "browser", format: "iife", target: "es2022" };
 const builds = [
   { ...host, entryPoints: ["src/extension.ts"], outfile: "dist/extension.js", mainFields: ["module", "main"] },
+  // where no program can be started: the extension, and the worker that the server runs in
+  { ...web, format: "cjs", external: ["vscode"], entryPoints: ["src/browser.ts"], outfile: "dist/browser.js" },
+  { ...web, format: "iife", entryPoints: ["src/web/worker.ts"], outfile: "dist/worker.js" },
   { ...page, entryPoints: ["src/webview/graph.ts"], outfile: "dist/graph.js" },
 ];
 if (has("--tests")) {

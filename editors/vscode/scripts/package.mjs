@@ -1,6 +1,8 @@
 // Builds a .vsix for one platform, with the server and the viewer inside.
 //   node scripts/package.mjs --server FILE [--target linux-x64] [--viewer FILE] [--out FILE.vsix]
-// Without --server the result is the universal extension, which looks for the server on the search path.
+//   node scripts/package.mjs [--wasm FILE] [--target web] [--viewer FILE] [--out FILE.vsix]
+// Without --server the result is the universal extension, which looks for the server on the search path; in VS Code for
+// the Web it runs the server for WebAssembly, which only this one has (`tests/playground/build.sh server` makes it).
 import { execFileSync } from "node:child_process";
 import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -12,6 +14,7 @@ const { values } = parseArgs({
   options: {
     server: { type: "string" },
     target: { type: "string" },
+    wasm: { type: "string", default: join(root, "..", "..", "target", "playground", "xacro_lsp.wasm") },
     viewer: { type: "string", default: join(root, "..", "viewer", "dist", "viewer.js") },
     out: { type: "string" },
   },
@@ -21,6 +24,7 @@ const target = values.target ?? (values.server ? `${process.platform}-${process.
 
 rmSync(join(root, "server"), { recursive: true, force: true });
 rmSync(join(root, "viewer"), { recursive: true, force: true });
+rmSync(join(root, "wasm"), { recursive: true, force: true });
 if (values.server) {
   // the program that editors start, and the one it starts, which lies beside it
   const suffix = target.startsWith("win32") ? ".exe" : "";
@@ -33,6 +37,13 @@ if (values.server) {
     copyFileSync(from, program);
     chmodSync(program, 0o755);
   }
+}
+const wasm = resolve(values.wasm);
+if (!values.server && existsSync(wasm)) {
+  mkdirSync(join(root, "wasm"));
+  copyFileSync(wasm, join(root, "wasm", "xacro_lsp.wasm"));
+} else if (!values.server) {
+  console.warn(`no server at ${wasm}: the package does nothing in VS Code for the Web (tests/playground/build.sh server)`);
 }
 const viewer = resolve(values.viewer);
 if (existsSync(viewer)) {

@@ -9,6 +9,7 @@ import * as protocol from "./protocol";
 import type { ExpandError, ExpandedAt } from "./protocol";
 import type { Server } from "./server";
 import type { Contexts } from "./contexts";
+import { isFileScheme } from "./schemes";
 
 /** Pause after a keystroke before the robot is expanded again. */
 const DELAY_MS = 40;
@@ -54,7 +55,7 @@ export class ExpandedDocuments
       contexts.onChange(soon),
       server.onReady(soon),
       vscode.workspace.onDidChangeTextDocument(({ document }) => {
-        if (document.uri.scheme === "file") this.updateSoon();
+        if (isFileScheme(document.uri.scheme)) this.updateSoon();
       }),
       vscode.workspace.onDidSaveTextDocument(soon),
       vscode.workspace.onDidCloseTextDocument(({ uri }) => this.forget(uri)),

@@ -12,6 +12,7 @@ import { baseName } from "./languages";
 import { tree } from "./protocol";
 import type { Server } from "./server";
 import { webviewPage } from "./webviewPage";
+import { isFileUri } from "./schemes";
 
 const links = new RequestType<{ textDocument: { uri: string } }, DocumentLink[] | null, void>(
   "textDocument/documentLink",
@@ -82,7 +83,7 @@ export class IncludeGraph implements vscode.Disposable {
     panel.onDidDispose(() => (this.panel = undefined));
     panel.webview.onDidReceiveMessage((message: unknown) => {
       const { type, uri } = (message ?? {}) as { type?: unknown; uri?: unknown };
-      if (type !== "open" || typeof uri !== "string" || !uri.startsWith("file:")) return;
+      if (type !== "open" || typeof uri !== "string" || !isFileUri(uri)) return;
       void vscode.window.showTextDocument(vscode.Uri.parse(uri), { viewColumn: vscode.ViewColumn.One });
     });
     return panel;

@@ -1,4 +1,5 @@
-import * as vscode from "vscode";
+import type * as vscode from "vscode";
+import { isFileScheme } from "./schemes";
 
 /** The languages of robot descriptions. */
 export const LANGUAGES: readonly string[] = ["xacro", "urdf"];
@@ -8,12 +9,12 @@ export const EXPANDED_SCHEME = "xacro-expanded";
 
 /** Whether a document is a robot description that the server works on. */
 export function isRobotDescription(document: vscode.TextDocument): boolean {
-  return document.uri.scheme === "file" && LANGUAGES.includes(document.languageId);
+  return isFileScheme(document.uri.scheme) && LANGUAGES.includes(document.languageId);
 }
 
 /** Whether a document is another file that robots are made from. */
 export function isCompanion(document: vscode.TextDocument): boolean {
-  if (document.uri.scheme !== "file") return false;
+  if (!isFileScheme(document.uri.scheme)) return false;
   return document.languageId === "yaml" || isCompanionName(document.uri.path) || isLaunchName(document.uri.path);
 }
 

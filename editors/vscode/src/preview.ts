@@ -46,6 +46,11 @@ const model = new NotificationType<{ id: number; root?: Root; side?: string }>("
 const selectByServer = new NotificationType<FromServerSelect>("xacro/preview/select");
 const selectByUser = new NotificationType<ToServerSelect>("xacro/preview/select");
 
+function fromBase64(text: string): Uint8Array {
+  if (typeof Buffer === "function") return new Uint8Array(Buffer.from(text, "base64"));
+  return Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+}
+
 export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable {
   private panel: vscode.WebviewPanel | undefined;
   private id: number | undefined;
@@ -276,7 +281,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     try {
       const answer = await this.server.askStrictly(mesh, { id: this.id, mesh: id });
       if (!answer) return;
-      const bytes = new Uint8Array(Buffer.from(answer.data, "base64"));
+      const bytes = fromBase64(answer.data);
       this.post("mesh", { mesh: id, data: bytes });
     } catch (error) {
       this.post("mesh", { mesh: id, error: error instanceof Error ? error.message : String(error) });

@@ -2,6 +2,7 @@
  * Messages of the viewer, checked: what comes out of here has the shape that its type says.
  */
 import type { Root } from "./protocol";
+import { isFileUri } from "./schemes";
 
 export interface Place {
   uri: string;
@@ -51,7 +52,7 @@ function select(message: Record<string, unknown>): FromViewer {
 
 /** A place in a file; other schemes could name commands. */
 function place(value: unknown): Place | undefined {
-  if (!isObject(value) || typeof value["uri"] !== "string" || !value["uri"].startsWith("file:")) return undefined;
+  if (!isObject(value) || typeof value["uri"] !== "string" || !isFileUri(value["uri"])) return undefined;
   const range = value["range"];
   if (!isObject(range)) return undefined;
   const [start, end] = [position(range["start"]), position(range["end"])];
@@ -65,7 +66,7 @@ function position(value: unknown): { line: number; character: number } | undefin
 }
 
 function asRoot(value: unknown): Root | undefined {
-  if (!isObject(value) || typeof value["uri"] !== "string" || !value["uri"].startsWith("file:")) return undefined;
+  if (!isObject(value) || typeof value["uri"] !== "string" || !isFileUri(value["uri"])) return undefined;
   const { args, preset } = value;
   const given = isObject(args) ? Object.entries(args).filter((entry): entry is [string, string] => typeof entry[1] === "string") : [];
   return {

@@ -10,6 +10,10 @@ import type { Server } from "./server";
 /** Lines of the server's log in a report. */
 const MOST_LINES = 20;
 
+function machine(): string {
+  return typeof process === "object" ? `${process.platform} ${process.arch}` : "browser";
+}
+
 export async function diagnosticReport(
   extension: vscode.Extension<unknown>,
   server: Server,
@@ -35,7 +39,7 @@ export async function diagnosticReport(
     "## xacro diagnostic report",
     "",
     `- extension: ${version}`,
-    `- editor: ${vscode.env.appName} ${vscode.version}, ${vscode.env.remoteName ?? "local"}, ${process.platform} ${process.arch}`,
+    `- editor: ${vscode.env.appName} ${vscode.version}, ${vscode.env.remoteName ?? "local"}, ${machine()}`,
     `- server: ${server.about}`,
     `- workspace: ${vscode.workspace.workspaceFolders?.length ?? 0} folders, ${vscode.workspace.isTrusted ? "trusted" : "not trusted"}`,
     `- file: ${document ? vscode.workspace.asRelativePath(document.uri) : "none"}`,

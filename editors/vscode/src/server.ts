@@ -1,22 +1,20 @@
 /**
  * The language server: started, watched, restarted once when it dies.
  */
-import * as os from "node:os";
 import * as vscode from "vscode";
-import { CloseAction, ErrorAction, LanguageClient, State, Trace } from "vscode-languageclient/node";
+import { CloseAction, ErrorAction, State, Trace } from "vscode-languageclient";
 import type {
+  BaseLanguageClient,
   CloseHandlerResult,
   ErrorHandler,
   LanguageClientOptions,
   Middleware,
   NotificationType,
   RequestType,
-  ServerOptions,
-} from "vscode-languageclient/node";
+} from "vscode-languageclient";
 import { LANGUAGES, isCompanionName, isSettingsName } from "./languages";
-import { locateServer } from "./locate";
-import type { Found } from "./locate";
 import { withPage } from "./rulePages";
+import { fileSchemes } from "./schemes";
 import { chosenSettings } from "./settings";
 
 /** A second end within this time is not followed by another start. */
@@ -27,13 +25,30 @@ const METHOD_NOT_FOUND = -32601;
 /** Handlers of commands that the server puts into code lenses. */
 export type CommandHandler = (args: unknown[], next: () => Promise<unknown>) => Promise<unknown>;
 
+/** A server that can be started. */
+export interface Launched {
+  /** What it is called in messages. */
+  name: string;
+  /** By which step it was found. */
+  from: string;
+  client: (options: LanguageClientOptions) => BaseLanguageClient;
+}
+
+/** Finds a server. */
+export interface Launcher {
+  /** The server, or why there is none. */
+  find: (context: vscode.ExtensionContext, output: vscode.LogOutputChannel) => Launched | { message: string };
+  /** What the user can do when there is none. */
+  advice?: string;
+}
+
 export class Server implements vscode.Disposable {
   readonly output: vscode.LogOutputChannel;
-  private client: LanguageClient | undefined;
-  private found: Found | undefined;
+  private client: BaseLanguageClient | undefined;
+  private found: Launched | undefined;
   private starting: Promise<void> = Promise.resolve();
   private lastEnd = Number.NEGATIVE_INFINITY;
-  private readonly ready = new vscode.EventEmitter<LanguageClient>();
+  private readonly ready = new vscode.EventEmitter<BaseLanguageClient>();
   private readonly gone = new vscode.EventEmitter<void>();
   /** Each time a server is ready to be asked. */
   readonly onReady = this.ready.event;
@@ -43,12 +58,13 @@ export class Server implements vscode.Disposable {
   constructor(
     private readonly context: vscode.ExtensionContext,
     private readonly serverCommands: ReadonlyMap<string, CommandHandler>,
+    private readonly launcher: Launcher,
   ) {
     this.output = vscode.window.createOutputChannel("Xacro", { log: true });
   }
 
   /** What turns answers of the server into values of VS Code. */
-  get from(): LanguageClient["protocol2CodeConverter"] | undefined {
+  get from(): BaseLanguageClient["protocol2CodeConverter"] | undefined {
     return this.client?.protocol2CodeConverter;
   }
 
@@ -60,7 +76,7 @@ export class Server implements vscode.Disposable {
   /** Which program runs and what it says of itself. */
   get about(): string {
     const info = this.client?.initializeResult?.serverInfo;
-    const program = this.found ? `${this.found.command} (${this.found.from})` : "no program";
+    const program = this.found ? `${this.found.name} (${this.found.from})` : "no program";
     return `${info?.name ?? "xacro-lsp"} ${info?.version ?? "?"}, ${this.isRunning ? "running" : "not running"}, ${program}`;
   }
 
@@ -132,7 +148,7 @@ export class Server implements vscode.Disposable {
   }
 
   on<P>(type: NotificationType<P>, handler: (params: P) => void): void {
-    const listen = (client: LanguageClient): void => {
+    const listen = (client: BaseLanguageClient): void => {
       client.onNotification(type, handler);
     };
     this.context.subscriptions.push(this.onReady(listen));
@@ -146,28 +162,16 @@ export class Server implements vscode.Disposable {
   }
 
   private async startNow(): Promise<void> {
-    const settings = vscode.workspace.getConfiguration("xacro.server");
-    const found = locateServer({
-      setting: settings.get("path", ""),
-      extensionPath: this.context.extensionPath,
-      environment: process.env,
-      home: os.homedir(),
-      windows: process.platform === "win32",
-    });
-    if (!("command" in found)) {
+    const found = this.launcher.find(this.context, this.output);
+    if ("message" in found) {
       this.found = undefined;
       this.output.error(found.message);
       void this.tellMissing(found.message);
       return;
     }
     this.found = found;
-    this.output.info(`server: ${found.command} (${found.from})`);
-    const serverOptions: ServerOptions = {
-      command: found.command,
-      args: settings.get<string[]>("args", []),
-      options: { env: { ...process.env, ...settings.get<Record<string, string>>("env", {}) } },
-    };
-    const client = new LanguageClient("xacro", "Xacro", serverOptions, this.options());
+    this.output.info(`server: ${found.name} (${found.from})`);
+    const client = found.client(this.options());
     this.client = client;
     client.onDidChangeState(({ newState }) => {
       // also after the restart that the client makes by itself
@@ -180,7 +184,7 @@ export class Server implements vscode.Disposable {
       await client.setTrace(Trace.fromString(trace));
     } catch (error) {
       this.output.error(`the server could not be started: ${String(error)}`);
-      void this.tellMissing(`${found.command} could not be started`);
+      void this.tellMissing(`${found.name} could not be started`);
     }
   }
 
@@ -198,7 +202,7 @@ export class Server implements vscode.Disposable {
 
   private options(): LanguageClientOptions {
     return {
-      documentSelector: ["file", "untitled"].flatMap((scheme) =>
+      documentSelector: [...fileSchemes(), "untitled"].flatMap((scheme) =>
         LANGUAGES.map((language) => ({ scheme, language })),
       ),
       outputChannel: this.output,
@@ -245,10 +249,14 @@ export class Server implements vscode.Disposable {
   }
 
   private async tellMissing(reason: string): Promise<void> {
+    if (this.launcher.advice === undefined) {
+      void vscode.window.showErrorMessage(`xacro: ${reason}. Only syntax highlighting works.`);
+      return;
+    }
     const open = "Open Settings";
     const how = "How to Install";
     const picked = await vscode.window.showErrorMessage(
-      `xacro: ${reason}. Install the extension for your platform, or build the program with \`cargo install\` and name it in \`xacro.server.path\`. Until then, only syntax highlighting works.`,
+      `xacro: ${reason}. ${this.launcher.advice} Until then, only syntax highlighting works.`,
       open,
       how,
     );

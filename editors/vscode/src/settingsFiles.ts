@@ -11,6 +11,7 @@ import {
   ReferencesRequest,
   RenameRequest,
 } from "vscode-languageclient";
+import { fileSchemes } from "./schemes";
 import type { Server } from "./server";
 
 const at = (document: vscode.TextDocument, position: vscode.Position) => ({
@@ -18,36 +19,37 @@ const at = (document: vscode.TextDocument, position: vscode.Position) => ({
   position: { line: position.line, character: position.character },
 });
 
-const filters = (...patterns: string[]) => patterns.map((pattern) => ({ scheme: "file", pattern }));
-
-const CONFIGURATION = filters("**/{xacro-lint,.xacro-lint}.toml");
-const LAUNCH = filters("**/*.launch", "**/*.launch.{py,xml,yaml,yml}", "**/launch/**/*.py");
-const WITH_NAMES = [{ scheme: "file", language: "yaml" }, ...filters("**/.setup_assistant"), ...LAUNCH];
+const filters = (...patterns: string[]) =>
+  fileSchemes().flatMap((scheme) => patterns.map((pattern) => ({ scheme, pattern })));
 
 export function registerSettingsFiles(server: Server): vscode.Disposable {
+  const configuration = filters("**/{xacro-lint,.xacro-lint}.toml");
+  const launch = filters("**/*.launch", "**/*.launch.{py,xml,yaml,yml}", "**/launch/**/*.py");
+  const yaml = fileSchemes().map((scheme) => ({ scheme, language: "yaml" }));
+  const withNames = [...yaml, ...filters("**/.setup_assistant"), ...launch];
   return vscode.Disposable.from(
-    vscode.languages.registerHoverProvider([...WITH_NAMES, ...CONFIGURATION], {
+    vscode.languages.registerHoverProvider([...withNames, ...configuration], {
       provideHover: async (document, position, token) =>
         server.from?.asHover(await server.ask(HoverRequest.type, at(document, position), token)),
     }),
-    vscode.languages.registerDefinitionProvider(WITH_NAMES, {
+    vscode.languages.registerDefinitionProvider(withNames, {
       provideDefinition: async (document, position, token) =>
         server.from?.asDefinitionResult(await server.ask(DefinitionRequest.type, at(document, position), token)),
     }),
-    vscode.languages.registerReferenceProvider(WITH_NAMES, {
+    vscode.languages.registerReferenceProvider(withNames, {
       provideReferences: async (document, position, context, token) =>
         server.from?.asReferences(
           await server.ask(ReferencesRequest.type, { ...at(document, position), context }, token),
         ),
     }),
-    registerRename(server),
-    registerCompletion(server, LAUNCH, [" ", "'", '"', "{"]),
-    registerCompletion(server, CONFIGURATION, [" ", "'", '"', "{", "[", ".", "/"]),
+    registerRename(server, withNames),
+    registerCompletion(server, launch, [" ", "'", '"', "{"]),
+    registerCompletion(server, configuration, [" ", "'", '"', "{", "[", ".", "/"]),
   );
 }
 
-function registerRename(server: Server): vscode.Disposable {
-  return vscode.languages.registerRenameProvider(WITH_NAMES, {
+function registerRename(server: Server, selector: vscode.DocumentSelector): vscode.Disposable {
+  return vscode.languages.registerRenameProvider(selector, {
     prepareRename: async (document, position, token) => {
       const answer = await server.ask(PrepareRenameRequest.type, at(document, position), token);
       if (!answer || !("placeholder" in answer)) return undefined;

@@ -1,7 +1,6 @@
 /**
  * The page around a script in a webview: nothing from anywhere but the extension, no script but the one named.
  */
-import { randomBytes } from "node:crypto";
 import * as vscode from "vscode";
 
 export interface Page {
@@ -16,7 +15,7 @@ export interface Page {
 }
 
 export function webviewPage(webview: vscode.Webview, extensionUri: vscode.Uri, page: Page): string {
-  const nonce = randomBytes(16).toString("base64");
+  const nonce = btoa(String.fromCharCode(...crypto.getRandomValues(new Uint8Array(16))));
   const uri = (parts: string[]): string =>
     webview.asWebviewUri(vscode.Uri.joinPath(extensionUri, ...parts)).toString();
   const policy = [

@@ -8,6 +8,7 @@ import { includesOf } from "../src/includes";
 import { locateServer } from "../src/locate";
 import { fromViewer } from "../src/previewMessages";
 import { chosenSettings } from "../src/settings";
+import { Names, namedFolders } from "../src/web/uris";
 import { layout } from "../src/webview/layout";
 
 describe("the server is found", () => {
@@ -206,5 +207,43 @@ describe("the layout of graphs", () => {
       ],
     );
     assert.equal(places.size, 2);
+  });
+});
+
+describe("files of a workspace in the worker", () => {
+  const names = new Names(namedFolders(["vscode-vfs://github/acme/cell", "memfs:/acme%20ltd/cell/", "memfs:/acme%20ltd/cell/inner"]));
+
+  test("have other names there, and their own in the editor", () => {
+    for (const [own, there] of [
+      ["vscode-vfs://github/acme/cell", "file:///workspace/cell"],
+      ["vscode-vfs://github/acme/cell/a%20b%28c%29.xacro", "file:///workspace/cell/a%20b%28c%29.xacro"],
+      ["memfs:/acme%20ltd/cell/x#L3", "file:///workspace/cell-2/x#L3"],
+      ["memfs:/acme%20ltd/cell/inner/x", "file:///workspace/inner/x"],
+    ] as const) {
+      assert.deepEqual(names.toWorker({ uri: own }), { uri: there });
+      assert.deepEqual(names.fromWorker({ uri: there }), { uri: own });
+    }
+    assert.equal(names.path("memfs:/acme%20ltd/cell/a%20b"), "/workspace/cell-2/a b");
+    assert.equal(names.uri("/workspace/cell-2/a b"), "memfs:/acme%20ltd/cell/a%20b");
+    // as the server may write it
+    assert.deepEqual(names.fromWorker(["file:///workspace/cell/a(b).xacro"]), ["vscode-vfs://github/acme/cell/a%28b%29.xacro"]);
+  });
+
+  test("are found as keys and in links, not in texts", () => {
+    const [own, there] = ["vscode-vfs://github/acme/cell/x", "file:///workspace/cell/x"];
+    assert.deepEqual(names.fromWorker({ changes: { [there]: [{ newText: there }] } }), { changes: { [own]: [{ newText: there }] } });
+    assert.deepEqual(names.fromWorker({ value: `see [x](${there}#L2), ${there}` }), { value: `see [x](${own}#L2), ${own}` });
+    assert.deepEqual(names.toWorker({ contentChanges: [{ text: own }], data: [1, 2] }), { contentChanges: [{ text: own }], data: [1, 2] });
+  });
+
+  test("of no folder stay as they are", () => {
+    for (const uri of ["vscode-vfs://github/acme/cellar/x", "untitled:Untitled-1", "file:///workspace/other/x"]) {
+      assert.deepEqual(names.fromWorker(names.toWorker([uri])), [uri]);
+    }
+    assert.equal(names.path("untitled:Untitled-1"), undefined);
+  });
+
+  test("are asked about by the scheme of the workspace", () => {
+    assert.deepEqual(names.fromWorker({ filters: [{ scheme: "file" }] }), { filters: [{ scheme: "vscode-vfs" }] });
   });
 });

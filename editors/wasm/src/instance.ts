@@ -1,11 +1,15 @@
-// One instance of the program: bytes in, bytes out.
+// One instance of a program: bytes in, bytes out.
 
-interface Exports {
+/** What every program has. */
+export interface Shared {
   memory: WebAssembly.Memory;
   input(length: number): number;
   output(): number;
   put(path: number): void;
   remove(): void;
+}
+
+interface Questions extends Shared {
   call(): number;
   mesh(): number;
 }
@@ -13,8 +17,9 @@ interface Exports {
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 
-export class Instance {
-  readonly #exports: Exports;
+/** A program over files in memory. */
+export class Program<E extends Shared> {
+  protected readonly exports: E;
   /** What a panic said. */
   panic: string | undefined;
 
@@ -22,46 +27,49 @@ export class Instance {
     const host = {
       now: () => performance.now(),
       panicked: (at: number, length: number) => {
-        this.panic = decoder.decode(new Uint8Array(this.#exports.memory.buffer, at, length));
+        this.panic = decoder.decode(new Uint8Array(this.exports.memory.buffer, at, length));
       },
     };
-    this.#exports = new WebAssembly.Instance(module, { host }).exports as unknown as Exports;
+    this.exports = new WebAssembly.Instance(module, { host }).exports as unknown as E;
   }
 
   put(path: string, content: Uint8Array): void {
     const name = encoder.encode(path);
-    this.#write(name, content);
-    this.#exports.put(name.length);
+    this.write(name, content);
+    this.exports.put(name.length);
   }
 
   remove(path: string): void {
-    this.#write(encoder.encode(path));
-    this.#exports.remove();
+    this.write(encoder.encode(path));
+    this.exports.remove();
   }
 
-  call(question: string): string {
-    this.#write(encoder.encode(question));
-    return decoder.decode(this.#answer(this.#exports.call()));
-  }
-
-  mesh(id: string): Uint8Array {
-    this.#write(encoder.encode(id));
-    return this.#answer(this.#exports.mesh()).slice();
-  }
-
-  #write(...parts: Uint8Array[]): void {
+  protected write(...parts: Uint8Array[]): void {
     const length = parts.reduce((all, part) => all + part.length, 0);
-    let at = this.#exports.input(length);
+    let at = this.exports.input(length);
     for (const part of parts) {
-      new Uint8Array(this.#exports.memory.buffer, at, part.length).set(part);
+      new Uint8Array(this.exports.memory.buffer, at, part.length).set(part);
       at += part.length;
     }
   }
 
   /** The bytes of an answer; its first byte says whether it is an error. */
-  #answer(length: number): Uint8Array {
-    const bytes = new Uint8Array(this.#exports.memory.buffer, this.#exports.output(), length);
+  protected answer(length: number): Uint8Array {
+    const bytes = new Uint8Array(this.exports.memory.buffer, this.exports.output(), length);
     if (bytes[0] === 1) throw new Error(decoder.decode(bytes.subarray(1)));
     return bytes.subarray(1);
+  }
+}
+
+/** The program that answers single questions. */
+export class Instance extends Program<Questions> {
+  call(question: string): string {
+    this.write(encoder.encode(question));
+    return decoder.decode(this.answer(this.exports.call()));
+  }
+
+  mesh(id: string): Uint8Array {
+    this.write(encoder.encode(id));
+    return this.answer(this.exports.mesh()).slice();
   }
 }

@@ -167,7 +167,7 @@ fn renamed_to_xacro(
     }
     let rename = ResourceOp::Rename(RenameFile {
         old_uri: params.text_document.uri.clone(),
-        new_uri: Url::from_file_path(&new).ok()?,
+        new_uri: convert::file_uri(&new)?,
         options: None,
         annotation_id: None,
     });
@@ -354,8 +354,9 @@ fn mesh_rewritten(
     let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
     let asked = asked(state, &at, cancel)?;
     let mesh = about_files(state, &asked, ide::file_definition).map(|(_, place)| place.path);
+    let can_write = !state.world.session().vfs.is_in_memory();
     let uri = mesh
-        .filter(|path| is_ours(state, path))
+        .filter(|path| can_write && is_ours(state, path))
         .and_then(|path| state.uri(&path));
     let action = |uri| CodeAction {
         title: title.to_owned(),

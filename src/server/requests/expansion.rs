@@ -1,6 +1,5 @@
 //! `xacro/expand`: the expanded document of a root.
 use std::collections::BTreeMap;
-use std::time::Instant;
 
 use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
@@ -11,6 +10,7 @@ use crate::mapping::{map_of, named};
 use crate::root_param::{Root, chosen};
 use crate::state::State;
 use analysis::{RootChoice, World};
+use base::clock::Instant;
 use base::{CancelFlag, Span};
 use expand::{Expansion, Place, Severity};
 use ide::SourceMap;

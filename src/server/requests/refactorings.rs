@@ -267,7 +267,7 @@ fn moved_to_file(
     let vfs = &state.world.session().vfs;
     let (action, file) =
         ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
-    let uri = Url::from_file_path(folder.join(&file.name)).ok()?;
+    let uri = convert::file_uri(&folder.join(&file.name))?;
     let mut operations = vec![
         DocumentChangeOperation::Op(ResourceOp::Create(CreateFile {
             uri: uri.clone(),
