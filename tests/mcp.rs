@@ -364,3 +364,21 @@ fn nothing_outside_of_the_folder_is_read() {
     };
     assert_eq!(said("arm.urdf.xacro"), said("none.urdf.xacro"));
 }
+
+/// A program that nobody knows is answered with the argument and the names that it takes, not with options of a command line.
+#[test]
+fn programs_are_named_by_the_argument() {
+    let folder = arm("programs");
+    for tool in ["check", "consumers"] {
+        let mut arguments = json!({ "for": ["gazeboo"] });
+        if tool == "consumers" {
+            arguments["file"] = json!("arm.urdf.xacro");
+        }
+        let (is_error, said) = check_tool(&folder, tool, arguments);
+        assert!(
+            is_error && said.starts_with("argument `for` must be names out of `"),
+            "{tool}: {said}"
+        );
+        assert!(said.contains("`mujoco`") && !said.contains("--"), "{said}");
+    }
+}

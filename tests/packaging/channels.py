@@ -30,6 +30,12 @@ def files():
     run([buildifier, "--mode=check", "--lint=warn", "--warnings=-module-docstring", *sorted((filled / "bazel").iterdir())])
     tree.parse("nix", filled / "nix/flake.nix")
     tree.parse("ruby", filled / "homebrew/xacro-lint.rb")
+    # conda-forge says which library of C is meant
+    recipe = (
+        "import sys\nfrom rattler_build import Stage0Recipe, VariantConfig\n"
+        "Stage0Recipe.from_file(sys.argv[1]).render(VariantConfig({'c_stdlib': ['sysroot']}))"
+    )
+    run([tool("python"), "-c", recipe, filled / "conda/recipe.yaml"])
     for file in [*filled.rglob("*.json")]:
         json.loads(file.read_text())
     for file in [*filled.rglob("*.toml"), ROOT / "editors/zed/Cargo.toml", ROOT / "editors/zed/extension.toml"]:

@@ -9,6 +9,7 @@ import time
 
 sys.dont_write_bytecode = True
 
+import assistants
 import builds
 import channels
 import hooks
@@ -31,6 +32,7 @@ STEPS = {
     "hooks-source": hooks.source,
     "colcon": recipes.workspace,
     "pytest": recipes.pytest,
+    "assistants": assistants.client,
     "ros": ros.packages,
     "channels": channels.files,
 }

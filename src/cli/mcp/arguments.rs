@@ -4,6 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use rules::consumers::{CONSUMERS, Consumer};
 use vfs::{Environment, Vfs};
 
 /// An argument of a tool.
@@ -27,12 +28,26 @@ pub(super) enum Kind {
     Word,
     /// Names, for an option that takes them with commas.
     Names(&'static str),
+    /// Names of programs that read URDF, for the option `--for`.
+    Consumers,
     /// One of these words, for an option.
     Choice(&'static str, &'static [&'static str]),
     /// Switches an option on.
     Flag(&'static str),
     /// An object of numbers or texts, for an option that takes `name=value`.
     Pairs(&'static str),
+}
+
+impl Kind {
+    /// Whether it names what a command reads.
+    pub(super) fn is_path(self) -> bool {
+        matches!(self, Self::Path | Self::Paths)
+    }
+}
+
+/// The names of all programs.
+fn consumers() -> Vec<&'static str> {
+    CONSUMERS.iter().map(|consumer| consumer.name).collect()
 }
 
 impl Parameter {
@@ -46,6 +61,9 @@ impl Parameter {
             }
             Kind::RobotArguments | Kind::Pairs(_) => {
                 json!({ "type": "object", "additionalProperties": value })
+            }
+            Kind::Consumers => {
+                json!({ "type": "array", "items": { "type": "string", "enum": consumers() } })
             }
             Kind::Choice(_, words) => json!({ "type": "string", "enum": words }),
             Kind::Flag(_) => json!({ "type": "boolean" }),
@@ -76,6 +94,17 @@ impl Parameter {
             Kind::Names(option) => {
                 let names: Result<Vec<String>, String> = list()?.iter().map(word).collect();
                 Ok(vec![format!("{option}={}", names?.join(","))])
+            }
+            Kind::Consumers => {
+                let name = |value| {
+                    let known = Consumer::named(&word(value)?);
+                    let name = known.map(|consumer| consumer.name);
+                    name.ok_or_else(|| {
+                        wrong(&format!("names out of `{}`", consumers().join("`, `")))
+                    })
+                };
+                let names: Result<Vec<&str>, String> = list()?.iter().map(name).collect();
+                Ok(vec![format!("--for={}", names?.join(","))])
             }
             Kind::Choice(option, words) => match value.as_str() {
                 Some(word) if words.contains(&word) => Ok(vec![format!("{option}={word}")]),

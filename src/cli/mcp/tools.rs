@@ -19,6 +19,8 @@ pub(super) struct Tool {
     /// The words of the command line that are always the same.
     command: &'static [&'static str],
     parameters: &'static [Parameter],
+    /// Whether the answer is a picture, and not what the command prints.
+    is_picture: bool,
 }
 
 const fn required(name: &'static str, kind: Kind, description: &'static str) -> Parameter {
@@ -59,7 +61,7 @@ const SELECT: Parameter = optional(
 );
 const CONSUMERS: Parameter = optional(
     "for",
-    Kind::Names("--for"),
+    Kind::Consumers,
     "Programs that will read the robot, such as gazebo, mujoco, drake",
 );
 
@@ -72,12 +74,14 @@ pub(super) const TOOLS: &[Tool] = &[
                       checks launch files, SRDF and controller settings beside the robots.",
         command: &["check", "--format=json", "--exit-zero"],
         parameters: &[PATHS, ARGS, SELECT, CONSUMERS],
+        is_picture: false,
     },
     Tool {
         name: "explain",
         description: "The page of a rule: what it means, an example, and how to correct it.",
         command: &["explain"],
         parameters: &[required("rule", Kind::Word, "Code or name of the rule")],
+        is_picture: false,
     },
     Tool {
         name: "fix_diff",
@@ -92,18 +96,21 @@ pub(super) const TOOLS: &[Tool] = &[
                 "Include fixes that may change numbers or names; show those to a person first",
             ),
         ],
+        is_picture: false,
     },
     Tool {
         name: "expand",
         description: "The URDF that xacro makes of a file.",
         command: &["expand"],
         parameters: &[FILE, ARGS],
+        is_picture: false,
     },
     Tool {
         name: "tree",
         description: "The tree of links and joints of a robot, as JSON.",
         command: &["tree", "--format=json"],
         parameters: &[FILE, ARGS],
+        is_picture: false,
     },
     Tool {
         name: "consumers",
@@ -111,6 +118,7 @@ pub(super) const TOOLS: &[Tool] = &[
                       ignore of a robot.",
         command: &["consumers", "--format=json"],
         parameters: &[FILE, ARGS, CONSUMERS],
+        is_picture: false,
     },
     Tool {
         name: "render",
@@ -140,6 +148,7 @@ pub(super) const TOOLS: &[Tool] = &[
                 "Positions of joints by name: radians, degrees as \"90deg\", meters",
             ),
         ],
+        is_picture: true,
     },
 ];
 
@@ -203,8 +212,8 @@ impl Tool {
                 None => {}
             }
         }
-        let has_packages = self.name != "explain";
-        if has_packages {
+        let reads_robots = self.parameters.iter().any(|own| own.kind.is_path());
+        if reads_robots {
             words.extend(
                 package_path
                     .iter()
@@ -224,7 +233,7 @@ impl Tool {
         let mut io = Io::plain(&mut out, &mut err, &mut nothing);
         io.is_read = false;
         let mut content = Vec::new();
-        let code = if self.name == "render" {
+        let code = if self.is_picture {
             let (code, picture) = picture::drawn(words, env, &mut io);
             content.extend(picture.map(|png| {
                 json!({ "type": "image", "data": STANDARD.encode(png), "mimeType": "image/png" })
