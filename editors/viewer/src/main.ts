@@ -52,6 +52,7 @@ const details = new Details({
   fade: (link, share) => {
     for (const view of views.values()) view.fade(link, share);
   },
+  position: (joint) => values.get(joint),
 });
 const tree = new TreePanel({
   select: (link, shift) => selectLink(link, shift),
