@@ -111,6 +111,9 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .banner li button { width: 100%; text-align: left; white-space: normal; } .banner li small { color: var(--muted); margin-left: 8px; }
 .status { position: absolute; left: 8px; bottom: 8px; color: var(--muted); font-size: 11px; pointer-events: none;
   background: color-mix(in srgb, var(--bg) 70%, transparent); padding: 1px 6px; border-radius: 4px; }
+.notice { position: absolute; left: 50%; bottom: 34px; transform: translateX(-50%); max-width: 90%; padding: 6px 12px; border-radius: 6px;
+  background: var(--panel); border: 1px solid var(--line); box-shadow: 0 4px 18px rgb(0 0 0 / .2); z-index: 5; }
+.notice[hidden] { display: none; } .notice input { width: 100%; margin-top: 4px; }
 .menu, .tip, .help { position: absolute; background: var(--panel); border: 1px solid var(--line); border-radius: 6px; z-index: 5;
   box-shadow: 0 4px 18px rgb(0 0 0 / .2); }
 .menu { padding: 4px; display: flex; flex-direction: column; min-width: 170px; } .menu button { text-align: left; }
