@@ -145,6 +145,8 @@ test('the expanded robot as a file, with the arguments chosen', async () => {
   assert.match(text, /<robot name="rig"/);
   assert.match(text, /<box size="0\.08 0\.08 0\.25"\/>/);
   assert.doesNotMatch(text, /xacro:/);
+  const bare = await page.request.get(`${new URL(page.url()).origin}/urdf/1`);
+  assert.equal(bare.status(), 403, 'nobody gets it without the token');
 });
 
 test('a robot with errors is not saved as URDF, and the page says why', async () => {

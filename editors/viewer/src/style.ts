@@ -53,6 +53,7 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .bar .args.many { order: 1; flex-basis: 100%; max-height: none; overflow: visible; display: grid; grid-template-columns: repeat(auto-fill, minmax(195px, 1fr)); gap: 3px 12px; }
 .bar .args.many label { min-width: 0; } .bar .args.many label span { flex: 1; } .bar .args.many input { width: 7.5em; flex: none; }
 .bar .args label span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+.bar .args.many label span { white-space: normal; overflow-wrap: anywhere; line-height: 1.15; }
 .bar .args:empty { display: none; }
 .bar .args input { width: 8em; }
 #app > .panel, #app > .view { grid-row: 3; } #app > .panel.left { grid-column: 1; } #app > .panel.right { grid-column: 3; }
