@@ -20,7 +20,7 @@ mod views;
 #[cfg(feature = "browser")]
 pub use browser::{Hub, Received};
 pub use files::Files;
-pub use messages::{FromViewer, ModelError, ModelMessage, RootName, Selection, Side};
+pub use messages::{FromViewer, ModelError, ModelMessage, RootName, Selection, Side, Source};
 pub use model::{Body, Joint, Link, Model, Pose};
 pub use places::{Location, Names, Point, Stretch, file_uri};
 pub use programs::Programs;

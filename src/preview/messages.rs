@@ -1,6 +1,7 @@
 //! The messages, in the form of `docs/preview.md`.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -8,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::model::Model;
 use super::places::Location;
 use super::programs::Programs;
-use analysis::RootChoice;
+use analysis::{Analyzed, RootChoice};
 
 /// A root as messages name it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -75,6 +76,33 @@ pub struct ModelMessage {
     /// What the programs that read URDF make of it; absent when it has errors.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub programs: Option<Programs>,
+    /// What it was made of; stays in this process.
+    #[serde(skip)]
+    pub source: Source,
+}
+
+/// The expansion that a model was made of.
+#[derive(Clone)]
+pub struct Source(pub(super) Arc<Analyzed>);
+
+impl Source {
+    /// The robot as URDF.
+    ///
+    /// # Errors
+    /// When it has errors: what is shown then is an earlier one.
+    pub fn urdf(&self) -> Result<String, String> {
+        let expansion = &self.0.expansion;
+        if expansion.has_errors() || expansion.root_error.is_some() {
+            return Err("the robot has errors: fix them to save its URDF".to_owned());
+        }
+        Ok(self.0.written().text.clone())
+    }
+}
+
+impl fmt::Debug for Source {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("Source")
+    }
 }
 
 /// An argument of a root.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::choices::choices;
 use super::files::Files;
-use super::messages::{Argument, ModelError, ModelMessage, RootName, Selection, Side};
+use super::messages::{Argument, ModelError, ModelMessage, RootName, Selection, Side, Source};
 use super::model::{Model, model};
 use super::places::{Location, Names, Places};
 use super::programs::programs;
@@ -213,6 +213,15 @@ impl Views {
         })
     }
 
+    /// The robot of a view as URDF.
+    ///
+    /// # Errors
+    /// When the view shows none, or one with errors.
+    pub fn urdf(&self, id: u32) -> Result<String, String> {
+        let shown = self.analyzed(id).ok_or("no robot is shown")?;
+        Source(shown.clone()).urdf()
+    }
+
     /// The links and joints that the text at a place makes.
     pub fn made_by(&self, id: u32, location: &Location, names: &Names<'_>) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
@@ -314,6 +323,7 @@ impl Shown {
                 .collect(),
             choices: self.choices(world, names),
             programs: programs(world.session(), &analyzed, &Places { names, expansion }),
+            source: Source(analyzed.clone()),
         };
         self.sent = Some(analyzed);
         Some(message)

@@ -14,7 +14,7 @@ use crate::mapping::{
 };
 use crate::preview::{
     Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
-    preview_mesh, selected, show_root, subscribe, unsubscribe,
+    preview_mesh, preview_urdf, selected, show_root, subscribe, unsubscribe,
 };
 use crate::queue::Queue;
 use crate::requests::actions::actions;
@@ -104,6 +104,10 @@ impl Handlers {
 
     pub async fn preview_mesh(&self, params: MeshParams) -> Result<Mesh> {
         self.queue.request(params, preview_mesh).await
+    }
+
+    pub async fn preview_urdf(&self, params: ViewParams) -> Result<Value> {
+        self.queue.request(params, preview_urdf).await
     }
 
     pub async fn preview_select(&self, params: SelectParams) {

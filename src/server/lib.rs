@@ -121,6 +121,7 @@ fn service(handlers: impl FnOnce(Client) -> Handlers) -> (LspService<Handlers>, 
         .custom_method("xacro/preview/unsubscribe", Handlers::preview_unsubscribe)
         .custom_method("xacro/preview/setRoot", Handlers::preview_root)
         .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
+        .custom_method("xacro/preview/urdf", Handlers::preview_urdf)
         .custom_method("xacro/preview/select", Handlers::preview_select)
         .custom_method("xacro/log", Handlers::log)
         .custom_method("$/setTrace", Handlers::set_trace)

@@ -157,6 +157,17 @@ pub fn preview_mesh(
     })
 }
 
+/// The robot of a view as URDF, as it is shown.
+pub fn preview_urdf(
+    state: &mut State,
+    params: ViewParams,
+    _: &CancelFlag,
+) -> Result<Value, Failure> {
+    let urdf = state.previews.views.urdf(params.id);
+    let urdf = urdf.map_err(Failure::Refused)?;
+    Ok(serde_json::json!({ "urdf": urdf }))
+}
+
 /// The client selects: the cursor moved, or a link was clicked in its viewer.
 pub fn selected(state: &mut State, params: SelectParams) {
     let names = client_names(state);

@@ -243,6 +243,12 @@ fn meshes_are_named_by_ids_that_change_with_the_file() {
 #[test]
 fn nothing_is_sent_after_unsubscribing() {
     let (mut client, id, _) = subscribed();
+    let urdf = client.request("xacro/preview/urdf", json!({ "id": id }));
+    let text = urdf["urdf"].as_str().unwrap_or_default();
+    assert!(
+        text.contains("<robot") && !text.contains("xacro:"),
+        "{text}"
+    );
     client.request("xacro/preview/unsubscribe", json!({ "id": id }));
     client.edit(ROBOT, "0.15", "0.25");
     client.diagnostics(ROBOT);

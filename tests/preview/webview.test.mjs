@@ -43,6 +43,10 @@ async function hostSaid(message) {
     const answer = await lsp.ask('xacro/preview/mesh', { id, mesh: message.mesh }).catch((error) => ({ error: error.message }));
     await post({ type: 'mesh', mesh: message.mesh, data: answer.data, error: answer.error });
   }
+  if (message.type === 'urdf') {
+    const answer = await lsp.ask('xacro/preview/urdf', { id });
+    await post({ type: 'urdf', text: answer.urdf });
+  }
   await pass();
 }
 
@@ -71,6 +75,16 @@ test('a click tells the editor where to go', async () => {
   const said = heard.find((message) => message.type === 'select');
   assert.equal(said.link, 'slide');
   assert.equal(said.location.uri, `file://${robot.file}`);
+});
+
+test('URDF is offered by editors that can give it, and comes by message', async () => {
+  const save = page.locator('[data-action=urdf]');
+  assert.ok(await save.isHidden(), 'this editor has not said that it can');
+  await post({ type: 'settings', urdf: true });
+  await save.waitFor();
+  const [download] = await Promise.all([page.waitForEvent('download'), save.click()]);
+  assert.equal(download.suggestedFilename(), 'rig.urdf');
+  assert.match(readFileSync(await download.path(), 'utf8'), /<robot name="rig"/);
 });
 
 test('the cursor in unsaved text outlines what it makes', async () => {

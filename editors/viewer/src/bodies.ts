@@ -60,14 +60,14 @@ export class Bodies {
   private mesh(model: Model, link: string, holder: THREE.Group, body: Body, wire: boolean): void | Promise<void> {
     const { shape } = body;
     if (shape.kind !== 'mesh') return;
-    if (shape.mesh === undefined) return this.problem(link, holder, shape.uri, `${shape.uri}: ${shape.problem ?? '?'}`);
+    if (shape.mesh === undefined) return this.problem(link, holder, baseName(shape.uri), `${shape.uri}: ${shape.problem ?? '?'}`);
     const file = model.meshes[shape.mesh];
     if (file && file.bytes > this.settings.meshMaxMB * 1e6) return this.huge(model, link, holder, body, wire);
     return this.meshes.get(model, shape.mesh).then(
       (loaded) => this.meshes.measured(file?.name ?? shape.uri, () => this.put(loaded, shape.scale, holder, body, wire)),
       (error: unknown) => {
         const why = error instanceof Error ? error.message : String(error);
-        this.problem(link, holder, shape.uri, `${shape.uri}: ${why}`, UNDRAWN);
+        this.problem(link, holder, `${baseName(shape.uri)}: ${why}`, `${shape.uri}: ${why}`, UNDRAWN);
       },
     );
   }
@@ -94,7 +94,7 @@ export class Bodies {
     const file = shape.kind === 'mesh' && shape.mesh !== undefined ? model.meshes[shape.mesh] : undefined;
     if (shape.kind !== 'mesh' || !file) return;
     const text = `${file.name}: ${(file.bytes / 1e6).toFixed(0)} MB, shown as a box`;
-    if (!file.box) return this.problem(link, holder, file.name, text, UNDRAWN);
+    if (!file.box) return this.problem(link, holder, text, text, UNDRAWN);
     const box = new THREE.Box3(new THREE.Vector3(...file.box[0]), new THREE.Vector3(...file.box[1]));
     const size = box.getSize(new THREE.Vector3());
     const solid = new THREE.Mesh(new THREE.BoxGeometry(size.x, size.y, size.z), look(body, wire));
@@ -106,12 +106,13 @@ export class Bodies {
     if (!wire) this.problems.set(`${link} ${text}`, { link, text, missing: false });
   }
 
-  /** In place of what cannot be drawn: a box of 10 cm, with a name; magenta where a file is missing. */
-  private problem(link: string, holder: THREE.Group, name: string, text: string, color = MISSING): void {
+  /** In place of what cannot be drawn: a box of 10 cm, with a label; magenta where a file is missing. */
+  private problem(link: string, holder: THREE.Group, label: string, text: string, color = MISSING): void {
     const box = new THREE.Mesh(new THREE.BoxGeometry(0.1, 0.1, 0.1), new THREE.MeshStandardMaterial({ color }));
     holder.add(box);
-    this.problems.set(`${link} ${text}`, { link, text, missing: color === MISSING });
-    const remove = this.stage.label(box, name.split('/').pop() ?? name, 'missing', this.side);
+    const missing = color === MISSING;
+    this.problems.set(`${link} ${text}`, { link, text, missing });
+    const remove = this.stage.label(box, label, missing ? 'missing' : 'undrawn', this.side);
     box.addEventListener('removed', remove);
     holder.addEventListener('removed', remove);
   }
@@ -150,6 +151,10 @@ function look(body: Body, wire: boolean): THREE.Material {
   material.transparent = opacity < 1;
   material.depthWrite = opacity >= 1;
   return material;
+}
+
+function baseName(uri: string): string {
+  return uri.split('/').pop() ?? uri;
 }
 
 const MISSING = 0xff00ff;

@@ -2,15 +2,23 @@
 
 import * as THREE from 'three';
 import { button, el, short } from './dom';
-import type { Link, Location } from './messages';
+import { inWords, limitsInWords } from './joints';
+import type { Joint, Link, Location } from './messages';
 import type { RobotView } from './robot';
+import { moves } from './values';
 
 export class Details {
   readonly element = el('section', { class: 'details' });
   private shown: { view: RobotView; link: Link } | undefined;
   private readonly moving = new Map<string, HTMLElement>();
 
-  constructor(private readonly act: { open: (link: string, location: Location) => void; fade: (link: string, share: number) => void }) {
+  constructor(
+    private readonly act: {
+      open: (link: string, location: Location) => void;
+      fade: (link: string, share: number) => void;
+      position: (joint: string) => number;
+    },
+  ) {
     this.element.hidden = true;
     this.element.setAttribute('aria-label', 'link');
   }
@@ -22,7 +30,7 @@ export class Details {
     this.shown = view && link ? { view, link } : undefined;
     if (!view || !link) return;
     this.moving.clear();
-    const rows = [...this.inertial(link), ...this.poses(view, link), ...this.size(view, link)];
+    const rows = [...this.inertial(link), ...this.poses(view, link), ...this.joint(view, link), ...this.size(view, link)];
     this.element.replaceChildren(this.head(link), el('dl', {}, ...rows), this.opacity(view, link));
     this.update();
   }
@@ -31,7 +39,12 @@ export class Details {
   update(): void {
     if (!this.shown || this.element.hidden) return;
     const { view, link } = this.shown;
+    const joint = view.jointAbove(link.name);
     for (const [key, field] of this.moving) {
+      if (key === 'position') {
+        field.textContent = joint ? inWords(joint, this.act.position(joint.name)) : '–';
+        continue;
+      }
       const matrix = view.poseOf(link.name, key === 'parent');
       field.textContent = matrix ? poseText(matrix) : '–';
     }
@@ -68,6 +81,18 @@ export class Details {
     return rows;
   }
 
+  /** The joint that holds the link, with its limits and its position in radians and degrees. */
+  private joint(view: RobotView, link: Link): HTMLElement[] {
+    const joint: Joint | undefined = view.jointAbove(link.name);
+    if (!joint) return [];
+    const rows = row('Joint', 'joint', `${joint.name}, ${joint.type}`);
+    if (!moves(joint)) return rows;
+    rows.push(...row('Limits', 'limits', limitsInWords(joint).replace(/^limits /, '')));
+    const position = row('Position', 'position', '');
+    for (const field of position) if (field.dataset['field']) this.moving.set('position', field);
+    return [...rows, ...position];
+  }
+
   private size(view: RobotView, link: Link): HTMLElement[] {
     const size = view.extentOf(link.name);
     const text = size ? `${[size.x, size.y, size.z].map((one) => short(one, 4)).join(' × ')} m` : 'no shape';
@@ -101,6 +126,8 @@ function poseText(matrix: THREE.Matrix4): string {
   const [at, turn, scale] = [new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3()];
   matrix.decompose(at, turn, scale);
   const angles = new THREE.Euler().setFromQuaternion(turn, 'ZYX');
-  const degrees = [angles.x, angles.y, angles.z].map((one) => `${short(THREE.MathUtils.radToDeg(one), 2)}°`);
-  return `xyz ${[at.x, at.y, at.z].map((one) => short(one, 4)).join(' ')} m\nrpy ${degrees.join(' ')}`;
+  const turns = [angles.x, angles.y, angles.z];
+  const degrees = turns.map((one) => `${short(THREE.MathUtils.radToDeg(one), 2)}°`);
+  const radians = turns.map((one) => short(one, 4));
+  return `xyz ${[at.x, at.y, at.z].map((one) => short(one, 4)).join(' ')} m\nrpy ${degrees.join(' ')}\n= ${radians.join(' ')} rad`;
 }

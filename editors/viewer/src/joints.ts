@@ -83,7 +83,7 @@ export class JointPanel {
     const { min, max, endless } = bounds(joint);
     const range = endless ? 'endless' : `${short(min * factor, digits)} … ${short(max * factor, digits)}`;
     const note = joint.limit || endless ? range : `${range}, no limit given`;
-    const head = el('div', { class: 'head', title: `${joint.name}: ${joint.type}, ${joint.parent} → ${joint.child}` });
+    const head = el('div', { class: 'head', title: `${joint.name}: ${joint.type}, ${joint.parent} → ${joint.child}\n${limitsInWords(joint)}` });
     head.append(el('span', { class: 'text', text: joint.name }), el('small', { text: note }));
     head.addEventListener('click', (event) => {
       if (!(event.target instanceof HTMLButtonElement)) this.act.select(joint.name);
@@ -114,12 +114,15 @@ export class JointPanel {
       show();
     });
     typed.disabled = min === max;
-    body.append(control.element, typed, el('span', { class: 'unit', text: unit }));
+    const other = el('small', { class: 'other' });
+    other.hidden = !angle;
+    body.append(control.element, typed, el('span', { class: 'unit', text: unit }), other);
     const show = (): void => {
       const value = this.values.get(joint.name);
       control.show(value);
       if (document.activeElement !== typed || this.values.isSweeping(joint.name)) typed.value = short(value * factor, digits);
       typed.title = inWords(joint, value);
+      other.textContent = this.degrees ? `${short(value, 3)} rad` : `${short((value * 180) / Math.PI, 1)}°`;
       sweep.setAttribute('aria-pressed', String(this.values.isSweeping(joint.name)));
     };
     typed.addEventListener('blur', show);
@@ -168,8 +171,18 @@ export class JointPanel {
   }
 }
 
+/** The limits of a joint in all its units: `limits -1.571 … 1.571 rad (-90° … 90°)`. */
+export function limitsInWords(joint: Joint): string {
+  const { min, max, endless } = bounds(joint);
+  if (endless) return 'turns without end';
+  const given = joint.limit ? 'limits' : 'no limit given, shown within';
+  if (joint.type === 'prismatic') return `${given} ${short(min, 4)} … ${short(max, 4)} m`;
+  const [from, to] = [min, max].map((one) => `${short((one * 180) / Math.PI, 1)}°`);
+  return `${given} ${short(min, 3)} … ${short(max, 3)} rad (${from} … ${to})`;
+}
+
 /** A position with its unit: `-1.658 rad (-95°)`, `0.25 m`. */
-function inWords(joint: Joint, value: number): string {
+export function inWords(joint: Joint, value: number): string {
   if (joint.type === 'prismatic') return `${short(value, 4)} m`;
   return `${short(value, 3)} rad (${short((value * 180) / Math.PI, 1)}°)`;
 }

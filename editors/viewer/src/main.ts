@@ -11,6 +11,7 @@ import { Meshes } from './meshes';
 import { Pointer } from './pointer';
 import { ProgramsPanel } from './programs';
 import { type Layers, RobotView } from './robot';
+import { Share } from './share';
 import { Stage } from './stage';
 import { applyStyle } from './style';
 import { label, Toolbar } from './toolbar';
@@ -52,6 +53,7 @@ const details = new Details({
   fade: (link, share) => {
     for (const view of views.values()) view.fade(link, share);
   },
+  position: (joint) => values.get(joint),
 });
 const tree = new TreePanel({
   select: (link, shift) => selectLink(link, shift),
@@ -76,6 +78,8 @@ const toolbar = new Toolbar(layers, {
   fit: () => fit(),
   parallel: (on) => (stage.parallel = on),
   picture: () => savePicture(),
+  urdf: () => saveUrdf(),
+  copy: () => share.copy(),
   measure: (on) => pointer.measure(on),
   panel: (which, on) => {
     const panels = { left: tree, right: joints, programs };
@@ -113,12 +117,31 @@ const pointer = new Pointer(stage, () => [...views.values()], values, {
 
 const host = connect({
   message: receive,
+  view: (text) => share.take(text),
   connection: (state) => {
     document.body.dataset['connection'] = state;
     if (state === 'refused') empty.textContent = 'this address is no longer valid: open the preview again';
     showState();
   },
 });
+// not every editor can give the URDF
+toolbar.urdf.hidden = document.body.dataset['host'] === 'webview';
+const share = new Share({
+  stage, values, layers, views,
+  main: () => latest.get('main'),
+  touched: () => touched,
+  touch: () => ([touched, fitted] = [true, true]),
+  selected: () => selected.links,
+  select: (links) => {
+    select(links, links.flatMap((link) => find(link)?.view.jointAbove(link)?.name ?? []));
+    tree.eyes();
+  },
+  switch: (layer) => toolbar.switch(layer),
+  parallel: () => toolbar.parallel.click(),
+  root: (root) => host.send({ type: 'root', root, compare: null }),
+  remember: (text) => host.remember(text),
+}, host.remembered);
+stage.element.append(share.notice);
 const meshes = new Meshes(host, () => showState());
 host.send({ type: 'ready' });
 
@@ -133,9 +156,11 @@ function receive(message: FromHost): void {
     case 'settings':
       if (message.fps) stage.maxFps = Math.min(240, Math.max(1, message.fps));
       if (message.meshMaxMB) settings.meshMaxMB = message.meshMaxMB;
+      if (message.urdf) toolbar.urdf.hidden = false;
       if (message.theme) document.documentElement.className = message.theme;
       return stage.recolor();
     case 'mesh':
+    case 'urdf':
   }
 }
 
@@ -173,6 +198,7 @@ function show(message: ModelMessage): void {
   showDetails();
   sideLabels();
   showState();
+  if (side === 'main') share.came();
 }
 
 /** The joints of all sides, each once. */
@@ -339,10 +365,25 @@ function take(message: SelectMessage): void {
 /** The picture as it is, as a file. */
 function savePicture(): void {
   stage.draw();
-  const name = `${views.get('main')?.model.robot || 'robot'}.png`;
+  save('png', stage.canvas.toDataURL('image/png'));
+}
+
+/** The robot with the arguments chosen, as a file. */
+function saveUrdf(): void {
+  host.urdf().then(
+    (text) => {
+      const url = URL.createObjectURL(new Blob([text], { type: 'application/xml' }));
+      save('urdf', url);
+      setTimeout(() => URL.revokeObjectURL(url), 60_000);
+    },
+    (error: unknown) => share.say(error instanceof Error ? error.message : String(error)),
+  );
+}
+
+function save(ending: string, url: string): void {
   const link = el('a');
-  link.download = name;
-  link.href = stage.canvas.toDataURL('image/png');
+  link.download = `${views.get('main')?.model.robot || 'robot'}.${ending}`;
+  link.href = url;
   link.click();
 }
 

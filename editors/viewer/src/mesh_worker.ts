@@ -108,7 +108,7 @@ async function gltf({ bytes }: Job, manager: THREE.LoadingManager): Promise<Read
 }
 
 function unknown({ format }: Job): Read {
-  throw new Error(`meshes of the format ${format || '?'} cannot be shown`);
+  throw new Error(format ? `format .${format} cannot be drawn` : 'a file without an extension cannot be drawn');
 }
 
 /** What waits for the pictures that a loader has begun to load, if it did. */

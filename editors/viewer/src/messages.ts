@@ -169,8 +169,17 @@ export interface MeshMessage {
   error?: string;
 }
 
+/** The answer to a `urdf` of the viewer. */
+export interface UrdfMessage {
+  type: 'urdf';
+  text?: string;
+  error?: string;
+}
+
 export interface SettingsMessage {
   type: 'settings';
+  /** Whether the host answers `urdf`. */
+  urdf?: boolean;
   /** Pictures a second, at most. */
   fps?: number;
   /** Larger meshes are shown as boxes. */
@@ -184,7 +193,7 @@ export interface ClosedMessage {
   side: Side;
 }
 
-export type FromHost = ModelMessage | SelectMessage | MeshMessage | SettingsMessage | ClosedMessage;
+export type FromHost = ModelMessage | SelectMessage | MeshMessage | UrdfMessage | SettingsMessage | ClosedMessage;
 
 export type ToHost =
   /** The viewer listens: send it everything there is. */
@@ -196,4 +205,6 @@ export type ToHost =
   /** Another root or other arguments were chosen; `compare` is shown beside it, null: nothing. */
   | { type: 'root'; root: Root; compare: Root | null }
   /** The bytes of a file are wanted. */
-  | { type: 'mesh'; mesh: string };
+  | { type: 'mesh'; mesh: string }
+  /** The expanded robot is wanted, to be saved. */
+  | { type: 'urdf' };

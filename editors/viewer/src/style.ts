@@ -43,21 +43,22 @@ button:focus-visible, input:focus-visible, select:focus-visible, [tabindex]:focu
 input[type=text], input[type=number], input[type=search], select { background: var(--input); border: 1px solid var(--line);
   border-radius: 5px; padding: 2px 6px; min-height: 26px; min-width: 0; }
 input[type=range] { accent-color: var(--accent); min-width: 0; }
-.bar { grid-column: 1 / 4; display: flex; flex-wrap: wrap; gap: 4px 6px; align-items: center; padding: 5px 8px;
+.bar { grid-column: 1 / 4; max-height: 60vh; overflow: auto; display: flex; flex-wrap: wrap; gap: 4px 6px; align-items: center; padding: 5px 8px;
   background: var(--panel); border-bottom: 1px solid var(--line); }
 .bar .name { font-weight: 600; margin: 0 6px 0 2px; max-width: 22em; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .bar .tools { display: flex; gap: 2px; margin-left: auto; } .bar .tools button { padding: 2px 7px; }
 .bar select { max-width: 13em; }
 .bar label:not([hidden]) { display: flex; gap: 5px; align-items: center; color: var(--muted); }
 .bar .args { display: flex; flex-wrap: wrap; gap: 4px 8px; max-height: 62px; overflow: auto; }
-.bar .args.many { order: 1; flex-basis: 100%; max-height: 26vh; display: grid; grid-template-columns: repeat(auto-fill, minmax(195px, 1fr)); gap: 3px 12px; }
+.bar .args.many { order: 1; flex-basis: 100%; max-height: none; overflow: visible; display: grid; grid-template-columns: repeat(auto-fill, minmax(195px, 1fr)); gap: 3px 12px; }
 .bar .args.many label { min-width: 0; } .bar .args.many label span { flex: 1; } .bar .args.many input { width: 7.5em; flex: none; }
 .bar .args label span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
+.bar .args.many label span { white-space: normal; overflow-wrap: anywhere; line-height: 1.15; }
 .bar .args:empty { display: none; }
 .bar .args input { width: 8em; }
 #app > .panel, #app > .view { grid-row: 3; } #app > .panel.left { grid-column: 1; } #app > .panel.right { grid-column: 3; }
 .panel { background: var(--panel); overflow: hidden; display: flex; flex-direction: column; width: 260px; min-height: 0; }
-.panel.left { resize: horizontal; min-width: 150px; max-width: 50vw; border-right: 1px solid var(--line); } .panel.right { border-left: 1px solid var(--line); width: 300px; }
+.panel.left { resize: horizontal; min-width: 150px; max-width: 50vw; border-right: 1px solid var(--line); } .panel.right { border-left: 1px solid var(--line); width: 330px; }
 .panel[hidden] { display: none; }
 .panel header { display: flex; gap: 4px; align-items: center; padding: 6px 8px; flex-wrap: wrap; }
 .panel header b { flex: 1; font-weight: 600; } .panel header input { flex: 1; width: 100%; }
@@ -68,6 +69,7 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .labels span { position: absolute; left: 0; top: 0; white-space: nowrap; font-size: 11px; padding: 0 4px; border-radius: 3px;
   background: color-mix(in srgb, var(--panel) 82%, transparent); color: var(--fg); will-change: transform; }
 .labels .measure { font-weight: 600; background: var(--accent); color: #fff; } .labels .missing { background: #b0108f; color: #fff; }
+.labels .undrawn { background: #7a5200; color: #fff; }
 .details { border-top: 1px solid var(--line); padding: 2px 8px 8px; overflow: auto; max-height: 50%; flex: none; }
 .details[hidden] { display: none; } .details header { padding: 4px 0; } .details header b { overflow: hidden; text-overflow: ellipsis; }
 .details header button { color: var(--accent); text-decoration: underline; padding: 0 4px; min-height: 22px; }
@@ -97,7 +99,8 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .joint .head, .joint .body { display: flex; gap: 6px; align-items: center; }
 .joint .head { cursor: pointer; } .joint .head .text { flex: 1; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
 .joint small { color: var(--muted); white-space: nowrap; } .joint .body input[type=range] { flex: 1; }
-.joint .body input[type=number] { width: 76px; text-align: right; } .joint .body .unit { color: var(--muted); width: 2em; }
+.joint .body input[type=number] { width: 70px; text-align: right; } .joint .body .unit { color: var(--muted); width: 1.6em; }
+.joint .body .other { width: 5.2em; text-align: right; font-variant-numeric: tabular-nums; }
 .joint .head button { min-height: 20px; padding: 0 6px; }
 .wheel { flex: 1; height: 20px; border: 1px solid var(--line); border-radius: 10px; cursor: ew-resize; touch-action: none;
   background-image: repeating-linear-gradient(90deg, var(--muted) 0 1px, transparent 1px 12px); background-position-x: 0; opacity: .85; }
@@ -109,6 +112,9 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .banner li button { width: 100%; text-align: left; white-space: normal; } .banner li small { color: var(--muted); margin-left: 8px; }
 .status { position: absolute; left: 8px; bottom: 8px; color: var(--muted); font-size: 11px; pointer-events: none;
   background: color-mix(in srgb, var(--bg) 70%, transparent); padding: 1px 6px; border-radius: 4px; }
+.notice { position: absolute; left: 50%; bottom: 34px; transform: translateX(-50%); max-width: 90%; padding: 6px 12px; border-radius: 6px;
+  background: var(--panel); border: 1px solid var(--line); box-shadow: 0 4px 18px rgb(0 0 0 / .2); z-index: 5; }
+.notice[hidden] { display: none; } .notice input { width: 100%; margin-top: 4px; }
 .menu, .tip, .help { position: absolute; background: var(--panel); border: 1px solid var(--line); border-radius: 6px; z-index: 5;
   box-shadow: 0 4px 18px rgb(0 0 0 / .2); }
 .menu { padding: 4px; display: flex; flex-direction: column; min-width: 170px; } .menu button { text-align: left; }
@@ -118,7 +124,7 @@ input[type=range] { accent-color: var(--accent); min-width: 0; }
 .help { right: 8px; bottom: 8px; padding: 10px 14px; display: grid; grid-template-columns: auto auto; gap: 2px 18px; }
 .empty { position: absolute; inset: 0; display: grid; place-content: center; color: var(--muted); text-align: center; pointer-events: none; }
 .empty[hidden] { display: none; }
-@media (max-width: 760px) { .panel { width: 200px; } .panel.right { width: 230px; } .panel.right header b { display: none; }
+@media (max-width: 760px) { .panel { width: 200px; } .panel.right { width: 230px; } .panel.right header b, .joint .body .other { display: none; }
   .bar select { max-width: 10em; } .bar .tools { gap: 0; } .bar .tools button { padding: 2px 6px; } }
 `;
 

@@ -11,6 +11,8 @@ export interface ToolbarActs {
   measure: (on: boolean) => void;
   parallel: (on: boolean) => void;
   picture: () => void;
+  urdf: () => void;
+  copy: () => void;
   panel: (which: 'left' | 'right' | 'programs', on: boolean) => void;
   help: () => void;
 }
@@ -32,6 +34,7 @@ export class Toolbar {
   readonly menu = el('div', { class: 'menu' });
   readonly measure: HTMLButtonElement;
   readonly parallel: HTMLButtonElement;
+  readonly urdf: HTMLButtonElement;
   private readonly name = el('span', { class: 'name' });
   private readonly root = el('select', { title: 'robot and preset' });
   private readonly compare = el('select', { title: 'show another preset beside it' });
@@ -52,6 +55,7 @@ export class Toolbar {
     layerButton.setAttribute('aria-haspopup', 'true');
     this.measure = toggle('Measure', 'measure the distance of two points, with a third the angle (M)', false, act.measure, 'measure');
     this.parallel = toggle('Parallel', 'orthographic view: no perspective (P)', false, act.parallel, 'parallel');
+    this.urdf = button('URDF', 'save the expanded robot as a URDF file', act.urdf, 'urdf');
     this.root.setAttribute('aria-label', 'robot and preset');
     this.compare.setAttribute('aria-label', 'compare with');
     this.root.dataset['action'] = 'root';
@@ -76,6 +80,8 @@ export class Toolbar {
         this.parallel,
         button('Fit', 'show the whole robot (F)', act.fit, 'fit'),
         button('PNG', 'save the picture as a PNG file', act.picture, 'picture'),
+        this.urdf,
+        button('Copy view', 'copy joints, camera, layers, selection and arguments as text, to paste (Ctrl+V) into a preview of this robot', act.copy, 'copy-view'),
         toggle('Programs', 'what Gazebo, MuJoCo and other programs make of the robot', false, (on) => act.panel('programs', on), 'programs'),
         button('?', 'keys', act.help, 'help'),
         right,

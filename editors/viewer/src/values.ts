@@ -75,6 +75,22 @@ export class Values {
     this.changed();
   }
 
+  /** The joints that were moved, with their positions. */
+  moved(): Map<string, number> {
+    return new Map([...this.own].filter(([name, value]) => this.joints.has(name) && value !== 0));
+  }
+
+  /** Move joints to these positions, and all others to zero. */
+  place(positions: Map<string, number>): void {
+    this.own.clear();
+    this.sweeping.clear();
+    for (const [name, value] of positions) {
+      const joint = this.joints.get(name);
+      if (joint && moves(joint) && !joint.mimic) this.own.set(name, clamp(joint, value));
+    }
+    this.changed();
+  }
+
   reset(): void {
     this.own.clear();
     this.sweeping.clear();

@@ -42,6 +42,7 @@ const changeRoot = new RequestType<{ id: number; root: Root; compare?: Root | nu
 const mesh = new RequestType<{ id: number; mesh: string }, { data: string; name: string }, void>(
   "xacro/preview/mesh",
 );
+const urdf = new RequestType<{ id: number }, { urdf: string }, void>("xacro/preview/urdf");
 const model = new NotificationType<{ id: number; root?: Root; side?: string }>("xacro/preview/model");
 const selectByServer = new NotificationType<FromServerSelect>("xacro/preview/select");
 const selectByUser = new NotificationType<ToServerSelect>("xacro/preview/select");
@@ -202,6 +203,8 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
         return;
       case "mesh":
         return this.sendMesh(message.mesh);
+      case "urdf":
+        return this.sendUrdf();
     }
   }
 
@@ -288,6 +291,17 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     }
   }
 
+  /** The robot as it is shown, for the viewer to save. */
+  private async sendUrdf(): Promise<void> {
+    if (this.id === undefined) return this.post("urdf", { error: "the language server does not run" });
+    try {
+      const answer = await this.server.askStrictly(urdf, { id: this.id });
+      this.post("urdf", answer ? { text: answer.urdf } : { error: "the language server did not answer" });
+    } catch (error) {
+      this.post("urdf", { error: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
   private sendSettings(): void {
     const settings = vscode.workspace.getConfiguration("xacro.preview");
     const { Light, HighContrastLight } = vscode.ColorThemeKind;
@@ -295,6 +309,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
     this.post("settings", {
       fps: settings.get("fps", 60),
       meshMaxMB: settings.get("meshMaxMB", 64),
+      urdf: true,
       theme: kind === Light || kind === HighContrastLight ? "light" : "dark",
     });
   }

@@ -14,7 +14,8 @@ export type FromViewer =
   | { type: "select"; link?: string; joint?: string; location?: Place }
   | { type: "open"; location: Place }
   | { type: "root"; root: Root; compare: Root | null }
-  | { type: "mesh"; mesh: string };
+  | { type: "mesh"; mesh: string }
+  | { type: "urdf" };
 
 /** The message, or nothing when it is none of ours. */
 export function fromViewer(message: unknown): FromViewer | undefined {
@@ -22,6 +23,8 @@ export function fromViewer(message: unknown): FromViewer | undefined {
   switch (message["type"]) {
     case "ready":
       return { type: "ready" };
+    case "urdf":
+      return { type: "urdf" };
     case "open": {
       const location = place(message["location"]);
       return location && { type: "open", location };

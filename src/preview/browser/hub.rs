@@ -10,7 +10,7 @@ use tokio::sync::watch;
 use super::limiter::ConnectionLimiter;
 use super::serve;
 use crate::Files;
-use crate::messages::{FromViewer, ModelMessage, Selection, Side};
+use crate::messages::{FromViewer, ModelMessage, Selection, Side, Source};
 use base::limits::{CONNECTIONS, PAGES, UNAUTHENTICATED};
 use vfs::Vfs;
 
@@ -29,6 +29,8 @@ pub(super) struct ViewState {
     pub main: Option<Arc<str>>,
     pub compare: Option<Arc<str>>,
     pub selection: Option<Arc<str>>,
+    /// What the main robot was made of, for those who want its URDF.
+    pub source: Option<Source>,
 }
 
 /// The server for browsers: started once, ends with the process.
@@ -129,7 +131,10 @@ impl Hub {
         let text = || serde_json::to_string(message).ok().map(Arc::from);
         let side = message.side;
         self.change(message.id, |updates| match side {
-            Side::Main => updates.main = text(),
+            Side::Main => {
+                updates.main = text();
+                updates.source = Some(message.source.clone());
+            }
             Side::Compare => updates.compare = text(),
         });
     }
@@ -149,6 +154,16 @@ impl Hub {
         if let Some(view) = self.views().get(&id) {
             view.send_modify(change);
         }
+    }
+
+    /// The robot of a view as URDF, or why there is none.
+    pub(super) fn urdf(&self, id: u32) -> Result<String, String> {
+        let shown = self
+            .views()
+            .get(&id)
+            .map(|view| view.borrow().source.clone());
+        let source = shown.ok_or("this view is closed")?;
+        source.ok_or("no robot is shown")?.urdf()
     }
 
     pub(super) fn updates(&self, id: u32) -> Option<watch::Receiver<ViewState>> {

@@ -77,6 +77,7 @@ fn routes(hub: Arc<Hub>) -> Router {
         .route("/", get(page::page))
         .route("/viewer.js", get(page::script))
         .route("/mesh/{id}", get(mesh))
+        .route("/urdf/{id}", get(urdf))
         .route("/socket", get(socket::open))
         .fallback(|| async { (StatusCode::NOT_FOUND, "page not found") })
         .layer(axum::middleware::from_fn_with_state(
@@ -86,6 +87,35 @@ fn routes(hub: Arc<Hub>) -> Router {
         .with_state(hub)
 }
 
+/// `/urdf/ID`: the robot of a view as URDF.
+async fn urdf(
+    State(hub): State<Arc<Hub>>,
+    Extension(permit): Extension<Arc<Permit>>,
+    Path(id): Path<u32>,
+    headers: HeaderMap,
+) -> Response {
+    if !knows_token(&hub, &headers) {
+        return forbidden();
+    }
+    permit.leave();
+    match tokio::task::spawn_blocking(move || hub.urdf(id)).await {
+        Ok(Ok(text)) => ([(CONTENT_TYPE, "application/xml; charset=utf-8")], text).into_response(),
+        Ok(Err(why)) => (StatusCode::CONFLICT, why).into_response(),
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
+}
+
+fn knows_token(hub: &Hub, headers: &HeaderMap) -> bool {
+    let given = headers
+        .get("x-xacro-token")
+        .and_then(|token| token.to_str().ok());
+    guard::same(given.unwrap_or(""), hub.token())
+}
+
+fn forbidden() -> Response {
+    (StatusCode::FORBIDDEN, "the token is missing or wrong").into_response()
+}
+
 /// `/mesh/ID`: the bytes of a file of a model.
 async fn mesh(
     State(hub): State<Arc<Hub>>,
@@ -93,12 +123,8 @@ async fn mesh(
     Path(id): Path<String>,
     headers: HeaderMap,
 ) -> Response {
-    let given = headers
-        .get("x-xacro-token")
-        .and_then(|token| token.to_str().ok())
-        .unwrap_or("");
-    if !guard::same(given, hub.token()) {
-        return (StatusCode::FORBIDDEN, "the token is missing or wrong").into_response();
+    if !knows_token(&hub, &headers) {
+        return forbidden();
     }
     // a page of ours: others that come and say nothing do not end its download
     permit.leave();
