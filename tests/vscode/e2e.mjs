@@ -477,21 +477,98 @@ test("no-server", "measuring_cell", async (window, server) => {
 }, { profile: "missing" });
 
 test("restart", "broken_cell", async (window, server) => {
+  const messages = () => window.page.locator(".notification-list-item-message").allInnerTexts();
+  /** Ends the server while it owes answers. */
+  const crash = async (id) => {
+    process.kill(id, "SIGSTOP");
+    await window.page.keyboard.type(" ");
+    await window.press("Control+Space");
+    await window.page.waitForTimeout(500);
+    process.kill(id, "SIGKILL");
+  };
   await window.file("broken_cell.xacro");
   await window.problem("reference_bals");
+  await window.editor.click();
+  await window.go(...source(window, BROKEN).find('<link name="world"/>', 6));
   const [first] = server.servers();
-  process.kill(first, "SIGKILL");
+  await crash(first);
   await window.notification("stopped unexpectedly and was restarted");
   const second = await until("another server", () => server.servers().find((id) => id !== first));
+  await window.page.waitForTimeout(2000);
+  assert.equal((await messages()).length, 1, (await messages()).join("; "));
   await window.command("Notifications: Clear All Notifications");
   // it answers: a new mistake is found
   await window.editor.click();
   await window.go(...source(window, BROKEN).find("xacro:broken_probe", 12));
   await window.page.keyboard.type("x");
   await window.problem("brokenx_probe");
-  process.kill(second, "SIGKILL");
+  await window.editor.click();
+  await crash(second);
   await window.notification("stopped twice");
+  await window.page.waitForTimeout(2000);
+  assert.equal((await messages()).length, 1, (await messages()).join("; "));
   assert.equal(server.servers().length, 0);
+  // commands say so, once, and can start it
+  await window.command("Notifications: Clear All Notifications");
+  await window.status("xacro");
+  for (const title of ["Xacro: Set Arguments", "Xacro: Open Preview", "Xacro: Open Expanded URDF to the Side"]) {
+    await window.command(title);
+    await window.notification("language server is not running");
+    assert.equal((await messages()).length, 1, (await messages()).join("; "));
+  }
+  if (values.shots) await window.shot(shot("not-running.png"));
+  await window.page.locator(".notification-list-item .monaco-button", { hasText: "Restart" }).first().click();
+  await until("a third server", () => server.servers().length === 1);
+  await window.status("broken_cell.xacro");
+  await window.problem("brokenx_probe");
+});
+
+/** Rows of the problems panel with a text. */
+async function problems(window, text) {
+  await window.problem(text);
+  const rows = await window.page.locator(".markers-panel .monaco-list-row", { hasText: text }).allInnerTexts();
+  return rows.map((row) => row.replace(/\s+/g, " "));
+}
+
+test("check-workspace", "measuring_cell", async (window, server) => {
+  // a finding of each kind: in an open and in a closed file, with the preset that is looked at and with another one
+  const robot = source(window, CELL);
+  const ghost = '  <xacro:if value="${float(xacro.arg(\'stylus\')) > 0.1}"><joint name="ghost" type="fixed"><parent link="world"/><child link="ghost_link"/></joint></xacro:if>\n';
+  const always = '  <joint name="always" type="fixed"><parent link="world"/><child link="always_link"/></joint>\n';
+  robot.write((text) => text.replace("</robot>", `${ghost}${always}</robot>`).replaceAll("float(xacro.arg('stylus'))", "stylus_now").replace('  <link name="world"/>', '  <xacro:property name="stylus_now" value="$(arg stylus)"/>\n  <link name="world"/>'));
+  writeFileSync(join(window.folder, "other.urdf"), '<robot name="other"><link name="base"/><joint name="closed" type="fixed"><parent link="base"/><child link="closed_link"/></joint></robot>\n');
+  writeFileSync(join(window.folder, "xacro-lint.toml"), `[[roots]]\nfile = "${CELL}"\npresets.long = { stylus = "0.2" }\n[[roots]]\nfile = "other.urdf"\n`);
+  await window.file("measuring_cell.xacro");
+  await window.problem("always_link");
+  await window.command("Xacro: Check Workspace");
+  await window.notification("with all robots and presets: 3 errors in 2 files");
+  if (values.shots) await window.shot(shot("check-workspace-message.png"));
+  await window.page.locator(".notification-list-item .monaco-button", { hasText: "Show Problems" }).first().click();
+  assert.match((await problems(window, "closed_link")).join(), /closed_link.*xacro-lint/);
+  assert.match((await problems(window, "ghost_link")).join(), /stylus:=0\.2/);
+  // what the server shows is not shown again
+  assert.equal((await problems(window, "always_link")).length, 1);
+  if (values.shots) {
+    await window.page.locator(".part.panel").getByPlaceholder(/^Filter/).first().fill("");
+    await window.shot(shot("check-workspace-problems.png"));
+  }
+  // in a file that is opened, the server's takes its place
+  await window.file("other.urdf");
+  await until("one finding, of the server", async () => {
+    const rows = await problems(window, "closed_link");
+    return rows.length === 1 && /closed_link.* xacro\(/.test(rows[0]);
+  });
+  // mended, and checked again by the task
+  await window.editor.click();
+  await window.press("Control+A");
+  await window.page.keyboard.insertText('<robot name="other"><link name="base"/></robot>\n');
+  await window.save();
+  robot.write((text) => text.replace(ghost, "").replace(always, ""));
+  await window.command("Tasks: Run Task");
+  await window.row("xacro").click();
+  await window.row("check workspace").click();
+  await window.notification("with all robots and presets: no findings");
+  assert.equal(server.servers().length, 1, "the program of the check ended");
 });
 
 test("activation", "measuring_cell", async (window, server) => {

@@ -125,10 +125,7 @@ export class Pickers {
   }
 
   private ready(): boolean {
-    if (!this.server.isRunning) {
-      void vscode.window.showWarningMessage("The xacro language server is not running.");
-      return false;
-    }
+    if (!this.server.isReady()) return false;
     if (!this.contexts.document) {
       void vscode.window.showInformationMessage("Open a xacro or URDF file first.");
       return false;
