@@ -523,6 +523,97 @@ test("restart", "broken_cell", async (window, server) => {
   await window.problem("brokenx_probe");
 });
 
+test("values", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  const list = window.page.locator(".suggest-widget.visible");
+  const row = (text) => list.locator(".monaco-list-row", { hasText: text }).first();
+  for (const [typed, attribute, value] of [
+    ["<joint name='q' type='fixed'><parent li", "link", "world"],
+    ["<mesh file", "filename", "package://measuring_cell/"],
+  ]) {
+    await window.go(line, 3 + '<link name="world"/>'.length);
+    await window.press("Enter");
+    await window.page.keyboard.type(typed);
+    await row(attribute).waitFor();
+    await window.press("Tab");
+    // nothing is typed
+    await row(value).waitFor();
+    if (values.shots) await window.shot(shot(`values-${attribute}.png`));
+    await window.press("Escape");
+    await window.press("Escape");
+    await window.command("File: Revert File");
+  }
+  // where there are no values, nothing says so
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  await window.press("Enter");
+  await window.page.keyboard.type("<link na");
+  await row("name").waitFor();
+  await window.press("Tab");
+  await until("the attribute", async () => (await window.drawn("measuring_cell.xacro")).some((text) => text.includes('<link name=""')));
+  await window.page.waitForTimeout(1000);
+  assert.equal(await window.page.locator(".suggest-widget.visible").count(), 0);
+});
+
+test("end-tag", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  const before = file.text().split("</link>").length;
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  const shows = (part) => until(`the text ${part}`, async () => (await window.drawn("measuring_cell.xacro")).some((text) => part.test(text)));
+  await window.press("Enter");
+  await window.page.keyboard.type("<link name='q'>");
+  await shows(/<link name='q'><\/link>/);
+  await window.press("Enter");
+  await shows(/^ {2}<\/link>/);
+  await window.page.keyboard.type("<visual/>");
+  await window.press("Enter");
+  // by habit, though it is there already
+  await window.page.keyboard.type("</link>", { delay: 60 });
+  await window.page.waitForTimeout(1000);
+  await window.save();
+  await file.has("<visual/>");
+  if (values.shots) await window.shot(shot("end-tag-typed.png"));
+  assert.equal(file.text().split("</link>").length, before + 1, file.text());
+  assert.doesNotMatch(file.text(), /<linklink|<\/link><\/link>/);
+});
+
+test("rule-page", "broken_cell", async (window) => {
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  await window.page.locator(".markers-panel .monaco-list-row a", { hasText: "undefined-macro" }).first().click();
+  await window.page.locator('.tab.active[aria-label*="undefined-macro"]').waitFor();
+  await until("the page of the rule", async () => (await window.drawn("undefined-macro")).some((text) => text.includes("undefined-macro")));
+});
+
+test("presets", "measuring_cell", async (window) => {
+  const configuration = (long) => `[[roots]]\nfile = "${CELL}"\nargs = { stylus = "0.05" }\npresets.long = { stylus = "${long}" }\npresets.short = { stylus = "0.03" }\n`;
+  writeFileSync(join(window.folder, "xacro-lint.toml"), configuration("0.2"));
+  await window.file("measuring_cell.xacro");
+  await window.status("stylus:=0.05");
+  await window.command("Xacro: Set Arguments");
+  const rows = window.page.locator(".quick-input-widget .monaco-list-row");
+  await window.row("short").waitFor();
+  const names = (await rows.allInnerTexts()).map((text) => text.replace(/\s+/g, " ").trim());
+  if (values.shots) await window.shot(shot("presets-list.png"));
+  assert.ok(names[0].includes("default") && names[1].includes("long") && names[1].includes("stylus:=0.2"), names.join("; "));
+  assert.ok(names.some((text) => text.includes("cell.launch.py")), names.join("; "));
+  await window.row("long").click();
+  await window.status("stylus:=0.2");
+  // remembered by its name: with what it means when the window is loaded again
+  writeFileSync(join(window.folder, "xacro-lint.toml"), configuration("0.3"));
+  await window.page.waitForTimeout(1000);
+  await Promise.all([window.page.waitForEvent("load"), window.command("Developer: Reload Window")]);
+  await window.status("stylus:=0.3");
+  await window.command("Xacro: Set Arguments");
+  await window.row("default").click();
+  await window.status("stylus:=0.05");
+});
+
 /** Rows of the problems panel with a text. */
 async function problems(window, text) {
   await window.problem(text);
@@ -533,11 +624,11 @@ async function problems(window, text) {
 test("check-workspace", "measuring_cell", async (window, server) => {
   // a finding of each kind: in an open and in a closed file, with the preset that is looked at and with another one
   const robot = source(window, CELL);
-  const ghost = '  <xacro:if value="${float(xacro.arg(\'stylus\')) > 0.1}"><joint name="ghost" type="fixed"><parent link="world"/><child link="ghost_link"/></joint></xacro:if>\n';
+  const ghost = '  <xacro:if value="${stylus_now > 0.1}"><joint name="ghost" type="fixed"><parent link="world"/><child link="ghost_link"/></joint></xacro:if>\n';
   const always = '  <joint name="always" type="fixed"><parent link="world"/><child link="always_link"/></joint>\n';
-  robot.write((text) => text.replace("</robot>", `${ghost}${always}</robot>`).replaceAll("float(xacro.arg('stylus'))", "stylus_now").replace('  <link name="world"/>', '  <xacro:property name="stylus_now" value="$(arg stylus)"/>\n  <link name="world"/>'));
+  robot.write((text) => text.replace("</robot>", `${ghost}${always}</robot>`).replace('  <link name="world"/>', '  <xacro:property name="stylus_now" value="$(arg stylus)"/>\n  <link name="world"/>'));
   writeFileSync(join(window.folder, "other.urdf"), '<robot name="other"><link name="base"/><joint name="closed" type="fixed"><parent link="base"/><child link="closed_link"/></joint></robot>\n');
-  writeFileSync(join(window.folder, "xacro-lint.toml"), `[[roots]]\nfile = "${CELL}"\npresets.long = { stylus = "0.2" }\n[[roots]]\nfile = "other.urdf"\n`);
+  writeFileSync(join(window.folder, "xacro-lint.toml"), `[[roots]]\nfile = "${CELL}"\nargs = { stylus = "0.05" }\npresets.long = { stylus = "0.2" }\n[[roots]]\nfile = "other.urdf"\n`);
   await window.file("measuring_cell.xacro");
   await window.problem("always_link");
   await window.command("Xacro: Check Workspace");
@@ -556,7 +647,7 @@ test("check-workspace", "measuring_cell", async (window, server) => {
   await window.file("other.urdf");
   await until("one finding, of the server", async () => {
     const rows = await problems(window, "closed_link");
-    return rows.length === 1 && /closed_link.* xacro\(/.test(rows[0]);
+    return rows.length === 1 && /closed_link.* xacro undefined-link/.test(rows[0]);
   });
   // mended, and checked again by the task
   await window.editor.click();
