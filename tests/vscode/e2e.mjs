@@ -333,7 +333,12 @@ test("expanded", "measuring_cell", async (window) => {
   await window.page.keyboard.type("<");
   await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor();
   await shows('xyz="0 0 0.95"');
+  // at any place of the text: in the status bar, in the tab, on the text
+  await window.status("this is the robot as of");
+  await window.page.locator('.tab[aria-label*="measuring_cell.urdf"][aria-label*="this is the robot as of"], .tab[aria-label*="measuring_cell.urdf"] .monaco-icon-label[class*=decoration]').first().waitFor();
+  if (values.shots) await window.shot(shot("expanded-stale.png"));
   await window.press("Backspace");
+  await window.page.locator(".statusbar-item", { hasText: "this is the robot as of" }).first().waitFor({ state: "hidden" });
   await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor({ state: "hidden" });
   // and back: the cursor in the expanded text leads to the source
   const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
@@ -346,6 +351,22 @@ test("expanded", "measuring_cell", async (window) => {
   await window.page.waitForTimeout(2500);
   await window.page.locator(".tab.active", { hasText: "saved ↔ now" }).waitFor();
 });
+
+test("expanded-reading", "measuring_cell", async (window) => {
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Xacro: Open Expanded URDF to the Side");
+  const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
+  await group.locator(".view-line").first().click();
+  await window.press("Control+Shift+O");
+  await window.input.fill("@leg_front_left_joint");
+  await window.row("leg_front_left_joint").waitFor();
+  await window.press("Enter");
+  assert.match(await window.hover("furniture.xacro"), /joint.*leg_front_left_joint.*fixed[^]*from furniture\.xacro:\d+[^]*called at furniture\.xacro:\d+/);
+  if (values.shots) await window.shot(shot("expanded-hover.png"));
+  await window.page.locator(".monaco-hover:visible a", { hasText: "furniture.xacro" }).first().click();
+  await window.page.locator('.tab.active[data-resource-name="furniture.xacro"]').first().waitFor();
+}, { share: "reading" });
 
 test("root", "measuring_cell", async (window) => {
   const file = source(window, "src/fenn_support/urdf/fenn_macro.xacro");
@@ -361,7 +382,7 @@ test("root", "measuring_cell", async (window) => {
   await window.hover("arm_");
   // arguments of the root
   await window.command("Xacro: Set Arguments");
-  await window.row("stylus").click();
+  await window.row(/^\s*stylus/).click();
   await window.answer("stylus", "0.07");
   await window.status("stylus:=0.07");
   const probe = source(window, "src/gauge_probe_support/urdf/gauge_probe_macro.xacro");
@@ -592,6 +613,7 @@ test("rule-page", "broken_cell", async (window) => {
 
 test("presets", "measuring_cell", async (window) => {
   const configuration = (long) => `[[roots]]\nfile = "${CELL}"\nargs = { stylus = "0.05" }\npresets.long = { stylus = "${long}" }\npresets.short = { stylus = "0.03" }\n`;
+  source(window, "src/measuring_cell/launch/cell.launch.py").write((text) => text.replace("'0.05'", "'0.08'"));
   writeFileSync(join(window.folder, "xacro-lint.toml"), configuration("0.2"));
   await window.file("measuring_cell.xacro");
   await window.status("stylus:=0.05");

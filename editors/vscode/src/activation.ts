@@ -5,6 +5,7 @@ import * as vscode from "vscode";
 import { AuxiliaryDocuments } from "./auxiliaryDocuments";
 import { Contexts } from "./contexts";
 import { ExpandedDocuments } from "./expanded";
+import { registerExpandedReading } from "./expandedReading";
 import { CursorSync } from "./cursorSync";
 import { IncludeGraph } from "./includeGraph";
 import { isRobotDescription } from "./languages";
@@ -42,6 +43,7 @@ export function start(context: vscode.ExtensionContext, launcher: Launcher): Ser
     new AuxiliaryDocuments(server),
     registerSettingsFiles(server),
     registerRulePages(),
+    registerExpandedReading(server, documents),
     contexts,
     documents,
     graph,

@@ -4,6 +4,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { bannerText, callText, firstLink, linkOfLine } from "../src/expandedText";
+import { symbolsAt, symbolsOf } from "../src/expandedSymbols";
 import { checkArguments, findingsOf, isShown, lineOf, summary } from "../src/findings";
 import { includesOf } from "../src/includes";
 import { lintBeside, locateServer } from "../src/locate";
@@ -311,4 +312,31 @@ test("snippets that leave the cursor in an empty value", () => {
   for (const snippet of empty) assert.ok(startsEmptyValue(snippet), snippet);
   const others = ['xyz="${1:0 0 0}"', 'optional="${1|true,false|}"$0', 'name="${1:joint}"><parent link="${2}"/>', 'name="$0"', "\\$(find $1)/", 'a="$10"'];
   for (const snippet of others) assert.ok(!startsEmptyValue(snippet), snippet);
+});
+
+test("the outline of an expanded text", () => {
+  const text = `<robot name="r">
+  <!-- <link name="none"/> -->
+  <link name="a">
+    <visual><material name="red"/></visual>
+  </link>
+  <joint name="j" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+  </joint>
+  <gazebo reference="a"><sensor name="s" type="camera"/></gazebo>
+</robot>`;
+  const [robot] = symbolsOf(text);
+  assert.deepEqual(
+    robot?.children.map(({ element, name, detail, first, last }) => [element, name, detail, first, last]),
+    [
+      ["link", "a", "", 2, 4],
+      ["joint", "j", "fixed, a → b", 5, 8],
+      ["gazebo", "a", "", 9, 9],
+    ],
+  );
+  assert.deepEqual([robot.first, robot.last], [0, 10]);
+  assert.deepEqual(symbolsAt([robot], 7).map(({ name }) => name), ["r", "j"]);
+  assert.deepEqual(symbolsAt([robot], 9).map(({ name }) => name), ["r", "a", "s"]);
+  assert.deepEqual(symbolsOf("<robot></a><"), [{ element: "robot", name: "robot", detail: "", first: 0, last: 0, children: [] }]);
 });
