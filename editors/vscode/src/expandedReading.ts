@@ -46,12 +46,18 @@ export function registerExpandedReading(server: Server, documents: ExpandedDocum
           text.appendMarkdown("\n\nThe sources have errors, so places in them are not known.");
           return new vscode.Hover(text);
         }
-        const answer = await server.ask(protocol.toSource, { root, position: plain(position) });
+        const answer = await server.ask(protocol.toSource, { root, position: plain(inElement(document, position)) });
         for (const place of answer?.locations ?? []) text.appendMarkdown(`\n\n${placeText(place)}`);
         return text.value === "" ? undefined : new vscode.Hover(text);
       },
     }),
   );
+}
+
+/** The element that begins on a line, when a place is in the line's indentation, which belongs to the one around it. */
+function inElement(document: vscode.TextDocument, position: vscode.Position): vscode.Position {
+  const indentation = document.lineAt(position).firstNonWhitespaceCharacterIndex;
+  return position.character <= indentation ? position.with({ character: indentation + 1 }) : position;
 }
 
 /** One place of the source as a link. */
@@ -62,10 +68,11 @@ function placeText({ uri, range, role }: SourceLocation): string {
 }
 
 function asSymbol(symbol: Symbol, document: vscode.TextDocument): vscode.DocumentSymbol {
-  const range = new vscode.Range(document.lineAt(symbol.first).range.start, document.lineAt(symbol.last).range.end);
+  const start = new vscode.Position(symbol.first, document.lineAt(symbol.first).firstNonWhitespaceCharacterIndex);
+  const range = new vscode.Range(start, document.lineAt(symbol.last).range.end);
   const kind = KINDS[symbol.element] ?? vscode.SymbolKind.Object;
   const name = symbol.name === "" ? symbol.element : symbol.name;
-  const made = new vscode.DocumentSymbol(name, symbol.detail || symbol.element, kind, range, document.lineAt(symbol.first).range);
+  const made = new vscode.DocumentSymbol(name, symbol.detail || symbol.element, kind, range, new vscode.Range(start, document.lineAt(symbol.first).range.end));
   made.children = symbol.children.map((child) => asSymbol(child, document));
   return made;
 }
