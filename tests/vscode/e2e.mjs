@@ -333,7 +333,12 @@ test("expanded", "measuring_cell", async (window) => {
   await window.page.keyboard.type("<");
   await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor();
   await shows('xyz="0 0 0.95"');
+  // at any place of the text: in the status bar, in the tab, on the text
+  await window.status("this is the robot as of");
+  await window.page.locator('.tab[aria-label*="measuring_cell.urdf"][aria-label*="this is the robot as of"], .tab[aria-label*="measuring_cell.urdf"] .monaco-icon-label[class*=decoration]').first().waitFor();
+  if (values.shots) await window.shot(shot("expanded-stale.png"));
   await window.press("Backspace");
+  await window.page.locator(".statusbar-item", { hasText: "this is the robot as of" }).first().waitFor({ state: "hidden" });
   await window.page.locator(".codelens-decoration", { hasText: "this is the robot as of" }).first().waitFor({ state: "hidden" });
   // and back: the cursor in the expanded text leads to the source
   const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
@@ -346,6 +351,22 @@ test("expanded", "measuring_cell", async (window) => {
   await window.page.waitForTimeout(2500);
   await window.page.locator(".tab.active", { hasText: "saved ↔ now" }).waitFor();
 });
+
+test("expanded-reading", "measuring_cell", async (window) => {
+  await window.file("furniture.xacro");
+  await window.status("measuring_cell.xacro");
+  await window.command("Xacro: Open Expanded URDF to the Side");
+  const group = window.page.locator(".editor-group-container", { has: window.page.locator('.tab.active[aria-label*="measuring_cell.urdf"]') });
+  await group.locator(".view-line").first().click();
+  await window.press("Control+Shift+O");
+  await window.input.fill("@leg_front_left_joint");
+  await window.row("leg_front_left_joint").waitFor();
+  await window.press("Enter");
+  assert.match(await window.hover("furniture.xacro"), /joint.*leg_front_left_joint.*fixed[^]*from furniture\.xacro:\d+[^]*called at furniture\.xacro:\d+/);
+  if (values.shots) await window.shot(shot("expanded-hover.png"));
+  await window.page.locator(".monaco-hover:visible a", { hasText: "furniture.xacro" }).first().click();
+  await window.page.locator('.tab.active[data-resource-name="furniture.xacro"]').first().waitFor();
+}, { share: "reading" });
 
 test("root", "measuring_cell", async (window) => {
   const file = source(window, "src/fenn_support/urdf/fenn_macro.xacro");
@@ -361,7 +382,7 @@ test("root", "measuring_cell", async (window) => {
   await window.hover("arm_");
   // arguments of the root
   await window.command("Xacro: Set Arguments");
-  await window.row("stylus").click();
+  await window.row(/^\s*stylus/).click();
   await window.answer("stylus", "0.07");
   await window.status("stylus:=0.07");
   const probe = source(window, "src/gauge_probe_support/urdf/gauge_probe_macro.xacro");
@@ -477,21 +498,205 @@ test("no-server", "measuring_cell", async (window, server) => {
 }, { profile: "missing" });
 
 test("restart", "broken_cell", async (window, server) => {
+  const messages = () => window.page.locator(".notification-list-item-message").allInnerTexts();
+  /** Ends the server while it owes answers. */
+  const crash = async (id) => {
+    process.kill(id, "SIGSTOP");
+    await window.page.keyboard.type(" ");
+    await window.press("Control+Space");
+    await window.page.waitForTimeout(500);
+    process.kill(id, "SIGKILL");
+  };
   await window.file("broken_cell.xacro");
   await window.problem("reference_bals");
+  await window.editor.click();
+  await window.go(...source(window, BROKEN).find('<link name="world"/>', 6));
   const [first] = server.servers();
-  process.kill(first, "SIGKILL");
+  await crash(first);
   await window.notification("stopped unexpectedly and was restarted");
   const second = await until("another server", () => server.servers().find((id) => id !== first));
+  await window.page.waitForTimeout(2000);
+  assert.equal((await messages()).length, 1, (await messages()).join("; "));
   await window.command("Notifications: Clear All Notifications");
   // it answers: a new mistake is found
   await window.editor.click();
   await window.go(...source(window, BROKEN).find("xacro:broken_probe", 12));
   await window.page.keyboard.type("x");
   await window.problem("brokenx_probe");
-  process.kill(second, "SIGKILL");
+  await window.editor.click();
+  await crash(second);
   await window.notification("stopped twice");
+  await window.page.waitForTimeout(2000);
+  assert.equal((await messages()).length, 1, (await messages()).join("; "));
   assert.equal(server.servers().length, 0);
+  // commands say so, once, and can start it
+  await window.command("Notifications: Clear All Notifications");
+  await window.status("xacro");
+  for (const title of ["Xacro: Set Arguments", "Xacro: Open Preview", "Xacro: Open Expanded URDF to the Side"]) {
+    await window.command(title);
+    await window.notification("language server is not running");
+    assert.equal((await messages()).length, 1, (await messages()).join("; "));
+  }
+  if (values.shots) await window.shot(shot("not-running.png"));
+  await window.page.locator(".notification-list-item .monaco-button", { hasText: "Restart" }).first().click();
+  await until("a third server", () => server.servers().length === 1);
+  await window.status("broken_cell.xacro");
+  await window.problem("brokenx_probe");
+});
+
+test("values", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  const list = window.page.locator(".suggest-widget.visible");
+  const row = (text) => list.locator(".monaco-list-row", { hasText: text }).first();
+  for (const [typed, attribute, value] of [
+    ["<joint name='q' type='fixed'><parent li", "link", "world"],
+    ["<mesh file", "filename", "package://measuring_cell/"],
+  ]) {
+    await window.go(line, 3 + '<link name="world"/>'.length);
+    await window.press("Enter");
+    await window.page.keyboard.type(typed);
+    await row(attribute).waitFor();
+    await window.press("Tab");
+    // nothing is typed
+    await row(value).waitFor();
+    if (values.shots) await window.shot(shot(`values-${attribute}.png`));
+    await window.press("Escape");
+    await window.press("Escape");
+    await window.command("File: Revert File");
+  }
+  // where there are no values, nothing says so
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  await window.press("Enter");
+  await window.page.keyboard.type("<link na");
+  await row("name").waitFor();
+  await window.press("Tab");
+  await until("the attribute", async () => (await window.drawn("measuring_cell.xacro")).some((text) => text.includes('<link name=""')));
+  await window.page.waitForTimeout(1000);
+  assert.equal(await window.page.locator(".suggest-widget.visible").count(), 0);
+});
+
+test("end-tag", "measuring_cell", async (window) => {
+  const file = source(window, CELL);
+  const before = file.text().split("</link>").length;
+  await window.file("measuring_cell.xacro");
+  await window.status("measuring_cell.xacro");
+  const [line] = file.find('<link name="world"/>');
+  await window.go(line, 3 + '<link name="world"/>'.length);
+  const shows = (part) => until(`the text ${part}`, async () => (await window.drawn("measuring_cell.xacro")).some((text) => part.test(text)));
+  await window.press("Enter");
+  await window.page.keyboard.type("<link name='q'>");
+  await shows(/<link name='q'><\/link>/);
+  await window.press("Enter");
+  await shows(/^ {2}<\/link>/);
+  await window.page.keyboard.type("<visual/>");
+  await window.press("Enter");
+  // by habit, though it is there already
+  await window.page.keyboard.type("</link>", { delay: 60 });
+  await window.page.waitForTimeout(1000);
+  await window.save();
+  await file.has("<visual/>");
+  if (values.shots) await window.shot(shot("end-tag-typed.png"));
+  assert.equal(file.text().split("</link>").length, before + 1, file.text());
+  assert.doesNotMatch(file.text(), /<linklink|<\/link><\/link>/);
+});
+
+test("configure-rule", "broken_cell", async (window) => {
+  writeFileSync(join(window.folder, "xacro-lint.toml"), "# ours\n[severity]\n");
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  await window.editor.click();
+  await window.go(...source(window, BROKEN).find("reference_bals", 3));
+  await window.press("Control+.");
+  await window.page.locator(".action-widget .monaco-list-row.focused").waitFor();
+  const chosen = window.page.locator(".action-widget .monaco-list-row.focused", { hasText: "Configure rule undefined-macro" });
+  await until("the action", async () => {
+    if ((await chosen.count()) > 0) return true;
+    await window.press("ArrowDown");
+    return false;
+  });
+  await window.press("Enter");
+  await window.row("off").click();
+  await source(window, "xacro-lint.toml").has('# ours\n[severity]\nundefined-macro = "off"\n');
+  await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
+});
+
+test("rule-page", "broken_cell", async (window) => {
+  await window.file("broken_cell.xacro");
+  await window.problem("reference_bals");
+  await window.page.locator(".markers-panel .monaco-list-row a", { hasText: "undefined-macro" }).first().click();
+  await window.page.locator('.tab.active[aria-label*="undefined-macro"]').waitFor();
+  await until("the page of the rule", async () => (await window.drawn("undefined-macro")).some((text) => text.includes("undefined-macro")));
+});
+
+test("presets", "measuring_cell", async (window) => {
+  const configuration = (long) => `[[roots]]\nfile = "${CELL}"\nargs = { stylus = "0.05" }\npresets.long = { stylus = "${long}" }\npresets.short = { stylus = "0.03" }\n`;
+  writeFileSync(join(window.folder, "xacro-lint.toml"), configuration("0.2"));
+  await window.file("measuring_cell.xacro");
+  await window.status("stylus:=0.05");
+  await window.command("Xacro: Set Arguments");
+  const rows = window.page.locator(".quick-input-widget .monaco-list-row");
+  await window.row("short").waitFor();
+  const names = (await rows.allInnerTexts()).map((text) => text.replace(/\s+/g, " ").trim());
+  if (values.shots) await window.shot(shot("presets-list.png"));
+  assert.ok(names[0].includes("default") && names[1].includes("long") && names[1].includes("stylus:=0.2"), names.join("; "));
+  await window.row("long").click();
+  await window.status("stylus:=0.2");
+  // remembered by its name: with what it means when the window is loaded again
+  writeFileSync(join(window.folder, "xacro-lint.toml"), configuration("0.3"));
+  await window.page.waitForTimeout(1000);
+  await Promise.all([window.page.waitForEvent("load"), window.command("Developer: Reload Window")]);
+  await window.status("stylus:=0.3");
+  await window.command("Xacro: Set Arguments");
+  await window.row("default").click();
+  await window.status("stylus:=0.05");
+});
+
+/** Rows of the problems panel with a text. */
+async function problems(window, text) {
+  await window.problem(text);
+  const rows = await window.page.locator(".markers-panel .monaco-list-row", { hasText: text }).allInnerTexts();
+  return rows.map((row) => row.replace(/\s+/g, " "));
+}
+
+test("check-workspace", "measuring_cell", async (window, server) => {
+  // a finding of each kind: in an open and in a closed file, with the preset that is looked at and with another one
+  const robot = source(window, CELL);
+  const ghost = '  <xacro:if value="${stylus_now > 0.1}"><joint name="ghost" type="fixed"><parent link="world"/><child link="ghost_link"/></joint></xacro:if>\n';
+  const always = '  <joint name="always" type="fixed"><parent link="world"/><child link="always_link"/></joint>\n';
+  robot.write((text) => text.replace("</robot>", `${ghost}${always}</robot>`).replace('  <link name="world"/>', '  <xacro:property name="stylus_now" value="$(arg stylus)"/>\n  <link name="world"/>'));
+  writeFileSync(join(window.folder, "other.urdf"), '<robot name="other"><link name="base"/><joint name="closed" type="fixed"><parent link="base"/><child link="closed_link"/></joint></robot>\n');
+  writeFileSync(join(window.folder, "xacro-lint.toml"), `[[roots]]\nfile = "${CELL}"\nargs = { stylus = "0.05" }\npresets.long = { stylus = "0.2" }\n[[roots]]\nfile = "other.urdf"\n`);
+  await window.file("measuring_cell.xacro");
+  await window.problem("always_link");
+  await window.command("Xacro: Check Workspace");
+  await window.notification("with all robots and presets: 3 errors in 2 files");
+  if (values.shots) await window.shot(shot("check-workspace-message.png"));
+  await window.page.locator(".notification-list-item .monaco-button", { hasText: "Show Problems" }).first().click();
+  assert.match((await problems(window, "closed_link")).join(), /closed_link.*xacro-lint/);
+  assert.match((await problems(window, "ghost_link")).join(), /stylus:=0\.2/);
+  // what the server shows is not shown again
+  assert.equal((await problems(window, "always_link")).length, 1);
+  if (values.shots) {
+    await window.page.locator(".part.panel").getByPlaceholder(/^Filter/).first().fill("");
+    await window.shot(shot("check-workspace-problems.png"));
+  }
+  // in a file that is opened, the server's takes its place
+  await window.file("other.urdf");
+  await until("one finding, of the server", async () => {
+    const rows = await problems(window, "closed_link");
+    return rows.length === 1 && /closed_link.* xacro undefined-link/.test(rows[0]);
+  });
+  // mended, and checked again by the task
+  writeFileSync(join(window.folder, "other.urdf"), '<robot name="other"><link name="base"/></robot>\n');
+  robot.write((text) => text.replace(ghost, "").replace(always, "").replace(/ *<xacro:property name="stylus_now".*\n/, ""));
+  await window.command("Tasks: Run Task");
+  // the one that ran is the first of the list
+  await window.row("check workspace").click();
+  await window.notification("with all robots and presets: no findings");
+  assert.equal(server.servers().length, 1, "the program of the check ended");
 });
 
 test("activation", "measuring_cell", async (window, server) => {

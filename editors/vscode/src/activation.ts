@@ -3,8 +3,10 @@
  */
 import * as vscode from "vscode";
 import { AuxiliaryDocuments } from "./auxiliaryDocuments";
+import { registerConfigureRule } from "./configureRule";
 import { Contexts } from "./contexts";
 import { ExpandedDocuments } from "./expanded";
+import { registerExpandedReading } from "./expandedReading";
 import { CursorSync } from "./cursorSync";
 import { IncludeGraph } from "./includeGraph";
 import { isRobotDescription } from "./languages";
@@ -42,6 +44,8 @@ export function start(context: vscode.ExtensionContext, launcher: Launcher): Ser
     new AuxiliaryDocuments(server),
     registerSettingsFiles(server),
     registerRulePages(),
+    registerConfigureRule(),
+    registerExpandedReading(server, documents),
     contexts,
     documents,
     graph,

@@ -16,12 +16,22 @@ export function argumentsText(args: Record<string, string> | undefined): string 
     .join(" ");
 }
 
-/** Whether two roots are the same robot with the same arguments. */
+/** Whether two roots are the same run of the same robot: preset and arguments. */
 export function sameRoot(one: Root | null | undefined, other: Root | null | undefined): boolean {
   if (!one || !other) return !one && !other;
   const [a, b] = [one.args ?? {}, other.args ?? {}];
   const names = new Set([...Object.keys(a), ...Object.keys(b)]);
-  return one.uri === other.uri && [...names].every((name) => a[name] === b[name]);
+  return isSameRun(one, other) && [...names].every((name) => a[name] === b[name]);
+}
+
+/**
+ * What a pick means now. A preset that nothing was added to is taken as it is in the configuration or the launch file,
+ * which may have changed since; none when it is gone.
+ */
+export function resolved(pick: Root, candidates: readonly Root[]): Root | undefined {
+  if (pick.preset === undefined || pick.args) return pick;
+  const known = candidates.find((candidate) => isSameRun(candidate, pick));
+  return known && { uri: pick.uri, preset: pick.preset, args: known.args ?? {} };
 }
 
 export class Contexts implements vscode.Disposable {
@@ -94,10 +104,11 @@ export class Contexts implements vscode.Disposable {
     for (const document of vscode.workspace.textDocuments.filter(isRobotDescription)) {
       const textDocument = { uri: document.uri.toString() };
       const known = await this.server.ask(protocol.roots, { textDocument });
+      const wanted = root && (resolved(root, known?.candidates ?? this.answer?.candidates ?? []) ?? root);
       const reached = root
         ? reaches(known, root) || document === this.shown
         : known?.active?.uri === previous?.uri;
-      if (reached) await this.server.askForUser(protocol.setRoot, { root: root ?? null, textDocument });
+      if (reached) await this.server.askForUser(protocol.setRoot, { root: wanted ?? null, textDocument });
     }
     await this.refresh();
   }
@@ -113,7 +124,7 @@ export class Contexts implements vscode.Disposable {
     }
     const textDocument = { uri: document.uri.toString() };
     let answer = await this.server.ask(protocol.roots, { textDocument });
-    const pick = answer && this.picks().find((root) => reaches(answer, root));
+    const pick = answer && this.pickFor(answer);
     if (answer && pick && !sameRoot(pick, answer.active)) {
       await this.server.ask(protocol.setRoot, { root: pick, textDocument });
       answer = await this.server.ask(protocol.roots, { textDocument });
@@ -130,12 +141,18 @@ export class Contexts implements vscode.Disposable {
     return this.memory.get<Root[]>(PICKS, []);
   }
 
+  /** What was picked for a file, as it is now. */
+  private pickFor(answer: Roots): Root | undefined {
+    const pick = this.picks().find((root) => reaches(answer, root));
+    return pick && resolved(pick, answer.candidates);
+  }
+
   /** A server that was started knows nothing of what was picked. */
   private async reapply(): Promise<void> {
     for (const document of vscode.workspace.textDocuments.filter(isRobotDescription)) {
       const textDocument = { uri: document.uri.toString() };
       const answer = await this.server.ask(protocol.roots, { textDocument });
-      const pick = answer && this.picks().find((root) => reaches(answer, root));
+      const pick = answer && this.pickFor(answer);
       if (pick && !sameRoot(pick, answer.active)) {
         await this.server.ask(protocol.setRoot, { root: pick, textDocument });
       }
@@ -168,7 +185,7 @@ export function rootLabel(root: Root): string {
 }
 
 /** Whether two roots are the same run of the same file; the values of its arguments may have been set since. */
-export function isSameRun(a: Root, b: Root | undefined): boolean {
+export function isSameRun(a: Root, b: Root | null | undefined): boolean {
   return a.uri === b?.uri && a.preset === b.preset;
 }
 

@@ -10,6 +10,8 @@ import type { ExpandError, ExpandedAt } from "./protocol";
 import type { Server } from "./server";
 import type { Contexts } from "./contexts";
 import { isFileScheme } from "./schemes";
+import { StaleMark, openError } from "./staleMark";
+import type { Stale } from "./staleMark";
 
 /** Pause after a keystroke before the robot is expanded again. */
 const DELAY_MS = 40;
@@ -40,6 +42,7 @@ export class ExpandedDocuments
   readonly onDidChange = this.changed.event;
   readonly onDidChangeCodeLenses = this.banners.event;
   private timer: NodeJS.Timeout | undefined;
+  private readonly mark: StaleMark;
   private readonly subscriptions: vscode.Disposable[];
 
   constructor(
@@ -47,7 +50,9 @@ export class ExpandedDocuments
     private readonly contexts: Contexts,
   ) {
     const soon = (): void => this.updateSoon();
+    this.mark = new StaleMark((uri) => this.staleOf(uri));
     this.subscriptions = [
+      this.mark,
       this.changed,
       this.banners,
       vscode.workspace.registerTextDocumentContentProvider(EXPANDED_SCHEME, this),
@@ -79,17 +84,13 @@ export class ExpandedDocuments
     if (!robot || robot.ok || !first) return [];
     const top = new vscode.Range(0, 0, 0, 0);
     const title = `$(warning) ${bannerText(robot.errors.length, robot.time)}`;
-    const at = vscode.Uri.parse(first.location.uri);
-    const start = first.location.range.start;
-    const selection = new vscode.Range(start.line, start.character, start.line, start.character);
-    return [
-      new vscode.CodeLens(top, {
-        title,
-        tooltip: first.message,
-        command: "vscode.open",
-        arguments: [at, { selection, viewColumn: vscode.ViewColumn.One }],
-      }),
-    ];
+    return [new vscode.CodeLens(top, { ...openError(first), title, tooltip: first.message })];
+  }
+
+  /** Errors of the sources that a document is older than. */
+  private staleOf(uri: vscode.Uri): Stale | undefined {
+    const robot = this.robots.get(rootOf(uri) ?? "");
+    return robot && !robot.ok && robot.errors.length > 0 ? robot : undefined;
   }
 
   /** Show the robot that a file belongs to, beside it. */
@@ -224,6 +225,7 @@ export class ExpandedDocuments
       this.changed.fire(expandedUri(root, "saved"));
     }
     this.banners.fire();
+    this.mark.update();
   }
 
   private forget(uri: vscode.Uri): void {

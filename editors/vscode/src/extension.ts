@@ -4,9 +4,11 @@
 import type * as vscode from "vscode";
 import { start, stop } from "./activation";
 import { program } from "./program";
+import { WorkspaceCheck } from "./workspaceCheck";
 
 export function activate(context: vscode.ExtensionContext): void {
-  start(context, program);
+  const server = start(context, program);
+  context.subscriptions.push(new WorkspaceCheck(context, server));
 }
 
 export function deactivate(): Promise<void> {

@@ -29,6 +29,12 @@ export function serverName(windows: boolean): string {
   return windows ? "xacro-lsp.exe" : "xacro-lsp";
 }
 
+/** The program of the command line in the folder of a server. */
+export function lintBeside(server: string, windows: boolean): string | Missing {
+  const program = path.join(path.dirname(server), windows ? "xacro-lint.exe" : "xacro-lint");
+  return isProgram(program, windows) ? program : { message: `${program} was not found` };
+}
+
 /** Finds the server; a setting that names no program is an error and not passed over. */
 export function locateServer(around: Surroundings): Found | Missing {
   const setting = expandHome(around.setting.trim(), around.home);

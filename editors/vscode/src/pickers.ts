@@ -7,7 +7,7 @@ import type { Contexts } from "./contexts";
 import { callText } from "./expandedText";
 import { isRobotDescription } from "./languages";
 import * as protocol from "./protocol";
-import type { Argument, Root } from "./protocol";
+import type { Argument, Root, Roots } from "./protocol";
 import type { Server } from "./server";
 
 const PRESETS = "xacro.presets";
@@ -36,7 +36,7 @@ export class Pickers {
       label: `${isSameRun(candidate, active) ? "$(check)" : "$(blank)"} ${rootLabel(candidate)}`,
       description: [candidate.preset, argumentsText(candidate.args)].filter(Boolean).join(" · "),
       detail: `$(blank) ${vscode.workspace.asRelativePath(vscode.Uri.parse(candidate.uri))}`,
-      run: () => this.contexts.pick(rootOf(candidate)),
+      run: () => this.contexts.pick(asPicked(candidate)),
     }));
     choices.push(
       { label: "", kind: vscode.QuickPickItemKind.Separator },
@@ -54,21 +54,27 @@ export class Pickers {
       void vscode.window.showInformationMessage("No root includes this file, so there are no arguments to set.");
       return;
     }
-    const choices: Choice[] = roots.args.map((argument) => ({
-      label: argument.name,
-      description: argument.value ?? "no value",
-      ...(argument.doc === undefined ? {} : { detail: argument.doc }),
-      run: () => this.setArgument(active, argument),
-    }));
     const presets = Object.entries(this.presets()[active.uri] ?? {});
-    if (presets.length > 0) choices.push({ label: "presets", kind: vscode.QuickPickItemKind.Separator });
-    for (const [name, args] of presets) {
-      choices.push({
+    const choices: Choice[] = [
+      ...this.presetChoices(active, roots),
+      ...presets.map(([name, args]) => ({
         label: `$(bookmark) ${name}`,
         description: argumentsText(args),
         run: () => this.contexts.pick({ uri: active.uri, args }),
-      });
+      })),
+    ];
+    if (choices.length > 0) {
+      choices.unshift({ label: "presets", kind: vscode.QuickPickItemKind.Separator });
+      choices.push({ label: "arguments", kind: vscode.QuickPickItemKind.Separator });
     }
+    choices.push(
+      ...roots.args.map((argument) => ({
+        label: argument.name,
+        description: argument.value ?? "no value",
+        ...(argument.doc === undefined ? {} : { detail: argument.doc }),
+        run: () => this.setArgument(active, argument),
+      })),
+    );
     choices.push({ label: "", kind: vscode.QuickPickItemKind.Separator });
     if (Object.keys(active.args ?? {}).length > 0) {
       choices.push(
@@ -83,6 +89,18 @@ export class Pickers {
       choices.push({ label: "$(trash) Delete preset…", run: () => this.deletePreset(active) });
     }
     await choose(choices, `Arguments of ${rootLabel(active)}`, "Set Arguments");
+  }
+
+  /** The runs of a robot that the configuration and launch files name, the default first; none if it has one run. */
+  private presetChoices(active: Root, { candidates }: Roots): Choice[] {
+    const runs = candidates.filter(({ uri }) => uri === active.uri);
+    if (runs.every(({ preset }) => preset === undefined)) return [];
+    const sorted = [...runs].sort((a, b) => Number(a.preset !== undefined) - Number(b.preset !== undefined));
+    return sorted.map((run) => ({
+      label: `${isSameRun(run, active) ? "$(check)" : "$(blank)"} ${run.preset ?? "default"}`,
+      description: argumentsText(run.args) || "arguments of the file",
+      run: () => this.contexts.pick(asPicked(run)),
+    }));
   }
 
   /** Ask for the value of one argument; `values` are known to be good ones. */
@@ -125,10 +143,7 @@ export class Pickers {
   }
 
   private ready(): boolean {
-    if (!this.server.isRunning) {
-      void vscode.window.showWarningMessage("The xacro language server is not running.");
-      return false;
-    }
+    if (!this.server.isReady()) return false;
     if (!this.contexts.document) {
       void vscode.window.showInformationMessage("Open a xacro or URDF file first.");
       return false;
@@ -149,7 +164,8 @@ export class Pickers {
   private async setArgument(root: Root, argument: Argument, known: readonly string[] = []): Promise<void> {
     const value = await askValue(argument, known);
     if (value === undefined) return;
-    await this.contexts.pick({ uri: root.uri, args: { ...root.args, [argument.name]: value } });
+    const args = { ...root.args, [argument.name]: value };
+    await this.contexts.pick({ ...asPicked(root), args });
   }
 
   private presets(): Presets {
@@ -201,12 +217,10 @@ async function enclosingMacro(editor: vscode.TextEditor): Promise<vscode.Positio
   return found;
 }
 
-function rootOf(candidate: Root): Root {
-  return {
-    uri: candidate.uri,
-    ...(candidate.args ? { args: candidate.args } : {}),
-    ...(candidate.preset === undefined ? {} : { preset: candidate.preset }),
-  };
+/** A run as it is remembered: a preset by its name alone, since its arguments may change. */
+function asPicked({ uri, args, preset }: Root): Root {
+  if (preset !== undefined) return { uri, preset };
+  return { uri, args: args ?? {} };
 }
 
 async function choose(choices: Choice[], placeHolder: string, title: string): Promise<void> {

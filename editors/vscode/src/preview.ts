@@ -94,6 +94,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
 
   /** Show the robot that the file in front belongs to. */
   async open(): Promise<void> {
+    if (!this.server.isReady()) return;
     await this.contexts.refresh();
     const root = this.contexts.active;
     if (!root) {

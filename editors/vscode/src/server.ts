@@ -15,6 +15,7 @@ import type {
 import { LANGUAGES, isCompanionName, isSettingsName } from "./languages";
 import { withPage } from "./rulePages";
 import { fileSchemes } from "./schemes";
+import { closeTag, withValueLists } from "./typing";
 import { chosenSettings } from "./settings";
 
 /** A second end within this time is not followed by another start. */
@@ -126,10 +127,7 @@ export class Server implements vscode.Disposable {
 
   /** Asks in a command of the user: `undefined` after the reason was shown. */
   async askForUser<P, R>(type: RequestType<P, R, void>, params: P): Promise<R | undefined> {
-    if (!this.isRunning) {
-      void vscode.window.showWarningMessage("The xacro language server is not running.");
-      return undefined;
-    }
+    if (!this.isReady()) return undefined;
     try {
       return await this.askStrictly(type, params);
     } catch (error) {
@@ -141,6 +139,12 @@ export class Server implements vscode.Disposable {
       );
       return undefined;
     }
+  }
+
+  /** Whether requests are answered, for a command of the user: if not, the user is told and can start the server. */
+  isReady(): boolean {
+    if (!this.isRunning) void this.tellNotRunning();
+    return this.isRunning;
   }
 
   async tell<P>(type: NotificationType<P>, params: P): Promise<void> {
@@ -235,6 +239,12 @@ export class Server implements vscode.Disposable {
     };
   }
 
+  private async tellNotRunning(): Promise<void> {
+    const again = "Restart";
+    const picked = await vscode.window.showWarningMessage("The xacro language server is not running.", again);
+    if (picked === again) await this.restart();
+  }
+
   private async tellStopped(): Promise<void> {
     this.output.error("the server stopped again and is not restarted");
     const again = "Restart";
@@ -282,6 +292,8 @@ export class Server implements vscode.Disposable {
       handleDiagnostics: (uri, diagnostics, next) => {
         next(uri, isCompanionName(uri.path) && !isSettingsName(uri.path) ? [] : diagnostics.map(withPage));
       },
+      provideCompletionItem: async (document, position, context, token, next) =>
+        withValueLists(await next(document, position, context, token)),
       provideOnTypeFormattingEdits: async (document, position, character, options, token, next) => {
         const edits = await next(document, position, character, options, token);
         return character === ">" && (await closeTag(document, position, edits)) ? [] : edits;
@@ -317,20 +329,4 @@ export class Server implements vscode.Disposable {
     };
     return manifest.contributes.configuration.flatMap((page) => Object.keys(page.properties));
   }
-}
-
-/**
- * Inserts an end tag behind the cursor; whether it did. As an ordinary edit it would take the cursor along.
- */
-async function closeTag(
-  document: vscode.TextDocument,
-  position: vscode.Position,
-  edits: vscode.TextEdit[] | null | undefined,
-): Promise<boolean> {
-  const [edit] = edits ?? [];
-  const editor = vscode.window.activeTextEditor;
-  if (!edit || edits?.length !== 1 || editor?.document !== document) return false;
-  if (!edit.range.isEmpty || !edit.range.start.isEqual(position) || !edit.newText.startsWith("</")) return false;
-  const snippet = new vscode.SnippetString().appendTabstop(0).appendText(edit.newText);
-  return editor.insertSnippet(snippet, position, { undoStopBefore: false, undoStopAfter: false });
 }

@@ -4,6 +4,7 @@
 import * as vscode from "vscode";
 import { argumentsText, rootLabel } from "./contexts";
 import type { Contexts } from "./contexts";
+import { counted } from "./findings";
 import { EXPANDED_SCHEME, isRobotDescription } from "./languages";
 import type { Server } from "./server";
 
@@ -88,7 +89,7 @@ export class Status implements vscode.Disposable {
     const count = { errors: 0, warnings: 0 };
     for (const [, list] of vscode.languages.getDiagnostics()) {
       for (const { source, severity } of list) {
-        if (source !== "xacro") continue;
+        if (source !== "xacro" && source !== "xacro-lint") continue;
         if (severity === vscode.DiagnosticSeverity.Error) count.errors++;
         if (severity === vscode.DiagnosticSeverity.Warning) count.warnings++;
       }
@@ -107,11 +108,6 @@ export class Status implements vscode.Disposable {
     if (!editor) return this.contexts.document !== undefined;
     return isRobotDescription(editor.document) || editor.document.uri.scheme === EXPANDED_SCHEME;
   }
-}
-
-/** `1 error`, `2 errors`. */
-function counted(count: number, thing: string): string {
-  return `${count} ${thing}${count === 1 ? "" : "s"}`;
 }
 
 function item(id: string, name: string, priority: number, command: string): vscode.StatusBarItem {

@@ -1,13 +1,17 @@
 import assert from "node:assert/strict";
-import { chmodSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { chmodSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { bannerText, callText, firstLink, linkOfLine } from "../src/expandedText";
+import { symbolsAt, symbolsOf } from "../src/expandedSymbols";
+import { checkArguments, findingsOf, isShown, lineOf, summary } from "../src/findings";
 import { includesOf } from "../src/includes";
-import { locateServer } from "../src/locate";
+import { lintBeside, locateServer } from "../src/locate";
 import { fromViewer } from "../src/previewMessages";
 import { chosenSettings } from "../src/settings";
+import { severityEdit } from "../src/severityTable";
+import { startsEmptyValue } from "../src/snippets";
 import { Names, namedFolders } from "../src/web/uris";
 import { layout } from "../src/webview/layout";
 
@@ -45,6 +49,13 @@ describe("the server is found", () => {
     const own = program("home", "own");
     assert.deepEqual(locateServer(around("~/own", path, "extension")), { command: own, from: "setting" });
     assert.deepEqual(locateServer(around("xacro-lsp", path)), { command: onPath, from: "setting" });
+  });
+
+  test("the program of the command line lies beside it", () => {
+    const server = program("both", "xacro-lsp");
+    assert.ok("message" in (lintBeside(server, false) as object));
+    const lint = program("both", "xacro-lint");
+    assert.equal(lintBeside(server, false), lint);
   });
 
   test("a setting that names nothing is an error, never passed over", () => {
@@ -246,4 +257,101 @@ describe("files of a workspace in the worker", () => {
   test("are asked about by the scheme of the workspace", () => {
     assert.deepEqual(names.fromWorker({ filters: [{ scheme: "file" }] }), { filters: [{ scheme: "vscode-vfs" }] });
   });
+});
+
+describe("the check of the workspace", () => {
+  const one = (name: string, severity: string, row: number, related: object[] = []) => ({
+    ...{ name, severity, message: `about ${name} [root a.xacro]`, filename: "urdf/a.xacro" },
+    ...{ location: { row, column: 3 }, end_location: { row, column: 9 }, related },
+  });
+  const call = { filename: "urdf/b.xacro", location: { row: 7, column: 1 }, end_location: { row: 7, column: 5 }, message: "in this call" };
+
+  test("has the settings that the command line knows", () => {
+    const settings = { packagePaths: ["../ws"], profile: ["mobile"], rules: { "zero-mass": "off", "orphan-link": "error" } };
+    assert.deepEqual(checkArguments(settings, ["--show", "info"]), [
+      ...["check", "--format", "json", "--package-path", "../ws", "--profile", "mobile"],
+      ...["--ignore", "zero-mass", "--extend-select", "orphan-link", "--show", "info"],
+    ]);
+  });
+
+  test("takes findings from the output, with the severities of the settings", () => {
+    const list = findingsOf(JSON.stringify([one("orphan-link", "info", 2), one("zero-mass", "warning", 4)]), { "orphan-link": "error" });
+    assert.ok(list?.[0] && list[1]);
+    assert.equal(lineOf(list[0]), "urdf/a.xacro:2:3: error: about orphan-link [root a.xacro] [orphan-link]");
+    assert.deepEqual([list[1].line, list[1].column, list[1].endLine, list[1].endColumn], [3, 2, 3, 8]);
+    assert.equal(summary(list), "1 error, 1 warning in 1 file");
+    assert.equal(summary([]), "no findings");
+    assert.deepEqual(findingsOf("[]", {}), []);
+    for (const output of ["", "error: no such file", "{}"]) assert.equal(findingsOf(output, {}), undefined, output);
+  });
+
+  test("does not show again what the server shows", () => {
+    const [finding] = findingsOf(JSON.stringify([one("orphan-link", "info", 2, [call])]), {}) ?? [];
+    assert.ok(finding);
+    const shown = { rule: "orphan-link", message: "about orphan-link", file: "urdf/a.xacro", line: 1 };
+    assert.ok(isShown(finding, [shown]));
+    assert.ok(isShown(finding, [{ ...shown, file: "urdf/b.xacro", line: 6 }]), "at the call");
+    assert.ok(!isShown(finding, []));
+    assert.ok(!isShown(finding, [{ ...shown, line: 2 }]), "another line");
+    assert.ok(!isShown(finding, [{ ...shown, rule: "zero-mass" }]), "another rule");
+    assert.ok(!isShown(finding, [{ ...shown, message: "another", file: "urdf/b.xacro", line: 6 }]), "another one at the call");
+  });
+
+  test("is understood by the problem matcher", () => {
+    const manifest = JSON.parse(readFileSync("package.json", "utf8")) as {
+      contributes: { problemPatterns: { regexp: string }[] };
+    };
+    const pattern = new RegExp(manifest.contributes.problemPatterns[0]?.regexp ?? "^$");
+    const parts = pattern.exec("src/a b/robot.xacro:10:27: error: mesh `a.stl` of link [x] differs [mesh-case-mismatch]");
+    assert.deepEqual(parts?.slice(1), ["src/a b/robot.xacro", "10", "27", "error", "mesh `a.stl` of link [x] differs", "mesh-case-mismatch"]);
+    assert.equal(pattern.exec("note: 9 errors in 4 files"), null);
+  });
+});
+
+test("snippets that leave the cursor in an empty value", () => {
+  const empty = ['filename="$1"$0', 'link="${1}"/>', "package://x/$1", "file://\\$(find a)/$1", 'xacro:x prefix="$1" b="$2"/>'];
+  for (const snippet of empty) assert.ok(startsEmptyValue(snippet), snippet);
+  const others = ['xyz="${1:0 0 0}"', 'optional="${1|true,false|}"$0', 'name="${1:joint}"><parent link="${2}"/>', 'name="$0"', "\\$(find $1)/", 'a="$10"'];
+  for (const snippet of others) assert.ok(!startsEmptyValue(snippet), snippet);
+});
+
+test("the outline of an expanded text", () => {
+  const text = `<robot name="r">
+  <!-- <link name="none"/> -->
+  <link name="a">
+    <visual><material name="red"/></visual>
+  </link>
+  <joint name="j" type="fixed">
+    <parent link="a"/>
+    <child link="b"/>
+  </joint>
+  <gazebo reference="a"><sensor name="s" type="camera"/></gazebo>
+</robot>`;
+  const [robot] = symbolsOf(text);
+  assert.deepEqual(
+    robot?.children.map(({ element, name, detail, first, last }) => [element, name, detail, first, last]),
+    [
+      ["link", "a", "", 2, 4],
+      ["joint", "j", "fixed, a → b", 5, 8],
+      ["gazebo", "a", "", 9, 9],
+    ],
+  );
+  assert.deepEqual([robot.first, robot.last], [0, 10]);
+  assert.deepEqual(symbolsAt([robot], 7).map(({ name }) => name), ["r", "j"]);
+  assert.deepEqual(symbolsAt([robot], 9).map(({ name }) => name), ["r", "a", "s"]);
+  assert.deepEqual(symbolsOf("<robot></a><"), [{ element: "robot", name: "robot", detail: "", first: 0, last: 0, children: [] }]);
+});
+
+test("the severity of a rule in the configuration", () => {
+  const after = (text: string) => {
+    const edit = severityEdit(text, "zero-mass", "off");
+    if (!edit) return undefined;
+    const lines = text.split("\n").map((line) => `${line}\n`);
+    return [...lines.slice(0, edit.from), edit.text, ...lines.slice(edit.to)].join("").replace(/\n$/, "");
+  };
+  assert.equal(after(""), '[severity]\nzero-mass = "off"\n');
+  assert.equal(after("# mine\n"), '# mine\n\n[severity]\nzero-mass = "off"\n');
+  assert.equal(after("[severity] # s\nother = 'info'\n\n[format]\n"), "[severity] # s\nzero-mass = \"off\"\nother = 'info'\n\n[format]\n");
+  assert.equal(after("[severity]\nzero-mass = 'info' # why\n"), '[severity]\nzero-mass = "off" # why\n');
+  assert.equal(after("severity = { }\n"), undefined);
 });
