@@ -16,6 +16,7 @@ mod failure;
 mod files;
 mod framing;
 mod handlers;
+mod installed;
 mod lifecycle;
 mod locations;
 mod logging;
