@@ -1,33 +1,11 @@
 //! Documents that are open through a link in an install space, as `colcon build --symlink-install` makes them: they are
 //! their sources, under another name.
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::convert;
 use crate::publishing::withdraw;
 use crate::state::{OpenDocument, State};
 use lsp_types::Url;
-
-/// What is open through links, by the paths of the links.
-#[derive(Default)]
-pub(super) struct Installed {
-    /// The sources that they stand for.
-    links: BTreeMap<PathBuf, PathBuf>,
-    /// The sources of those that are open besides their source: texts of their own, checked at the source alone.
-    doubles: BTreeMap<PathBuf, PathBuf>,
-}
-
-impl Installed {
-    /// The file that a path of the client stands for.
-    pub fn source(&self, path: PathBuf) -> PathBuf {
-        self.links.get(&path).cloned().unwrap_or(path)
-    }
-
-    /// The source of a document that is the second one of its file.
-    pub fn source_of_double(&self, path: &Path) -> Option<&Path> {
-        self.doubles.get(path).map(PathBuf::as_path)
-    }
-}
 
 /// The path that a document which is opened now is kept under. Two documents of one file keep apart what is typed in
 /// them; the one that was opened by the name of the source is the one that counts.

@@ -17,6 +17,7 @@ mod files;
 mod framing;
 mod handlers;
 mod installed;
+mod installed_links;
 mod lifecycle;
 mod locations;
 mod logging;

@@ -9,7 +9,7 @@ use lsp_types::Url;
 use crate::client::ResolvedCapabilities;
 use crate::convert;
 use crate::failure::Failure;
-use crate::installed::Installed;
+use crate::installed_links::InstalledLinks;
 use crate::logging::Log;
 use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
@@ -105,7 +105,7 @@ pub(super) struct State {
     /// Open documents by path.
     pub documents: BTreeMap<PathBuf, OpenDocument>,
     /// Which of them are open through links in an install space.
-    pub installed: Installed,
+    pub installed: InstalledLinks,
     pub sent: Sent,
     pub schedule: Schedule,
     pub settings: ServerSettings,
@@ -140,7 +140,7 @@ impl State {
             outbox,
             status,
             documents: BTreeMap::new(),
-            installed: Installed::default(),
+            installed: InstalledLinks::default(),
             sent: Sent::default(),
             schedule: Schedule {
                 due: None,
