@@ -9,10 +9,21 @@ use rules::{Finding, Rule, Severity, is_whole, losses, needs_names, needs_whole,
 /// Rules that are named, at most.
 const NAMED: usize = 3;
 
+/// Why a robot was not checked in full.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum CutBy {
+    /// Elements were left out.
+    Loss,
+    /// Names of links or joints could not be computed.
+    Names,
+}
+
 /// What was not checked of a robot that errors left out a part of.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cut {
-    /// The places of what left it out.
+    /// Why.
+    pub by: CutBy,
+    /// The places of what left it out, or of what is missing in the names.
     pub at: Vec<Span>,
     /// The rules that did not run, by name.
     pub rules: Vec<&'static str>,
@@ -28,20 +39,30 @@ impl Cut {
         findings: &[Finding],
     ) -> Option<Self> {
         if !is_whole(expansion) {
-            return Some(Self::new(losses(expansion), wanted, needs_whole));
+            return Some(Self::new(
+                CutBy::Loss,
+                losses(expansion),
+                wanted,
+                needs_whole,
+            ));
         }
         let is_error =
             |finding: &Finding| finding.severity == Severity::Error && finding.problem.is_some();
         let robot = robot.filter(|_| findings.iter().any(is_error))?;
         let at = unknown_names(expansion, robot);
-        (!at.is_empty()).then(|| Self::new(at, wanted, needs_names))
+        (!at.is_empty()).then(|| Self::new(CutBy::Names, at, wanted, needs_names))
     }
 
-    fn new(at: Vec<Span>, wanted: &[&'static Rule], is_skipped: impl Fn(&Rule) -> bool) -> Self {
+    fn new(
+        by: CutBy,
+        at: Vec<Span>,
+        wanted: &[&'static Rule],
+        is_skipped: impl Fn(&Rule) -> bool,
+    ) -> Self {
         let skipped = wanted.iter().filter(|rule| is_skipped(rule));
         let mut rules: Vec<_> = skipped.map(|rule| rule.name).collect();
         rules.sort_unstable();
-        Self { at, rules }
+        Self { by, at, rules }
     }
 
     /// The number of the finding that is about what left out a part: the first one, in the order of the expansion.
@@ -74,8 +95,14 @@ impl Cut {
             format!(" and {} more", more.len())
         };
         let which = format!("{}{more}", named.join(", "));
+        let why = match self.by {
+            CutBy::Loss => "rules about missing or unused parts did not run",
+            CutBy::Names => {
+                "names of links or joints cannot be computed, so rules that look up names did not run, or only in part"
+            }
+        };
         (!named.is_empty()).then(|| {
-            format!("until this is fixed, `{robot}` is not checked in full: rules about missing or unused parts did not run ({which})")
+            format!("until this is fixed, `{robot}` is not checked in full: {why} ({which})")
         })
     }
 }

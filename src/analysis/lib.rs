@@ -87,7 +87,7 @@ pub use beside::{Beside, is_settings};
 pub use candidates::Candidates;
 pub use config_choices::{ConfigChoice, ConfigChoiceKind, ConfigChoices, is_config};
 pub use configs::{Overrides, Settings};
-pub use cut::Cut;
+pub use cut::{Cut, CutBy};
 pub use expect::{TestCase, TestOptions, Tests, Update};
 pub use fix::{FixOptions, Fixed, FixedFile, is_said_safe};
 pub use launch_names::{LaunchChoices, LaunchName};

@@ -8,9 +8,9 @@ use indexmap::IndexMap;
 
 use super::check_args::{CheckArgs, FailLevel, Show};
 use super::text::counted;
-use analysis::Report;
+use analysis::{Cut, CutBy, Report};
 use base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};
-use base::{FastMap, FastSet, FileId};
+use base::{Encoding, FastMap, FastSet, FileId, Span};
 use rules::{Finding, Rule, Severity};
 
 /// Up to so many findings, nobody needs to be told which rules they are of, and what to do next.
@@ -131,7 +131,11 @@ impl<'a> Listing<'a> {
     pub(super) fn note(&self, could: &str) -> Vec<String> {
         if !self.is_many() {
             let summary = (!self.hidden.is_empty()).then(|| self.summary());
-            let partial = self.partial().filter(|_| !self.has_errors());
+            let partial = if self.has_errors() {
+                Vec::new()
+            } else {
+                self.partial()
+            };
             let parts = self.part_of().into_iter().chain(self.without_robot());
             let robots = parts.chain(self.incomplete()).chain(partial);
             return summary.into_iter().chain(robots).collect();
@@ -192,22 +196,61 @@ impl<'a> Listing<'a> {
         incomplete(self.report)
     }
 
-    /// That errors left out parts of robots, for those of which no package is said to be missing.
-    fn partial(&self) -> Option<String> {
+    /// That robots were not checked in full because of errors, for those of which no package is said to be missing: where
+    /// these left out a part, and where they made names unknown.
+    fn partial(&self) -> Vec<String> {
+        let lines = [CutBy::Loss, CutBy::Names].map(|by| self.cut_by(by));
+        lines.into_iter().flatten().collect()
+    }
+
+    fn cut_by(&self, by: CutBy) -> Option<String> {
         let Report {
             partial,
             incomplete,
             ..
         } = self.report;
-        let count = partial
-            .keys()
-            .filter(|robot| !incomplete.contains_key(*robot))
-            .count();
-        let whose = if count == 1 { "it" } else { "them" };
-        (count > 0).then(|| {
-            let robots = counted(count, "robot");
-            format!("{robots} not checked in full: errors left out parts of {whose}, so rules about missing or unused parts did not run")
-        })
+        let cuts = partial
+            .iter()
+            .filter(|(robot, cut)| cut.by == by && !incomplete.contains_key(*robot));
+        let cuts: Vec<&Cut> = cuts.map(|(_, cut)| cut).collect();
+        let robots = (!cuts.is_empty()).then(|| counted(cuts.len(), "robot"))?;
+        let whose = if cuts.len() == 1 { "it" } else { "them" };
+        let at = self.first_place(&cuts);
+        let why = match by {
+            CutBy::Loss => {
+                let what = at.map_or_else(
+                    || format!("parts of {whose}"),
+                    |at| format!("what stands at {at}"),
+                );
+                format!(
+                    "errors left out {what}, so rules about missing or unused parts did not run"
+                )
+            }
+            CutBy::Names => {
+                let at = at.map_or_else(String::new, |at| format!(" at {at}"));
+                format!(
+                    "names of links or joints{at} cannot be computed, so rules that look up names did not run, or only in part"
+                )
+            }
+        };
+        Some(format!("{robots} not checked in full: {why}"))
+    }
+
+    /// `arm.xacro:4 and 2 other places`, where cuts come from.
+    fn first_place(&self, cuts: &[&Cut]) -> Option<String> {
+        let places: BTreeSet<Span> = cuts.iter().flat_map(|cut| cut.at.iter().copied()).collect();
+        let first = cuts.iter().find_map(|cut| cut.at.first())?;
+        let source = self.report.files.get(&first.file)?;
+        let line = source
+            .document
+            .line_col(first.range.start, Encoding::Utf8)
+            .line
+            + 1;
+        let more = match places.len() - 1 {
+            0 => String::new(),
+            more => format!(" and {}", counted(more, "other place")),
+        };
+        Some(format!("{}:{line}{more}", file_name(&source.path)))
     }
 
     fn has_errors(&self) -> bool {

@@ -45,7 +45,7 @@ mod values;
 pub use actions::{
     Action, ActionKind, MacroFile, NewFile, Refused, before_use, ignored_in_config, include_macro,
     inlinable, inline_macro, move_to_file, of_mesh, other_name, quick_fixes, refactorings,
-    suggested,
+    severity_in_config, suggested,
 };
 pub use arguments::{arguments_behind, possible_values};
 pub use beside::{BesideName, names_in_settings, names_in_srdf};

@@ -182,7 +182,8 @@ impl EditSupport {
         let edit = workspace.workspace_edit.clone().unwrap_or_default();
         let versions = edit.document_changes.unwrap_or(false);
         let operations = edit.resource_operations.as_deref().unwrap_or_default();
-        let operation = |kind| versions && operations.contains(&kind);
+        // clients that make files take them in `documentChanges`, whether they check versions or not
+        let operation = |kind| operations.contains(&kind);
         Self {
             versions,
             annotations: versions && edit.change_annotation_support.is_some(),

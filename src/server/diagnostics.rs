@@ -81,12 +81,14 @@ fn found(
     let further = more
         .filter(|path| !state.documents.contains_key(*path))
         .map(Path::to_path_buf);
-    let open: Vec<PathBuf> = state.documents.keys().cloned().chain(further).collect();
-    let mut report = checked(state, &open, cause, cancel)?;
+    let open = state.documents.keys().cloned().chain(further);
+    let (doubles, checked_files): (Vec<PathBuf>, Vec<PathBuf>) =
+        open.partition(|path| state.installed.source_of_double(path).is_some());
+    let mut report = checked(state, &checked_files, cause, cancel)?;
     report.mark_groups();
     report.mark_cuts();
     let mut found = spread(state, &report);
-    for path in open {
+    for path in checked_files.into_iter().chain(doubles) {
         found.entry(path).or_default();
     }
     Some(found)

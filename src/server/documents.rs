@@ -8,6 +8,7 @@ use lsp_types::{
 
 use crate::convert;
 use crate::framing::NO_VERSION;
+use crate::installed;
 use crate::outbox::ClientRequest;
 use crate::publishing::withdraw;
 use crate::refreshing::refresh;
@@ -17,7 +18,7 @@ use base::clock::Instant;
 
 pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
-    let path = state.path(&document.uri);
+    let path = installed::opening(state, &document.uri);
     state.world.set_text(&path, document.text);
     let open = OpenDocument {
         uri: document.uri,
@@ -30,19 +31,29 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     state.schedule.due = Some(Instant::now());
 }
 
-/// Who has opened an installed copy should edit the source: the next build replaces the copy.
+/// Who has opened an installed copy should edit the source: the next build replaces the copy. Of two documents of one
+/// file, the source has the findings.
 fn offer_source(state: &State, path: &Path) {
-    let Some(source) = state.world.session().packages.source_of(path) else {
+    let packages = &state.world.session().packages;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let (source, message) = if let Some(source) = packages.source_of(path) {
+        let shown = vfs::slashed(&source);
+        let message = format!(
+            "`{name}` is an installed copy, which the next build replaces; its source is `{shown}`"
+        );
+        (source, message)
+    } else if let Some(source) = state.installed.source_of_double(path) {
+        let shown = vfs::slashed(source);
+        let message = format!(
+            "`{name}` is a link to `{shown}`, which is open too: findings are shown in that one"
+        );
+        (source.to_owned(), message)
+    } else {
         return;
     };
     let Some(uri) = state.uri(&source) else {
         return;
     };
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let message = format!(
-        "`{name}` is an installed copy, which the next build replaces; its source is `{}`",
-        vfs::slashed(&source)
-    );
     if state.client.shows_documents {
         state.outbox.request(ClientRequest::Offer {
             message,
@@ -90,6 +101,7 @@ pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
         state.world.close(&path);
         withdraw(state, &path, open.uri);
     }
+    installed::closed(state, &params.text_document.uri);
     state.schedule(Cause::Closed(path));
 }
 

@@ -16,6 +16,8 @@ mod failure;
 mod files;
 mod framing;
 mod handlers;
+mod installed;
+mod installed_links;
 mod lifecycle;
 mod locations;
 mod logging;

@@ -9,6 +9,7 @@ use lsp_types::Url;
 use crate::client::ResolvedCapabilities;
 use crate::convert;
 use crate::failure::Failure;
+use crate::installed_links::InstalledLinks;
 use crate::logging::Log;
 use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
@@ -103,6 +104,8 @@ pub(super) struct State {
     pub status: QueueStatus,
     /// Open documents by path.
     pub documents: BTreeMap<PathBuf, OpenDocument>,
+    /// Which of them are open through links in an install space.
+    pub installed: InstalledLinks,
     pub sent: Sent,
     pub schedule: Schedule,
     pub settings: ServerSettings,
@@ -137,6 +140,7 @@ impl State {
             outbox,
             status,
             documents: BTreeMap::new(),
+            installed: InstalledLinks::default(),
             sent: Sent::default(),
             schedule: Schedule {
                 due: None,
@@ -166,7 +170,7 @@ impl State {
 
     /// The path of a document.
     pub fn path(&self, uri: &Url) -> PathBuf {
-        convert::path(uri)
+        self.installed.source(convert::path(uri))
     }
 
     /// How a file is called towards the client: as the client called it, if it did.

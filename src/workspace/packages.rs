@@ -305,6 +305,28 @@ impl Packages {
 
     /// The source that a build has copied to `file`; none for sources, links to them, and what has no source here.
     pub fn source_of(&self, file: &Path) -> Option<PathBuf> {
+        let (owner, folder) = self.installed_from(file)?;
+        let source = folder.join(file.strip_prefix(&owner.folder).ok()?);
+        let is_copy =
+            self.vfs.is_file(&source) && self.vfs.canonical(&source) != self.vfs.canonical(file);
+        is_copy.then_some(source)
+    }
+
+    /// The source that the installed `file` is a link to, as `colcon build --symlink-install` makes them, spelled as the
+    /// look-up of packages spells it; none for sources, copies, and links to what is not in the package's sources.
+    pub fn linked_source(&self, file: &Path) -> Option<PathBuf> {
+        let real = self.vfs.canonical(file);
+        if real == file {
+            return None;
+        }
+        let (_, folder) = self.installed_from(file)?;
+        let inside = real.strip_prefix(self.vfs.canonical(&folder)).ok()?;
+        let source = folder.join(inside);
+        (source != file && self.vfs.is_file(&source)).then_some(source)
+    }
+
+    /// The package that an installed file is in, and the folder with its sources.
+    fn installed_from(&self, file: &Path) -> Option<(Package, PathBuf)> {
         let owner = self.containing(file)?;
         if own_prefixes(&self.vfs, file).is_empty() {
             return None;
@@ -313,10 +335,7 @@ impl Packages {
         let folder = tops.find_map(|(top, rules)| {
             Some(self.tree(&top, rules).get(&owner.name, file)?.to_owned())
         })?;
-        let source = folder.join(file.strip_prefix(&owner.folder).ok()?);
-        let is_copy =
-            self.vfs.is_file(&source) && self.vfs.canonical(&source) != self.vfs.canonical(file);
-        is_copy.then_some(source)
+        Some((owner, folder))
     }
 
     /// Forget what was searched: manifests or folders have come, gone or changed.

@@ -589,3 +589,54 @@ fn a_rule_can_be_switched_off_for_the_project() {
         json!({ "line": 0, "character": 10 })
     );
 }
+
+#[test]
+fn a_rule_can_be_configured_in_a_file_that_is_made_for_it() {
+    let makes =
+        json!({ "workspaceEdit": { "documentChanges": true, "resourceOperations": ["create"] } });
+    let options = || Options {
+        capabilities: json!({ "workspace": makes }),
+        ..Options::default()
+    };
+    let mut client = Client::with(pan_tilt(), options());
+    show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
+    let found = fixes(&mut client, FILE, "undefined-property");
+    let config = client.uri("xacro-lint.toml");
+    for (title, text) in [
+        (
+            "Disable `undefined-property` for this project",
+            "ignore = [\"undefined-property\"]\n",
+        ),
+        (
+            "Configure `undefined-property` as warning for this project",
+            "[severity]\nundefined-property = \"warning\"\n",
+        ),
+    ] {
+        let changes = &titled(&found, title)["edit"]["documentChanges"];
+        assert_eq!(changes[0], json!({ "kind": "create", "uri": config }));
+        assert_eq!(changes[1]["textDocument"]["uri"], json!(config));
+        assert_eq!(changes[1]["edits"][0]["newText"], text);
+    }
+    // a file that is there keeps what it says
+    let folder = pan_tilt();
+    let old = "# ours\ntarget = \"ros2\"\n\n[severity]\nzero-mass = \"info\" # toys\n";
+    write(&folder, "xacro-lint.toml", old);
+    let mut client = Client::with(folder, options());
+    show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
+    let found = fixes(&mut client, FILE, "undefined-property");
+    let changes = &titled(&found, "as warning for this project")["edit"]["documentChanges"];
+    let edit = &changes[0]["edits"][0];
+    assert_eq!(edit["newText"], "undefined-property = \"warning\"\n");
+    assert_eq!(edit["range"]["start"], json!({ "line": 4, "character": 0 }));
+    // clients that make no files are offered nothing that they cannot do
+    let mut client = Client::start();
+    show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
+    let found = fixes(&mut client, FILE, "undefined-property");
+    let offers = |action: &serde_json::Value| {
+        action["title"]
+            .as_str()
+            .unwrap()
+            .ends_with("for this project")
+    };
+    assert!(!found.iter().any(offers), "{found:?}");
+}

@@ -204,3 +204,107 @@ fn who_opens_an_installed_copy_is_offered_the_source() {
         assert_eq!(said["actions"], actions);
     }
 }
+
+/// The workspace as `colcon build --symlink-install` leaves it.
+#[cfg(unix)]
+fn installed_by_links(folder: &std::path::Path) -> (String, String) {
+    let share = "install/pan_tilt/share/pan_tilt";
+    write(folder, "install/COLCON_IGNORE", "");
+    write(
+        folder,
+        "install/pan_tilt/share/ament_index/resource_index/packages/pan_tilt",
+        "",
+    );
+    std::fs::create_dir_all(folder.join(share).join("urdf")).unwrap();
+    std::fs::create_dir_all(folder.join(share).join("config")).unwrap();
+    for file in [
+        "package.xml",
+        "urdf/unit.xacro",
+        "urdf/pan_tilt.urdf.xacro",
+        "config/cam.yaml",
+    ] {
+        let link = folder.join(share).join(file);
+        std::os::unix::fs::symlink(folder.join("src/pan_tilt").join(file), link).unwrap();
+    }
+    (
+        format!("{share}/urdf/pan_tilt.urdf.xacro"),
+        format!("{share}/urdf/unit.xacro"),
+    )
+}
+
+#[cfg(unix)]
+#[test]
+fn an_installed_link_is_its_source() {
+    let folder = super::workspace::pan_tilt();
+    let (robot, unit) = installed_by_links(&folder);
+    let mut client = Client::with(folder, super::client::Options::default());
+    client.open(&unit);
+    assert_eq!(client.diagnostics(&unit), Vec::<Value>::new());
+    client.open(&robot);
+    client.edit(&robot, "name=\"pan\" parent", "nam=\"pan\" parent");
+    let codes = |client: &mut Client, file: &str| -> Vec<String> {
+        let found = client.diagnostics(file);
+        let codes = found
+            .iter()
+            .map(|it| it["code"].as_str().unwrap().to_owned());
+        codes.collect()
+    };
+    let found = codes(&mut client, &robot);
+    assert!(!found.is_empty());
+    client.edit(&robot, "nam=\"pan\" parent", "name=\"pan\" parent");
+    assert_eq!(codes(&mut client, &robot), Vec::<String>::new());
+    // what an installed file names is found in the sources, unless it is open by another name
+    let place = client.at(&robot, "cam|.yaml");
+    let target = client.request("textDocument/definition", place);
+    assert!(
+        target
+            .to_string()
+            .contains(&client.uri("src/pan_tilt/config/cam.yaml")),
+        "{target}"
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_is_open_twice_has_its_findings_once() {
+    let folder = super::workspace::pan_tilt();
+    let (robot, _) = installed_by_links(&folder);
+    let mut client = Client::with(folder, super::client::Options::default());
+    let count = |client: &mut Client, file: &str| client.diagnostics(file).len();
+    client.open(&robot);
+    client.edit(&robot, "parent=\"pan_body\"", "parent=\"nothing\"");
+    let findings = count(&mut client, &robot);
+    assert!(findings > 0);
+    // the source comes in as it is on disk: it counts, and the link keeps the text that was typed in it
+    client.open(ROBOT);
+    assert!(client.eventually(|client| count(client, &robot) == 0));
+    assert_eq!(count(&mut client, ROBOT), 0);
+    client.edit(ROBOT, "parent=\"pan_body\"", "parent=\"nothing\"");
+    assert_eq!(count(&mut client, ROBOT), findings);
+    client.edit(&robot, "parent=\"nothing\"", "parent=\"none\"");
+    assert_eq!(count(&mut client, &robot), 0);
+    assert_eq!(count(&mut client, ROBOT), findings);
+    let closed = client.of(ROBOT);
+    client.notify("textDocument/didClose", closed);
+    assert!(client.eventually(|client| count(client, &robot) == findings));
+}
+
+#[test]
+fn a_part_in_an_installed_copy_has_no_false_errors() {
+    let folder = super::workspace::pan_tilt();
+    let share = "install/pan_tilt/share/pan_tilt";
+    write(&folder, "install/COLCON_IGNORE", "");
+    for file in [
+        "package.xml",
+        "urdf/unit.xacro",
+        "urdf/pan_tilt.urdf.xacro",
+        "config/cam.yaml",
+    ] {
+        let text = std::fs::read(folder.join("src/pan_tilt").join(file)).unwrap();
+        write(&folder, &format!("{share}/{file}"), text);
+    }
+    let mut client = Client::with(folder, super::client::Options::default());
+    let unit = format!("{share}/urdf/unit.xacro");
+    client.open(&unit);
+    assert_eq!(client.diagnostics(&unit), Vec::<Value>::new());
+}

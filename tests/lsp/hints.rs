@@ -88,6 +88,22 @@ fn numbers_are_short_and_what_is_evident_has_no_hint() {
             "<origin xyz=\"${m0 * -1e6 / 4.5} 0 0\"/>",
             Some("= -33333.0"),
         ),
+        (
+            "<joint name=\"a\" type=\"revolute\"><limit lower=\"${-m0 * pi}\" upper=\"${pi/2}\"/></joint>",
+            Some("= -0.4712 (-27°)"),
+        ),
+        (
+            "<joint name=\"a\" type=\"revolute\"><limit lower=\"${-m0 * pi}\" upper=\"${m0 * pi}\"/></joint>",
+            Some("lower = -0.4712 (-27°); upper = 0.4712 (27°)"),
+        ),
+        (
+            "<joint name=\"a\" type=\"prismatic\"><limit lower=\"${-m0 * pi}\"/></joint>",
+            Some("= -0.4712"),
+        ),
+        (
+            "<joint name=\"a\" type=\"revolute\"><limit lower=\"-1.57\" effort=\"${m0 * 3}\"/></joint>",
+            Some("= 0.45"),
+        ),
         ("<origin rpy=\"${pi} 0 0\"/>", None),
         ("<origin rpy=\"0 ${-pi/2} 0\"/>", None),
         ("<xacro:property name=\"m1\" value=\"${m0}\"/>", None),
@@ -212,12 +228,39 @@ fn lenses_count_calls() {
         client.request("codeLens/resolve", found[0].clone())["command"]["title"],
         "1 call in 1 root"
     );
+    assert!(titles(&mut client).contains(&"Expand".to_owned()));
+}
+
+/// The titles of the lenses of the robot that need no resolving.
+fn titles(client: &mut Client) -> Vec<String> {
     let found = client.request("textDocument/codeLens", client.of(ROBOT));
-    let titles: Vec<&str> = found
-        .as_array()
-        .unwrap()
-        .iter()
-        .filter_map(|lens| lens["command"]["title"].as_str())
-        .collect();
-    assert!(titles.contains(&"Expand"), "{titles:?}");
+    let titles = found.as_array().unwrap().iter();
+    titles
+        .filter_map(|lens| lens["command"]["title"].as_str().map(str::to_owned))
+        .collect()
+}
+
+#[test]
+fn lenses_name_the_arguments_that_matter() {
+    let mut client = both();
+    let mount = "<xacro:arg name=\"mount\" default=\"desk\"/>";
+    let more = "<xacro:arg name=\"side\" default=\"left\"/><xacro:arg name=\"yaml\" default=\"\"/>";
+    client.edit(ROBOT, mount, &format!("{mount}{more}"));
+    let all = [
+        "Preview",
+        "Expand",
+        "mount:=desk ▾",
+        "side:=left ▾",
+        "yaml:= ▾",
+    ];
+    assert_eq!(titles(&mut client), all);
+    let mut params = client.of(ROBOT);
+    params["args"] =
+        json!({ "yaml": "../configurations/of/arms/p.yaml", "side": "left", "mount": "wall" });
+    client.request(
+        "workspace/executeCommand",
+        json!({ "command": "xacro.setArgs", "arguments": [params] }),
+    );
+    let given = ["Preview", "Expand", "mount:=wall ▾", "yaml:=…/p.yaml ▾"];
+    assert_eq!(titles(&mut client), given);
 }

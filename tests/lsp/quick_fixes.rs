@@ -470,6 +470,21 @@ fn an_error_of_an_argument_begins_with_the_question_for_its_value() {
 }
 
 #[test]
+fn a_comment_behind_an_argument_lists_its_values() {
+    let mut client = Client::start();
+    let text = "  <xacro:arg name=\"size\" default=\"none\"/> <!-- one of: small, big -->\n  \
+        <xacro:arg name=\"side\" default=\"none\"/>\n  <link name=\"🤖${int('$(arg size)') + int('$(arg side)')}\"/>";
+    show(&mut client, &robot(text));
+    let found = fixes(&mut client, FILE, "expression-error");
+    let values = |number: usize| found[number]["command"]["arguments"][0]["values"].clone();
+    assert_eq!(found[0]["title"], "Set argument `size`…", "{found:?}");
+    assert_eq!(values(0), serde_json::json!(["small", "big"]));
+    // it says nothing of the argument on the next line
+    assert_eq!(found[1]["title"], "Set argument `side`…", "{found:?}");
+    assert_eq!(values(1), serde_json::json!([]));
+}
+
+#[test]
 fn the_page_of_a_rule_is_a_command() {
     let mut client = Client::start();
     let params = serde_json::json!({ "command": "xacro.explain", "arguments": [{ "rule": "undefined-arg" }] });

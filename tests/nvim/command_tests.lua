@@ -134,6 +134,39 @@ return function(test, skip)
     child:wait([[vim.api.nvim_get_current_line():find('<axis', 1, true)]])
   end)
 
+  -- The text of the floating window.
+  local floating = [[(function()
+    for _, window in ipairs(vim.api.nvim_list_wins()) do
+      if vim.api.nvim_win_get_config(window).relative ~= '' then
+        return table.concat(vim.api.nvim_buf_get_lines(vim.api.nvim_win_get_buf(window), 0, -1, false), '\n')
+      end
+    end
+  end)()]]
+
+  test('the expanded text says where it comes from, and has an outline', function(child)
+    child:edit(fixture.robot)
+    local bufnr = expand(child)
+    child:type('<C-w>w')
+    child:wait('vim.api.nvim_get_current_buf() == ...', bufnr)
+    child:type('/lower=<CR>K')
+    local said = child:wait(floating)
+    local expected = {
+      'unit.xacro:15',
+      '    <limit lower="-1.57" upper="1.57" effort="3" velocity="2"/>',
+      '← pan_tilt.urdf.xacro:7',
+      '    <xacro:unit name="pan" parent="$(arg mount)"><origin xyz="0 0 0.1"/></xacro:unit>',
+    }
+    assert(vim.startswith(said, table.concat(expected, '\n')), said)
+    child:type('gO')
+    child:wait([[vim.bo.filetype == 'qf']])
+    local listed = child:value([[vim.tbl_map(function(item) return item.text end, vim.fn.getloclist(0))]])
+    local names = { 'link desk', 'link pan_body', 'joint pan', 'link tilt_body', 'joint tilt' }
+    assert(vim.deep_equal(listed, names), vim.inspect(listed))
+    child:type('/tilt_body<CR><CR>')
+    child:wait([[vim.api.nvim_get_current_line():find('<link name="tilt_body"', 1, true)]])
+    assert(child:value('vim.api.nvim_get_current_buf()') == bufnr)
+  end)
+
   test('columns are right behind characters of other planes', function(child)
     child:edit(fixture.robot)
     child:change('<link name="$(arg mount)"/>', '<!-- 𝄞 é --><link name="a𝄞é_$(arg mount)"/>')
@@ -219,6 +252,59 @@ return function(test, skip)
       skip('the server does not know `xacro/expandAt`, and the user was told so')
     end
     assert(shown:find('pan_body', 1, true) and not shown:find('tilt_body', 1, true), shown)
+  end)
+
+  test('XacroExpandAt of an empty value says so', function(child)
+    child:edit(fixture.robot)
+    child:change('<link name="$(arg mount)"/>', '<xacro:property name="no" value=""/><link name="desk${no}"/>')
+    child:at('${n|o}')
+    child:type(':XacroExpandAt<CR>')
+    local said = child:wait('_G.said[1] or ' .. floating)
+    assert(said == 'xacro: `${no}` expands to nothing', said)
+    local messages = child:value([[vim.fn.execute('messages')]])
+    assert(not messages:find('E%d+:') and not messages:find('Error', 1, true), messages)
+  end)
+
+  test('a finding is settled by an argument', function(child)
+    child:edit(fixture.robot)
+    child:change('<xacro:arg name="mount"', '<xacro:arg name="part" default="motor"/><xacro:arg name="mount"')
+    child:change('filename="unit.xacro"', 'filename="$(arg part).xacro"')
+    child:wait([[vim.iter(vim.diagnostic.get(0)):any(function(found) return found.code == 'include-not-found' end)]])
+    child:lua([[
+      _G.asked = {}
+      vim.ui.select = function(items, options, on_choice)
+        for _, item in ipairs(items) do
+          local text = options.format_item and options.format_item(item) or item
+          table.insert(_G.asked, text)
+          if text:find('Set argument `part`', 1, true) or text == 'unit' then
+            return on_choice(item)
+          end
+        end
+      end
+    ]])
+    child:at('filename="$(arg| part)')
+    child:lua('vim.lsp.buf.code_action()')
+    child:wait([[require('xacro').status():find('part:=unit', 1, true)]])
+    child:wait('#vim.diagnostic.get(0) == 0')
+  end)
+
+  test('a rule is configured from its finding', function(child)
+    child:edit(fixture.robot)
+    child:change('${m0 / 3}', '${m_0 / 3}')
+    local severity = [[(function()
+      for _, found in ipairs(vim.diagnostic.get(vim.fn.bufnr('pan_tilt.urdf.xacro'))) do
+        if found.code == 'undefined-property' then return found.severity end
+      end
+    end)()]]
+    child:wait(severity .. ' == vim.diagnostic.severity.ERROR')
+    child:at('${m|_0 / 3}')
+    child:lua([[vim.lsp.buf.code_action({ apply = true, filter = function(action)
+      return action.title == 'Configure `undefined-property` as warning for this project'
+    end })]])
+    child:wait([[vim.fn.bufnr('xacro-lint.toml') > 0]])
+    child:wait(severity .. ' == vim.diagnostic.severity.WARN')
+    local text = child:text(child:value([[vim.fn.bufnr('xacro-lint.toml')]]))
+    assert(vim.startswith(text, '[severity]\nundefined-property = "warning"'), text)
   end)
 
   test('XacroRoot picks the robot of a macro file', function(child)

@@ -26,7 +26,7 @@ pub use extract_macro::{NewFile, move_to_file};
 pub use inline::inlinable;
 pub use inline_macro::inline_macro;
 pub use mesh_inertia::{Refused, of_mesh};
-pub use suppress::ignored_in_config;
+pub use suppress::{ignored_in_config, severity_in_config};
 pub use xacro::{before_use, other_name, suggested};
 
 use super::context::Cx;

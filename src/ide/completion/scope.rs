@@ -431,15 +431,23 @@ pub fn comment_above(node: Node<'_>) -> String {
             .take_while(|other| *other != node)
             .collect(),
     };
-    let near = before.iter().rev().take_while(|other| match other.kind() {
+    let near = before.iter().enumerate().rev();
+    let near = near.take_while(|(at, other)| match other.kind() {
         NodeKind::Text => other.raw().trim().is_empty() && other.raw().matches('\n').count() < 2,
-        kind => kind == NodeKind::Comment,
+        kind => kind == NodeKind::Comment && !ends_a_line(&before, *at),
     });
     let mut comments: Vec<&str> = near
-        .filter(|other| other.kind() == NodeKind::Comment)
-        .map(|node| node.raw().trim())
+        .filter(|(_, other)| other.kind() == NodeKind::Comment)
+        .map(|(_, node)| node.raw().trim())
         .collect();
     comments.reverse();
     comments.retain(|text| !text.starts_with("xacro-lint:"));
     comments.join("\n")
+}
+
+/// Whether a comment stands behind something on the same line and at the end of that line: it is about what it stands behind.
+fn ends_a_line(siblings: &[Node<'_>], at: usize) -> bool {
+    let breaks = |node: &Node<'_>| node.kind() == NodeKind::Text && node.raw().contains('\n');
+    let before = at.checked_sub(1).and_then(|before| siblings.get(before));
+    !before.is_some_and(breaks) && siblings.get(at + 1).is_some_and(breaks)
 }

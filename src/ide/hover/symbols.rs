@@ -1,5 +1,7 @@
 //! Names of xacro: properties, parameters, arguments, macros, blocks.
 
+use std::sync::Arc;
+
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
 use super::super::locate::At;
@@ -260,7 +262,7 @@ fn default_of(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Option<
     }
 }
 
-/// The default of an argument, and the comment above its declaration, where it is declared.
+/// The default of an argument, and the comment above its declaration or behind it on the same line, where it is declared.
 pub fn declared_argument(
     expansion: &Expansion,
     name: &str,
@@ -275,8 +277,25 @@ pub fn declared_argument(
     let default = element
         .attr("default")
         .map(|default| default.raw().to_owned());
-    let comment = crate::completion::comment_above(element);
-    Some((default, Some(comment).filter(|comment| !comment.is_empty())))
+    let above = crate::completion::comment_above(element);
+    let above = Some(above).filter(|comment| !comment.is_empty());
+    Some((default, above.or_else(|| comment_behind(expansion, id))))
+}
+
+/// The comment that stands behind what gives a definition, on the same line.
+fn comment_behind(expansion: &Expansion, id: DefinitionId) -> Option<String> {
+    const MOST: u32 = 1000;
+    let place = expansion.index.symbols.get(id)?.place;
+    let source = expansion.sources.get(place.src.0 as usize)?;
+    let document = &expansion.files.get(source.file.0 as usize)?.source.document;
+    let mut parts = document.parts();
+    let (base, _) = parts.find(|(_, item)| Arc::ptr_eq(item, &source.item))?;
+    let end = element(expansion, id)?.range().end + base;
+    let behind = document.slice(TextRange::new(end, (end + MOST).min(document.len())));
+    let line = behind.lines().next()?.trim_start();
+    let (comment, _) = line.strip_prefix("<!--")?.split_once("-->")?;
+    let comment = comment.trim();
+    (!comment.is_empty() && !comment.starts_with("xacro-lint:")).then(|| comment.to_owned())
 }
 
 /// The text that declares a parameter, with its default.

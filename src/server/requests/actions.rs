@@ -22,6 +22,7 @@ use crate::locations::places;
 use crate::outbox::ClientRequest;
 use crate::requests::arguments::set_arguments;
 use crate::requests::code_action::{APPLY, code_action, refactor};
+use crate::requests::configure::configured;
 use crate::requests::navigation::{about_files, asked};
 use crate::requests::refactorings::refactor_actions;
 use crate::requests::rename::is_ours;
@@ -34,7 +35,6 @@ use facts::{FactKind, facts};
 use ide::{self, Action, ActionKind, MacroFile};
 use rules::{Edit, Finding, Rule, named};
 use vfs::SourceFile;
-use workspace::config::find_config;
 use xml::Document;
 
 /// All safe fixes of a file at once.
@@ -239,7 +239,6 @@ fn quick_fixes(
         }
         let more = ide::quick_fixes(source, rule, range);
         actions.extend(more.into_iter().map(|action| (action, false)));
-        actions.extend(ignored_in_project(state, path, rule.name).map(|action| (action, false)));
         for (action, preferred) in actions {
             let made = code_action(state, action, Some(&diagnostic));
             found.extend(made.map(|made| CodeAction {
@@ -247,6 +246,7 @@ fn quick_fixes(
                 ..made
             }));
         }
+        found.extend(configured(state, path, finding, &diagnostic));
     }
     Ok(found)
 }
@@ -397,25 +397,6 @@ fn with_meaning(
         .iter()
         .find(|related| related.span.file == finding.span.file);
     Ok(given.and_then(|given| ide::before_use(&asked.cx(), finding.span.range, given.span.range)))
-}
-
-/// A rule switched off in the configuration file that holds for a file; none where there is no such file.
-fn ignored_in_project(state: &State, path: &Path, rule: &str) -> Option<Action> {
-    let vfs = &state.world.session().vfs;
-    let config = find_config(vfs, path.parent()?)?;
-    let (range, content) = ide::ignored_in_config(&vfs.text(&config).ok()?.text, rule)?;
-    let edits = vec![Edit {
-        span: Span {
-            file: vfs.file_id(&config),
-            range,
-        },
-        content,
-    }];
-    Some(Action {
-        title: format!("disable `{rule}` for this project"),
-        kind: ActionKind::Fix,
-        edits,
-    })
 }
 
 /// Known files that define a macro, as an include in the file at `path` names them.

@@ -53,7 +53,7 @@ pub fn lenses(
         found.extend(root_lenses(
             state,
             &text_document,
-            &asked.analyzed.declared_arguments(),
+            &shown_arguments(&asked),
             range,
         ));
     }
@@ -76,6 +76,25 @@ pub fn lenses(
         found.push(lens(range, "Expand", "xacro.expandAt", here));
     }
     Ok(Some(found))
+}
+
+/// The arguments that a lens names: those that are given another value than their declaration says, or that have no
+/// default; if there are none, all. In the order of their declarations.
+fn shown_arguments(asked: &Asked) -> Vec<(&str, &str)> {
+    let all = asked.analyzed.declared_arguments();
+    let given = &asked.analyzed.root.args;
+    let matters = |(name, value): &&(&str, &str)| {
+        let declared = ide::declared_argument(&asked.analyzed.expansion, name);
+        match declared.map(|(default, _)| default) {
+            Some(Some(default)) => {
+                given.iter().any(|(known, _)| known == name) && default != *value
+            }
+            Some(None) => true,
+            None => false,
+        }
+    };
+    let mattering: Vec<_> = all.iter().filter(matters).copied().collect();
+    if mattering.is_empty() { all } else { mattering }
 }
 
 fn root_lenses(
@@ -104,11 +123,12 @@ fn root_lenses(
     found
 }
 
-/// The value of an argument as a lens has room for it: of a path, the end.
+/// The value of an argument as a lens has room for it: of a path that is absolute or long, the end.
 fn shown(value: &str) -> String {
     const MOST: usize = 24;
+    let is_long = value.starts_with('/') || value.chars().count() > MOST;
     match value.rsplit_once('/') {
-        Some((folders, file)) if value.starts_with('/') && !folders.is_empty() => {
+        Some((folders, file)) if is_long && !folders.is_empty() && !file.is_empty() => {
             format!("…/{}", ide::cut(file, MOST))
         }
         _ => ide::cut(value, MOST),
@@ -220,5 +240,23 @@ fn lens(range: lsp_types::Range, title: &str, command: &str, argument: Value) ->
             arguments: Some(vec![argument]),
         }),
         data: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown;
+
+    #[test]
+    fn of_long_paths_the_end_is_shown() {
+        for (value, expected) in [
+            ("left_", "left_"),
+            ("/opt/robots/calibration.yaml", "…/calibration.yaml"),
+            ("config/p.yaml", "config/p.yaml"),
+            ("../../robots/arm/config/p.yaml", "…/p.yaml"),
+            ("/p.yaml", "/p.yaml"),
+        ] {
+            assert_eq!(shown(value), expected);
+        }
     }
 }

@@ -11,6 +11,7 @@ pub(crate) mod colors;
 pub(crate) mod commands;
 pub(crate) mod completion;
 mod configuration;
+mod configure;
 pub(crate) mod expand_at;
 pub(crate) mod expansion;
 pub(crate) mod formatting;

@@ -280,9 +280,7 @@ fn moved_to_file(
         }),
     ];
     let made = code_action(state, action, None)?;
-    if let Some(DocumentChanges::Edits(edits)) = made.edit.as_ref()?.document_changes.clone() {
-        operations.extend(edits.into_iter().map(DocumentChangeOperation::Edit));
-    }
+    operations.extend(document_edits(made.edit.clone()?));
     let changes = Some(DocumentChanges::Operations(operations));
     let edit = WorkspaceEdit {
         document_changes: changes,
@@ -292,6 +290,23 @@ fn moved_to_file(
         edit: Some(edit),
         ..made
     })
+}
+
+/// The edits of documents, in the form in which they stand beside files that are made.
+fn document_edits(edit: WorkspaceEdit) -> Vec<DocumentChangeOperation> {
+    let of_file = |(uri, edits): (Url, Vec<TextEdit>)| TextDocumentEdit {
+        text_document: OptionalVersionedTextDocumentIdentifier { uri, version: None },
+        edits: edits.into_iter().map(OneOf::Left).collect(),
+    };
+    let edits = match edit.document_changes {
+        Some(DocumentChanges::Edits(edits)) => edits,
+        Some(DocumentChanges::Operations(operations)) => return operations,
+        None => edit.changes.into_iter().flatten().map(of_file).collect(),
+    };
+    edits
+        .into_iter()
+        .map(DocumentChangeOperation::Edit)
+        .collect()
 }
 
 /// An action that cannot be made, and why.

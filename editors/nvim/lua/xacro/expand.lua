@@ -265,6 +265,43 @@ function M.jump(role)
   end)
 end
 
+--- The line of a source that a place is in.
+---@param place { uri: string, range: lsp.Range }
+---@return string
+local function line_of(place)
+  local path, row = vim.uri_to_fname(place.uri), place.range.start.line
+  local bufnr = vim.fn.bufnr('^' .. vim.fn.fnameescape(path) .. '$')
+  if bufnr > 0 and vim.api.nvim_buf_is_loaded(bufnr) then
+    return vim.api.nvim_buf_get_lines(bufnr, row, row + 1, false)[1] or ''
+  end
+  local ok, lines = pcall(vim.fn.readfile, path, '', row + 1)
+  return ok and lines[row + 1] or ''
+end
+
+--- Say where the text under the cursor comes from: its source, then the calls and includes that led there.
+function M.hover()
+  if not view then
+    return
+  end
+  if not view.fresh then
+    lsp.show('the text is out of date; fix the error first', vim.log.levels.WARN)
+    return
+  end
+  places_of_cursor(function(places)
+    if #places == 0 then
+      lsp.show('no source for this text')
+      return
+    end
+    local lines = {}
+    for number, place in ipairs(places) do
+      local at = ('%s:%d'):format(base(place.uri), place.range.start.line + 1)
+      lines[#lines + 1] = (number == 1 and '' or '← ') .. at
+      lines[#lines + 1] = '    ' .. vim.trim(line_of(place))
+    end
+    vim.lsp.util.open_floating_preview(lines, '', { border = 'rounded', focus_id = 'xacro-origin', wrap = false })
+  end)
+end
+
 --- Close the window with the expanded text.
 function M.close()
   if view then
@@ -289,6 +326,10 @@ local function prepare()
   map('gC', function()
     M.jump('call')
   end, 'go to the macro call')
+  map('K', M.hover, 'say where the text comes from')
+  map('gO', function()
+    require('xacro.outline').open()
+  end, 'list links and joints')
   map('q', M.close, 'close')
   local group = vim.api.nvim_create_augroup('xacro_expand', {})
   local follow = config.get().expand.follow
