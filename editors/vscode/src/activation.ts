@@ -3,7 +3,6 @@
  */
 import * as vscode from "vscode";
 import { AuxiliaryDocuments } from "./auxiliaryDocuments";
-import { registerConfigureRule } from "./configureRule";
 import { Contexts } from "./contexts";
 import { ExpandedDocuments } from "./expanded";
 import { registerExpandedReading } from "./expandedReading";
@@ -44,7 +43,6 @@ export function start(context: vscode.ExtensionContext, launcher: Launcher): Ser
     new AuxiliaryDocuments(server),
     registerSettingsFiles(server),
     registerRulePages(),
-    registerConfigureRule(),
     registerExpandedReading(server, documents),
     contexts,
     documents,

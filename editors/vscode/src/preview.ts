@@ -294,7 +294,7 @@ export class Preview implements vscode.WebviewPanelSerializer, vscode.Disposable
 
   /** The robot as it is shown, for the viewer to save. */
   private async sendUrdf(): Promise<void> {
-    if (this.id === undefined) return this.post("urdf", { error: "the language server does not run" });
+    if (this.id === undefined) { this.post("urdf", { error: "the language server does not run" }); return; }
     try {
       const answer = await this.server.askStrictly(urdf, { id: this.id });
       this.post("urdf", answer ? { text: answer.urdf } : { error: "the language server did not answer" });

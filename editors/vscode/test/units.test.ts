@@ -10,7 +10,6 @@ import { includesOf } from "../src/includes";
 import { lintBeside, locateServer } from "../src/locate";
 import { fromViewer } from "../src/previewMessages";
 import { chosenSettings } from "../src/settings";
-import { severityEdit } from "../src/severityTable";
 import { startsEmptyValue } from "../src/snippets";
 import { Names, namedFolders } from "../src/web/uris";
 import { layout } from "../src/webview/layout";
@@ -340,18 +339,4 @@ test("the outline of an expanded text", () => {
   assert.deepEqual(symbolsAt([robot], 7).map(({ name }) => name), ["r", "j"]);
   assert.deepEqual(symbolsAt([robot], 9).map(({ name }) => name), ["r", "a", "s"]);
   assert.deepEqual(symbolsOf("<robot></a><"), [{ element: "robot", name: "robot", detail: "", first: 0, last: 0, children: [] }]);
-});
-
-test("the severity of a rule in the configuration", () => {
-  const after = (text: string) => {
-    const edit = severityEdit(text, "zero-mass", "off");
-    if (!edit) return undefined;
-    const lines = text.split("\n").map((line) => `${line}\n`);
-    return [...lines.slice(0, edit.from), edit.text, ...lines.slice(edit.to)].join("").replace(/\n$/, "");
-  };
-  assert.equal(after(""), '[severity]\nzero-mass = "off"\n');
-  assert.equal(after("# mine\n"), '# mine\n\n[severity]\nzero-mass = "off"\n');
-  assert.equal(after("[severity] # s\nother = 'info'\n\n[format]\n"), "[severity] # s\nzero-mass = \"off\"\nother = 'info'\n\n[format]\n");
-  assert.equal(after("[severity]\nzero-mass = 'info' # why\n"), '[severity]\nzero-mass = "off" # why\n');
-  assert.equal(after("severity = { }\n"), undefined);
 });
