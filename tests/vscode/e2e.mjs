@@ -618,7 +618,8 @@ test("configure-rule", "broken_cell", async (window) => {
     return false;
   });
   await window.press("Enter");
-  await window.command("File: Save All Files");
+  await window.page.locator('.tab[data-resource-name="xacro-lint.toml"].dirty').waitFor();
+  await window.command("File: Save All");
   await source(window, "xacro-lint.toml").has("undefined-macro");
   await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
 });
@@ -689,7 +690,7 @@ test("check-workspace", "measuring_cell", async (window, server) => {
     const rows = await problems(window, "closed_link");
     return rows.length === 1 && /closed_link.* xacro undefined-link/.test(rows[0]);
   });
-  // mended, and checked again by the task
+  // fixed, and checked again by the task
   writeFileSync(join(window.folder, "other.urdf"), '<robot name="other"><link name="base"/></robot>\n');
   robot.write((text) => text.replace(ghost, "").replace(always, "").replace(/ *<xacro:property name="stylus_now".*\n/, ""));
   await window.command("Tasks: Run Task");
