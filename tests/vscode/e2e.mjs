@@ -820,10 +820,11 @@ test("web-typing", "broken_cell", async (window) => {
   const [line] = file.find('<link name="world"/>');
   await window.go(line, 3 + '<link name="world"/>'.length);
   await window.press("Enter");
-  await window.page.keyboard.type("<xacro:refer");
+  await window.page.keyboard.type("<xacro:refer", { delay: 60 });
   await window.page.locator(".suggest-widget.visible .monaco-list-row", { hasText: "reference_balls" }).first().waitFor();
   await window.press("Escape");
   await window.command("File: Revert File");
+  await window.page.locator(".tab.dirty").waitFor({ state: "detached" });
   // a keystroke makes a finding
   await window.go(...file.find("xacro:broken_probe", 12));
   await window.page.keyboard.type("x");

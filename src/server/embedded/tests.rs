@@ -200,8 +200,16 @@ fn a_session() {
     let shown = client.ask("textDocument/hover", at);
     assert!(shown.to_string().contains("1.5"), "{shown}");
 
+    // a name that is being typed
+    let typed = ROBOT.replace("  <xacro:boon length=\"1\"/>\n", "  <xacro:bo\n");
+    let change = json!({ "textDocument": { "uri": uri, "version": 2 }, "contentChanges": [{ "text": typed }] });
+    client.tell("textDocument/didChange", change);
+    let at = json!({ "textDocument": document, "position": { "line": 4, "character": 11 } });
+    let offered = client.ask("textDocument/completion", at);
+    assert!(offered.to_string().contains("boom"), "{offered}");
+
     let fixed = ROBOT.replace("  <xacro:boon length=\"1\"/>\n", "");
-    let change = json!({ "textDocument": { "uri": uri, "version": 2 }, "contentChanges": [{ "text": fixed }] });
+    let change = json!({ "textDocument": { "uri": uri, "version": 3 }, "contentChanges": [{ "text": fixed }] });
     client.tell("textDocument/didChange", change);
     client.work();
     assert!(!lines(&client.findings(uri)).contains(&5));
