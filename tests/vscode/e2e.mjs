@@ -74,7 +74,8 @@ test("problems", "broken_cell", async (window) => {
   assert.ok(shown.includes(`[Ln ${line}, Col ${column}]`), `${shown}: not at ${line}:${column}`);
 });
 
-test("quick-fix", "broken_cell", async (window) => {
+/** The certain fix of a misspelled macro is the first one, and makes the finding go. */
+async function correctsMacro(window) {
   const file = source(window, BROKEN);
   await window.file("broken_cell.xacro");
   await window.problem("reference_bals");
@@ -87,7 +88,9 @@ test("quick-fix", "broken_cell", async (window) => {
   await window.save();
   await file.has("<xacro:reference_balls");
   await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
-});
+}
+
+test("quick-fix", "broken_cell", correctsMacro);
 
 test("completion", "measuring_cell", async (window) => {
   const file = source(window, CELL);
@@ -839,19 +842,7 @@ test("web-files", "broken_cell", async (window) => {
   assert.match(await window.problem("table_height"), /is not defined/);
 }, web);
 
-test("web-quick-fix", "broken_cell", async (window) => {
-  const file = source(window, BROKEN);
-  await window.file("broken_cell.xacro");
-  await window.problem("reference_bals");
-  await window.editor.click();
-  await window.go(...file.find("reference_bals", 3));
-  await window.press("Control+.");
-  await window.page.locator(".action-widget .monaco-list-row.focused", { hasText: "reference_balls" }).waitFor();
-  await window.press("Enter");
-  await window.save();
-  await file.has("<xacro:reference_balls");
-  await window.page.locator(".markers-panel .monaco-list-row", { hasText: "reference_bals" }).first().waitFor({ state: "hidden" });
-}, web);
+test("web-quick-fix", "broken_cell", correctsMacro, web);
 
 test("web-preview", "measuring_cell", async (window) => {
   await window.file("measuring_cell.xacro");

@@ -244,14 +244,19 @@ function M.from_expanded()
   end)
 end
 
+--- Whether the shown text is that of the source as it is now; if not, the user is told.
+---@return boolean
+local function is_current()
+  if view and not view.fresh then
+    lsp.show('the text is out of date; fix the error first', vim.log.levels.WARN)
+  end
+  return view ~= nil and view.fresh
+end
+
 --- Go to the source of the line, or to the call that made it.
 ---@param role 'origin'|'call'
 function M.jump(role)
-  if not view then
-    return
-  end
-  if not view.fresh then
-    lsp.show('the text is out of date; fix the error first', vim.log.levels.WARN)
+  if not is_current() then
     return
   end
   places_of_cursor(function(places, client)
@@ -280,11 +285,7 @@ end
 
 --- Say where the text under the cursor comes from: its source, then the calls and includes that led there.
 function M.hover()
-  if not view then
-    return
-  end
-  if not view.fresh then
-    lsp.show('the text is out of date; fix the error first', vim.log.levels.WARN)
+  if not is_current() then
     return
   end
   places_of_cursor(function(places)
