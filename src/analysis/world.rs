@@ -253,8 +253,13 @@ impl World {
         let edited = std::mem::take(&mut self.unseen);
         for file in edited.iter().map(PathBuf::as_path).chain([path]) {
             if walk::is_description(file) || self.open.contains_key(file) {
+                let is_new = !self.graph.knows(file);
                 self.graph
                     .update(&self.session.vfs, &self.session.packages, file);
+                // the scan leaves out installed and ignored files, and those outside of the workspace
+                if is_new && self.is_scanned() {
+                    self.scan_beside(file);
+                }
             }
         }
         if !self.is_scanned() {
@@ -262,7 +267,7 @@ impl World {
         }
     }
 
-    /// While the workspace is not known, the files in the folder of an open file stand for it.
+    /// The files in the folder of an open file stand for a workspace that is not known.
     fn scan_beside(&mut self, path: &Path) {
         let Some(folder) = path.parent() else { return };
         let names = self.session.vfs.list_dir(folder);
