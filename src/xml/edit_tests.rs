@@ -180,6 +180,18 @@ proptest! {
     }
 }
 
+#[test]
+fn a_merge_conflict_in_front_of_an_unclosed_tag() {
+    let before = "<robot>\n\n<<<<<<<< \n<HEAD\n  ";
+    let after = "<robot>\n\n<<<<<<<b><< \n<HEAD\n  ";
+    let mut document = Document::parse(before);
+    document.edit(TextRange::empty(15), "<b>");
+    let fresh = Document::parse(after);
+    assert_same(&document, &fresh);
+    let last = fresh.items().last().expect("an item").1;
+    assert!(last.text().ends_with("<HEAD\n  "), "{last:?}");
+}
+
 fn many_links(count: usize) -> String {
     let links: String = (0..count)
         .map(|n| format!("  <link name=\"l{n}\">\n    <visual/>\n  </link>\n"))

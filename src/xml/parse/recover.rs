@@ -66,7 +66,7 @@ impl Parser<'_> {
             return true;
         }
         match (self.indent(tag), self.indent(next)) {
-            (Some(tag), Some(next)) => next > tag && !self.is_conflict_marker(next),
+            (Some(outer), Some(inner)) => inner > outer && !self.is_conflict_marker(next),
             _ => false,
         }
     }
