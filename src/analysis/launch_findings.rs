@@ -170,6 +170,12 @@ impl Session {
         unknown.map(|name| (name.clone(), near(name))).collect()
     }
 
+    /// Whether a path is written with backslashes, which separate folders on Windows.
+    fn has_backslash(&self, span: Span) -> bool {
+        let text = self.vfs.text(&self.vfs.path(span.file));
+        text.is_ok_and(|file| span.range.slice(&file.text).contains('\\'))
+    }
+
     /// What is wrong in one call, with all the arguments that its launch file is included with.
     fn findings_of(
         &self,
@@ -190,7 +196,11 @@ impl Session {
                 file: self.vfs.file_id(&missing.call.caller),
                 range: place,
             };
-            found.push(launched_file_not_found(span, &missing.call.file.shown()));
+            let mut finding = launched_file_not_found(span, &missing.call.file.shown());
+            if self.has_backslash(span) {
+                finding.severity = Severity::Info;
+            }
+            found.push(finding);
         }
         let robots: Vec<(&PathBuf, Arc<Declared>)> = targets
             .iter()

@@ -369,7 +369,7 @@ fn pairs_of_an_included_file() {
 #[test]
 fn semantic_descriptions_that_a_program_makes() {
     let assistant = "moveit_setup_assistant_config:\n  URDF:\n    package: lamp\n    relative_path: urdf/lamp.urdf\n  SRDF:\n    relative_path: config/lamp.srdf\n";
-    let of = |others: &[(&str, &str)]| {
+    let of = |assistant: &str, others: &[(&str, &str)]| {
         let own = [
             MANIFEST,
             (
@@ -385,8 +385,11 @@ fn semantic_descriptions_that_a_program_makes() {
         )
     };
     let source = ("config/srdf/parts.srdf.xacro", "<robot name='lamp'/>");
-    assert_eq!(of(&[]), Some(Severity::Warning));
-    assert_eq!(of(&[source]), Some(Severity::Info));
+    assert_eq!(of(assistant, &[]), Some(Severity::Warning));
+    assert_eq!(of(assistant, &[source]), Some(Severity::Info));
+    // written on Windows
+    let of_windows = assistant.replace("config/", "config\\");
+    assert_eq!(of(&of_windows, &[]), Some(Severity::Info));
 }
 
 #[test]
@@ -450,4 +453,44 @@ fn kinematics_of_matlab() {
     assert_eq!(of(loads), Some(Severity::Info));
     let computes = format!("{loads} t = inverseDynamics(robot, q);");
     assert_eq!(of(&computes), Some(Severity::Error));
+}
+
+#[test]
+fn launch_files_that_spawn_other_models() {
+    let of = |launch: &str, others: &[(&str, &str)]| {
+        let own = [
+            MANIFEST,
+            ("urdf/lamp.urdf", BROKEN),
+            ("launch/lamp.launch", launch),
+        ];
+        severity_of(
+            "urdf/lamp.urdf",
+            &[&own, others].concat(),
+            "missing-element",
+        )
+    };
+    let spawns = "<node pkg='gazebo_ros' type='spawn_model' args='-sdf -file models/lamp/model.sdf -model l'/>";
+    assert_eq!(of(spawns, &[]), Some(Severity::Info));
+    assert_eq!(of("<node pkg='rviz'/>", &[]), Some(Severity::Error));
+    let loads = ("launch/show.launch", "<param textfile='urdf/other.urdf'/>");
+    assert_eq!(of(spawns, &[loads]), Some(Severity::Error));
+    assert_eq!(
+        of(spawns, &[("README.md", "the robot is lamp.urdf")]),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn packages_that_are_not_built() {
+    let of = |mark: &str| {
+        let mark = format!("src/parts/{mark}");
+        let files = [
+            ("src/parts/lamp/package.xml", MANIFEST.1),
+            ("src/parts/lamp/urdf/lamp.urdf", BROKEN),
+            (mark.as_str(), ""),
+        ];
+        severity_of("src/parts/lamp/urdf/lamp.urdf", &files, "missing-element")
+    };
+    assert_eq!(of("COLCON_IGNORE"), Some(Severity::Info));
+    assert_eq!(of("README"), Some(Severity::Error));
 }

@@ -264,6 +264,11 @@ impl Session {
         self.callers.pass_over(file, &self.packages)
     }
 
+    /// Whether launch files spawn models of SDF, and nothing loads a description.
+    pub(super) fn is_beside_spawned_models(&self, file: &Path) -> bool {
+        self.callers.spawn_models_instead(file, &self.packages)
+    }
+
     /// Whether a file that names a description also says `word`.
     pub(super) fn is_named_with(&self, file: &Path, word: &str) -> bool {
         self.callers.mention(file, word, &self.packages)

@@ -67,6 +67,7 @@ impl Session {
         if robot.is_some_and(is_list_of_joints)
             || self.is_wrong_on_purpose(&job.file)
             || self.is_for_tests(&job.file)
+            || self.packages.is_never_built(&job.file)
         {
             lower(findings);
         } else if self.is_set_aside(&job.file) {
@@ -267,6 +268,7 @@ impl Session {
                 || self.is_left_over(file)
                 || self.is_passed_over(file)
                 || self.is_beside_model(file)
+                || self.is_beside_spawned_models(file)
                 || is_empty()
         };
         let is_unused = |file: &Path| !self.is_named(file) && is_other();

@@ -450,6 +450,17 @@ fn files_that_only_tests_name() {
         severity("test/urdf/arm.urdf", &[cmake]),
         Some(Severity::Info)
     );
+    let elsewhere = [
+        ("more/package.xml", "<package><name>more</name></package>"),
+        (
+            "more/test/test_more.cpp",
+            "read(find(\"parser\"), \"test/urdf/arm.urdf\");",
+        ),
+    ];
+    assert_eq!(
+        severity("test/urdf/arm.urdf", &elsewhere),
+        Some(Severity::Info)
+    );
     // a launch file loads it as well, or no test does
     let launch = (
         "launch/arm.launch",

@@ -19,6 +19,9 @@ impl Session {
             let is_idle = self.is_for_assistant(file) && self.is_another_controlled(file);
             is_idle.then_some(Severity::Info)
         });
+        self.lower_where(findings, about(named::XACRO_TAGS_IN_URDF), || {
+            self.is_run_through_xacro(file).then_some(Severity::Info)
+        });
         self.lower_where(findings, about(named::MISSING_ROBOT_NAME), || {
             self.is_only_spawned(file).then_some(Severity::Info)
         });
@@ -45,10 +48,14 @@ impl Session {
         self.lower_where(findings, is_unread, info);
     }
 
-    /// Whether nobody runs a launch file: it is kept, in a package that was put aside, or for ROS 1 in a package for ROS 2.
+    /// Whether nobody runs a launch file: it is kept, in a package that was put aside or is not built, or for ROS 1 in a package for
+    /// ROS 2.
     pub(super) fn is_launch_left_over(&self, file: &Path) -> bool {
         let is_of_ros1 = file.extension().is_some_and(|ending| ending == "launch");
-        self.is_kept(file) || is_of_ros1 && self.is_for_ament(file) || self.is_put_aside(file)
+        self.is_kept(file)
+            || is_of_ros1 && self.is_for_ament(file)
+            || self.is_put_aside(file)
+            || self.packages.is_never_built(file)
     }
 
     /// Whether the manifest of the package around a file says that it is built for ROS 2.
@@ -58,6 +65,13 @@ impl Session {
         self.packages.generation(file) == Some(Target::Ros2)
             && manifest
                 .is_some_and(|manifest| manifest.is_ok_and(|file| file.text.contains("ament_")))
+    }
+
+    /// Whether a launch file runs xacro on a file, whatever its ending is.
+    fn is_run_through_xacro(&self, file: &Path) -> bool {
+        self.calls_around(file)
+            .iter()
+            .any(|call| call.target.as_deref() == Some(file))
     }
 
     /// Whether a file is one that the setup assistant of MoveIt wrote around a description.

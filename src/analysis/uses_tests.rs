@@ -292,3 +292,43 @@ fn launch_files_that_nobody_runs() {
         Some(Severity::Warning)
     );
 }
+
+#[test]
+fn expressions_in_a_file_that_is_run_through_xacro() {
+    let robot = "<robot name='r'><link name='base'><visual><geometry><box size='1 1 ${0.5/2}'/></geometry></visual></link></robot>";
+    let of = |launch: &str| {
+        let files = [
+            MANIFEST,
+            ("urdf/arm.urdf", robot),
+            ("launch/arm.launch", launch),
+        ];
+        severity("xacro-tags-in-urdf", &files)
+    };
+    let through = "<launch><arg name='model' default='$(find arm)/urdf/arm.urdf'/>\
+                   <param name='robot_description' command='$(find xacro)/xacro $(arg model)'/></launch>";
+    assert_eq!(of(through), Some(Severity::Info));
+    let as_it_is =
+        "<launch><param name='robot_description' textfile='$(find arm)/urdf/arm.urdf'/></launch>";
+    assert_eq!(of(as_it_is), Some(Severity::Error));
+}
+
+#[test]
+fn paths_with_backslashes() {
+    let of = |path: &str| {
+        let launch = format!(
+            "<launch><param name='robot_description' command='$(find xacro)/xacro \"$(find arm)/{path}\"'/></launch>"
+        );
+        let files = [
+            MANIFEST,
+            (
+                "urdf/arm.urdf",
+                "<robot name='r'><link name='base'/></robot>",
+            ),
+            ("launch/arm.launch", launch.as_str()),
+        ];
+        severity("launched-file-not-found", &files)
+    };
+    assert_eq!(of("urdf\\arm.urdf"), Some(Severity::Info));
+    assert_eq!(of("urdf/hand.urdf"), Some(Severity::Warning));
+    assert_eq!(of("urdf/arm.urdf"), None);
+}

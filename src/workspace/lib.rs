@@ -18,6 +18,7 @@ mod scan;
 mod shell;
 mod similar;
 mod steps;
+mod unbuilt;
 mod uri;
 
 #[cfg(test)]

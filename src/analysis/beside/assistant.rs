@@ -48,15 +48,8 @@ impl Session {
             let is_source = |path: &PathBuf| {
                 path.starts_with(&package.folder) && path.to_string_lossy().ends_with(".srdf.xacro")
             };
-            let severity = if self.beside_around(&own.path).iter().any(is_source) {
-                rules::Severity::Info
-            } else {
-                finding.severity
-            };
-            found.push(Finding {
-                severity,
-                ..finding
-            });
+            let is_made = self.beside_around(&own.path).iter().any(is_source);
+            found.push(at_most_info(finding, is_made || is_for_windows(srdf)));
         }
         let (Some(name), Some(urdf)) = (&assistant.package, &assistant.urdf) else {
             return found;
@@ -70,11 +63,8 @@ impl Session {
             .into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
         if self.is_not_there(&file) {
-            found.push(setup_assistant_file_not_found(
-                span(urdf),
-                &urdf.name,
-                &name.name,
-            ));
+            let finding = setup_assistant_file_not_found(span(urdf), &urdf.name, &name.name);
+            found.push(at_most_info(finding, is_for_windows(urdf)));
         }
         if self.vfs.is_file(&file) {
             found.extend(self.assistant_failure(own, assistant, &file, robots, cancel));
@@ -217,4 +207,17 @@ fn place(expansion: &Expansion, problem: &Problem) -> Option<Span> {
         file,
         range: problem.place.range,
     })
+}
+
+/// A finding, as an info where `is_info`.
+fn at_most_info(mut finding: Finding, is_info: bool) -> Finding {
+    if is_info {
+        finding.severity = finding.severity.min(rules::Severity::Info);
+    }
+    finding
+}
+
+/// Whether a path is written with backslashes, which separate folders on Windows.
+fn is_for_windows(path: &Named) -> bool {
+    path.name.contains('\\')
 }

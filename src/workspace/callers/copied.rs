@@ -111,9 +111,10 @@ impl Callers {
         let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
             return false;
         };
+        // tests of other packages may use it as well
         let is_test = |path: &Path| {
-            let is_listed = || path.ends_with("CMakeLists.txt") || path.ends_with("package.xml");
-            path.starts_with(&package) && (is_listed() || is_of_tests(path, packages))
+            let is_listed = path.ends_with("CMakeLists.txt") || path.ends_with("package.xml");
+            is_listed && path.starts_with(&package) || is_of_tests(path, packages)
         };
         let mut named = mentions
             .of(file)

@@ -46,6 +46,8 @@ pub(super) struct Mentions {
     pub weighs: bool,
     /// Whether there is a launch file or a program.
     pub runs: bool,
+    /// Whether a launch file spawns a model of SDF.
+    pub spawns_models: bool,
     /// Whether a page names an old distribution, and whether one names a newer one.
     distributions: (bool, bool),
     /// Whether all texts were read.
@@ -151,6 +153,7 @@ impl Mentions {
         };
         self.runs |=
             !is_description && (name_of(path).contains("launch") || read::is_program(path));
+        self.spawns_models |= name_of(path).contains("launch") && purpose::spawns_model(text);
         if !is_description && !is_page && STARTERS.iter().any(|word| text.contains(word)) {
             self.starters.push(path.to_owned());
         }

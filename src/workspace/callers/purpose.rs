@@ -32,6 +32,14 @@ pub(super) fn weighs(text: &str) -> bool {
     WEIGHS.iter().any(|word| text.contains(word))
 }
 
+/// Whether a launch file spawns a model of SDF in Gazebo.
+pub(super) fn spawns_model(text: &str) -> bool {
+    const SPAWNERS: [&str; 3] = ["spawn_model", "spawn_entity", "ros_gz_sim"];
+    const MODELS: [&str; 2] = ["-sdf", ".sdf"];
+    let has = |words: &[&str]| words.iter().any(|word| text.contains(word));
+    has(&SPAWNERS) && has(&MODELS)
+}
+
 /// Whether a text runs something that needs collisions.
 pub(super) fn meets(text: &str) -> bool {
     let mut words = SIMULATES.iter().filter(|word| **word != CONTROLLERS);
@@ -122,6 +130,16 @@ impl Callers {
             .filter(|caller| caller.says(file) && !caller.is_page())
             .peekable();
         loaders.peek().is_some() && loaders.all(spawns)
+    }
+
+    /// Whether launch files around a file spawn models of SDF, and no launch file or program there loads a description.
+    pub fn spawn_models_instead(&self, file: &Path, packages: &Packages) -> bool {
+        let loads = |caller: &Caller| caller.is_launch() || caller.is_program();
+        self.mentions(file, packages)
+            .is_some_and(|all| all.is_whole && all.spawns_models)
+            && self
+                .around(file, packages)
+                .is_some_and(|uses| !uses.callers.iter().any(loads))
     }
 
     /// Whether a file lies in a package that was put aside: no text names it, and another package, which texts do name, has a

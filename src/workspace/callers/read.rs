@@ -206,6 +206,7 @@ pub(super) fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Writte
                 && !is_installed(name, lead)
                 && !is_included(lead)
                 && !is_listed(lead)
+                && !is_idle_default(text, lead)
             {
                 found
                     .entry(word.to_owned())
@@ -380,6 +381,24 @@ fn is_included(lead: &str) -> bool {
     let lead = end_of(lead);
     let tag = lead.rfind('<').and_then(|at| lead.get(at..)).unwrap_or("");
     tag.starts_with("<xacro:include") || tag.starts_with("<include") && tag.contains("filename")
+}
+
+/// Whether a name behind this text is the default of an argument that the launch file neither reads nor passes on.
+fn is_idle_default(text: &str, lead: &str) -> bool {
+    let lead = end_of(lead);
+    let tag = lead.rfind('<').and_then(|at| lead.get(at..)).unwrap_or("");
+    let name = tag
+        .strip_prefix("<arg ")
+        .and_then(|rest| rest.split_once("name=")?.1.get(1..))
+        .and_then(|rest| rest.split(['"', '\'']).next());
+    // in expressions an argument stands by its name alone
+    const ANY: [&str; 2] = ["$(eval", "pass_all_args"];
+    name.is_some_and(|name| {
+        let read = [format!("$(arg {name})"), format!("$(var {name})")];
+        tag.contains("default=")
+            && !read.iter().any(|read| text.contains(read.as_str()))
+            && !ANY.iter().any(|word| text.contains(word))
+    })
 }
 
 /// The identifier at the end of a text.
@@ -580,6 +599,12 @@ mod tests {
             Some((&["s.xacro"], &[])),
         );
         check_caller("a.launch.py", "# only arm.xacro", None);
+        let idle =
+            "<launch><arg name='old' default='old.urdf'/><param textfile='arm.urdf'/></launch>";
+        check_caller("a.launch", idle, Some((&["arm.urdf"], &[])));
+        let read =
+            "<launch><arg name='old' default='old.urdf'/><param textfile='$(arg old)'/></launch>";
+        check_caller("a.launch", read, Some((&["old.urdf"], &[])));
     }
 
     #[test]

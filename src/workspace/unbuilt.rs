@@ -1,0 +1,125 @@
+//! Packages that the build tools leave out: nothing runs from them.
+
+use std::path::Path;
+
+use super::{Packages, Target};
+
+/// Files that have colcon pass over a folder and all that lies below it.
+const COLCON_MARKS: [&str; 2] = ["AMENT_IGNORE", "COLCON_IGNORE"];
+
+/// The file that does the same for catkin.
+const CATKIN_MARK: &str = "CATKIN_IGNORE";
+
+/// What `catkin_make` writes into the top folder of a workspace, of which it builds the folder `src`.
+const CATKIN_WORKSPACE: &str = ".catkin_workspace";
+
+impl Packages {
+    /// Whether the build tools pass over the package of a file: a folder around it is marked for that, it lies in another
+    /// package of the same name, or beside the folder `src` of a workspace of catkin.
+    pub fn is_never_built(&self, file: &Path) -> bool {
+        let (Some(package), Some(top)) = (self.containing(file), self.sources_around(file)) else {
+            return false;
+        };
+        let generation = self.generation(file);
+        let mut folders = package
+            .folder
+            .ancestors()
+            .take_while(|folder| folder.starts_with(&top) && **folder != *top);
+        folders.any(|folder| self.is_marked(folder, generation))
+            || self.is_inner_copy(&package.folder, &package.name)
+            || self.is_beside_sources(&package.folder, &top)
+    }
+
+    /// Whether a folder is marked to be passed over by the tool that builds packages of this generation.
+    fn is_marked(&self, folder: &Path, generation: Option<Target>) -> bool {
+        let has = |mark: &&str| self.vfs.is_file(&folder.join(mark));
+        match generation {
+            Some(Target::Ros1) => has(&CATKIN_MARK),
+            _ => COLCON_MARKS.iter().any(has),
+        }
+    }
+
+    /// Whether a package lies in another one of its name: tools look for no packages inside of a package.
+    fn is_inner_copy(&self, folder: &Path, name: &str) -> bool {
+        let mut outer = self.containing(folder);
+        while let Some(package) = outer {
+            if package.name == name {
+                return true;
+            }
+            outer = self.containing(&package.folder);
+        }
+        false
+    }
+
+    /// Whether a package lies in a workspace of catkin, and not in its folder `src`.
+    fn is_beside_sources(&self, package: &Path, top: &Path) -> bool {
+        package
+            .ancestors()
+            .skip(1)
+            .take_while(|folder| folder.starts_with(top))
+            .any(|folder| {
+                self.vfs.is_file(&folder.join(CATKIN_WORKSPACE))
+                    && self.vfs.is_dir(&folder.join("src"))
+                    && !package.starts_with(folder.join("src"))
+            })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{PackageOptions, Packages};
+    use vfs::testing::Tree;
+
+    const MANIFEST: &str = "<package><name>arm</name></package>";
+    const CATKIN: &str =
+        "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>";
+
+    fn check_built(files: &[(&str, &str)], file: &str, expected: bool) {
+        let tree = Tree::new();
+        for (name, text) in files {
+            tree.write(&format!("ws/{name}"), text);
+        }
+        let options = PackageOptions {
+            workspace_folders: vec![tree.path("ws")],
+            ..PackageOptions::default()
+        };
+        let packages = Packages::new(tree.vfs().clone(), &tree.environment(&[]), options);
+        let file = tree.path(&format!("ws/{file}"));
+        assert_eq!(packages.is_never_built(&file), !expected, "{files:?}");
+    }
+
+    #[test]
+    fn folders_that_are_marked() {
+        for (manifest, mark, expected) in [
+            (MANIFEST, "COLCON_IGNORE", false),
+            (MANIFEST, "AMENT_IGNORE", false),
+            (MANIFEST, "CATKIN_IGNORE", true),
+            (CATKIN, "COLCON_IGNORE", true),
+            (CATKIN, "CATKIN_IGNORE", false),
+        ] {
+            let mark = format!("old/{mark}");
+            let files = [("old/arm/package.xml", manifest), (mark.as_str(), "")];
+            check_built(&files, "old/arm/urdf/arm.urdf", expected);
+        }
+    }
+
+    #[test]
+    fn packages_inside_of_packages() {
+        let outer = ("package.xml", MANIFEST);
+        let inner = ("arm/package.xml", MANIFEST);
+        check_built(&[outer, inner], "arm/urdf/arm.urdf", false);
+        check_built(&[outer, inner], "urdf/arm.urdf", true);
+        let other = ("arm/package.xml", "<package><name>hand</name></package>");
+        check_built(&[outer, other], "arm/urdf/arm.urdf", true);
+    }
+
+    #[test]
+    fn packages_beside_the_sources_of_catkin() {
+        let mark = (".catkin_workspace", "");
+        let built = ("src/hand/package.xml", CATKIN);
+        let beside = ("src_old/arm/package.xml", CATKIN);
+        check_built(&[mark, built, beside], "src_old/arm/arm.urdf", false);
+        check_built(&[mark, built, beside], "src/hand/hand.urdf", true);
+        check_built(&[built, beside], "src_old/arm/arm.urdf", true);
+    }
+}
