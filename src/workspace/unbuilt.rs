@@ -20,23 +20,20 @@ impl Packages {
         let (Some(package), Some(top)) = (self.containing(file), self.sources_around(file)) else {
             return false;
         };
-        let generation = self.generation(file);
         let mut folders = package
             .folder
             .ancestors()
             .take_while(|folder| folder.starts_with(&top) && **folder != *top);
-        folders.any(|folder| self.is_marked(folder, generation))
+        folders.any(|folder| self.is_marked(folder, file))
             || self.is_inner_copy(&package.folder, &package.name)
             || self.is_beside_sources(&package.folder, &top)
     }
 
-    /// Whether a folder is marked to be passed over by the tool that builds packages of this generation.
-    fn is_marked(&self, folder: &Path, generation: Option<Target>) -> bool {
+    /// Whether a folder is marked to be passed over by the tool that builds the package of a file.
+    fn is_marked(&self, folder: &Path, file: &Path) -> bool {
         let has = |mark: &&str| self.vfs.is_file(&folder.join(mark));
-        match generation {
-            Some(Target::Ros1) => has(&CATKIN_MARK),
-            _ => COLCON_MARKS.iter().any(has),
-        }
+        let is_for_catkin = || self.generation(file) == Some(Target::Ros1);
+        has(&CATKIN_MARK) && is_for_catkin() || COLCON_MARKS.iter().any(has) && !is_for_catkin()
     }
 
     /// Whether a package lies in another one of its name: tools look for no packages inside of a package.

@@ -135,11 +135,12 @@ impl Callers {
     /// Whether launch files around a file spawn models of SDF, and no launch file or program there loads a description.
     pub fn spawn_models_instead(&self, file: &Path, packages: &Packages) -> bool {
         let loads = |caller: &Caller| caller.is_launch() || caller.is_program();
-        self.mentions(file, packages)
-            .is_some_and(|all| all.is_whole && all.spawns_models)
+        // to read all texts takes longer than to ask those that name descriptions
+        self.around(file, packages)
+            .is_some_and(|uses| !uses.callers.iter().any(loads))
             && self
-                .around(file, packages)
-                .is_some_and(|uses| !uses.callers.iter().any(loads))
+                .mentions(file, packages)
+                .is_some_and(|all| all.is_whole && all.spawns_models)
     }
 
     /// Whether a file lies in a package that was put aside: no text names it, and another package, which texts do name, has a
