@@ -66,6 +66,7 @@ fn offer_source(state: &State, path: &Path) {
 }
 
 pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
+    state.status.edit_arrived();
     let path = state.path(&params.text_document.uri);
     let Some(open) = state.documents.get_mut(&path) else {
         return state.outbox.log(format!(

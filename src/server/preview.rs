@@ -4,7 +4,7 @@
 //! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
 
 #[cfg(feature = "preview")]
-mod pages;
+pub(super) mod pages;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

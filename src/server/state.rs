@@ -8,6 +8,7 @@ use lsp_types::Url;
 
 use crate::client::ResolvedCapabilities;
 use crate::convert;
+use crate::exit::Shutdown;
 use crate::failure::Failure;
 use crate::installed_links::InstalledLinks;
 use crate::logging::Log;
@@ -115,8 +116,8 @@ pub(super) struct State {
     pub log: Log,
     /// What is shown in 3D.
     pub previews: crate::views::Previews,
-    /// Where others may post jobs.
-    pub queue: Option<crate::queue::Queue<State>>,
+    /// How the process ends; none where it is not ours to end.
+    pub shutdown: Option<Shutdown>,
     /// The client is ready for requests.
     pub initialized: bool,
     /// The token of the progress that is shown.
@@ -155,7 +156,7 @@ impl State {
             pins: BTreeMap::new(),
             log,
             previews: crate::views::Previews::default(),
-            queue: None,
+            shutdown: None,
             initialized: false,
             progress: None,
         }
