@@ -5,7 +5,8 @@ use serde_json::json;
 
 use crate::mapping::{label, named};
 use crate::refreshing::refresh;
-use crate::state::{Cause, State};
+use crate::scheduler::Cause;
+use crate::state::State;
 use analysis::{Context, RootChoice};
 use base::CancelFlag;
 

@@ -20,7 +20,8 @@ use crate::refreshing::refresh_others;
 use crate::requests::beside::robots_described;
 use crate::requests::code_action::sentence_case;
 use crate::scanning::scan_first;
-use crate::state::{Cause, State};
+use crate::scheduler::Cause;
+use crate::state::State;
 use analysis::{Report, is_settings};
 use base::CancelFlag;
 use base::clock::Instant;
@@ -30,23 +31,23 @@ use rules::{Finding, Rule, Severity, Trait};
 /// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
 pub fn make_diagnostics(state: &mut State) {
     if state.client.pulls_diagnostics {
-        state.schedule.due = None;
+        let cause = state.diagnostics.finish();
         let cancel = state.status.background();
-        prepare(state, &cancel);
+        prepare(state, cause, &cancel);
         announce_contexts(state, &cancel);
     } else {
         push_diagnostics(state);
     }
-    if state.schedule.due.is_none() && state.documents.len() > 1 {
+    if !state.diagnostics.is_due() && state.documents.len() > 1 {
         refresh_others(state);
     }
 }
 
 /// Expand the robots of what was just opened while nobody waits: the first question about them is answered at once then.
-fn prepare(state: &mut State, cancel: &CancelFlag) {
-    let opened: Vec<PathBuf> = match &state.schedule.cause {
-        Cause::Opened(path) => vec![path.clone()],
-        Cause::Indexed => state.documents.keys().cloned().collect(),
+fn prepare(state: &mut State, cause: Option<Cause>, cancel: &CancelFlag) {
+    let opened: Vec<PathBuf> = match cause {
+        Some(Cause::Opened(path)) => vec![path],
+        Some(Cause::Indexed) => state.documents.keys().cloned().collect(),
         _ => return,
     };
     for path in opened.iter().filter(|path| !is_settings(path)) {
@@ -61,10 +62,12 @@ fn prepare(state: &mut State, cancel: &CancelFlag) {
 }
 
 fn push_diagnostics(state: &mut State) {
+    let Some(cause) = state.diagnostics.cause().cloned() else {
+        return;
+    };
     let cancel = state.status.background();
-    let cause = state.schedule.cause.clone();
     if let Some(found) = found(state, None, &cause, &cancel) {
-        state.schedule.due = None;
+        state.diagnostics.finish();
         publish(state, found);
     }
     announce_contexts(state, &cancel);

@@ -33,6 +33,7 @@ mod requests;
 mod root_param;
 mod roots;
 mod scanning;
+mod scheduler;
 mod sent;
 mod settings;
 mod state;

@@ -13,7 +13,6 @@ use crate::preview::pages::page_said;
 use crate::scanning::{progress_created, scan};
 use crate::settings::configured;
 use crate::state::State;
-use base::clock::Instant;
 
 /// How long an edit takes at most from its message to its event.
 const ON_ITS_WAY: Duration = Duration::from_millis(2);
@@ -85,8 +84,7 @@ fn idle_work(state: &State) -> Option<(IdleWork, Duration)> {
     if state.previews.due && !state.previews.views.is_empty() {
         return Some((IdleWork::Models, Duration::ZERO));
     }
-    if let Some(due) = state.schedule.due {
-        let rest = due.saturating_duration_since(Instant::now());
+    if let Some(rest) = state.diagnostics.rest() {
         return Some((IdleWork::Diagnostics, rest));
     }
     let scans = state.initialized && !state.world.is_scanned();

@@ -3,7 +3,8 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::refreshing::refresh;
-use crate::state::{Cause, State};
+use crate::scheduler::Cause;
+use crate::state::State;
 use base::CancelFlag;
 use base::clock::Instant;
 
