@@ -3,8 +3,8 @@ use std::path::Path;
 
 use serde_json::json;
 
-use crate::mapping::{label, named};
 use crate::refreshing::refresh;
+use crate::requests::mapping::{label, named};
 use crate::scheduler::Cause;
 use crate::state::State;
 use analysis::{Context, RootChoice};

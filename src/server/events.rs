@@ -8,14 +8,10 @@ use serde_json::Value;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::{Client, ClientSocket, LanguageServer, LspService, async_trait};
 
-use crate::diagnostics::{pull_diagnostics, pull_workspace};
 use crate::documents::{bad_message, changed, closed, folders_changed, opened, saved, watched};
 use crate::files::{files_created, files_deleted, files_renamed, will_rename_files};
 use crate::framing;
 use crate::lifecycle::{client_ready, initialize, last_lines, set_trace};
-use crate::mapping::{
-    Instances, Sources, ToExpandedParams, ToSourceParams, instances_of, sources_of,
-};
 use crate::preview::{
     Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
     preview_mesh, preview_urdf, selected, show_root, subscribe, unsubscribe,
@@ -35,17 +31,23 @@ use crate::requests::hints::{hints, resolve_hint};
 use crate::requests::hover::hover;
 use crate::requests::lenses::{lenses, resolve_lens};
 use crate::requests::links::links;
+use crate::requests::mapping::{
+    Instances, Sources, ToExpandedParams, ToSourceParams, instances_of, sources_of,
+};
 use crate::requests::navigation::{
     declaration, definition, highlights, implementation, type_definition,
 };
 use crate::requests::of_description::of_description;
+use crate::requests::pull::{pull_diagnostics, pull_workspace};
 use crate::requests::refactorings::resolve_action;
 use crate::requests::references::references;
 use crate::requests::rename::{prepare_rename, rename};
+use crate::requests::roots::{
+    Roots, RootsParams, SetRootParams, Tree, TreeParams, roots, set_root, tree,
+};
 use crate::requests::structure::{folding, linked_editing, selections, symbols};
 use crate::requests::tokens::{tokens, tokens_delta, tokens_range};
 use crate::requests::workspace_symbols::workspace_symbols;
-use crate::roots::{Roots, RootsParams, SetRootParams, Tree, TreeParams, roots, set_root, tree};
 use crate::settings::settings_changed;
 use crate::state::State;
 

@@ -23,7 +23,7 @@ pub fn progress_created(state: &mut State, made: bool) {
     }
 }
 
-/// Look at more files of the workspace, until a job comes in.
+/// Look at more files of the workspace, until an event comes in.
 pub fn scan(state: &mut State) {
     let status = state.status.clone();
     scan_until(state, &|| status.has_waiting());
