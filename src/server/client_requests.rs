@@ -7,11 +7,9 @@ use lsp_types::{MessageActionItem, MessageType, ShowDocumentParams, Url};
 use tokio::sync::mpsc::UnboundedReceiver;
 use tower_lsp::Client;
 
+use crate::events::{ClientReply, Event};
 use crate::outbox::{ClientRequest, Refresh};
 use crate::queue::Queue;
-use crate::scanning::progress_created;
-use crate::settings::configured;
-use crate::state::State;
 
 /// Requests to the client wait no longer than this for an answer.
 const CLIENT_TIMEOUT: Duration = Duration::from_secs(10);
@@ -23,7 +21,7 @@ const USER_TIMEOUT: Duration = Duration::from_secs(600);
 /// for as long as it says.
 pub(super) async fn run_client_requests(
     client: Client,
-    queue: Queue<State>,
+    queue: Queue<Event>,
     mut requests: UnboundedReceiver<ClientRequest>,
     start: impl Fn(BoxFuture<'static, ()>, Duration),
 ) {
@@ -37,7 +35,7 @@ pub(super) async fn run_client_requests(
     }
 }
 
-async fn run(client: Client, queue: Queue<State>, request: ClientRequest) {
+async fn run(client: Client, queue: Queue<Event>, request: ClientRequest) {
     match request {
         ClientRequest::Register(registrations) => {
             drop(client.register_capability(registrations).await)
@@ -93,18 +91,20 @@ async fn run(client: Client, queue: Queue<State>, request: ClientRequest) {
             let created = client
                 .send_request::<lsp_types::request::WorkDoneProgressCreate>(params)
                 .await;
-            queue.notify(created.is_ok(), progress_created);
+            queue.send(Event::ClientReply(ClientReply::ProgressCreated(
+                created.is_ok(),
+            )));
         }
     }
 }
 
-pub(super) async fn configuration(client: &Client, queue: &Queue<State>, scopes: Vec<Option<Url>>) {
+pub(super) async fn configuration(client: &Client, queue: &Queue<Event>, scopes: Vec<Option<Url>>) {
     let items = scopes.iter().map(|scope| lsp_types::ConfigurationItem {
         scope_uri: scope.clone(),
         section: Some("xacro".to_owned()),
     });
     if let Ok(values) = client.configuration(items.collect()).await {
-        queue.notify((scopes, values), configured);
+        queue.send(Event::ClientReply(ClientReply::Settings(scopes, values)));
     }
 }
 

@@ -3,9 +3,10 @@ use std::path::Path;
 
 use serde_json::json;
 
-use crate::mapping::{label, named};
 use crate::refreshing::refresh;
-use crate::state::{Cause, State};
+use crate::requests::mapping::{label, named};
+use crate::scheduler::Cause;
+use crate::state::State;
 use analysis::{Context, RootChoice};
 use base::CancelFlag;
 

@@ -1,52 +1,46 @@
-//! Findings as diagnostics: pushed when there is a pause, or asked for.
-use std::collections::{BTreeMap, BTreeSet};
+//! Findings as diagnostics, pushed when there is a pause.
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use lsp_types::{
     CodeDescription, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag,
-    DocumentDiagnosticParams, DocumentDiagnosticReport, DocumentDiagnosticReportResult,
-    FullDocumentDiagnosticReport, NumberOrString, RelatedFullDocumentDiagnosticReport,
-    RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport, Url,
-    WorkspaceDiagnosticParams, WorkspaceDiagnosticReport, WorkspaceDiagnosticReportResult,
-    WorkspaceDocumentDiagnosticReport, WorkspaceFullDocumentDiagnosticReport,
-    WorkspaceUnchangedDocumentDiagnosticReport,
+    NumberOrString, Url,
 };
 
 use crate::contexts::announce_contexts;
-use crate::failure::Failure;
 use crate::locations::{Places, places};
-use crate::publishing::{fingerprint, publish};
+use crate::publishing::publish;
 use crate::refreshing::refresh_others;
 use crate::requests::beside::robots_described;
 use crate::requests::code_action::sentence_case;
-use crate::scanning::scan_first;
-use crate::state::{Cause, State};
+use crate::scheduler::Cause;
+use crate::state::State;
 use analysis::{Report, is_settings};
 use base::CancelFlag;
 use base::clock::Instant;
 use base::limits::{DIAGNOSTICS, RELATED};
 use rules::{Finding, Rule, Severity, Trait};
 
-/// Make and publish diagnostics; given up when a job comes in meanwhile, and tried again later.
+/// Make and publish diagnostics; given up when an event comes in meanwhile, and tried again later.
 pub fn make_diagnostics(state: &mut State) {
     if state.client.pulls_diagnostics {
-        state.schedule.due = None;
+        let cause = state.diagnostics.finish();
         let cancel = state.status.background();
-        prepare(state, &cancel);
+        prepare(state, cause, &cancel);
         announce_contexts(state, &cancel);
     } else {
         push_diagnostics(state);
     }
-    if state.schedule.due.is_none() && state.documents.len() > 1 {
+    if !state.diagnostics.is_due() && state.documents.len() > 1 {
         refresh_others(state);
     }
 }
 
 /// Expand the robots of what was just opened while nobody waits: the first question about them is answered at once then.
-fn prepare(state: &mut State, cancel: &CancelFlag) {
-    let opened: Vec<PathBuf> = match &state.schedule.cause {
-        Cause::Opened(path) => vec![path.clone()],
-        Cause::Indexed => state.documents.keys().cloned().collect(),
+fn prepare(state: &mut State, cause: Option<Cause>, cancel: &CancelFlag) {
+    let opened: Vec<PathBuf> = match cause {
+        Some(Cause::Opened(path)) => vec![path],
+        Some(Cause::Indexed) => state.documents.keys().cloned().collect(),
         _ => return,
     };
     for path in opened.iter().filter(|path| !is_settings(path)) {
@@ -61,10 +55,12 @@ fn prepare(state: &mut State, cancel: &CancelFlag) {
 }
 
 fn push_diagnostics(state: &mut State) {
+    let Some(cause) = state.diagnostics.cause().cloned() else {
+        return;
+    };
     let cancel = state.status.background();
-    let cause = state.schedule.cause.clone();
     if let Some(found) = found(state, None, &cause, &cancel) {
-        state.schedule.due = None;
+        state.diagnostics.finish();
         publish(state, found);
     }
     announce_contexts(state, &cancel);
@@ -72,7 +68,7 @@ fn push_diagnostics(state: &mut State) {
 
 /// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file
 /// may come from the robot of another one, so they are always made together. `None` when cancelled.
-fn found(
+pub fn found(
     state: &mut State,
     more: Option<&Path>,
     cause: &Cause,
@@ -146,100 +142,6 @@ fn spread(state: &mut State, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnosti
         found.entry(path).or_default().push(more(count));
     }
     found
-}
-
-pub fn pull_diagnostics(
-    state: &mut State,
-    params: DocumentDiagnosticParams,
-    cancel: &CancelFlag,
-) -> Result<DocumentDiagnosticReportResult, Failure> {
-    let (path, _) = state.source(&params.text_document.uri)?;
-    scan_first(state);
-    let mut found =
-        found(state, Some(&path), &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
-    let items = found.remove(&path).unwrap_or_default();
-    let id = result_id(&items);
-    let report = if params.previous_result_id.as_deref() == Some(&id) {
-        let unchanged = UnchangedDocumentDiagnosticReport { result_id: id };
-        DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
-            related_documents: None,
-            unchanged_document_diagnostic_report: unchanged,
-        })
-    } else {
-        let full = FullDocumentDiagnosticReport {
-            result_id: Some(id),
-            items,
-        };
-        DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
-            related_documents: None,
-            full_document_diagnostic_report: full,
-        })
-    };
-    Ok(DocumentDiagnosticReportResult::Report(report))
-}
-
-pub fn pull_workspace(
-    state: &mut State,
-    params: WorkspaceDiagnosticParams,
-    cancel: &CancelFlag,
-) -> Result<WorkspaceDiagnosticReportResult, Failure> {
-    let mut found = found(state, None, &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
-    let known = params.previous_result_ids.into_iter();
-    let known: BTreeMap<PathBuf, String> =
-        known.map(|id| (state.path(&id.uri), id.value)).collect();
-    let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
-        found
-            .iter()
-            .filter(|(_, items)| !items.is_empty())
-            .map(|(path, _)| path.clone())
-            .collect()
-    };
-    let reported = std::mem::replace(&mut state.sent.workspace_files, with_findings(&found));
-    // what was reported of a file stays until a report says otherwise
-    for path in known.keys().cloned().chain(reported) {
-        found.entry(path).or_default();
-    }
-    let report = |(path, items): (PathBuf, Vec<Diagnostic>)| {
-        report_of(state, &path, items, known.get(&path))
-    };
-    let report = WorkspaceDiagnosticReport {
-        items: found.into_iter().filter_map(report).collect(),
-    };
-    Ok(WorkspaceDiagnosticReportResult::Report(report))
-}
-
-/// What there is to say of a file, or that it is what was said before.
-fn report_of(
-    state: &State,
-    path: &Path,
-    items: Vec<Diagnostic>,
-    before: Option<&String>,
-) -> Option<WorkspaceDocumentDiagnosticReport> {
-    let version = state
-        .documents
-        .get(path)
-        .and_then(|open| open.version)
-        .map(i64::from);
-    let (uri, result_id) = (state.uri(path)?, result_id(&items));
-    Some(match before == Some(&result_id) {
-        true => WorkspaceDocumentDiagnosticReport::Unchanged(
-            WorkspaceUnchangedDocumentDiagnosticReport {
-                uri,
-                version,
-                unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
-                    result_id,
-                },
-            },
-        ),
-        false => WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
-            uri,
-            version,
-            full_document_diagnostic_report: FullDocumentDiagnosticReport {
-                result_id: Some(result_id),
-                items,
-            },
-        }),
-    })
 }
 
 pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnostic> {
@@ -322,12 +224,4 @@ fn page(rule: &str) -> Option<Url> {
         return None;
     }
     Url::parse(&format!("{REPOSITORY}/blob/main/docs/rules/{rule}.md")).ok()
-}
-
-/// What tells one list of findings from another.
-fn result_id(items: &[Diagnostic]) -> String {
-    format!(
-        "{:x}",
-        fingerprint(&serde_json::to_vec(items).unwrap_or_default())
-    )
 }

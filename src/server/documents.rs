@@ -12,9 +12,9 @@ use crate::installed;
 use crate::outbox::ClientRequest;
 use crate::publishing::withdraw;
 use crate::refreshing::refresh;
+use crate::scheduler::Cause;
 use crate::settings::request_settings;
-use crate::state::{Cause, OpenDocument, State};
-use base::clock::Instant;
+use crate::state::{OpenDocument, State};
 
 pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
@@ -25,10 +25,9 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
         version: version(document.version),
     };
     offer_source(state, &path);
-    state.schedule.cause = Cause::Opened(path.clone());
-    state.documents.insert(path, open);
+    state.documents.insert(path.clone(), open);
     // what there is to say of a file should not wait for a pause in typing
-    state.schedule.due = Some(Instant::now());
+    state.diagnostics.at_once(Cause::Opened(path));
 }
 
 /// Who has opened an installed copy should edit the source: the next build replaces the copy. Of two documents of one
@@ -66,6 +65,7 @@ fn offer_source(state: &State, path: &Path) {
 }
 
 pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
+    state.status.edit_arrived();
     let path = state.path(&params.text_document.uri);
     let Some(open) = state.documents.get_mut(&path) else {
         return state.outbox.log(format!(

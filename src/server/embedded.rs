@@ -1,7 +1,7 @@
 //! The server without threads, for a host that calls it: a page in a browser.
 //!
 //! The host hands messages over as they come, and calls `poll` until there is nothing to do. What is answered is what
-//! the server on standard input answers: handlers post the same jobs, which one caller works off.
+//! the server on standard input answers: the same events are added, and taken by one caller.
 use std::collections::VecDeque;
 use std::future::{Future, poll_fn};
 use std::path::PathBuf;
@@ -20,12 +20,12 @@ use tower_lsp::jsonrpc::{Request, Response};
 use tower_lsp::{ClientSocket, LspService};
 
 use crate::client_requests::run_client_requests;
+use crate::events::{self, Event, Handlers};
 use crate::framing::{self, Incoming};
-use crate::handlers::Handlers;
 use crate::logging::Log;
-use crate::main_loop::{guarded, idle, pause};
+use crate::main_loop::{pause, take};
 use crate::outbox::Outbox;
-use crate::queue::{Job, queue};
+use crate::queue::queue;
 use crate::state::State;
 use analysis::World;
 use vfs::{Environment, Vfs};
@@ -35,9 +35,9 @@ pub struct Embedded {
     service: LspService<Handlers>,
     socket: ClientSocket,
     state: State,
-    jobs: Receiver<Job<State>>,
+    events: Receiver<Event>,
     notifications: UnboundedReceiver<Vec<u8>>,
-    /// Work that waits for a job or for the client; an answer where there is one.
+    /// Work that waits for an event or for the client; an answer where there is one.
     waiting: FuturesUnordered<BoxFuture<'static, Option<Response>>>,
     started: UnboundedReceiver<BoxFuture<'static, ()>>,
     answers: VecDeque<Response>,
@@ -46,30 +46,26 @@ pub struct Embedded {
 impl Embedded {
     /// A server over the files of a host.
     pub fn new(vfs: Arc<Vfs>, env: Environment) -> Self {
-        let (queue, jobs, status) = queue();
+        let (queue, events, status) = queue();
         let (outbox, notifications, requests) = Outbox::new();
         let (start, started) = unbounded_channel();
         let log = Log::without_output(outbox.clone());
         tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
         let world = World::over(vfs, env, Vec::new());
-        let mut state = State::new(world, outbox, status, log);
-        state.queue = Some(queue.clone());
-        let (service, socket) = crate::service(move |client| {
+        let state = State::new(world, outbox, status, log);
+        let (service, socket) = events::service(move |client| {
             let begin = start.clone();
             // a host that asks for nothing any more has dropped us: there is no clock to give up by
             let run = move |asked, _: Duration| drop(begin.send(asked));
             let asking = run_client_requests(client, queue.clone(), requests, run);
             let _ = start.send(Box::pin(asking) as BoxFuture<'static, ()>);
-            Handlers {
-                queue,
-                shutdown: None,
-            }
+            Handlers { queue }
         });
         Self {
             service,
             socket,
             state,
-            jobs,
+            events,
             notifications,
             waiting: FuturesUnordered::new(),
             started,
@@ -85,7 +81,7 @@ impl Embedded {
         }
     }
 
-    /// Call the service. With its first step a handler posts its job: jobs are posted in the order of the messages.
+    /// Call the service. With its first step a handler adds its event: they come in the order of the messages.
     fn call(&mut self, request: Request) {
         let ready = poll_fn(|cx| self.service.poll_ready(cx)).now_or_never();
         if !matches!(ready, Some(Ok(()))) {
@@ -100,14 +96,14 @@ impl Embedded {
         }
     }
 
-    /// Do one piece of work: a job, or what is due when there is none. How long until there is more; none: not before
+    /// Do one piece of work: an event, or what is due when there is none. How long until there is more; none: not before
     /// the next message.
     pub fn poll(&mut self) -> Option<Duration> {
-        if let Ok(job) = self.jobs.try_recv() {
+        if let Ok(event) = self.events.try_recv() {
             self.state.status.taken();
-            guarded(&mut self.state, job);
+            take(&mut self.state, event);
         } else if pause(&self.state) == Some(Duration::ZERO) {
-            guarded(&mut self.state, Box::new(idle));
+            take(&mut self.state, Event::Idle);
         }
         match self.state.status.has_waiting() {
             true => Some(Duration::ZERO),

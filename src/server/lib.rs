@@ -1,7 +1,7 @@
 //! The language server: the protocol around the analysis.
 //!
-//! Nothing outside of this folder names the protocol's types. Handlers only post jobs (`queue`); one thread
-//! owns all state and works them off (`state`); what goes out unasked leaves through the `outbox`.
+//! Nothing outside of this folder names the protocol's types. All that can happen is an event (`events`); one
+//! thread owns all state and takes them in order (`main_loop`); what goes out unasked leaves through the `outbox`.
 
 mod capabilities;
 mod client;
@@ -11,18 +11,17 @@ mod convert;
 mod diagnostics;
 mod documents;
 mod embedded;
+mod events;
 mod exit;
 mod failure;
 mod files;
 mod framing;
-mod handlers;
 mod installed;
 mod installed_links;
 mod lifecycle;
 mod locations;
 mod logging;
 mod main_loop;
-mod mapping;
 mod markup;
 mod outbox;
 mod preview;
@@ -31,8 +30,8 @@ mod queue;
 mod refreshing;
 mod requests;
 mod root_param;
-mod roots;
 mod scanning;
+mod scheduler;
 mod sent;
 mod settings;
 mod state;
@@ -40,13 +39,12 @@ mod transport;
 mod views;
 
 use tokio::runtime::Builder;
-use tower_lsp::{Client, ClientSocket, LspService};
 
 use analysis::World;
 pub use embedded::Embedded;
+use events::Handlers;
 use exit::{Shutdown, Watched};
 use expand::spawn_on_large_stack;
-use handlers::Handlers;
 use logging::Log;
 use outbox::Outbox;
 use state::State;
@@ -73,25 +71,23 @@ pub fn reframe(input: &[u8]) -> Vec<u8> {
 
 async fn serve(env: Environment) -> u8 {
     let shutdown = Shutdown::default();
-    let (queue, jobs, status) = queue::queue();
+    let (queue, events, status) = queue::queue();
     let (outbox, notifications, requests) = Outbox::new();
     let announced = status.clone();
     let log = Log::start(&env, outbox.clone());
     tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
     let mut state = State::new(World::new(env, Vec::new()), outbox, status, log);
-    state.queue = Some(queue.clone());
-    if spawn_on_large_stack("analysis", move || main_loop::run(state, &jobs)).is_err() {
+    state.shutdown = Some(shutdown.clone());
+    #[cfg(feature = "preview")]
+    events::from_pages(&mut state, queue.clone());
+    if spawn_on_large_stack("analysis", move || main_loop::run(state, &events)).is_err() {
         return 1;
     }
-    let (post, exit) = (queue.clone(), shutdown.clone());
-    let (service, socket) = service(move |client| {
+    let (service, socket) = events::service(|client| {
         let start = |asked, timeout| drop(tokio::spawn(tokio::time::timeout(timeout, asked)));
-        let asking = client_requests::run_client_requests(client, post.clone(), requests, start);
+        let asking = client_requests::run_client_requests(client, queue.clone(), requests, start);
         tokio::spawn(asking);
-        Handlers {
-            queue: post,
-            shutdown: Some(exit),
-        }
+        Handlers { queue }
     });
     let service = Watched {
         inner: service,
@@ -106,30 +102,4 @@ async fn serve(env: Environment) -> u8 {
     })
     .await;
     shutdown.code()
-}
-
-/// The protocol around handlers.
-fn service(handlers: impl FnOnce(Client) -> Handlers) -> (LspService<Handlers>, ClientSocket) {
-    let service = LspService::build(handlers)
-        .custom_method("xacro/expand", Handlers::expand)
-        .custom_method("xacro/expandAt", Handlers::expand_at)
-        .custom_method("xacro/setInstance", Handlers::set_instance)
-        .custom_method("xacro/toSource", Handlers::to_source)
-        .custom_method("xacro/toExpanded", Handlers::to_expanded)
-        .custom_method("xacro/roots", Handlers::roots)
-        .custom_method("xacro/setRoot", Handlers::set_root)
-        .custom_method("xacro/tree", Handlers::tree)
-        .custom_method("xacro/preview/subscribe", Handlers::preview_subscribe)
-        .custom_method("xacro/preview/unsubscribe", Handlers::preview_unsubscribe)
-        .custom_method("xacro/preview/setRoot", Handlers::preview_root)
-        .custom_method("xacro/preview/mesh", Handlers::preview_mesh)
-        .custom_method("xacro/preview/urdf", Handlers::preview_urdf)
-        .custom_method("xacro/preview/select", Handlers::preview_select)
-        .custom_method("xacro/log", Handlers::log)
-        .custom_method("$/setTrace", Handlers::set_trace)
-        .custom_method(framing::BAD_MESSAGE, Handlers::bad_message);
-    // not in what users run
-    #[cfg(debug_assertions)]
-    let service = service.custom_method("xacro/debug/fail", Handlers::fail);
-    service.finish()
 }

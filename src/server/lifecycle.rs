@@ -2,15 +2,15 @@
 use std::path::PathBuf;
 
 use lsp_types::{
-    InitializeParams, InitializeResult, PositionEncodingKind, Registration, ServerInfo,
-    SetTraceParams, TraceValue, Url,
+    InitializeParams, InitializeResult, InitializedParams, PositionEncodingKind, Registration,
+    ServerInfo, SetTraceParams, TraceValue, Url,
 };
 use serde_json::{Value, json};
 
 use crate::capabilities;
 use crate::client::{CLIENT_OPTIONS, ResolvedCapabilities, options};
 use crate::convert;
-use crate::exit::{Shutdown, watch_process};
+use crate::exit::watch_process;
 use crate::failure::Failure;
 use crate::outbox::ClientRequest;
 use crate::settings::{request_settings, settings};
@@ -20,12 +20,12 @@ use vfs::is_process_alive;
 
 pub fn initialize(
     state: &mut State,
-    (params, shutdown): (InitializeParams, Option<Shutdown>),
+    params: InitializeParams,
     _: &CancelFlag,
 ) -> Result<InitializeResult, Failure> {
     state.client = ResolvedCapabilities::of(&params);
     // a client in another container or on another machine is not to be seen from here
-    let process = params.process_id.zip(shutdown);
+    let process = params.process_id.zip(state.shutdown.clone());
     if let Some((process, shutdown)) = process.filter(|(process, _)| is_process_alive(*process)) {
         watch_process(process, shutdown);
     }
@@ -68,11 +68,18 @@ pub fn set_trace(state: &mut State, params: SetTraceParams) {
 }
 
 /// The last lines of the log, for a report of a defect.
-pub fn last_lines(state: &mut State, (): (), _: &CancelFlag) -> Result<Vec<String>, Failure> {
+pub fn last_lines(state: &mut State, _: Value, _: &CancelFlag) -> Result<Vec<String>, Failure> {
     Ok(state.log.last())
 }
 
-pub fn client_ready(state: &mut State, (): ()) {
+/// Fail as a fault of ours would.
+#[cfg(debug_assertions)]
+#[allow(clippy::panic, reason = "that is what it is for")]
+pub fn fail(_: &mut State, _: Value, _: &CancelFlag) -> Result<Value, Failure> {
+    panic!("this job was asked to fail")
+}
+
+pub fn client_ready(state: &mut State, _: InitializedParams) {
     state.initialized = true;
     let mut registrations = Vec::new();
     if state.client.watches_files {

@@ -1,4 +1,4 @@
-//! The analysis thread: it alone owns the state, and works off one job after the other.
+//! The analysis thread: it alone owns the state, and takes one event after the other.
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::Duration;
@@ -6,74 +6,61 @@ use std::time::Duration;
 use lsp_types::MessageType;
 
 use crate::diagnostics::make_diagnostics;
+use crate::events::{ClientReply, Event};
 use crate::preview::make_previews;
-use crate::queue::Job;
-use crate::scanning::scan;
+#[cfg(feature = "preview")]
+use crate::preview::pages::page_said;
+use crate::scanning::{progress_created, scan};
+use crate::settings::configured;
 use crate::state::State;
-use base::clock::Instant;
 
-/// How long an edit takes at most from its message to its job.
+/// How long an edit takes at most from its message to its event.
 const ON_ITS_WAY: Duration = Duration::from_millis(2);
 
-/// Work off jobs until nobody can post one any more.
-pub(super) fn run(mut state: State, jobs: &Receiver<Job<State>>) {
-    loop {
-        let job = match pause(&state) {
-            None => jobs.recv().map_err(|_| RecvTimeoutError::Disconnected),
-            Some(pause) => jobs.recv_timeout(pause),
-        };
-        match job {
-            Ok(job) => {
-                state.status.taken();
-                guarded(&mut state, job);
-            }
-            Err(RecvTimeoutError::Timeout) => {
-                state.status.forget_announced();
-                guarded(&mut state, Box::new(idle));
-            }
-            Err(RecvTimeoutError::Disconnected) => return,
-        }
+/// Take events until nobody can add one any more.
+pub(super) fn run(mut state: State, events: &Receiver<Event>) {
+    while let Some(event) = next_event(&state, events) {
+        take(&mut state, event);
     }
 }
 
-/// How long to wait for a job before idle work; none: for ever.
-pub(super) fn pause(state: &State) -> Option<Duration> {
-    if state.previews.due && !state.previews.views.is_empty() {
-        return Some(Duration::ZERO);
-    }
-    if let Some(due) = state.schedule.due {
-        let rest = due.saturating_duration_since(Instant::now());
-        return Some(if state.status.is_edit_announced() {
-            rest.max(ON_ITS_WAY)
-        } else {
-            rest
-        });
-    }
-    (state.initialized && !state.world.is_scanned()).then_some(Duration::ZERO)
-}
-
-/// What is done when nobody waits for anything.
-pub(super) fn idle(state: &mut State) {
-    if state.previews.due && !state.previews.views.is_empty() {
-        return make_previews(state);
-    }
-    if state.schedule.due.is_some_and(|due| due <= Instant::now()) {
-        return make_diagnostics(state);
-    }
-    if state.schedule.due.is_none() && state.initialized && !state.world.is_scanned() {
-        scan(state);
-    }
-}
-
-/// Run a job; a panic in it is logged and ends that job only.
-pub(super) fn guarded(state: &mut State, job: Job<State>) {
-    let Err(panic) = catch_unwind(AssertUnwindSafe(|| job(state))) else {
-        return;
+fn next_event(state: &State, events: &Receiver<Event>) -> Option<Event> {
+    let event = match pause(state) {
+        None => events.recv().ok()?,
+        Some(pause) => match events.recv_timeout(pause) {
+            Ok(event) => event,
+            Err(RecvTimeoutError::Timeout) => return Some(Event::Idle),
+            Err(RecvTimeoutError::Disconnected) => return None,
+        },
     };
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    let text = text
-        .or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("unknown error");
+    state.status.taken();
+    Some(event)
+}
+
+/// Do what follows from an event; a panic in it is logged and ends that only.
+pub(super) fn take(state: &mut State, event: Event) {
+    if let Err(panic) = catch_unwind(AssertUnwindSafe(|| dispatch(state, event))) {
+        let text = panic.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+        report_fault(state, text.unwrap_or("unknown error"));
+    }
+}
+
+fn dispatch(state: &mut State, event: Event) {
+    match event {
+        Event::Request(request) => request.answer(state),
+        Event::Notification(notification) => notification.take(state),
+        Event::ClientReply(ClientReply::ProgressCreated(made)) => progress_created(state, made),
+        Event::ClientReply(ClientReply::Settings(scopes, values)) => {
+            configured(state, &scopes, &values);
+        }
+        #[cfg(feature = "preview")]
+        Event::Viewer(received) => page_said(state, received),
+        Event::Idle => idle(state),
+    }
+}
+
+fn report_fault(state: &mut State, text: &str) {
     let message = format!("internal error: {text}; please report it with the file that caused it");
     tracing::error!("{message}");
     state.outbox.log_as(MessageType::ERROR, message.clone());
@@ -82,13 +69,43 @@ pub(super) fn guarded(state: &mut State, job: Job<State>) {
     }
 }
 
-/// Fail as a fault of ours would.
-#[cfg(debug_assertions)]
-#[allow(clippy::panic, reason = "that is what it is for")]
-pub(super) fn fail(
-    _: &mut State,
-    (): (),
-    _: &base::CancelFlag,
-) -> Result<serde_json::Value, crate::failure::Failure> {
-    panic!("this job was asked to fail")
+/// What is done when nobody waits for anything.
+#[derive(Clone, Copy, Debug)]
+enum IdleWork {
+    /// Models of the robots that are shown in 3D.
+    Models,
+    Diagnostics,
+    /// The files of the workspace that were not looked at yet.
+    Scan,
+}
+
+/// What is to be done next when no event comes, and in how long.
+fn idle_work(state: &State) -> Option<(IdleWork, Duration)> {
+    if state.previews.due && !state.previews.views.is_empty() {
+        return Some((IdleWork::Models, Duration::ZERO));
+    }
+    if let Some(rest) = state.diagnostics.rest() {
+        return Some((IdleWork::Diagnostics, rest));
+    }
+    let scans = state.initialized && !state.world.is_scanned();
+    scans.then_some((IdleWork::Scan, Duration::ZERO))
+}
+
+/// How long to wait for an event before [`Event::Idle`]; none: for ever.
+pub(super) fn pause(state: &State) -> Option<Duration> {
+    let (work, rest) = idle_work(state)?;
+    Some(match work {
+        IdleWork::Diagnostics if state.status.is_edit_announced() => rest.max(ON_ITS_WAY),
+        IdleWork::Models | IdleWork::Diagnostics | IdleWork::Scan => rest,
+    })
+}
+
+fn idle(state: &mut State) {
+    state.status.forget_announced();
+    match idle_work(state) {
+        Some((IdleWork::Models, _)) => make_previews(state),
+        Some((IdleWork::Diagnostics, Duration::ZERO)) => make_diagnostics(state),
+        Some((IdleWork::Scan, _)) => scan(state),
+        Some((IdleWork::Diagnostics, _)) | None => {}
+    }
 }

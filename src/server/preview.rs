@@ -1,10 +1,10 @@
 //! `xacro/preview/*` and the command `xacro.preview`: the robot in 3D.
 //!
 //! Clients with requests of their own subscribe and pass messages on to the viewer; all others open the address that
-//! the command answers. Models are made when no job waits, so that a burst of edits costs one of them.
+//! the command answers. Models are made when no event waits, so that a burst of edits costs one of them.
 
 #[cfg(feature = "preview")]
-mod pages;
+pub(super) mod pages;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -19,9 +19,9 @@ use serde_json::json;
 use crate::convert;
 use crate::failure::Failure;
 #[cfg(feature = "preview")]
-use crate::mapping::named;
-#[cfg(feature = "preview")]
 use crate::outbox::ClientRequest;
+#[cfg(feature = "preview")]
+use crate::requests::mapping::named;
 use crate::root_param::{Root, chosen};
 use crate::state::State;
 use crate::views::Previews;
@@ -217,7 +217,7 @@ pub fn make_previews(state: &mut State) {
     let wanted = |id: u32| subscribed.contains(&id) || watched(id);
     let (messages, finished) =
         names.with(|names| views.update(&mut state.world, names, &wanted, &cancel));
-    // given up because a job came in: after it
+    // given up because an event came in: after it
     state.previews.due |= !finished;
     for message in &messages {
         send_model(state, message);

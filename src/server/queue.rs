@@ -1,7 +1,7 @@
-//! Between the protocol and the analysis: handlers add jobs, one thread works them off in order.
+//! Between the protocol and the analysis: events are added here, and one thread takes them out in order.
 //!
-//! A handler may not touch state. It sends its job as its first statement and then only waits, so jobs are
-//! processed in the order in which their messages arrived.
+//! A handler may not touch state. It adds its event as its first statement and then only waits, so events are taken
+//! in the order in which their messages arrived.
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -12,16 +12,13 @@ use tower_lsp::jsonrpc;
 use crate::failure::Failure;
 use base::CancelFlag;
 
-/// Work for the analysis thread, which owns the state `S`.
-pub(super) type Job<S> = Box<dyn FnOnce(&mut S) + Send>;
-
-/// Where handlers add their jobs.
-pub(super) struct Queue<S> {
-    jobs: Sender<Job<S>>,
+/// Where events `E` are added.
+pub(super) struct Queue<E> {
+    events: Sender<E>,
     status: QueueStatus,
 }
 
-/// How many jobs wait, and what is done meanwhile.
+/// How many events wait, and what is done meanwhile.
 #[derive(Clone, Default)]
 pub(super) struct QueueStatus {
     waiting: Arc<AtomicUsize>,
@@ -31,12 +28,12 @@ pub(super) struct QueueStatus {
 }
 
 impl QueueStatus {
-    /// Whether a job waits.
+    /// Whether an event waits.
     pub fn has_waiting(&self) -> bool {
         self.waiting.load(Ordering::Acquire) > 0
     }
 
-    /// A flag for work that any new job should interrupt.
+    /// A flag for work that any new event should interrupt.
     pub fn background(&self) -> CancelFlag {
         let flag = CancelFlag::default();
         *self
@@ -49,12 +46,13 @@ impl QueueStatus {
         flag
     }
 
-    /// An edit was read: its job will be added in a moment, so what is said of the text now would be out of date.
+    /// An edit was read: its event will be added in a moment, so what is said of the text now would be out of date.
     pub fn announce_edit(&self) {
         self.announced.fetch_add(1, Ordering::AcqRel);
     }
 
-    /// An edit that was announced is here.
+    /// An edit that was announced is here. Said by who takes it out and not by who adds it, whose word could come too
+    /// late: it would be waited for.
     pub fn edit_arrived(&self) {
         let one_less = |announced: usize| Some(announced.saturating_sub(1));
         let _ = self
@@ -72,19 +70,19 @@ impl QueueStatus {
         self.announced.store(0, Ordering::Release);
     }
 
-    /// A job was taken out.
+    /// An event was taken out.
     pub fn taken(&self) {
         self.waiting.fetch_sub(1, Ordering::AcqRel);
     }
 }
 
 /// A new queue, and its other end.
-pub(super) fn queue<S>() -> (Queue<S>, Receiver<Job<S>>, QueueStatus) {
-    let (jobs, taken) = mpsc::channel();
+pub(super) fn queue<E>() -> (Queue<E>, Receiver<E>, QueueStatus) {
+    let (events, taken) = mpsc::channel();
     let status = QueueStatus::default();
     (
         Queue {
-            jobs,
+            events,
             status: status.clone(),
         },
         taken,
@@ -92,19 +90,19 @@ pub(super) fn queue<S>() -> (Queue<S>, Receiver<Job<S>>, QueueStatus) {
     )
 }
 
-// a derived one would ask for a state that can be cloned
-impl<S> Clone for Queue<S> {
+// a derived one would ask for events that can be cloned
+impl<E> Clone for Queue<E> {
     fn clone(&self) -> Self {
         Self {
-            jobs: self.jobs.clone(),
+            events: self.events.clone(),
             status: self.status.clone(),
         }
     }
 }
 
-impl<S: 'static> Queue<S> {
-    /// Add a job.
-    pub fn send(&self, job: Job<S>) {
+impl<E> Queue<E> {
+    /// Add an event.
+    pub fn send(&self, event: E) {
         self.status.waiting.fetch_add(1, Ordering::AcqRel);
         self.status
             .background
@@ -112,58 +110,60 @@ impl<S: 'static> Queue<S> {
             .unwrap_or_else(PoisonError::into_inner)
             .cancel();
         // the other end is gone only when the process ends
-        let _ = self.jobs.send(job);
-    }
-
-    /// Add an edit.
-    pub fn notify_edit<P: Send + 'static>(&self, params: P, work: fn(&mut S, P)) {
-        let status = self.status.clone();
-        self.send(Box::new(move |state| {
-            // said here and not by the sender, whose word could come too late: it would be waited for
-            status.edit_arrived();
-            work(state, params);
-        }));
-    }
-
-    /// Add a notification.
-    pub fn notify<P: Send + 'static>(&self, params: P, work: fn(&mut S, P)) {
-        self.send(Box::new(move |state| work(state, params)));
-    }
-
-    /// Add a request and wait for its answer. Dropping the future cancels the work.
-    pub async fn request<P, R>(
-        &self,
-        params: P,
-        work: fn(&mut S, P, &CancelFlag) -> Result<R, Failure>,
-    ) -> jsonrpc::Result<R>
-    where
-        P: Send + 'static,
-        R: Send + 'static,
-    {
-        let (answer, wait) = oneshot::channel();
-        let cancel = CancelOnDrop(CancelFlag::default());
-        let flag = cancel.0.clone();
-        self.send(Box::new(move |state| {
-            if !flag.is_cancelled() {
-                let _ = answer.send(work(state, params, &flag));
-            }
-        }));
-        match wait.await {
-            Ok(result) => result.map_err(Failure::into_error),
-            // the job panicked: that was logged
-            Err(_) => Err(jsonrpc::Error {
-                message: "internal error; see the log for details".into(),
-                ..jsonrpc::Error::internal_error()
-            }),
-        }
+        let _ = self.events.send(event);
     }
 }
 
-/// Cancels when the handler's future is dropped, which is what cancelling a request does.
+/// The way back of the answer to a request.
+pub(super) struct Reply<R> {
+    answer: oneshot::Sender<Result<R, Failure>>,
+    cancel: CancelFlag,
+}
+
+/// What waits for the answer. Dropping it cancels the work, and that is what cancelling a request does.
+pub(super) struct Waiting<R> {
+    answer: oneshot::Receiver<Result<R, Failure>>,
+    _cancel: CancelOnDrop,
+}
+
 struct CancelOnDrop(CancelFlag);
 
 impl Drop for CancelOnDrop {
     fn drop(&mut self) {
         self.0.cancel();
+    }
+}
+
+/// The two ends of the way that an answer takes.
+pub(super) fn reply<R>() -> (Reply<R>, Waiting<R>) {
+    let (answer, wait) = oneshot::channel();
+    let cancel = CancelFlag::default();
+    let waiting = Waiting {
+        answer: wait,
+        _cancel: CancelOnDrop(cancel.clone()),
+    };
+    (Reply { answer, cancel }, waiting)
+}
+
+impl<R> Reply<R> {
+    /// Answer by some work, unless nobody waits any more.
+    pub fn answer(self, work: impl FnOnce(&CancelFlag) -> Result<R, Failure>) {
+        if !self.cancel.is_cancelled() {
+            let _ = self.answer.send(work(&self.cancel));
+        }
+    }
+}
+
+impl<R> Waiting<R> {
+    /// Wait for the answer.
+    pub async fn answer(self) -> jsonrpc::Result<R> {
+        match self.answer.await {
+            Ok(result) => result.map_err(Failure::into_error),
+            // the work panicked: that was logged
+            Err(_) => Err(jsonrpc::Error {
+                message: "internal error; see the log for details".into(),
+                ..jsonrpc::Error::internal_error()
+            }),
+        }
     }
 }

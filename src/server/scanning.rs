@@ -3,7 +3,8 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::refreshing::refresh;
-use crate::state::{Cause, State};
+use crate::scheduler::Cause;
+use crate::state::State;
 use base::CancelFlag;
 use base::clock::Instant;
 
@@ -22,7 +23,7 @@ pub fn progress_created(state: &mut State, made: bool) {
     }
 }
 
-/// Look at more files of the workspace, until a job comes in.
+/// Look at more files of the workspace, until an event comes in.
 pub fn scan(state: &mut State) {
     let status = state.status.clone();
     scan_until(state, &|| status.has_waiting());

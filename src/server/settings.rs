@@ -7,7 +7,8 @@ use serde_json::Value;
 
 use crate::convert;
 use crate::outbox::ClientRequest;
-use crate::state::{Cause, State};
+use crate::scheduler::Cause;
+use crate::state::State;
 use ide::HintSettings;
 use workspace::config::unknown_settings;
 
@@ -37,9 +38,9 @@ pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams)
 }
 
 /// The client's answer about settings: those of each folder hold for what lies in it.
-pub fn configured(state: &mut State, (scopes, values): (Vec<Option<Url>>, Vec<Value>)) {
+pub fn configured(state: &mut State, scopes: &[Option<Url>], values: &[Value]) {
     let folder = |scope: &Option<Url>| scope.as_ref().map(|uri| state.path(uri));
-    let scoped = scopes.iter().zip(&values);
+    let scoped = scopes.iter().zip(values);
     let given = scoped
         .map(|(scope, value)| (effective(state, value), folder(scope)))
         .collect();
@@ -66,7 +67,7 @@ fn effective(state: &State, value: &Value) -> Value {
 
 /// Take settings over, in the place of all that held before: what is no longer said is the default again.
 fn take_settings(state: &mut State, given: Vec<(Value, Option<PathBuf>)>) {
-    state.schedule.delay = State::DELAY;
+    state.diagnostics.set_delay(None);
     state.settings.snippets = true;
     state.settings.hints = HintSettings::default();
     state.world.set_all_contexts(false);
@@ -83,7 +84,10 @@ fn take_settings(state: &mut State, given: Vec<(Value, Option<PathBuf>)>) {
 fn own_settings(state: &mut State, settings: &Value) {
     if let Some(delay) = settings.pointer("/diagnostics/delay") {
         match delay.as_u64() {
-            Some(delay) => state.schedule.delay = Duration::from_millis(delay.min(60_000)),
+            Some(delay) => {
+                let delay = Duration::from_millis(delay.min(60_000));
+                state.diagnostics.set_delay(Some(delay));
+            }
             None => {
                 let message =
                     "`xacro.diagnostics.delay` is not a number of milliseconds; using the default";

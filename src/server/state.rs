@@ -8,15 +8,16 @@ use lsp_types::Url;
 
 use crate::client::ResolvedCapabilities;
 use crate::convert;
+use crate::exit::Shutdown;
 use crate::failure::Failure;
 use crate::installed_links::InstalledLinks;
 use crate::logging::Log;
 use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
+use crate::scheduler::{Cause, DiagnosticsScheduler};
 use crate::sent::Sent;
 use analysis::World;
 use base::Encoding;
-use base::clock::Instant;
 use vfs::SourceFile;
 
 /// An open document.
@@ -26,63 +27,6 @@ pub(super) struct OpenDocument {
     pub uri: Url,
     /// Its version, when the client counts them.
     pub version: Option<i32>,
-}
-
-/// Why files are checked.
-#[derive(Clone, Debug, Default)]
-pub(super) enum Cause {
-    #[default]
-    Start,
-    Opened(PathBuf),
-    Edited(PathBuf),
-    Saved(PathBuf),
-    Closed(PathBuf),
-    /// Files that the client watches.
-    FilesChanged(usize),
-    FoldersChanged,
-    SettingsChanged,
-    /// Another robot is shown, or with other arguments.
-    RobotPicked,
-    /// All files of the workspace were read.
-    Indexed,
-    /// The user wants everything to be read again.
-    Restarted,
-    /// The client asks.
-    Requested,
-}
-
-impl std::fmt::Display for Cause {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let name = |path: &Path| {
-            path.file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
-        match self {
-            Self::Start => f.write_str("server started"),
-            Self::Opened(path) => write!(f, "`{}` opened", name(path)),
-            Self::Edited(path) => write!(f, "`{}` edited", name(path)),
-            Self::Saved(path) => write!(f, "`{}` saved", name(path)),
-            Self::Closed(path) => write!(f, "`{}` closed", name(path)),
-            Self::FilesChanged(1) => f.write_str("1 file changed on disk"),
-            Self::FilesChanged(count) => write!(f, "{count} files changed on disk"),
-            Self::FoldersChanged => f.write_str("workspace folders changed"),
-            Self::SettingsChanged => f.write_str("settings changed"),
-            Self::RobotPicked => f.write_str("robot selected"),
-            Self::Indexed => f.write_str("workspace indexed"),
-            Self::Restarted => f.write_str("analysis restarted"),
-            Self::Requested => f.write_str("requested by the editor"),
-        }
-    }
-}
-
-/// When diagnostics are to be made, and why.
-pub(super) struct Schedule {
-    pub due: Option<Instant>,
-    pub cause: Cause,
-    /// The pause after the last edit before diagnostics are made.
-    pub delay: Duration,
 }
 
 /// Settings of the user that concern the server alone.
@@ -107,7 +51,7 @@ pub(super) struct State {
     /// Which of them are open through links in an install space.
     pub installed: InstalledLinks,
     pub sent: Sent,
-    pub schedule: Schedule,
+    pub diagnostics: DiagnosticsScheduler,
     pub settings: ServerSettings,
     /// Macro calls that the user selected, by root.
     pub pins: BTreeMap<PathBuf, ide::SelectedInstance>,
@@ -115,8 +59,8 @@ pub(super) struct State {
     pub log: Log,
     /// What is shown in 3D.
     pub previews: crate::views::Previews,
-    /// Where others may post jobs.
-    pub queue: Option<crate::queue::Queue<State>>,
+    /// How the process ends; none where it is not ours to end.
+    pub shutdown: Option<Shutdown>,
     /// The client is ready for requests.
     pub initialized: bool,
     /// The token of the progress that is shown.
@@ -128,9 +72,6 @@ impl State {
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
     /// How often progress is reported while an answer waits for all of it.
     pub const SCAN_REPORT: Duration = Duration::from_millis(100);
-    /// The pause after the last edit unless configured: so long that letters of one stroke come together, too short to
-    /// be noticed.
-    pub const DELAY: Duration = Duration::from_millis(20);
 
     pub fn new(world: World, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
         Self {
@@ -142,11 +83,7 @@ impl State {
             documents: BTreeMap::new(),
             installed: InstalledLinks::default(),
             sent: Sent::default(),
-            schedule: Schedule {
-                due: None,
-                cause: Cause::default(),
-                delay: Self::DELAY,
-            },
+            diagnostics: DiagnosticsScheduler::default(),
             settings: ServerSettings {
                 hints: ide::HintSettings::default(),
                 snippets: true,
@@ -155,17 +92,16 @@ impl State {
             pins: BTreeMap::new(),
             log,
             previews: crate::views::Previews::default(),
-            queue: None,
+            shutdown: None,
             initialized: false,
             progress: None,
         }
     }
 
-    /// A check is wanted after the pause.
+    /// Something changed: models are to be made, and diagnostics after the pause.
     pub fn schedule(&mut self, cause: Cause) {
-        self.schedule.cause = cause;
         self.previews.due = true;
-        self.schedule.due = Some(Instant::now() + self.schedule.delay);
+        self.diagnostics.after_pause(cause);
     }
 
     /// The path of a document.

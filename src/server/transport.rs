@@ -101,7 +101,7 @@ where
         });
     }
 
-    /// Call the service. With its first step a handler posts its job: jobs are posted in the order of the messages.
+    /// Call the service. With its first step a handler adds its event: they come in the order of the messages.
     fn call(&mut self, request: Request) {
         if self
             .runtime

@@ -1,5 +1,7 @@
 //! The robots that are shown in 3D.
 use std::collections::BTreeSet;
+#[cfg(feature = "preview")]
+use std::sync::Arc;
 
 use preview::Views;
 
@@ -12,5 +14,8 @@ pub(super) struct Previews {
     /// The views that the client subscribed to.
     pub subscribed: BTreeSet<u32>,
     #[cfg(feature = "preview")]
-    pub hub: Option<std::sync::Arc<preview::Hub>>,
+    pub hub: Option<Arc<preview::Hub>>,
+    /// Where what pages say is taken; none where there can be no pages.
+    #[cfg(feature = "preview")]
+    pub from_pages: Option<Arc<dyn Fn(preview::Received) + Send + Sync>>,
 }

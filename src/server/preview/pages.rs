@@ -15,13 +15,12 @@ pub(super) fn hub(state: &mut State) -> Result<Arc<Hub>, Failure> {
     if let Some(hub) = &state.previews.hub {
         return Ok(hub.clone());
     }
-    let Some(queue) = state.queue.clone() else {
+    let Some(from_pages) = state.previews.from_pages.clone() else {
         return Err(Failure::Refused("cannot start the preview here".to_owned()));
     };
     let files = state.previews.views.files().clone();
     let vfs = state.world.session().vfs.clone();
-    let receive = move |received| queue.notify(received, page_said);
-    let hub = Hub::start(files, vfs, receive)
+    let hub = Hub::start(files, vfs, move |received| from_pages(received))
         .map_err(|error| Failure::Refused(format!("cannot start the preview: {error}")))?;
     state.previews.hub = Some(hub.clone());
     Ok(hub)

@@ -201,7 +201,7 @@ fn quick_fixes(
         .diagnostics
         .iter()
         .any(|shown| rule(shown).is_some());
-    if is_automatic && !named && state.schedule.due.is_some() {
+    if is_automatic && !named && state.diagnostics.is_due() {
         // a sign beside the text is not to wait for a check of the whole robot; findings bring the next request
         return Ok(Vec::new());
     }

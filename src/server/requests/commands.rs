@@ -11,8 +11,9 @@ use crate::requests::code_action::APPLY;
 use crate::requests::expand_at::{expand_at, set_instance};
 use crate::requests::expansion::expand;
 use crate::requests::lenses::calls_of;
-use crate::roots::{set_args, set_root, tree};
-use crate::state::{Cause, State};
+use crate::requests::roots::{set_args, set_root, tree};
+use crate::scheduler::Cause;
+use crate::state::State;
 use base::CancelFlag;
 
 /// The commands for all clients.

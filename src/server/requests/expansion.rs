@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
 use crate::locations::location;
-use crate::mapping::{map_of, named};
+use crate::requests::mapping::{map_of, named};
 use crate::root_param::{Root, chosen};
 use crate::state::State;
 use analysis::{RootChoice, World};

@@ -191,7 +191,7 @@ pub fn implementation(
     let origin = convert::range(&asked.source.document, origin, state.encoding);
     let lines = ide::Lines::of(&written.text, state.encoding);
     let links = found.into_iter().map(|range| {
-        let range = crate::mapping::expanded_range(&lines, range);
+        let range = crate::requests::mapping::expanded_range(&lines, range);
         LocationLink {
             origin_selection_range: Some(origin),
             target_uri: uri.clone(),

@@ -9,9 +9,6 @@ use crate::state::State;
 use analysis::{is_config, is_launch, is_settings};
 use base::CancelFlag;
 
-/// What answers a request.
-pub type Work<P, R> = fn(&mut State, P, &CancelFlag) -> Result<R, Failure>;
-
 /// Parameters of a request about a document.
 pub trait OfDocument {
     /// The document.
@@ -54,14 +51,11 @@ pub fn is_not_described(path: &Path) -> bool {
     is_settings(path) || is_launch(path) || is_config(path)
 }
 
-/// Answer a request, unless it is about YAML, a launch file or a configuration.
+/// What answers a request by `work`, unless it is about YAML, a launch file or a configuration.
 pub fn of_description<P: OfDocument, R: Default>(
-    state: &mut State,
-    (params, work): (P, Work<P, R>),
-    cancel: &CancelFlag,
-) -> Result<R, Failure> {
-    let path = state.path(params.uri());
-    match is_not_described(&path) {
+    work: fn(&mut State, P, &CancelFlag) -> Result<R, Failure>,
+) -> impl FnOnce(&mut State, P, &CancelFlag) -> Result<R, Failure> {
+    move |state, params, cancel| match is_not_described(&state.path(params.uri())) {
         true => Ok(R::default()),
         false => work(state, params, cancel),
     }

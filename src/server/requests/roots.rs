@@ -8,8 +8,8 @@ use serde_json::Value;
 use crate::contexts::{context_changed, context_text};
 use crate::failure::Failure;
 use crate::locations::location;
-use crate::mapping::{named, shown_under};
 use crate::requests::expansion::{ExpandError, errors};
+use crate::requests::mapping::{named, shown_under};
 use crate::root_param::{Root, chosen};
 use crate::state::State;
 use analysis::{Analyzed, RootChoice};
@@ -18,12 +18,12 @@ use expand::Origin;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct RootsParams {
+pub(crate) struct RootsParams {
     pub text_document: TextDocumentIdentifier,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Roots {
+pub(crate) struct Roots {
     pub active: Option<Root>,
     /// What the file is seen as, for a status line: as `xacro/contextChanged` says it.
     pub text: String,
@@ -33,7 +33,7 @@ pub(super) struct Roots {
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Candidate {
+pub(crate) struct Candidate {
     #[serde(flatten)]
     pub root: Root,
     pub distance: u32,
@@ -41,7 +41,7 @@ pub(super) struct Candidate {
 
 /// An argument of the active root and its value there.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Argument {
+pub(crate) struct Argument {
     pub name: String,
     pub value: String,
     /// The text of its `default`.
@@ -54,14 +54,14 @@ pub(super) struct Argument {
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct SetRootParams {
+pub(crate) struct SetRootParams {
     pub root: Option<Root>,
     pub text_document: Option<TextDocumentIdentifier>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct SetArgsParams {
+pub(crate) struct SetArgsParams {
     pub text_document: TextDocumentIdentifier,
     /// Values by name, over those that hold; an empty table takes back what was set.
     pub args: Option<BTreeMap<String, String>>,
@@ -69,13 +69,13 @@ pub(super) struct SetArgsParams {
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct TreeParams {
+pub(crate) struct TreeParams {
     pub root: Option<Root>,
     pub text_document: Option<TextDocumentIdentifier>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Tree {
+pub(crate) struct Tree {
     pub nodes: Vec<TreeNode>,
     /// The files that name its links and joints.
     pub beside: Vec<FileBeside>,
@@ -84,7 +84,7 @@ pub(super) struct Tree {
 
 /// A file beside a robot.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct FileBeside {
+pub(crate) struct FileBeside {
     pub uri: Url,
     /// A word for what it is for: `srdf`, `controllers`, `joint-limits` and so on.
     pub kind: &'static str,
@@ -92,7 +92,7 @@ pub(super) struct FileBeside {
 
 /// A link, and the joint that holds it.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct TreeNode {
+pub(crate) struct TreeNode {
     pub link: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub joint: Option<String>,

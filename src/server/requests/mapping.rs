@@ -16,7 +16,7 @@ use expand::{FrameId, FrameKind, MapKind, Origin};
 use ide::{self, Lines, SourceMap};
 
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct ToSourceParams {
+pub(crate) struct ToSourceParams {
     /// The root file, or the file that is shown under it.
     pub root: Url,
     /// In the expanded text.
@@ -24,33 +24,33 @@ pub(super) struct ToSourceParams {
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Sources {
+pub(crate) struct Sources {
     /// The origin first, then outwards.
     pub locations: Vec<SourceLocation>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct SourceLocation {
+pub(crate) struct SourceLocation {
     #[serde(flatten)]
     pub location: Location,
     pub role: &'static str,
 }
 
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct ToExpandedParams {
+pub(crate) struct ToExpandedParams {
     #[serde(flatten)]
     pub at: TextDocumentPositionParams,
     pub root: Option<Root>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Instances {
+pub(crate) struct Instances {
     pub root: Root,
     pub instances: Vec<Instance>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Instance {
+pub(crate) struct Instance {
     /// In the expanded text.
     pub range: Range,
     pub label: String,
@@ -215,7 +215,7 @@ pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
     )
 }
 
-pub(super) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
+pub(crate) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
     let at = |offset| {
         let [line, column] = lines.position(offset);
         Position::new(line, column)
