@@ -135,6 +135,8 @@ pub struct Packages {
     pub(super) git_rules: Memo<PathBuf, Arc<GitRules>>,
     /// Names of packages without a manifest, by folder.
     pub(super) unlisted: Memo<PathBuf, Option<String>>,
+    /// Whether the build tools pass over a package, by folder.
+    pub(super) unbuilt: Memo<PathBuf, bool>,
 }
 
 impl Packages {
@@ -146,6 +148,7 @@ impl Packages {
             options,
             trees: Memo::default(),
             owners: Memo::default(),
+            unbuilt: Memo::default(),
             roots: Memo::default(),
             installed: Memo::default(),
             indexes: Memo::default(),
@@ -342,6 +345,7 @@ impl Packages {
     pub fn forget(&self) {
         self.trees.clear();
         self.owners.clear();
+        self.unbuilt.clear();
         self.roots.clear();
         self.installed.clear();
         self.indexes.clear();

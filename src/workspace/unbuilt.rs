@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Packages, Target};
+use super::{Package, Packages, Target};
 
 /// Files that have colcon pass over a folder and all that lies below it.
 const COLCON_MARKS: [&str; 2] = ["AMENT_IGNORE", "COLCON_IGNORE"];
@@ -17,7 +17,14 @@ impl Packages {
     /// Whether the build tools pass over the package of a file: a folder around it is marked for that, it lies in another
     /// package of the same name, or beside the folder `src` of a workspace of catkin.
     pub fn is_never_built(&self, file: &Path) -> bool {
-        let (Some(package), Some(top)) = (self.containing(file), self.sources_around(file)) else {
+        self.containing(file).is_some_and(|package| {
+            self.unbuilt
+                .get(package.folder.clone(), || self.is_left_out(&package, file))
+        })
+    }
+
+    fn is_left_out(&self, package: &Package, file: &Path) -> bool {
+        let Some(top) = self.sources_around(file) else {
             return false;
         };
         let mut folders = package
@@ -31,7 +38,8 @@ impl Packages {
 
     /// Whether a folder is marked to be passed over by the tool that builds the package of a file.
     fn is_marked(&self, folder: &Path, file: &Path) -> bool {
-        let has = |mark: &&str| self.vfs.is_file(&folder.join(mark));
+        let entries = self.vfs.list_dir(folder);
+        let has = |mark: &&str| entries.iter().any(|entry| entry.name == **mark);
         let is_for_catkin = || self.generation(file) == Some(Target::Ros1);
         has(&CATKIN_MARK) && is_for_catkin() || COLCON_MARKS.iter().any(has) && !is_for_catkin()
     }

@@ -561,4 +561,6 @@ fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
 }
 
 #[cfg(test)]
+mod read_tests;
+#[cfg(test)]
 mod tests;
