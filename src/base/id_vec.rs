@@ -1,7 +1,6 @@
 //! Lists whose elements have numbers of a type of their own, so that a number of one list is not taken for one of another.
 
 use std::fmt;
-use std::iter::FromIterator;
 use std::marker::PhantomData;
 
 /// The number of an element in an [`IdVec`]; implemented by [`ids!`](crate::ids).
@@ -67,6 +66,12 @@ impl<I: Id, T> IdVec<I, T> {
         I::from_index(self.list.len())
     }
 
+    /// The number of the first element that is wanted.
+    #[inline]
+    pub fn position(&self, is_wanted: impl FnMut(&T) -> bool) -> Option<I> {
+        self.list.iter().position(is_wanted).map(I::from_index)
+    }
+
     /// All elements with their numbers, in order.
     #[inline]
     pub fn iter_ids(&self) -> impl ExactSizeIterator<Item = (I, &T)> + DoubleEndedIterator + Clone {
@@ -94,6 +99,18 @@ impl<I, T> IdVec<I, T> {
         self.list.first()
     }
 
+    /// The element that was added last.
+    #[inline]
+    pub fn last(&self) -> Option<&T> {
+        self.list.last()
+    }
+
+    /// The element that was added last, to be changed.
+    #[inline]
+    pub fn last_mut(&mut self) -> Option<&mut T> {
+        self.list.last_mut()
+    }
+
     /// The elements in order.
     #[inline]
     pub fn iter(&self) -> std::slice::Iter<'_, T> {
@@ -116,6 +133,26 @@ impl<I, T> IdVec<I, T> {
     #[inline]
     pub fn as_mut_slice(&mut self) -> &mut [T] {
         &mut self.list
+    }
+
+    /// Add copies of some elements.
+    pub fn extend_from_slice(&mut self, values: &[T])
+    where
+        T: Clone,
+    {
+        self.list.extend_from_slice(values);
+    }
+
+    /// Forget the elements behind the first `len`.
+    #[inline]
+    pub fn truncate(&mut self, len: usize) {
+        self.list.truncate(len);
+    }
+
+    /// Forget all elements, and keep the room for them.
+    #[inline]
+    pub fn clear(&mut self) {
+        self.list.clear();
     }
 
     /// Give back the room for more elements.
@@ -165,14 +202,6 @@ impl<'a, I, T> IntoIterator for &'a IdVec<I, T> {
     }
 }
 
-impl<I, T: PartialEq> PartialEq for IdVec<I, T> {
-    fn eq(&self, other: &Self) -> bool {
-        self.list == other.list
-    }
-}
-
-impl<I, T: Eq> Eq for IdVec<I, T> {}
-
 impl<I, T: fmt::Debug> fmt::Debug for IdVec<I, T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.list.fmt(f)
@@ -199,6 +228,7 @@ mod tests {
         );
         let numbered: Vec<_> = words.iter_ids().collect();
         assert_eq!(numbered, [(arm, &"arm"), (base, &"base")]);
+        assert_eq!(words.position(|word| word.len() == 4), Some(base));
     }
 
     #[test]
