@@ -80,7 +80,7 @@ fn listed(list: &Path) -> Vec<Robot> {
 struct Ways<'a> {
     expansion: &'a Expansion,
     written: &'a Written,
-    known: HashMap<(u32, u32), Vec<TextRange>>,
+    known: HashMap<(FileIdx, u32), Vec<TextRange>>,
 }
 
 impl Ways<'_> {
@@ -97,8 +97,8 @@ impl Ways<'_> {
         let place = expansion.place(ide::origin_of(expansion, inner));
         let place = place.ok_or_else(|| format!("`{text}` has no source"))?;
         let (file, start) = (place.file, place.range.start);
-        let back = self.known.entry((file.0, start)).or_insert_with(|| {
-            ide::instances(expansion, written, FileIdx(file.0), start)
+        let back = self.known.entry((file, start)).or_insert_with(|| {
+            ide::instances(expansion, written, file, start)
                 .into_iter()
                 .map(|(out, _)| out)
                 .collect()
@@ -106,7 +106,7 @@ impl Ways<'_> {
         if back.iter().any(|out| out.start <= at && at < out.end) {
             return Ok(());
         }
-        let source = &expansion.files[file.0 as usize].source;
+        let source = &expansion.files.get(file).unwrap().source;
         let position = source.document.line_col(start, Encoding::Utf8);
         let name = source
             .path

@@ -52,8 +52,8 @@ fn expanded(fixture: &str) -> Expansion {
 
 /// `file:line:column text`
 fn shown(expansion: &Expansion, place: SourceRange) -> String {
-    let source = &expansion.sources[place.src.0 as usize];
-    let file = &expansion.files[source.file.0 as usize];
+    let source = expansion.sources.get(place.src).unwrap();
+    let file = expansion.files.get(source.file).unwrap();
     let range = place.range.shift(source.base);
     let at = file.source.document.line_col(range.start, Encoding::Utf32);
     format!(

@@ -299,7 +299,7 @@ impl Session {
         let mut read = entry
             .into_iter()
             .flat_map(|entry| expansion.index.read_in(entry.reads))
-            .filter_map(|&binding| expansion.index.bindings.get(binding as usize));
+            .filter_map(|&binding| expansion.index.bindings.get(binding));
         if !variant.is_configured && read.any(|binding| binding.kind == BindingKind::Argument) {
             return None;
         }

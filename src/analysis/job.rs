@@ -224,7 +224,7 @@ fn called(expansion: &Expansion) -> FastSet<Span> {
     let origins: FastSet<Origin> = calls.filter_map(|frame| frame.definition).collect();
     let span = |origin: Origin| {
         let place = expansion.place(origin)?;
-        let file = expansion.files.get(place.file.0 as usize)?;
+        let file = expansion.files.get(place.file)?;
         Some(Span {
             file: file.source.id,
             range: place.range,

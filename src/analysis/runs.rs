@@ -72,7 +72,7 @@ fn failures(expansion: &Expansion) -> Vec<(ProblemKind, PathBuf, u32)> {
         .iter()
         .filter(|problem| problem.severity == Severity::Error);
     let place = |problem: &Problem| {
-        let file = expansion.files.get(problem.place.file.0 as usize)?;
+        let file = expansion.files.get(problem.place.file)?;
         Some((
             problem.kind,
             file.source.path.to_path_buf(),
@@ -95,7 +95,7 @@ fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
     let path = |file: &FileUse| file.source.path.to_path_buf();
     found
         .into_iter()
-        .filter_map(|(file, range)| Some((path(expansion.files.get(file.0 as usize)?), range)))
+        .filter_map(|(file, range)| Some((path(expansion.files.get(file)?), range)))
         .collect()
 }
 

@@ -2,6 +2,7 @@
 
 mod cancel;
 pub mod clock;
+mod id_vec;
 pub mod limits;
 pub mod paths;
 mod position;
@@ -9,6 +10,7 @@ mod range;
 mod text;
 
 pub use cancel::CancelFlag;
+pub use id_vec::{Id, IdVec};
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
 pub use text::escape_xml;

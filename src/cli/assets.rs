@@ -109,7 +109,7 @@ fn named_assets(expansion: &Expansion, cwd: &Path) -> Vec<(XId, XAttr, PathBuf)>
             .attr(id, "filename")
             .filter(|attr| !attr.value.is_empty())?;
         let place = expansion.place(attr.origin);
-        let file = place.and_then(|place| expansion.files.get(place.file.0 as usize));
+        let file = place.and_then(|place| expansion.files.get(place.file));
         let from = file.map_or_else(
             || cwd.join("robot.urdf"),
             |file| file.source.path.to_path_buf(),

@@ -166,7 +166,7 @@ impl Matrix<'_> {
 
     fn position(&self, origin: Origin) -> (String, u32, u32) {
         let place = self.expansion.place(origin);
-        let file = place.and_then(|place| self.expansion.files.get(place.file.0 as usize));
+        let file = place.and_then(|place| self.expansion.files.get(place.file));
         let (Some(place), Some(file)) = (place, file) else {
             return (String::new(), 1, 1);
         };

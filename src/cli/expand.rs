@@ -14,12 +14,12 @@ use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible, visible_name};
 use super::text::is_shown;
 use analysis::FixedFile;
-use base::Encoding;
 use base::limits::DRAWN_PROBLEMS;
 use base::paths::HERE;
+use base::{Encoding, IdVec};
 use expand::{
-    Expansion, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand, write,
-    write_mapped,
+    Expansion, FileIdx, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand,
+    write, write_mapped,
 };
 use ide::source_map;
 use vfs::{Environment, LoadError, Vfs};
@@ -295,7 +295,7 @@ fn report(
             .files
             .iter()
             .map(|file| around.hold(&file.source.path))
-            .collect::<Vec<_>>()
+            .collect::<IdVec<FileIdx, bool>>()
     });
     let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
@@ -303,7 +303,7 @@ fn report(
             continue;
         }
         let concealed;
-        let problem = match belongs.get(problem.place.file.0 as usize) {
+        let problem = match belongs.get(problem.place.file) {
             Some(false) => {
                 concealed = unquoted(problem);
                 &concealed
@@ -342,11 +342,9 @@ fn unquoted(problem: &Problem) -> Problem {
 }
 
 /// The files of an expansion, and whether their text may be shown.
-fn shown_files<'e>(
-    expansion: &'e Expansion,
-    packages: &Packages,
-    cwd: &Path,
-) -> Vec<(ShownFile<'e>, bool)> {
+type ShownFiles<'e> = IdVec<FileIdx, (ShownFile<'e>, bool)>;
+
+fn shown_files<'e>(expansion: &'e Expansion, packages: &Packages, cwd: &Path) -> ShownFiles<'e> {
     let around = packages.around(expansion.files.first().map(|root| &*root.source.path));
     let shown = |(index, FileUse { source, .. }): (usize, &'e FileUse)| {
         // the root file may have any name
@@ -363,18 +361,18 @@ fn shown_files<'e>(
 }
 
 /// A message in front of which its file stands.
-fn located(problem: &Problem, files: &[(ShownFile<'_>, bool)]) -> String {
+fn located(problem: &Problem, files: &ShownFiles<'_>) -> String {
     let path = files
-        .get(problem.place.file.0 as usize)
+        .get(problem.place.file)
         .map_or("", |(file, _)| &file.path);
     format!("{path}: {}", problem.message)
 }
 
 /// A problem as it is drawn; none when nothing of the text that led to it may be shown.
-fn as_report<'a>(problem: &Problem, files: &'a [(ShownFile<'a>, bool)]) -> Option<Report<'a>> {
+fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<'a>> {
     let shown = |place: &Place| {
         files
-            .get(place.file.0 as usize)
+            .get(place.file)
             .filter(|(_, is_drawn)| *is_drawn)
             .map(|(file, _)| file)
     };

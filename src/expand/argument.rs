@@ -1,7 +1,7 @@
 //! Whose fault a text is: its own, that of the call of the macro around it, or that of an argument.
 use ecow::EcoString;
 
-use super::binding_info::BindingKind;
+use super::binding_info::{BindingId, BindingKind};
 use super::expansion::Expansion;
 use super::origin::{FrameId, FrameKind, Origin};
 use super::symbols::SourceRange;
@@ -41,7 +41,7 @@ fn passed(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let [read] = expansion.index.read_in(evaluation.reads) else {
         return None;
     };
-    let binding = expansion.index.bindings.get(*read as usize)?;
+    let binding = expansion.index.bindings.get(*read)?;
     let given = binding
         .origin
         .filter(|_| binding.kind == BindingKind::Parameter)?;
@@ -66,7 +66,7 @@ fn the_name(expansion: &Expansion, origin: Origin) -> Option<TextRange> {
 }
 
 fn source_text(expansion: &Expansion, origin: Origin) -> Option<&str> {
-    let source = expansion.sources.get(origin.src.0 as usize)?;
+    let source = expansion.sources.get(origin.src)?;
     Some(origin.range.slice(source.item.text()))
 }
 
@@ -121,14 +121,14 @@ impl Expansion {
     }
 
     /// The same for what was read.
-    pub(super) fn empty_argument_of(&self, reads: &[u32]) -> Option<EcoString> {
+    pub(super) fn empty_argument_of(&self, reads: &[BindingId]) -> Option<EcoString> {
         let mut seen = FastSet::default();
-        let mut open: Vec<u32> = reads.iter().rev().copied().take(MOST_READS).collect();
+        let mut open: Vec<BindingId> = reads.iter().rev().copied().take(MOST_READS).collect();
         while let Some(id) = open.pop() {
             if seen.len() > MOST_READS || !seen.insert(id) {
                 continue;
             }
-            let info = self.index.bindings.get(id as usize)?;
+            let info = self.index.bindings.get(id)?;
             let is_empty = matches!(&info.value, Some(Value::Str(text)) if text.is_empty());
             if info.kind == BindingKind::Argument && is_empty && info.origin.is_some() {
                 return Some(info.name.clone());

@@ -6,6 +6,12 @@ use super::symbols::DefinitionId;
 use base::TextRange;
 use expr::Value;
 
+/// An instance of a property, parameter or argument: index of [`NameIndex::bindings`](super::NameIndex::bindings).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct BindingId(u32);
+
+base::ids!(BindingId);
+
 /// Where a value that an expression read was given.
 #[derive(Clone, Debug)]
 pub struct BindingInfo {

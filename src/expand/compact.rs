@@ -98,7 +98,7 @@ mod tests {
             assert_eq!(write(&tree, "robot.xacro").text, before.0);
             assert!(tree.len() <= before.1, "{children:?}");
             assert_eq!(tree.get(beside).text, "macro");
-            let ids: Vec<usize> = tree.below(XId::DOCUMENT).map(XId::index).collect();
+            let ids: Vec<XId> = tree.below(XId::DOCUMENT).collect();
             assert!(ids.is_sorted(), "{ids:?}");
         }
     }

@@ -61,8 +61,8 @@ impl Expander<'_> {
         if self.request.forced.is_empty() {
             return None;
         }
-        let source = self.result.sources.get(tag.src.0 as usize)?;
-        let path = &self.result.files.get(source.file.0 as usize)?.source.path;
+        let source = self.result.sources.get(tag.src)?;
+        let path = &self.result.files.get(source.file)?.source.path;
         let at = source.base + tag.node.range().start;
         let is_it = |forced: &&Forced| forced.at == at && forced.file == **path;
         self.request
@@ -91,7 +91,7 @@ impl Expander<'_> {
             let name = EcoString::from(name.as_ref());
             self.defined(NameKind::Arg, &name, cx.scope, place.origin);
             let definition = self.define(SymbolKind::Argument, &name, place.origin);
-            let given = self.names.args.get(&name).map(|(_, info)| *info as usize);
+            let given = self.names.args.get(&name).map(|(_, info)| *info);
             if let Some(info) = given.and_then(|info| self.result.index.bindings.get_mut(info)) {
                 // given from outside: the first declaration is the one that counts
                 info.definition.get_or_insert(definition);
@@ -139,7 +139,7 @@ impl Expander<'_> {
                 .result
                 .index
                 .bindings
-                .get(info as usize)
+                .get(info)
                 .and_then(|info| info.origin);
             Some((block, stars == "**", origin, info))
         });

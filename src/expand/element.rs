@@ -21,7 +21,7 @@ use xml::{Entities, Item, Node, NodeKind, normalize_line_ends, printed_doctype};
 impl Expander<'_> {
     /// The whole root document.
     pub fn eval_document(&mut self, file: FileIdx, cx: EvalContext) {
-        let Some(used) = self.result.files.get(file.0 as usize) else {
+        let Some(used) = self.result.files.get(file) else {
             return;
         };
         let document = used.source.document.clone();
@@ -77,7 +77,7 @@ impl Expander<'_> {
 
     /// The children of a file's root element, item by item.
     pub fn eval_root_content(&mut self, file: FileIdx, out: XId, cx: EvalContext) {
-        let Some(used) = self.result.files.get(file.0 as usize) else {
+        let Some(used) = self.result.files.get(file) else {
             return;
         };
         let document = used.source.document.clone();
@@ -89,7 +89,7 @@ impl Expander<'_> {
             let Some(item) = self
                 .result
                 .sources
-                .get(src.0 as usize)
+                .get(src)
                 .map(|source| source.item.clone())
             else {
                 continue;
@@ -510,8 +510,8 @@ impl Expander<'_> {
 
     /// The entities declared in the file of a source item.
     pub fn entities(&self, src: SrcId) -> &Entities {
-        let source = self.result.sources.get(src.0 as usize);
-        let file = source.and_then(|s| self.result.files.get(s.file.0 as usize));
+        let source = self.result.sources.get(src);
+        let file = source.and_then(|s| self.result.files.get(s.file));
         match file {
             Some(file) => file.source.document.entities(),
             None => no_entities(),
@@ -520,10 +520,7 @@ impl Expander<'_> {
 
     /// The item of a source.
     pub fn item(&self, src: SrcId) -> Option<Arc<Item>> {
-        self.result
-            .sources
-            .get(src.0 as usize)
-            .map(|s| s.item.clone())
+        self.result.sources.get(src).map(|s| s.item.clone())
     }
 }
 

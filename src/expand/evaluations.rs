@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use super::origin::{FrameId, Origin};
 use super::symbols::SourceRange;
 use base::limits::EVALUATIONS;
-use base::{FastMap, TextRange};
+use base::{FastMap, IdVec, TextRange};
 use expr::Value;
 
 /// A value that an expression gave.
@@ -19,28 +19,34 @@ pub struct Evaluation {
     pub reads: TextRange,
 }
 
+/// A value in [`Evaluations::list`].
+#[derive(Clone, Copy, Debug)]
+struct EvaluationId(u32);
+
+base::ids!(EvaluationId);
+
 /// All values that expressions gave, in order.
 #[derive(Clone, Debug, Default)]
 pub struct Evaluations {
-    list: Vec<Evaluation>,
+    list: IdVec<EvaluationId, Evaluation>,
     /// By place, made on first use.
-    places: OnceLock<FastMap<SourceRange, Vec<u32>>>,
+    places: OnceLock<FastMap<SourceRange, Vec<EvaluationId>>>,
     /// The first of each place and frame, made on first use.
-    frames: OnceLock<FastMap<(SourceRange, FrameId), u32>>,
+    frames: OnceLock<FastMap<(SourceRange, FrameId), EvaluationId>>,
 }
 
 impl Evaluations {
     /// Those of one `${...}` or `$(...)`, in order.
     pub fn at(&self, place: SourceRange) -> impl Iterator<Item = &Evaluation> {
         let places = self.places.get_or_init(|| {
-            let mut places: FastMap<SourceRange, Vec<u32>> = FastMap::default();
-            for (index, evaluation) in (0..).zip(&self.list) {
-                places.entry(evaluation.at.into()).or_default().push(index);
+            let mut places: FastMap<SourceRange, Vec<EvaluationId>> = FastMap::default();
+            for (id, evaluation) in self.list.iter_ids() {
+                places.entry(evaluation.at.into()).or_default().push(id);
             }
             places
         });
         let found = places.get(&place).into_iter().flatten();
-        found.filter_map(|&index| self.list.get(index as usize))
+        found.filter_map(|&id| self.list.get(id))
     }
 
     /// Give back the room for more.
@@ -51,20 +57,20 @@ impl Evaluations {
     /// The first of one `${...}` or `$(...)` in one frame.
     pub fn in_frame(&self, place: SourceRange, frame: FrameId) -> Option<&Evaluation> {
         let frames = self.frames.get_or_init(|| {
-            let mut frames: FastMap<(SourceRange, FrameId), u32> = FastMap::default();
-            for (index, evaluation) in (0..).zip(&self.list) {
+            let mut frames: FastMap<(SourceRange, FrameId), EvaluationId> = FastMap::default();
+            for (id, evaluation) in self.list.iter_ids() {
                 frames
                     .entry((evaluation.at.into(), evaluation.at.frame))
-                    .or_insert(index);
+                    .or_insert(id);
             }
             frames
         });
-        self.list.get(*frames.get(&(place, frame))? as usize)
+        self.list.get(*frames.get(&(place, frame))?)
     }
 
     #[cfg(debug_assertions)]
     pub(super) fn all(&self) -> &[Evaluation] {
-        &self.list
+        self.list.as_slice()
     }
 
     /// How many there are.
@@ -80,6 +86,7 @@ impl Evaluations {
     /// The values of a part of them.
     pub(super) fn values(&self, part: Range<usize>) -> impl Iterator<Item = &Value> {
         self.list
+            .as_slice()
             .get(part)
             .unwrap_or_default()
             .iter()
@@ -89,7 +96,7 @@ impl Evaluations {
     /// Add a part of others.
     pub(super) fn extend_from(&mut self, others: &Self, part: Range<usize>) {
         self.list
-            .extend_from_slice(others.list.get(part).unwrap_or_default());
+            .extend_from_slice(others.list.as_slice().get(part).unwrap_or_default());
     }
 
     /// Note what an expression gave.

@@ -2,10 +2,11 @@
 use ecow::EcoString;
 
 use super::before::Before;
-use super::binding_info::BindingInfo;
+use super::binding_info::{BindingId, BindingInfo};
 use super::expansion::Expansion;
 use super::kind::ProblemKind;
 use super::macro_table::Macros;
+use super::memo::Argument;
 use super::origin::{Frame, FrameId, FrameKind, Origin};
 use super::problem::{Problem, Severity};
 use super::problems::Problems;
@@ -132,9 +133,8 @@ impl<'w> Expander<'w> {
     }
 
     fn argument_values(&self) -> Vec<(EcoString, EcoString)> {
-        let known = |(name, (value, _)): (&EcoString, &(Option<EcoString>, u32))| {
-            Some((name.clone(), value.clone()?))
-        };
+        let known =
+            |(name, (value, _)): (&EcoString, &Argument)| Some((name.clone(), value.clone()?));
         let mut values: Vec<_> = self.names.args.iter().filter_map(known).collect();
         values.sort_unstable();
         values
@@ -270,27 +270,19 @@ impl<'w> Expander<'w> {
         call: Origin,
         definition: Option<Origin>,
     ) -> FrameId {
-        let outer = self
-            .result
-            .frames
-            .get(call.frame.0 as usize)
-            .map_or(0, |f| f.depth);
+        let outer = self.result.frames.get(call.frame).map_or(0, |f| f.depth);
         let depth = outer + u32::from(kind == FrameKind::Macro);
-        let id = FrameId(self.result.frames.len() as u32);
         self.result.frames.push(Frame {
             kind,
             name,
             call,
             definition,
             depth,
-        });
-        id
+        })
     }
 
     /// A new binding; its number goes into the pieces that read it.
-    pub fn add_binding(&mut self, info: BindingInfo) -> u32 {
-        let id = self.result.index.bindings.len() as u32;
-        self.result.index.bindings.push(info);
-        id
+    pub fn add_binding(&mut self, info: BindingInfo) -> BindingId {
+        self.result.index.bindings.push(info)
     }
 }

@@ -3,15 +3,15 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::binding_info::BindingInfo;
+use super::binding_info::{BindingId, BindingInfo};
 use super::evaluations::Evaluations;
 use super::memo::Memo;
-use super::origin::{Frame, FrameKind, Origin, Source, SrcId};
+use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
 use super::problem::{Place, Problem, Severity};
 use super::record::Record;
 use super::symbols::{DefinitionId, Symbols};
 use super::tree::{XId, XTree};
-use base::TextRange;
+use base::{IdVec, TextRange};
 use vfs::{LoadError, SourceFile};
 
 /// A file that took part.
@@ -40,9 +40,9 @@ pub struct Probe {
 #[derive(Debug, Default)]
 pub struct NameIndex {
     /// Properties, parameters and arguments that pieces refer to.
-    pub bindings: Vec<BindingInfo>,
+    pub bindings: IdVec<BindingId, BindingInfo>,
     /// What was read, in the order in which it was wanted: see [`Self::read_in`].
-    pub(super) reads: Vec<u32>,
+    pub(super) reads: Vec<BindingId>,
     /// What each expression gave, each time.
     pub evaluations: Evaluations,
     /// Which definition each name of the source refers to.
@@ -52,8 +52,8 @@ pub struct NameIndex {
 }
 
 impl NameIndex {
-    /// Properties, parameters and arguments that were read for something: indices of [`Self::bindings`].
-    pub fn read_in(&self, part: TextRange) -> &[u32] {
+    /// Properties, parameters and arguments that were read for something: numbers of [`Self::bindings`].
+    pub fn read_in(&self, part: TextRange) -> &[BindingId] {
         self.reads
             .get(part.start as usize..part.end as usize)
             .unwrap_or(&[])
@@ -66,11 +66,11 @@ pub struct Expansion {
     /// The expanded document.
     pub tree: XTree,
     /// The files in the order of first use; the root file is the first.
-    pub files: Vec<FileUse>,
+    pub files: IdVec<FileIdx, FileUse>,
     /// Items that origins refer to.
-    pub sources: Vec<Source>,
+    pub sources: IdVec<SrcId, Source>,
     /// Steps that origins refer to.
-    pub frames: Vec<Frame>,
+    pub frames: IdVec<FrameId, Frame>,
     /// What names refer to, and the values of expressions.
     pub index: NameIndex,
     /// All problems in the order they were met.
@@ -115,7 +115,7 @@ impl Expansion {
 
     /// The absolute place of an origin.
     pub fn place(&self, origin: Origin) -> Option<Place> {
-        let source = self.sources.get(origin.src.0 as usize)?;
+        let source = self.sources.get(origin.src)?;
         Some(Place {
             file: source.file,
             range: origin.range.shift(source.base),
@@ -124,7 +124,7 @@ impl Expansion {
 
     /// The frame of an origin and all frames around it, innermost first, without the root.
     pub fn frames_of(&self, origin: Origin) -> impl Iterator<Item = &Frame> {
-        let frame = |origin: Origin| self.frames.get(origin.frame.0 as usize);
+        let frame = |origin: Origin| self.frames.get(origin.frame);
         let not_root = |frame: &&Frame| frame.kind != FrameKind::Root;
         std::iter::successors(frame(origin).filter(not_root), move |f| {
             frame(f.call).filter(not_root)

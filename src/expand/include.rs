@@ -110,7 +110,7 @@ impl Expander<'_> {
     }
 
     fn eval_included(&mut self, file: FileIdx, root: XId, cx: EvalContext) {
-        let Some(used) = self.result.files.get(file.0 as usize) else {
+        let Some(used) = self.result.files.get(file) else {
             return;
         };
         let (document, header) = (used.source.document.clone(), used.first_source);
@@ -304,11 +304,7 @@ impl Expander<'_> {
             return true;
         }
         let chain: Vec<&str> = self.files.open.iter().map(|f| f.name.as_str()).collect();
-        let name = self
-            .result
-            .files
-            .get(file.0 as usize)
-            .map_or("", |f| f.name.as_str());
+        let name = self.result.files.get(file).map_or("", |f| f.name.as_str());
         if endless {
             let start = self
                 .files

@@ -62,7 +62,7 @@ mod write;
 mod yaml_value;
 
 pub use argument::{argument, is_partial};
-pub use binding_info::{BindingInfo, BindingKind};
+pub use binding_info::{BindingId, BindingInfo, BindingKind};
 pub use evaluations::{Evaluation, Evaluations};
 pub use expander::{expand, expand_again};
 pub use expansion::{Expansion, FileUse, NameIndex, Probe};

@@ -8,7 +8,7 @@ use super::expander::{Expander, raise};
 use super::expansion::FileUse;
 use super::kind::ProblemKind;
 use super::meant;
-use super::origin::{FileIdx, Origin, Source, SrcId};
+use super::origin::{FileIdx, Origin, Source};
 use super::problem::{Detail, Outside};
 use super::record::Read;
 use super::request::World;
@@ -52,7 +52,7 @@ impl Expander<'_> {
                 if let Some(&file) = self.files.by_path.get(&source.path) {
                     return Some(file);
                 }
-                let file = FileIdx(self.result.files.len() as u32);
+                let file = self.result.files.next_id();
                 self.files.by_path.insert(source.path.clone(), file);
                 self.add_sources(file, name, &source);
                 self.report_encoding(file, &source);
@@ -126,7 +126,6 @@ impl Expander<'_> {
     }
 
     fn add_sources(&mut self, file: FileIdx, name: &str, source: &Arc<SourceFile>) {
-        let first_source = SrcId(self.result.sources.len() as u32);
         let document = &source.document;
         let footer_base = document.len() - document.footer().text().len() as u32;
         let header = Source {
@@ -144,7 +143,7 @@ impl Expander<'_> {
             item: document.footer().clone(),
             base: footer_base,
         };
-        self.result.sources.push(header);
+        let first_source = self.result.sources.push(header);
         self.result.sources.extend(items);
         self.result.sources.push(footer);
         let items = self.result.sources.len() as u32 - first_source.0 - 2;
@@ -268,7 +267,7 @@ impl Expander<'_> {
     /// Whether Git leaves out the file that a place is in as well: then it says nothing of another one.
     fn is_ignored_itself(&self, at: Origin) -> bool {
         let place = self.result.place(at);
-        let file = place.and_then(|place| self.result.files.get(place.file.0 as usize));
+        let file = place.and_then(|place| self.result.files.get(place.file));
         file.is_none_or(|file| self.world.packages.is_ignored_by_git(&file.source.path))
     }
 
@@ -278,7 +277,7 @@ impl Expander<'_> {
 
     /// One finding a file that is not well-formed; what its recovered tree seems to say is not trusted.
     fn report_syntax(&mut self, file: FileIdx, include: Origin) {
-        let Some(used) = self.result.files.get(file.0 as usize) else {
+        let Some(used) = self.result.files.get(file) else {
             return;
         };
         let (document, base) = (used.source.document.clone(), used.first_source);

@@ -8,11 +8,13 @@ use ecow::EcoString;
 use super::origin::Origin;
 use super::scope::SrcRef;
 use super::symbols::DefinitionId;
-use base::{FastMap, TextRange};
+use base::{FastMap, Id, IdVec, TextRange};
 
 /// A macro table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct MacrosId(pub u32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct MacrosId(u32);
+
+base::ids!(MacrosId);
 
 #[derive(Debug)]
 pub(super) enum MacroEntry {
@@ -167,7 +169,7 @@ impl<'p> Open<'p> {
 #[derive(Debug)]
 pub(super) struct MacroWatch {
     /// The first table of the step.
-    floor: u32,
+    floor: MacrosId,
     /// The macros of the document.
     names: Vec<(EcoString, Option<SrcRef>)>,
     /// Something else was read or written.
@@ -177,7 +179,7 @@ pub(super) struct MacroWatch {
 /// All macro tables of an expansion.
 #[derive(Debug)]
 pub(super) struct Macros {
-    pub(super) list: Vec<MacroTable>,
+    pub(super) list: IdVec<MacrosId, MacroTable>,
     pub(super) watch: Option<RefCell<MacroWatch>>,
 }
 
@@ -186,7 +188,7 @@ impl Macros {
 
     pub fn new() -> Self {
         Self {
-            list: vec![MacroTable::default()],
+            list: IdVec::from(vec![MacroTable::default()]),
             watch: None,
         }
     }
@@ -197,18 +199,24 @@ impl Macros {
     }
 
     pub fn push(&mut self, parent: Option<MacrosId>) -> MacrosId {
-        let id = MacrosId(self.list.len() as u32);
         self.list.push(MacroTable {
             parent,
             ..MacroTable::default()
-        });
-        id
+        })
+    }
+
+    fn table(&self, id: MacrosId) -> &MacroTable {
+        &self.list.as_slice()[id.index()]
+    }
+
+    fn table_mut(&mut self, id: MacrosId) -> &mut MacroTable {
+        &mut self.list.as_mut_slice()[id.index()]
     }
 
     pub fn define(&mut self, at: MacrosId, def: MacroDef) -> Arc<MacroDef> {
         self.note_change(at);
         let def = Arc::new(def);
-        self.list[at.0 as usize]
+        self.table_mut(at)
             .entries
             .insert(def.name.clone(), MacroEntry::Macro(def.clone()));
         def
@@ -216,7 +224,7 @@ impl Macros {
 
     pub fn define_namespace(&mut self, at: MacrosId, name: EcoString, table: MacrosId) {
         self.note_change(at);
-        self.list[at.0 as usize]
+        self.table_mut(at)
             .entries
             .insert(name, MacroEntry::Namespace(table));
     }
@@ -232,7 +240,7 @@ impl Macros {
     fn entry_of(&self, at: MacrosId, name: &str) -> Option<(MacrosId, &MacroEntry)> {
         let mut at = Some(at);
         while let Some(id) = at {
-            let table = &self.list[id.0 as usize];
+            let table = self.table(id);
             if let Some(entry) = table.entries.get(name) {
                 return Some((id, entry));
             }
@@ -276,7 +284,7 @@ impl Macros {
         let mut names: Vec<&str> = Vec::new();
         let mut at = Some(at);
         while let Some(id) = at {
-            let table = &self.list[id.0 as usize];
+            let table = self.table(id);
             names.extend(
                 table
                     .entries
@@ -296,12 +304,12 @@ impl Macros {
     /// Count tables that were not made.
     pub fn skip(&mut self, count: usize) {
         self.list
-            .resize_with(self.list.len() + count, MacroTable::default);
+            .extend(std::iter::repeat_with(MacroTable::default).take(count));
     }
 
     /// Write down from now on what tables that are there say to new ones.
     pub fn watch(&mut self) {
-        let floor = self.list.len() as u32;
+        let floor = self.list.next_id();
         self.watch = Some(RefCell::new(MacroWatch {
             floor,
             names: Vec::new(),
@@ -318,7 +326,7 @@ impl Macros {
     pub fn note_change(&mut self, at: MacrosId) {
         if let Some(watch) = &mut self.watch {
             let watch = watch.get_mut();
-            watch.unclear |= at.0 < watch.floor;
+            watch.unclear |= at < watch.floor;
         }
     }
 
@@ -330,11 +338,11 @@ impl Macros {
         found: Option<(MacrosId, &MacroEntry)>,
     ) {
         let mut watch = watch.borrow_mut();
-        if found.is_some_and(|(id, _)| id.0 >= watch.floor) {
+        if found.is_some_and(|(id, _)| id >= watch.floor) {
             return;
         }
-        let parent = |&id: &MacrosId| self.list[id.0 as usize].parent;
-        let entry = std::iter::successors(Some(from), parent).find(|id| id.0 < watch.floor);
+        let parent = |&id: &MacrosId| self.table(id).parent;
+        let entry = std::iter::successors(Some(from), parent).find(|&id| id < watch.floor);
         let def = match found {
             Some((_, MacroEntry::Macro(def))) => Some(def.body),
             Some((_, MacroEntry::Namespace(_))) => {

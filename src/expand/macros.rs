@@ -212,7 +212,7 @@ impl Expander<'_> {
     pub(super) fn text_of(&self, at: Origin) -> &str {
         self.result
             .sources
-            .get(at.src.0 as usize)
+            .get(at.src)
             .map_or("", |source| at.range.slice(source.item.text()))
     }
 

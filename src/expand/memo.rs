@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::binding_info::BindingId;
 use super::origin::SrcId;
 use super::record::Read;
 use super::request::Request;
@@ -70,7 +71,7 @@ pub(super) struct StepMemo {
 }
 
 /// The value of an argument, where it is known, and its binding.
-pub(super) type Argument = (Option<EcoString>, u32);
+pub(super) type Argument = (Option<EcoString>, BindingId);
 
 /// What a step reads from around it.
 #[derive(Debug, Default)]
@@ -90,7 +91,7 @@ pub(super) struct StepReads {
 #[derive(Debug)]
 pub(super) struct ForcedProperty {
     pub name: EcoString,
-    pub info: u32,
+    pub info: BindingId,
     pub value: Value,
     pub reads: TextRange,
 }

@@ -1,6 +1,7 @@
 //! What is noted of definitions, uses and values while evaluation goes on.
 use ecow::EcoString;
 
+use super::binding_info::BindingId;
 use super::evaluations::Evaluation;
 use super::expander::Expander;
 use super::origin::Origin;
@@ -82,7 +83,7 @@ impl Expander<'_> {
     }
 
     /// Note that the text at `at` reads a binding.
-    pub fn note_read(&mut self, at: Origin, binding: u32, kind: UseKind) {
+    pub fn note_read(&mut self, at: Origin, binding: BindingId, kind: UseKind) {
         if !self.request.probe {
             return;
         }
@@ -90,7 +91,7 @@ impl Expander<'_> {
             .result
             .index
             .bindings
-            .get(binding as usize)
+            .get(binding)
             .and_then(|info| info.definition);
         self.note_use(at, definition, kind);
     }

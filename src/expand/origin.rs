@@ -24,6 +24,8 @@ impl FrameId {
     pub const ROOT: FrameId = FrameId(0);
 }
 
+base::ids!(FileIdx, SrcId, FrameId);
+
 /// A piece of source text and the frame it was reached through.
 ///
 /// The range is relative to the item, so it stays valid when text in front of the item moves.

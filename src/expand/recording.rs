@@ -149,6 +149,7 @@ impl Expander<'_> {
         let values = result
             .index
             .bindings
+            .as_slice()
             .get(start.bindings..)?
             .iter()
             .filter_map(|info| info.value.as_ref());

@@ -13,6 +13,7 @@ use super::state::EvalContext;
 use super::symbols::{Definition, DefinitionId};
 use super::tag::Tag;
 use super::tree::{XId, XKind};
+use base::Id;
 
 impl Expander<'_> {
     /// Take over what a call gave in the last expansion; `false`: it has to be evaluated.
@@ -89,10 +90,10 @@ impl Expander<'_> {
             return false;
         }
         let unknown = before.same_frames..frames;
-        let known = part(&before.expansion.frames, &unknown);
+        let known = part(before.expansion.frames.as_slice(), &unknown);
         let same = known
             .iter()
-            .zip(part(&result.frames, &unknown))
+            .zip(part(result.frames.as_slice(), &unknown))
             .take_while(|(a, b)| is_same_frame(a, b));
         before.same_frames += same.count();
         before.same_frames == frames
@@ -149,20 +150,20 @@ impl Expander<'_> {
                 .is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
         };
         let given = &step.symbols.definitions;
-        let mut next = now.definitions.len() as u32;
+        let mut next = now.definitions.len();
         let mut is_given_alike =
             |(definition, id): &(Definition, DefinitionId)| match now.number_of(definition) {
                 Some(known) => known == *id,
-                None if id.0 < next => given
+                None if id.index() < next => given
                     .iter()
                     .any(|(other, same)| same == id && other.place == definition.place),
                 None => {
                     next += 1;
-                    id.0 + 1 == next
+                    id.index() + 1 == next
                 }
             };
         let is_named_alike = |id| is_same(id) || given.iter().any(|(_, given)| *given == id);
-        let bindings = part(&before.index.bindings, &step.bindings);
+        let bindings = part(before.index.bindings.as_slice(), &step.bindings);
         given.iter().all(&mut is_given_alike)
             && step
                 .symbols
@@ -184,9 +185,9 @@ impl Expander<'_> {
     /// Whether an item is the same object in the same file, with the same header in front.
     fn is_same_source(&self, before: &Expansion, src: SrcId) -> bool {
         let seen = |expansion: &Expansion| {
-            let source = expansion.sources.get(src.0 as usize)?;
-            let file = expansion.files.get(source.file.0 as usize)?;
-            let header = expansion.sources.get(file.first_source.0 as usize)?;
+            let source = expansion.sources.get(src)?;
+            let file = expansion.files.get(source.file)?;
+            let header = expansion.sources.get(file.first_source)?;
             Some((
                 Arc::as_ptr(&source.item),
                 Arc::as_ptr(&header.item),
@@ -217,11 +218,11 @@ impl Expander<'_> {
         let result = &mut self.result;
         result
             .frames
-            .extend_from_slice(part(&before.frames, &step.frames));
+            .extend_from_slice(part(before.frames.as_slice(), &step.frames));
         result
             .index
             .bindings
-            .extend_from_slice(part(&before.index.bindings, &step.bindings));
+            .extend_from_slice(part(before.index.bindings.as_slice(), &step.bindings));
         result
             .index
             .reads
@@ -248,7 +249,7 @@ impl Expander<'_> {
             self.names.scopes.note_evaluation(Scopes::TOP);
         }
         for forced in &step.forced {
-            if let Some(info) = self.result.index.bindings.get_mut(forced.info as usize) {
+            if let Some(info) = self.result.index.bindings.get_mut(forced.info) {
                 (info.reads, info.value) = (forced.reads, Some(forced.value.clone()));
             }
             if let Some(binding) = self

@@ -99,7 +99,7 @@ impl Expander<'_> {
             let file = frame
                 .definition
                 .and_then(|origin| self.result.place(origin))
-                .and_then(|place| self.result.files.get(place.file.0 as usize))
+                .and_then(|place| self.result.files.get(place.file))
                 .map_or("???", |file| file.name.as_str());
             lines.push(format!("{lead} {} ({file})", frame.name));
             lead = "instantiated from:";

@@ -1,7 +1,7 @@
 //! Names to values: lazy evaluation, and what was read for it.
 use ecow::EcoString;
 
-use super::binding_info::LazyUse;
+use super::binding_info::{BindingId, LazyUse};
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::Macros;
@@ -37,7 +37,7 @@ impl Expander<'_> {
     fn read(
         &mut self,
         holder: ScopeId,
-        (name, info): (&str, u32),
+        (name, info): (&str, BindingId),
         state: State,
         at: Origin,
     ) -> Value {
@@ -96,7 +96,7 @@ impl Expander<'_> {
                 reads,
             });
         }
-        if let Some(info) = self.result.index.bindings.get_mut(info as usize) {
+        if let Some(info) = self.result.index.bindings.get_mut(info) {
             info.reads = reads;
             info.value = Some(value.clone());
         }
@@ -125,7 +125,7 @@ impl Expander<'_> {
                     .names
                     .scopes
                     .find(holder, name)
-                    .map(|(_, binding)| binding.info as usize);
+                    .map(|(_, binding)| binding.info);
                 let info = binding.and_then(|info| self.result.index.bindings.get(info));
                 (name, info.and_then(|info| info.origin).unwrap_or(at))
             })
@@ -233,12 +233,7 @@ impl Expander<'_> {
         let State::Block(Block::Source(at)) = binding.state else {
             return None;
         };
-        let node = self
-            .result
-            .sources
-            .get(at.src.0 as usize)?
-            .item
-            .node(at.node);
+        let node = self.result.sources.get(at.src)?.item.node(at.node);
         let text = node
             .first_child()
             .filter(|text| text.next_sibling().is_none() && text.kind() == NodeKind::Text)?;

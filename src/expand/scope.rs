@@ -6,8 +6,10 @@ use ecow::EcoString;
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
+use super::binding_info::BindingId;
 use super::origin::{Origin, SrcId};
 use super::tree::XId;
+use base::{Id, IdVec};
 use expr::{ScopeId, Value};
 use xml::NodeId;
 
@@ -31,8 +33,8 @@ pub(super) struct TextPlace {
 #[derive(Clone, Debug)]
 pub(super) struct Binding {
     pub state: State,
-    /// Index in the expansion's list of bindings.
-    pub info: u32,
+    /// Its number in the expansion's list of bindings.
+    pub info: BindingId,
 }
 
 /// The life of a property.
@@ -137,7 +139,7 @@ pub(super) type NamesRead = Vec<(EcoString, Option<Binding>)>;
 #[derive(Debug)]
 pub(super) struct Watch {
     /// The first scope of the step.
-    floor: u32,
+    floor: ScopeId,
     /// The names of the document as they were at first.
     names: NamesRead,
     /// An expression was evaluated in the scope of the document.
@@ -150,14 +152,14 @@ impl Watch {
     /// Note that an expression is evaluated in a scope.
     pub fn note_evaluation(&mut self, id: ScopeId) {
         self.evaluated |= id == Scopes::TOP;
-        self.unclear |= id != Scopes::TOP && id.0 < self.floor;
+        self.unclear |= id != Scopes::TOP && id < self.floor;
     }
 }
 
 /// All property scopes of an expansion; none is ever dropped, since lambdas may keep one.
 #[derive(Debug)]
 pub(super) struct Scopes {
-    pub(super) list: Vec<Scope>,
+    pub(super) list: IdVec<ScopeId, Scope>,
     pub(super) watch: Option<RefCell<Watch>>,
 }
 
@@ -166,7 +168,7 @@ impl Scopes {
 
     pub fn new() -> Self {
         Self {
-            list: vec![Scope::default()],
+            list: IdVec::from(vec![Scope::default()]),
             watch: None,
         }
     }
@@ -177,21 +179,19 @@ impl Scopes {
     }
 
     pub fn push(&mut self, parent: ScopeId, is_namespace: bool) -> ScopeId {
-        let id = ScopeId(self.list.len() as u32);
         self.list.push(Scope {
             parent: Some(parent),
             is_namespace,
             ..Scope::default()
-        });
-        id
+        })
     }
 
     pub fn get(&self, id: ScopeId) -> &Scope {
-        &self.list[id.0 as usize]
+        &self.list.as_slice()[id.index()]
     }
 
     pub fn get_mut(&mut self, id: ScopeId) -> &mut Scope {
-        &mut self.list[id.0 as usize]
+        &mut self.list.as_mut_slice()[id.index()]
     }
 
     /// How many scopes are around `id`.
@@ -276,14 +276,14 @@ impl Scopes {
     /// The properties that were never evaluated, by scope and name.
     pub fn unread(&self) -> Vec<(ScopeId, EcoString, Origin)> {
         let mut found = Vec::new();
-        for (id, scope) in (0..).map(ScopeId).zip(&self.list) {
+        for (id, scope) in self.list.iter_ids() {
             let lazy = |(name, binding): (&EcoString, &Binding)| match &binding.state {
                 State::Lazy(_, place) => Some((id, name.clone(), place.origin)),
                 _ => None,
             };
             found.extend(scope.vars.iter().filter_map(lazy));
         }
-        found.sort_by(|(a, name, _), (b, other, _)| a.0.cmp(&b.0).then_with(|| name.cmp(other)));
+        found.sort_by(|(a, name, _), (b, other, _)| a.cmp(b).then_with(|| name.cmp(other)));
         found
     }
 
@@ -323,12 +323,12 @@ impl Scopes {
     /// Count scopes that were not made.
     pub fn skip(&mut self, count: usize) {
         self.list
-            .resize_with(self.list.len() + count, Scope::default);
+            .extend(std::iter::repeat_with(Scope::default).take(count));
     }
 
     /// Write down from now on what scopes that are there say to new ones.
     pub fn watch(&mut self) {
-        let floor = self.list.len() as u32;
+        let floor = self.list.next_id();
         self.watch = Some(RefCell::new(Watch {
             floor,
             names: Vec::new(),
@@ -356,7 +356,7 @@ impl Scopes {
         if self
             .watch
             .as_ref()
-            .is_some_and(|watch| id.0 < watch.borrow().floor)
+            .is_some_and(|watch| id < watch.borrow().floor)
         {
             self.note_unclear();
         }
@@ -377,11 +377,11 @@ impl Scopes {
         found: Option<ScopeId>,
     ) {
         let mut watch = watch.borrow_mut();
-        if found.is_some_and(|id| id.0 >= watch.floor) {
+        if found.is_some_and(|id| id >= watch.floor) {
             return;
         }
         let mut chain = std::iter::successors(Some(from), |&id| self.get(id).parent);
-        let entry = chain.find(|id| id.0 < watch.floor);
+        let entry = chain.find(|&id| id < watch.floor);
         watch.unclear |= entry != Some(Self::TOP);
         if watch.names.iter().any(|(known, _)| known == name) {
             return;

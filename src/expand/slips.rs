@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ecow::EcoString;
 
-use super::binding_info::{BindingInfo, BindingKind};
+use super::binding_info::{BindingId, BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::Param;
@@ -168,7 +168,7 @@ impl Expander<'_> {
         let from = self
             .result
             .files
-            .get(self.result.place(at)?.file.0 as usize)?
+            .get(self.result.place(at)?.file)?
             .source
             .path
             .clone();
@@ -260,14 +260,14 @@ impl Expander<'_> {
         mark: usize,
         is_it: impl Fn(&str) -> bool,
     ) -> Option<(String, Origin, String)> {
-        let mut open: Vec<u32> = self.names.reads.get(mark..)?.to_vec();
+        let mut open: Vec<BindingId> = self.names.reads.get(mark..)?.to_vec();
         let mut seen = FastSet::default();
         while let Some(read) = open.pop().filter(|_| seen.len() < MOST) {
             let Some(binding) = self
                 .result
                 .index
                 .bindings
-                .get(read as usize)
+                .get(read)
                 .filter(|_| seen.insert(read))
             else {
                 continue;

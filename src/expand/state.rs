@@ -5,9 +5,9 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::before::Before;
-use super::binding_info::LazyUse;
+use super::binding_info::{BindingId, LazyUse};
 use super::macro_table::{MacroDef, Macros, MacrosId};
-use super::memo::{Kept, Recorder};
+use super::memo::{Argument, Kept, Recorder};
 use super::origin::{FileIdx, FrameId};
 use super::request::Request;
 use super::scope::Scopes;
@@ -31,11 +31,11 @@ pub(super) struct Names {
     pub scopes: Scopes,
     pub macros: Macros,
     /// Arguments: value (none when unknown) and binding.
-    pub args: FastMap<EcoString, (Option<EcoString>, u32)>,
+    pub args: FastMap<EcoString, Argument>,
     /// Lazy properties being evaluated, outermost first.
     pub lazy_uses: Vec<LazyUse>,
     /// Bindings read since the mark of whoever is interested.
-    pub reads: Vec<u32>,
+    pub reads: Vec<BindingId>,
     /// Problems about undefined names, in case they turn out to be defined later.
     pub undefined: Undefined,
     /// Names that undefined ones were compared with.

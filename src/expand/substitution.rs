@@ -117,8 +117,8 @@ impl Expander<'_> {
         let from = self
             .result
             .sources
-            .get(at.src.0 as usize)
-            .and_then(|s| self.result.files.get(s.file.0 as usize))
+            .get(at.src)
+            .and_then(|s| self.result.files.get(s.file))
             .map_or_else(
                 || self.world.env.cwd.clone(),
                 |f| f.source.path.to_path_buf(),

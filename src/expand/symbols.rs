@@ -2,11 +2,13 @@
 use ecow::EcoString;
 
 use super::origin::{Origin, SrcId};
-use base::{FastMap, FastSet, TextRange};
+use base::{FastMap, FastSet, IdVec, TextRange};
 
 /// A definition: index of [`Symbols::definitions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct DefinitionId(pub u32);
+
+base::ids!(DefinitionId);
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -90,7 +92,7 @@ pub struct Use {
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
     /// Definitions.
-    pub definitions: Vec<Definition>,
+    pub definitions: IdVec<DefinitionId, Definition>,
     /// Uses.
     pub uses: Vec<Use>,
     /// Uses by properties that nothing reads.
@@ -111,12 +113,12 @@ pub(super) struct SymbolLog {
 impl Symbols {
     /// The definition of an id.
     pub fn get(&self, id: DefinitionId) -> Option<&Definition> {
-        self.definitions.get(id.0 as usize)
+        self.definitions.get(id)
     }
 
     /// All definitions with their ids.
     pub fn iter(&self) -> impl Iterator<Item = (DefinitionId, &Definition)> {
-        (0..).map(DefinitionId).zip(&self.definitions)
+        self.definitions.iter_ids()
     }
 
     /// The uses of a definition.
@@ -154,7 +156,7 @@ impl Symbols {
     }
 
     pub(super) fn add(&mut self, definition: Definition) -> DefinitionId {
-        let next = DefinitionId(self.definitions.len() as u32);
+        let next = self.definitions.next_id();
         let id = *self
             .known
             .entry((definition.place, definition.name.clone()))
@@ -164,7 +166,7 @@ impl Symbols {
         }
         if id == next {
             self.definitions.push(definition);
-        } else if let Some(known) = self.definitions.get_mut(id.0 as usize) {
+        } else if let Some(known) = self.definitions.get_mut(id) {
             known.conditional |= definition.conditional;
         }
         id

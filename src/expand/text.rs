@@ -430,7 +430,7 @@ impl Expander<'_> {
 
     /// A text with its place.
     pub fn site<'t>(&self, text: &'t str, place: TextPlace) -> TextSite<'t> {
-        let source = self.result.sources.get(place.origin.src.0 as usize);
+        let source = self.result.sources.get(place.origin.src);
         let raw = source.map(|source| place.origin.range.slice(source.item.text()));
         TextSite {
             text,
@@ -442,10 +442,10 @@ impl Expander<'_> {
     /// The same for many ranges of one text: one pass, as long as each is behind the one before.
     pub fn origins_in(&self, site: TextSite<'_>) -> impl FnMut(TextRange) -> Origin {
         let TextPlace { origin, is_attr } = site.place;
-        let source = self.result.sources.get(origin.src.0 as usize);
+        let source = self.result.sources.get(origin.src);
         let raw = source.map(|source| origin.range.slice(source.item.text()));
         let is_same = site.is_raw;
-        let file = source.and_then(|source| self.result.files.get(source.file.0 as usize));
+        let file = source.and_then(|source| self.result.files.get(source.file));
         let mut offsets = raw
             .zip(file)
             .filter(|_| !is_same)

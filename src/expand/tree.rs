@@ -9,11 +9,13 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::origin::Origin;
-use base::{FastSet, TextRange};
+use base::{FastSet, Id, IdVec, TextRange};
 
 /// A node of the expanded document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct XId(u32);
+
+base::ids!(XId);
 
 impl XId {
     /// The document itself: parent of the prolog, the root element and the epilog.
@@ -23,12 +25,6 @@ impl XId {
     #[inline]
     fn some(self) -> Option<XId> {
         (self != XId::NIL).then_some(self)
-    }
-
-    /// Place in the arena, for tables beside it.
-    #[inline]
-    pub fn index(self) -> usize {
-        self.0 as usize
     }
 }
 
@@ -147,7 +143,7 @@ pub struct Piece {
 /// The arena.
 #[derive(Clone, Debug)]
 pub struct XTree {
-    nodes: Vec<XNode>,
+    nodes: IdVec<XId, XNode>,
     /// Attributes with a prefix that were set: minidom takes them for attributes of no namespace.
     set_with_prefix: FastSet<(XId, EcoString)>,
 }
@@ -155,7 +151,7 @@ pub struct XTree {
 impl Default for XTree {
     fn default() -> Self {
         let mut tree = Self {
-            nodes: Vec::with_capacity(256),
+            nodes: IdVec::from(Vec::with_capacity(256)),
             set_with_prefix: FastSet::default(),
         };
         tree.add(XKind::Container, EcoString::new(), Origin::NOWHERE);
@@ -166,7 +162,6 @@ impl Default for XTree {
 impl XTree {
     /// A new node without parent.
     pub fn add(&mut self, kind: XKind, text: EcoString, origin: Origin) -> XId {
-        let id = XId(u32::try_from(self.nodes.len()).unwrap_or(u32::MAX - 1));
         let nil = XId::NIL;
         self.nodes.push(XNode {
             kind,
@@ -178,8 +173,7 @@ impl XTree {
             last: nil,
             prev: nil,
             next: nil,
-        });
-        id
+        })
     }
 
     /// Give back the room for more nodes.
@@ -189,7 +183,7 @@ impl XTree {
 
     #[cfg(debug_assertions)]
     pub(super) fn all(&self) -> &[XNode] {
-        &self.nodes
+        self.nodes.as_slice()
     }
 
     /// How many nodes were ever made.
@@ -207,13 +201,13 @@ impl XTree {
     /// The node of an id.
     #[inline]
     pub fn get(&self, id: XId) -> &XNode {
-        &self.nodes[id.index()]
+        &self.nodes.as_slice()[id.index()]
     }
 
     /// The node of an id, to be changed.
     #[inline]
     pub fn get_mut(&mut self, id: XId) -> &mut XNode {
-        &mut self.nodes[id.index()]
+        &mut self.nodes.as_mut_slice()[id.index()]
     }
 
     /// The node's parent.
@@ -337,16 +331,19 @@ impl XTree {
             }
         };
         let range = first.index()..end.index();
-        self.nodes
-            .extend(from.nodes[range.clone()].iter().map(|node| XNode {
-                parent: moved(node.parent),
-                first: moved(node.first),
-                last: moved(node.last),
-                prev: moved(node.prev),
-                next: moved(node.next),
-                ..node.clone()
-            }));
-        for (id, node) in (start..).map(XId).zip(&from.nodes[range]) {
+        self.nodes.extend(
+            from.nodes.as_slice()[range.clone()]
+                .iter()
+                .map(|node| XNode {
+                    parent: moved(node.parent),
+                    first: moved(node.first),
+                    last: moved(node.last),
+                    prev: moved(node.prev),
+                    next: moved(node.next),
+                    ..node.clone()
+                }),
+        );
+        for (id, node) in (start..).map(XId).zip(&from.nodes.as_slice()[range]) {
             if !inside(node.parent) {
                 self.append(parent, id);
             }

@@ -6,8 +6,12 @@ use super::expansion::Expansion;
 /// Compare everything that can be seen of two expansions.
 pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     list("node", made.tree.all(), fresh.tree.all());
-    list("frame", &made.frames, &fresh.frames);
-    list("binding", &made.index.bindings, &fresh.index.bindings);
+    list("frame", made.frames.as_slice(), fresh.frames.as_slice());
+    list(
+        "binding",
+        made.index.bindings.as_slice(),
+        fresh.index.bindings.as_slice(),
+    );
     list("read", &made.index.reads, &fresh.index.reads);
     list(
         "evaluation",
@@ -16,8 +20,8 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     );
     list(
         "definition",
-        &made.index.symbols.definitions,
-        &fresh.index.symbols.definitions,
+        made.index.symbols.definitions.as_slice(),
+        fresh.index.symbols.definitions.as_slice(),
     );
     list("use", &made.index.symbols.uses, &fresh.index.symbols.uses);
     list(

@@ -8,8 +8,10 @@ use super::Value;
 use base::TextRange;
 
 /// Opaque number of a property scope (`ns=` of an include); only the host knows what it stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ScopeId(pub u32);
+
+base::ids!(ScopeId);
 
 /// What a host knows of a name.
 #[derive(Clone, Debug)]

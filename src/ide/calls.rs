@@ -127,7 +127,7 @@ fn add(found: &mut Vec<Calls>, other: Caller, span: Span) {
 
 /// The macro around a call, or its file.
 fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
-    let source = cx.expansion.sources.get(place.src.0 as usize)?;
+    let source = cx.expansion.sources.get(place.src)?;
     let holds = |range: TextRange| range.contains_range(place.range);
     let nodes = source
         .item
@@ -146,8 +146,6 @@ fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
     });
     match defined {
         Some(id) => Some(Caller::Macro(id)),
-        None => Some(Caller::File(
-            cx.expansion.files.get(source.file.0 as usize)?.source.id,
-        )),
+        None => Some(Caller::File(cx.expansion.files.get(source.file)?.source.id)),
     }
 }

@@ -27,11 +27,7 @@ impl<'a> Cx<'a> {
     /// The file's number in the expansion; none when it takes no part.
     pub fn file(&self) -> Option<FileIdx> {
         let own = |file: &expand::FileUse| file.source.id == self.source.id;
-        self.expansion
-            .files
-            .iter()
-            .position(own)
-            .map(|index| FileIdx(index as u32))
+        self.expansion.files.position(own)
     }
 
     /// The text of the expansion that stands at `range` of the file.
@@ -51,8 +47,8 @@ impl<'a> Cx<'a> {
 
     /// Where a text of the expansion stands.
     pub fn span(&self, place: SourceRange) -> Option<Span> {
-        let source = self.expansion.sources.get(place.src.0 as usize)?;
-        let file = self.expansion.files.get(source.file.0 as usize)?.source.id;
+        let source = self.expansion.sources.get(place.src)?;
+        let file = self.expansion.files.get(source.file)?.source.id;
         Some(Span {
             file,
             range: place.range.shift(source.base),
@@ -62,8 +58,8 @@ impl<'a> Cx<'a> {
     /// The source texts of the file in order, and the number of the first.
     fn own_sources(&self) -> Option<(u32, &'a [Source])> {
         let file = self.file()?;
-        let first = self.expansion.files.get(file.0 as usize)?.first_source.0;
-        let rest = self.expansion.sources.get(first as usize..)?;
+        let first = self.expansion.files.get(file)?.first_source.0;
+        let rest = self.expansion.sources.as_slice().get(first as usize..)?;
         let count = rest.iter().take_while(|source| source.file == file).count();
         Some((first, rest.get(..count)?))
     }
@@ -87,7 +83,7 @@ impl<'a> Cx<'a> {
     pub fn symbol_at(&self, offset: u32) -> Option<(DefinitionId, TextRange)> {
         let symbols = &self.expansion.index.symbols;
         for src in self.sources() {
-            let source = self.expansion.sources.get(src.0 as usize)?;
+            let source = self.expansion.sources.get(src)?;
             let Some(inside) = offset
                 .checked_sub(source.base)
                 .filter(|&inside| inside <= source.item.len())

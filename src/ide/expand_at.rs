@@ -276,7 +276,7 @@ pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) 
 
 /// The whole element whose tag begins at an origin.
 fn element_of(expansion: &Expansion, tag: Origin) -> Option<Origin> {
-    let source = expansion.sources.get(tag.src.0 as usize)?;
+    let source = expansion.sources.get(tag.src)?;
     let mut nodes = source.item.all_nodes();
     let node = nodes
         .find(|node| node.kind() == NodeKind::Element && node.range().start == tag.range.start)?;

@@ -26,13 +26,13 @@ pub struct SelectedInstance {
 
 /// The frames with their numbers.
 pub(super) fn numbered(expansion: &Expansion) -> impl Iterator<Item = (FrameId, &Frame)> {
-    (0..).map(FrameId).zip(&expansion.frames)
+    expansion.frames.iter_ids()
 }
 
 /// Whether a frame lies in another one, or is that one.
 pub(super) fn is_within(expansion: &Expansion, frame: FrameId, outer: FrameId) -> bool {
     let next = |inner: &FrameId| {
-        let call = expansion.frames.get(inner.0 as usize)?.call.frame;
+        let call = expansion.frames.get(*inner)?.call.frame;
         (call != *inner && *inner != FrameId::ROOT).then_some(call)
     };
     std::iter::successors(Some(frame), next).any(|frame| frame == outer)
@@ -106,12 +106,12 @@ pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<SelectedInstance, u
         return Err(choices.len());
     };
     let made = || {
-        let frame = cx.expansion.frames.get(chosen.0 as usize)?;
+        let frame = cx.expansion.frames.get(chosen)?;
         let place = cx.expansion.place(frame.definition?)?;
         let file = cx
             .expansion
             .files
-            .get(place.file.0 as usize)?
+            .get(place.file)?
             .source
             .path
             .to_path_buf();
@@ -144,7 +144,7 @@ fn tags(expansion: &Expansion, frame: FrameId) -> Vec<String> {
         ..Origin::NOWHERE
     };
     let text = |frame: &Frame| {
-        let source = expansion.sources.get(frame.call.src.0 as usize)?;
+        let source = expansion.sources.get(frame.call.src)?;
         let mut nodes = source
             .item
             .all_nodes()
@@ -161,8 +161,8 @@ fn tags(expansion: &Expansion, frame: FrameId) -> Vec<String> {
 /// The frame of the call that was picked; none when it is gone.
 pub fn pinned(expansion: &Expansion, pin: &SelectedInstance) -> Option<FrameId> {
     let own = |place: SourceRange| {
-        let source = expansion.sources.get(place.src.0 as usize)?;
-        let file = expansion.files.get(source.file.0 as usize)?;
+        let source = expansion.sources.get(place.src)?;
+        let file = expansion.files.get(source.file)?;
         (*file.source.path == *pin.file).then_some(())
     };
     let mut known = expansion.index.symbols.iter();

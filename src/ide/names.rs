@@ -57,7 +57,7 @@ pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)>
 pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
     let definition = cx.expansion.index.symbols.get(id)?;
     let name = cx.span(definition.place)?;
-    let source = cx.expansion.sources.get(definition.place.src.0 as usize)?;
+    let source = cx.expansion.sources.get(definition.place.src)?;
     let around = source.item.all_nodes().filter(|node| {
         let range = node.range();
         range.start <= definition.place.range.start && definition.place.range.end <= range.end

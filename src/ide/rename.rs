@@ -186,7 +186,7 @@ pub fn definition_at(cx: &Cx<'_>, span: Span) -> Option<DefinitionId> {
 
 /// The same part of a name in the end tag, for one that is used in the name of a tag: a macro or a namespace.
 fn end_tag(cx: &Cx<'_>, used: SourceRange) -> Option<Span> {
-    let source = cx.expansion.sources.get(used.src.0 as usize)?;
+    let source = cx.expansion.sources.get(used.src)?;
     let node = source
         .item
         .all_nodes()

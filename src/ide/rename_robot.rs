@@ -123,7 +123,7 @@ fn add_given(
 /// The pieces of a slice of a value, of which nothing but the text at `origin` is known: the texts between the expressions
 /// tell them apart, when each stands in the value once.
 fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Origin, Pieces)> {
-    let source = cx.expansion.sources.get(origin.src.0 as usize)?;
+    let source = cx.expansion.sources.get(origin.src)?;
     let all = origin.range.slice(source.item.text());
     let raw = all.trim();
     if all.contains('&') {
@@ -176,7 +176,7 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
 
 /// A part that is not empty, when the text says it letter by letter.
 fn part(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<NamePart> {
-    let source = cx.expansion.sources.get(origin.src.0 as usize)?;
+    let source = cx.expansion.sources.get(origin.src)?;
     let same = source
         .item
         .text()

@@ -92,7 +92,7 @@ pub fn origin_of(expansion: &Expansion, entry: &MapEntry) -> Origin {
         let [read] = expansion.index.read_in(reads) else {
             break;
         };
-        let Some(binding) = expansion.index.bindings.get(*read as usize) else {
+        let Some(binding) = expansion.index.bindings.get(*read) else {
             break;
         };
         let is_name = whole_name(expansion, origin);
@@ -113,7 +113,7 @@ fn whole_attribute(expansion: &Expansion, entry: &MapEntry) -> Option<Origin> {
     let tag = expansion.tree.get(entry.node).origin;
     let source = expansion
         .sources
-        .get(tag.src.0 as usize)
+        .get(tag.src)
         .filter(|_| tag.src == entry.origin.src)?;
     let mut attrs = source.item.element_at(tag.range.start)?.attrs();
     let attr = attrs.find(|attr| attr.value_range() == entry.origin.range)?;
@@ -125,7 +125,7 @@ fn whole_attribute(expansion: &Expansion, entry: &MapEntry) -> Option<Origin> {
 
 /// Whether the text at an origin is `${name}` and nothing else.
 fn whole_name(expansion: &Expansion, origin: Origin) -> bool {
-    let Some(source) = expansion.sources.get(origin.src.0 as usize) else {
+    let Some(source) = expansion.sources.get(origin.src) else {
         return false;
     };
     let text = origin.range.slice(source.item.text()).trim();
@@ -212,31 +212,28 @@ fn made_by_calls(
         let here = place.file == file && place.range.start <= offset && offset <= place.range.end;
         (here && frame.kind != FrameKind::Root).then(|| place.range.len())
     };
-    let calls: FastMap<u32, u32> = (0u32..)
-        .zip(&expansion.frames)
+    let calls: FastMap<FrameId, u32> = expansion
+        .frames
+        .iter_ids()
         .filter_map(|(id, frame)| Some((id, holds(frame)?)))
         .collect();
     let least = calls.values().copied().min()?;
-    let mut made: FastMap<u32, TextRange> = FastMap::default();
+    let mut made: FastMap<FrameId, TextRange> = FastMap::default();
     for entry in &written.map {
-        let parent = |id: &u32| {
+        let parent = |id: &FrameId| {
             expansion
                 .frames
-                .get(*id as usize)
+                .get(*id)
                 .filter(|f| f.kind != FrameKind::Root)
         };
-        let way = std::iter::successors(Some(entry.origin.frame.0), |id| {
-            Some(parent(id)?.call.frame.0)
-        });
+        let way =
+            std::iter::successors(Some(entry.origin.frame), |id| Some(parent(id)?.call.frame));
         for id in way.filter(|id| calls.get(id) == Some(&least)) {
             let all = made.entry(id).or_insert(entry.out);
             *all = TextRange::new(all.start.min(entry.out.start), all.end.max(entry.out.end));
         }
     }
-    let mut made: Vec<(TextRange, FrameId)> = made
-        .into_iter()
-        .map(|(id, out)| (out, FrameId(id)))
-        .collect();
+    let mut made: Vec<(TextRange, FrameId)> = made.into_iter().map(|(id, out)| (out, id)).collect();
     made.sort_by_key(|(out, _)| out.start);
     (!made.is_empty()).then_some((least, made))
 }
@@ -258,12 +255,7 @@ impl Places<'_> {
     /// File, start line and column, end line and column.
     fn of(&self, origin: Origin) -> Option<[u32; 5]> {
         let place = self.expansion.place(origin)?;
-        let document: &Document = &self
-            .expansion
-            .files
-            .get(place.file.0 as usize)?
-            .source
-            .document;
+        let document: &Document = &self.expansion.files.get(place.file)?.source.document;
         let start = document.line_col(place.range.start, self.encoding);
         let end = document.line_col(place.range.end, self.encoding);
         Some([place.file.0, start.line, start.col, end.line, end.col])

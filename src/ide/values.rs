@@ -4,7 +4,7 @@ use super::context::Cx;
 use super::host::{self, Names};
 use super::instances::is_within;
 use base::{FastSet, TextRange};
-use expand::{BindingKind, Evaluation, FrameId};
+use expand::{BindingId, BindingKind, Evaluation, FrameId};
 use expr::ast::{Expr, ExprKind};
 use expr::{self, Lookup, Value, display, is_global_symbol};
 
@@ -149,7 +149,7 @@ fn changes_something(part: &Expr) -> bool {
 /// Answers with what was read before, and with nothing else.
 struct Known<'a> {
     cx: &'a Cx<'a>,
-    reads: &'a [u32],
+    reads: &'a [BindingId],
 }
 
 impl Known<'_> {
@@ -157,7 +157,7 @@ impl Known<'_> {
         let bindings = self
             .reads
             .iter()
-            .filter_map(|&read| self.cx.expansion.index.bindings.get(read as usize));
+            .filter_map(|&read| self.cx.expansion.index.bindings.get(read));
         let mut named = bindings.filter(|info| info.name == name && of(info.kind));
         let first = named.next()?.value.as_ref()?;
         // names of several namespaces may be spelled alike

@@ -218,7 +218,7 @@ fn problems(expansion: &Expansion) -> Vec<Problem> {
 }
 
 fn location(expansion: &Expansion, place: Place) -> Option<Location> {
-    let source = &expansion.files.get(place.file.0 as usize)?.source;
+    let source = &expansion.files.get(place.file)?.source;
     let at = source.document.line_col(place.range.start, Encoding::Utf32);
     Some(Location {
         path: source.path.to_path_buf(),

@@ -58,7 +58,7 @@ pub fn source_mentions(expansion: &Expansion, element: XId, name: &str) -> bool 
 
 /// The source element whose start tag is at `origin`.
 fn node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
-    let item = &expansion.sources.get(origin.src.0 as usize)?.item;
+    let item = &expansion.sources.get(origin.src)?.item;
     item.element_at(origin.range.start)
         .filter(|node| node.start_tag_range() == origin.range)
 }

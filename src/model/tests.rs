@@ -182,7 +182,16 @@ fn params_of_interfaces_have_their_text_without_blanks() {
         .unwrap();
     assert_eq!(text.number(), Some(1.5));
     let place = expansion.place(text.origin).unwrap();
-    assert_eq!(expansion.files[0].source.document.slice(place.range), "1.5");
+    assert_eq!(
+        expansion
+            .files
+            .first()
+            .unwrap()
+            .source
+            .document
+            .slice(place.range),
+        "1.5"
+    );
 }
 
 #[test]
@@ -203,7 +212,13 @@ fn tags_begin_in_the_source() {
         .place(tag_start(&expansion, robot.links[0].element))
         .unwrap();
     assert_eq!(
-        expansion.files[0].source.document.slice(place.range),
+        expansion
+            .files
+            .first()
+            .unwrap()
+            .source
+            .document
+            .slice(place.range),
         "<link"
     );
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use base::TextRange;
-use expand::{Expansion, Origin, Piece, XAttr, XId, XKind, XTree};
+use expand::{BindingId, Expansion, Origin, Piece, XAttr, XId, XKind, XTree};
 
 /// The value of an attribute, and where it stands in the source; shared with the expanded document.
 #[derive(Clone, Debug)]
@@ -195,13 +195,13 @@ impl Text {
         }
     }
 
-    /// What the expressions read that made the part `range` of the value: indices of
-    /// [`Expansion::bindings`](expand::Expansion::bindings).
+    /// What the expressions read that made the part `range` of the value: numbers of
+    /// [`NameIndex::bindings`](expand::NameIndex::bindings).
     pub fn reads<'t>(
         &'t self,
         expansion: &'t Expansion,
         range: Range<usize>,
-    ) -> impl Iterator<Item = u32> + 't {
+    ) -> impl Iterator<Item = BindingId> + 't {
         let (start, end) = (range.start as u32, range.end as u32);
         let touching = self
             .pieces

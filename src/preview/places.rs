@@ -76,7 +76,7 @@ impl Places<'_> {
 
     /// A place in a file of the expansion, in the text that was expanded.
     pub fn place(&self, place: Place) -> Option<Location> {
-        let source = &self.expansion.files.get(place.file.0 as usize)?.source;
+        let source = &self.expansion.files.get(place.file)?.source;
         let point = |offset| {
             let LineCol { line, col } = source.document.line_col(offset, self.names.encoding);
             Point {
@@ -106,12 +106,9 @@ impl Places<'_> {
     /// The path and the text range that a location names in a file of the expansion.
     pub fn range(&self, location: &Location) -> Option<(expand::FileIdx, TextRange)> {
         let path = (self.names.path)(&location.uri)?;
-        let index = self
-            .expansion
-            .files
-            .iter()
-            .position(|file| *file.source.path == *path)?;
-        let document = &self.expansion.files.get(index)?.source.document;
+        let mut files = self.expansion.files.iter_ids();
+        let (file, used) = files.find(|(_, used)| *used.source.path == *path)?;
+        let document = &used.source.document;
         let offset = |point: Point| {
             document.offset(
                 LineCol {
@@ -123,7 +120,7 @@ impl Places<'_> {
         };
         let (start, end) = (offset(location.range.start), offset(location.range.end));
         let range = TextRange::new(start.min(end), start.max(end));
-        Some((expand::FileIdx(index as u32), range))
+        Some((file, range))
     }
 }
 

@@ -79,7 +79,7 @@ fn covers(places: &Places<'_>, origin: Origin, file: FileIdx, at: TextRange) -> 
 
 /// The whole element whose start tag is at `tag`.
 fn whole(places: &Places<'_>, tag: Origin) -> Origin {
-    let source = places.expansion.sources.get(tag.src.0 as usize);
+    let source = places.expansion.sources.get(tag.src);
     let node = source.and_then(|source| source.item.element_at(tag.range.start));
     node.map_or(tag, |node| Origin {
         range: node.range(),

@@ -214,7 +214,7 @@ impl<'a> Shapes<'a> {
 
     fn file_of(&self, origin: Origin) -> Option<&Path> {
         let place = self.expansion.place(origin)?;
-        Some(&self.expansion.files.get(place.file.0 as usize)?.source.path)
+        Some(&self.expansion.files.get(place.file)?.source.path)
     }
 
     fn mesh_file(&mut self, path: &Path) -> String {

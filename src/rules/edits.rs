@@ -11,7 +11,7 @@ pub(super) fn source_text(
     origin: Origin,
 ) -> Option<(FileIdx, TextRange, String)> {
     let place = expansion.place(origin)?;
-    let document = &expansion.files.get(place.file.0 as usize)?.source.document;
+    let document = &expansion.files.get(place.file)?.source.document;
     Some((place.file, place.range, document.slice(place.range)))
 }
 
@@ -19,7 +19,7 @@ pub(super) fn source_text(
 pub(super) fn speaks_xacro(expansion: &Expansion, origin: Origin) -> bool {
     let file = expansion
         .place(origin)
-        .and_then(|place| expansion.files.get(place.file.0 as usize));
+        .and_then(|place| expansion.files.get(place.file));
     let root = file.and_then(|file| file.source.document.root());
     root.is_some_and(|root| root.attr("xmlns:xacro").is_some())
 }
@@ -89,7 +89,7 @@ pub(super) fn rename<'s, 'a>(
 /// What to remove of a file so that nothing is left of an origin: its line, when it stands there alone.
 pub(super) fn removal(expansion: &Expansion, origin: Origin) -> Option<(FileIdx, TextRange)> {
     let (file, range, _) = source_text(expansion, origin)?;
-    let document = &expansion.files.get(file.0 as usize)?.source.document;
+    let document = &expansion.files.get(file)?.source.document;
     let wide = with_blanks(expansion, file, range);
     let before = document.slice(TextRange::new(wide.start, range.start));
     let behind = document.slice(TextRange::new(
@@ -111,7 +111,7 @@ pub(super) fn removal(expansion: &Expansion, origin: Origin) -> Option<(FileIdx,
 /// A line break and the indentation of the line where a range begins; nothing when something stands in front.
 pub(super) fn indent(expansion: &Expansion, file: FileIdx, range: TextRange) -> String {
     let wide = with_blanks(expansion, file, range);
-    let files = expansion.files.get(file.0 as usize);
+    let files = expansion.files.get(file);
     let blanks = files.map(|used| {
         used.source
             .document
@@ -128,7 +128,7 @@ pub(super) fn indent(expansion: &Expansion, file: FileIdx, range: TextRange) -> 
 
 /// A range with the blanks in front of it.
 pub(super) fn with_blanks(expansion: &Expansion, file: FileIdx, range: TextRange) -> TextRange {
-    let Some(used) = expansion.files.get(file.0 as usize) else {
+    let Some(used) = expansion.files.get(file) else {
         return range;
     };
     let before = used

@@ -5,7 +5,7 @@ use super::edits::{is_called, source_text, speaks_xacro};
 use super::rule::Safety;
 use super::sink::Reported;
 use base::FastSet;
-use expand::{BindingKind, Expansion, Origin};
+use expand::{BindingId, BindingKind, Expansion, Origin};
 use model::{Text, decimal};
 
 /// From here on, a limit, an effort or a velocity means "unknown" or "unlimited", whatever its unit.
@@ -103,13 +103,13 @@ pub(super) fn from_degrees<'s, 'a>(
 /// Whether the part `range` of a value comes from a property or an argument that somebody gave a number, as opposed to a
 /// number in place or an expression of constants.
 pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range<usize>) -> bool {
-    let mut reads: Vec<u32> = text.reads(expansion, range).collect();
+    let mut reads: Vec<BindingId> = text.reads(expansion, range).collect();
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
         let Some(binding) = expansion
             .index
             .bindings
-            .get(read as usize)
+            .get(read)
             .filter(|_| seen.insert(read))
         else {
             continue;
@@ -137,13 +137,13 @@ pub(super) fn is_made_with(
     if has_name(text.part(range.clone())) {
         return true;
     }
-    let mut reads: Vec<u32> = text.reads(expansion, range).collect();
+    let mut reads: Vec<BindingId> = text.reads(expansion, range).collect();
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
         if seen.len() > MOST_READS || !seen.insert(read) {
             continue;
         }
-        let Some(binding) = expansion.index.bindings.get(read as usize) else {
+        let Some(binding) = expansion.index.bindings.get(read) else {
             continue;
         };
         if binding.origin.is_some_and(has_name) || names.contains(&binding.name.as_str()) {
@@ -158,14 +158,14 @@ pub(super) fn is_made_with(
 fn with_definitions<'s, 'a>(
     mut report: Reported<'s, 'a>,
     expansion: &Expansion,
-    mut reads: Vec<u32>,
+    mut reads: Vec<BindingId>,
 ) -> Reported<'s, 'a> {
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
         let Some(binding) = expansion
             .index
             .bindings
-            .get(read as usize)
+            .get(read)
             .filter(|_| seen.insert(read))
         else {
             continue;

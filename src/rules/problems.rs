@@ -197,11 +197,7 @@ pub(super) fn finding(expansion: &Expansion, problem: &Problem, vfs: &Vfs) -> Op
         return None;
     }
     let Span { file, range } = span(expansion, problem.place)?;
-    let document = &expansion
-        .files
-        .get(problem.place.file.0 as usize)?
-        .source
-        .document;
+    let document = &expansion.files.get(problem.place.file)?.source.document;
     let mut calls = calls(expansion, problem);
     let mut place = Span {
         file,
@@ -268,7 +264,7 @@ fn calls(expansion: &Expansion, problem: &Problem) -> Vec<Related> {
         // calls and includes are given by their tags, definitions by their names
         let text = expansion
             .files
-            .get(step.place.file.0 as usize)?
+            .get(step.place.file)?
             .source
             .document
             .slice(step.place.range);

@@ -15,7 +15,7 @@ use super::sink::{Sink, span};
 use super::vocabulary::{is_urdf_element, is_xacro_uri, outside_free_zones};
 use super::xacro::is_unprefixed;
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
-use expand::{Expansion, FileIdx, FileUse, Problem, ProblemKind};
+use expand::{Expansion, FileUse, Problem, ProblemKind};
 use facts::is_keyword;
 use model::{Kinematics, Robot};
 use vfs::Vfs;
@@ -182,7 +182,7 @@ pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
         })
         .collect();
     let sure = |problem: &&Problem| {
-        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else {
+        let Some(file) = expansion.files.get(problem.place.file) else {
             return false;
         };
         let document = &file.source.document;
@@ -210,7 +210,7 @@ pub fn check_files(expansion: &Expansion, world: RuleEnv<'_>, chosen: Chosen<'_>
     };
     let mut sink = Sink::new(expansion, first);
     let macros = named_macros(expansion);
-    for (file, used) in (0..).map(FileIdx).zip(&expansion.files) {
+    for (file, used) in expansion.files.iter_ids() {
         let packages = OnceCell::new();
         let cx = FileCx {
             expansion,
@@ -299,7 +299,7 @@ impl Unprefixed {
         if !problem.kind.is_undefined_name() || self.names.is_empty() && !self.structure {
             return false;
         }
-        let Some(file) = expansion.files.get(problem.place.file.0 as usize) else {
+        let Some(file) = expansion.files.get(problem.place.file) else {
             return false;
         };
         let text = file.source.document.slice(problem.place.range);

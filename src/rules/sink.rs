@@ -342,7 +342,7 @@ impl Reported<'_, '_> {
 
 /// A place of an expansion in terms that hold beyond it.
 pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
-    let file = expansion.files.get(place.file.0 as usize)?;
+    let file = expansion.files.get(place.file)?;
     Some(Span {
         file: file.source.id,
         range: place.range,

@@ -6,7 +6,7 @@ use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, PoisonError, RwLock};
 
-use base::{FastMap, FileId};
+use base::{FastMap, FileId, IdVec};
 
 /// Numbers of paths, given out in order of first use and never taken back.
 #[derive(Default)]
@@ -15,7 +15,7 @@ pub(super) struct Ids(RwLock<Table>);
 #[derive(Default)]
 struct Table {
     by_path: FastMap<Spelled, FileId>,
-    paths: Vec<Arc<Path>>,
+    paths: IdVec<FileId, Arc<Path>>,
 }
 
 /// A path that is compared letter by letter: all of them are absolute and without detours, and to take each apart, as paths
@@ -58,9 +58,8 @@ impl Ids {
         if let Some(id) = table.by_path.get(path.as_os_str()) {
             return *id;
         }
-        let id = FileId(u32::try_from(table.paths.len()).unwrap_or(u32::MAX));
         let path: Arc<Path> = path.into();
-        table.paths.push(path.clone());
+        let id = table.paths.push(path.clone());
         table.by_path.insert(Spelled(path), id);
         id
     }
@@ -70,7 +69,7 @@ impl Ids {
         let table = self.0.read().unwrap_or_else(PoisonError::into_inner);
         table
             .paths
-            .get(id.0 as usize)
+            .get(id)
             .cloned()
             .unwrap_or_else(|| Path::new("").into())
     }

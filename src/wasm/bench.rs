@@ -9,8 +9,8 @@ use serde_json::{Map, Value, json};
 
 use super::calls::{Call, CheckCall, Robot};
 use analysis::{FixOptions, RootChoice, Session, World};
-use base::{CancelFlag, Encoding};
-use expand::{Expansion, Limits, Place, Problem, Request, Severity as Weight};
+use base::{CancelFlag, Encoding, IdVec};
+use expand::{Expansion, FileIdx, Limits, Place, Problem, Request, Severity as Weight};
 use preview::{Names, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
@@ -179,7 +179,7 @@ impl Bench {
             return Err(format!("{}: {}", robot.file, error.reason()));
         }
         let name = |path: &Path| shown_path(path, &self.env.cwd);
-        let files: Vec<String> = expansion
+        let files: IdVec<FileIdx, String> = expansion
             .files
             .iter()
             .map(|file| name(&file.source.path))
@@ -198,7 +198,7 @@ impl Bench {
             "map": map,
             "problems": problems(&expansion, &files),
             "arguments": arguments.map(|(name, value)| (name.to_string(), json!(value.as_str()))).collect::<Map<_, _>>(),
-            "files": files,
+            "files": files.as_slice(),
         }))
     }
 
@@ -270,9 +270,9 @@ const fn names() -> Names<'static> {
 }
 
 /// The problems of an expansion, as findings name their places.
-fn problems(expansion: &Expansion, files: &[String]) -> Vec<Value> {
+fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value> {
     let position = |place: Place, offset: u32| {
-        let source = &expansion.files.get(place.file.0 as usize)?.source;
+        let source = &expansion.files.get(place.file)?.source;
         let at = source.document.line_col(offset, Encoding::Utf32);
         Some(json!({ "row": at.line + 1, "column": at.col + 1 }))
     };
@@ -287,7 +287,7 @@ fn problems(expansion: &Expansion, files: &[String]) -> Vec<Value> {
             "severity": if problem.severity == Weight::Error { "error" } else { "warning" },
             "message": message,
             "help": help,
-            "filename": files.get(place.file.0 as usize),
+            "filename": files.get(place.file),
             "location": position(*place, place.range.start),
             "end_location": position(*place, place.range.end),
         })

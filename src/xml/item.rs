@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind, expat};
 use super::node::{AttrData, Node, NodeData, NodeId, Siblings};
-use base::TextRange;
+use base::{Id, TextRange};
 
 /// An immutable piece of a document: leading text and comments and one element, or the header, or the
 /// footer. All ranges in it count from its own start.
@@ -153,7 +153,9 @@ impl Item {
             .skip(first)
             .take_while(|(_, node)| node.start == start);
         let mut elements = here.filter(|(_, node)| node.kind == super::NodeKind::Element);
-        elements.next().map(|(id, _)| self.node(NodeId(id as u32)))
+        elements
+            .next()
+            .map(|(id, _)| self.node(NodeId::from_index(id)))
     }
 
     /// The element of this item: the last top-level node, if that is an element.

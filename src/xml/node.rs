@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::decode::decode;
 use super::entities::Entities;
 use super::item::Item;
-use base::TextRange;
+use base::{Id, TextRange};
 
 /// What a node is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,6 +31,8 @@ pub enum NodeKind {
 /// Number of a node in its item; parents come before their children.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(pub u32);
+
+base::ids!(NodeId);
 
 /// No node, no offset.
 pub(super) const NONE: u32 = u32::MAX;
@@ -110,7 +112,7 @@ impl<'a> Node<'a> {
 
     #[inline]
     fn data(self) -> &'a NodeData {
-        self.item.nodes.get(self.id.0 as usize).unwrap_or(&NO_NODE)
+        self.item.nodes.get(self.id.index()).unwrap_or(&NO_NODE)
     }
 
     #[inline]
@@ -424,7 +426,7 @@ impl<'a> Attr<'a> {
             .item
             .nodes
             .partition_point(|node| node.start <= self.data.name);
-        let element = self.item.node(NodeId(behind.saturating_sub(1) as u32));
+        let element = self.item.node(NodeId::from_index(behind.saturating_sub(1)));
         entities.is_tokenized(element.name(), self.name())
     }
 

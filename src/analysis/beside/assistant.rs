@@ -198,11 +198,7 @@ fn errors(expansion: &Expansion) -> Vec<&Problem> {
 }
 
 fn place(expansion: &Expansion, problem: &Problem) -> Option<Span> {
-    let file = expansion
-        .files
-        .get(problem.place.file.0 as usize)?
-        .source
-        .id;
+    let file = expansion.files.get(problem.place.file)?.source.id;
     Some(Span {
         file,
         range: problem.place.range,

@@ -19,7 +19,7 @@ pub(super) fn call(cx: &Cx<'_>, offset: u32) -> Option<Action> {
         return None;
     }
     let frame = only_frame(cx, tag)?;
-    let name = &cx.expansion.frames.get(frame.0 as usize)?.name;
+    let name = &cx.expansion.frames.get(frame)?.name;
     if leaves_something(cx, frame) {
         return None;
     }
@@ -44,7 +44,7 @@ pub(super) fn only_frame(cx: &Cx<'_>, tag: TextRange) -> Option<FrameId> {
     let is_macro = |id: &FrameId| {
         cx.expansion
             .frames
-            .get(id.0 as usize)
+            .get(*id)
             .is_some_and(|frame| frame.kind == FrameKind::Macro)
     };
     let mut made = frames_of_tag(cx, tag).into_iter().filter(is_macro);
@@ -66,7 +66,7 @@ fn leaves_something(cx: &Cx<'_>, outer: FrameId) -> bool {
 }
 
 pub(super) fn source_node<'a>(cx: &Cx<'a>, origin: Origin) -> Option<Node<'a>> {
-    let item = &cx.expansion.sources.get(origin.src.0 as usize)?.item;
+    let item = &cx.expansion.sources.get(origin.src)?.item;
     let around = item.all_nodes().filter(|node| {
         node.kind() == NodeKind::Element
             && node.name() == "xacro:macro"

@@ -20,11 +20,11 @@ pub fn inline_macro(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     if base == 0 || !tag.touches(offset) || !document.errors().is_empty() {
         return None;
     }
-    let frame = cx.expansion.frames.get(only_frame(cx, tag)?.0 as usize)?;
+    let frame = cx.expansion.frames.get(only_frame(cx, tag)?)?;
     let origin = frame.definition?;
     let (definition, item) = (
         source_node(cx, origin)?,
-        &cx.expansion.sources.get(origin.src.0 as usize)?.item,
+        &cx.expansion.sources.get(origin.src)?.item,
     );
     let text = Body {
         item,

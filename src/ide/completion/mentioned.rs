@@ -151,8 +151,8 @@ fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String
     let is_here = |id| {
         let source = expansion
             .sources
-            .get(expansion.index.symbols.get(id)?.place.src.0 as usize)?;
-        Some(expansion.files.get(source.file.0 as usize)?.source.path == *own)
+            .get(expansion.index.symbols.get(id)?.place.src)?;
+        Some(expansion.files.get(source.file)?.source.path == *own)
     };
     let bindings = expansion.index.bindings.iter().filter(|info| {
         info.name == name

@@ -246,8 +246,8 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
 }
 
 pub(super) fn file_of(expansion: &Expansion, text: &Text) -> String {
-    let source = expansion.sources.get(text.origin.src.0 as usize);
-    let file = source.and_then(|source| expansion.files.get(source.file.0 as usize));
+    let source = expansion.sources.get(text.origin.src);
+    let file = source.and_then(|source| expansion.files.get(source.file));
     file.map(|file| file_name(&file.source.path))
         .unwrap_or_default()
 }

@@ -121,7 +121,7 @@ fn reason(cx: &Cx<'_>, range: TextRange, values: &[Instance]) -> String {
     let reads = evaluations
         .at(place)
         .flat_map(|evaluation| cx.expansion.index.read_in(evaluation.reads));
-    let bindings = reads.filter_map(|&read| cx.expansion.index.bindings.get(read as usize));
+    let bindings = reads.filter_map(|&read| cx.expansion.index.bindings.get(read));
     let unknown = bindings.filter(|info| info.value.as_ref().is_some_and(Value::is_unknown));
     let mut names: Vec<String> = unknown.map(|info| code(&info.name)).collect();
     names.sort_unstable();
@@ -211,7 +211,7 @@ pub fn call_label(cx: &Cx<'_>, frame: FrameId) -> Option<String> {
 /// `file.xacro:12`
 pub(super) fn place_name(cx: &Cx<'_>, origin: Origin) -> Option<String> {
     let place = cx.expansion.place(origin)?;
-    let source = &cx.expansion.files.get(place.file.0 as usize)?.source;
+    let source = &cx.expansion.files.get(place.file)?.source;
     let line = source
         .document
         .line_col(place.range.start, base::Encoding::Utf8)

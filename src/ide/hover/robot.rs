@@ -9,7 +9,7 @@ use super::files::{lengths, three_digits};
 use super::numbers::{degrees, rounded};
 use super::page::{Page, code};
 use base::{FastSet, TextRange};
-use expand::BindingKind;
+use expand::{BindingId, BindingKind};
 use expr::Value;
 use model::{Joint, JointType, Kinematics, Link, Pose, Robot, Text};
 use rules::{RuleEnv, link_bounds};
@@ -100,15 +100,15 @@ fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
 /// The names that an argument of a call becomes as it is, when its text stands at `range`.
 fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     let place = cx.source_range(range)?;
-    let mut given: FastSet<u32> = FastSet::default();
+    let mut given: FastSet<BindingId> = FastSet::default();
     let mut values: Vec<&str> = Vec::new();
     // a binding is made after those that it reads
-    for (index, info) in (0..).zip(&cx.expansion.index.bindings) {
+    for (id, info) in cx.expansion.index.bindings.iter_ids() {
         let is_here =
             info.kind == BindingKind::Parameter && info.origin.is_some_and(|at| place == at.into());
         if let (true, Some(Value::Str(value))) = (is_here, &info.value) {
             values.push(value);
-            given.insert(index);
+            given.insert(id);
         } else if cx
             .expansion
             .index
@@ -116,7 +116,7 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
             .iter()
             .any(|read| given.contains(read))
         {
-            given.insert(index);
+            given.insert(id);
         }
     }
     if given.is_empty() {

@@ -11,8 +11,8 @@ use super::Hover;
 use super::expression::{function, shown};
 use super::page::{Page, code, count};
 use super::symbols::comment_above;
-use base::{Encoding, FastSet};
-use expand::{DefinitionId, SrcId, SymbolKind, UseKind, parse_params};
+use base::{Encoding, FastSet, IdVec};
+use expand::{DefinitionId, FileIdx, SrcId, SymbolKind, UseKind, parse_params};
 use expr::ast::ExprKind;
 use expr::{Value, names};
 use facts::{FactKind, FactsOf, MentionKind, facts_of};
@@ -106,7 +106,7 @@ fn is_called(cx: &Cx<'_>, name: &str) -> bool {
 /// The files of an expansion as they are now, and what is new in them.
 struct Changes<'a, 'c> {
     cx: &'c Cx<'a>,
-    files: Vec<Option<Arc<SourceFile>>>,
+    files: IdVec<FileIdx, Option<Arc<SourceFile>>>,
     /// Items of edited files that the expansion knows, by their addresses.
     kept: FastSet<*const Item>,
     /// Items that it does not know.
@@ -121,7 +121,7 @@ impl<'a, 'c> Changes<'a, 'c> {
             .iter()
             .map(|source| Arc::as_ptr(&source.item))
             .collect();
-        let (mut files, mut kept, mut new) = (Vec::new(), FastSet::default(), Vec::new());
+        let (mut files, mut kept, mut new) = (IdVec::default(), FastSet::default(), Vec::new());
         for file in &cx.expansion.files {
             let now = current(&file.source.path);
             if let Some(now) = now.as_ref().filter(|now| !Arc::ptr_eq(now, &file.source)) {
@@ -171,8 +171,8 @@ impl<'a, 'c> Changes<'a, 'c> {
         let base = self.base_now(known.place.src)?;
         let value = self.value(id)?;
         let mut page = Page::titled(format!("**property** {} = {}", code(name), shown(value)));
-        let source = expansion.sources.get(known.place.src.0 as usize)?;
-        let file = self.files.get(source.file.0 as usize)?.as_ref()?;
+        let source = expansion.sources.get(known.place.src)?;
+        let file = self.files.get(source.file)?.as_ref()?;
         let line = file
             .document
             .line_col(base + known.place.range.start, Encoding::Utf8)
@@ -190,16 +190,16 @@ impl<'a, 'c> Changes<'a, 'c> {
     /// The value of a property that was given once.
     fn value(&self, id: DefinitionId) -> Option<&'a Value> {
         let bindings = &self.cx.expansion.index.bindings;
-        let mut given = (0..)
-            .zip(bindings)
+        let mut given = bindings
+            .iter_ids()
             .filter(|(_, info)| info.definition == Some(id));
-        let (index, info) = given.next().filter(|_| given.next().is_none())?;
-        let (mut open, mut seen) = (vec![index], FastSet::default());
-        while let Some(index) = open.pop() {
+        let (binding, info) = given.next().filter(|_| given.next().is_none())?;
+        let (mut open, mut seen) = (vec![binding], FastSet::default());
+        while let Some(binding) = open.pop() {
             let info = bindings
-                .get(index as usize)
+                .get(binding)
                 .filter(|_| seen.len() < MOST_BINDINGS)?;
-            if seen.insert(index) {
+            if seen.insert(binding) {
                 if info.origin.is_some_and(|origin| !self.is_kept(origin.src)) {
                     return None;
                 }
@@ -232,9 +232,9 @@ impl<'a, 'c> Changes<'a, 'c> {
     /// Whether an item of the expansion is as it was.
     fn is_kept(&self, src: SrcId) -> bool {
         let is_kept = || {
-            let source = self.cx.expansion.sources.get(src.0 as usize)?;
-            let before = self.cx.expansion.files.get(source.file.0 as usize)?;
-            let now = self.files.get(source.file.0 as usize)?.as_ref()?;
+            let source = self.cx.expansion.sources.get(src)?;
+            let before = self.cx.expansion.files.get(source.file)?;
+            let now = self.files.get(source.file)?.as_ref()?;
             Some(Arc::ptr_eq(now, &before.source) || self.kept.contains(&Arc::as_ptr(&source.item)))
         };
         is_kept().unwrap_or(false)
@@ -242,9 +242,9 @@ impl<'a, 'c> Changes<'a, 'c> {
 
     /// Where an item of the expansion stands now; none when it was edited.
     fn base_now(&self, src: SrcId) -> Option<u32> {
-        let source = self.cx.expansion.sources.get(src.0 as usize)?;
-        let before = self.cx.expansion.files.get(source.file.0 as usize)?;
-        let now = self.files.get(source.file.0 as usize)?.as_ref()?;
+        let source = self.cx.expansion.sources.get(src)?;
+        let before = self.cx.expansion.files.get(source.file)?;
+        let now = self.files.get(source.file)?.as_ref()?;
         if Arc::ptr_eq(now, &before.source) {
             return Some(source.base);
         }

@@ -11,7 +11,7 @@ use super::page::{Page, code, count, plain};
 use crate::rename::definition_at;
 use crate::text_names::{Given, TextNames};
 use base::{Encoding, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Expansion, FrameKind, SymbolKind, Use, UseKind};
+use expand::{Definition, DefinitionId, Expansion, FrameId, FrameKind, SymbolKind, Use, UseKind};
 use expr::Value;
 use rules::RuleEnv;
 use xml::{Node, NodeKind};
@@ -286,8 +286,8 @@ pub fn declared_argument(
 fn comment_behind(expansion: &Expansion, id: DefinitionId) -> Option<String> {
     const MOST: u32 = 1000;
     let place = expansion.index.symbols.get(id)?.place;
-    let source = expansion.sources.get(place.src.0 as usize)?;
-    let document = &expansion.files.get(source.file.0 as usize)?.source.document;
+    let source = expansion.sources.get(place.src)?;
+    let document = &expansion.files.get(source.file)?.source.document;
     let mut parts = document.parts();
     let (base, _) = parts.find(|(_, item)| Arc::ptr_eq(item, &source.item))?;
     let end = element(expansion, id)?.range().end + base;
@@ -333,7 +333,7 @@ fn parameter_spec(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Opt
 /// The element that gives a definition.
 fn element(expansion: &Expansion, id: DefinitionId) -> Option<Node<'_>> {
     let place = expansion.index.symbols.get(id)?.place;
-    let item = &expansion.sources.get(place.src.0 as usize)?.item;
+    let item = &expansion.sources.get(place.src)?.item;
     let holds = |node: &Node<'_>| {
         node.kind() == NodeKind::Element && node.start_tag_range().contains_range(place.range)
     };
@@ -411,8 +411,10 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
                 .definition
                 .is_some_and(|at| expand::SourceRange::from(at) == definition.place)
     };
-    let calls: FastSet<u32> = (0..)
-        .zip(&cx.expansion.frames)
+    let calls: FastSet<FrameId> = cx
+        .expansion
+        .frames
+        .iter_ids()
         .filter(|(_, f)| of_macro(f))
         .map(|(i, _)| i)
         .collect();

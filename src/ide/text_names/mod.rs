@@ -18,15 +18,15 @@ use ecow::EcoString;
 pub use answers::{definitions_by_text, definitions_elsewhere, occurrences};
 pub use ways::{Documents, further_places};
 
-use base::{FastMap, FastSet, FileId, Span};
+use base::{FastMap, FastSet, FileId, IdVec, Span};
 use expand::{SymbolKind, UseKind};
 
 /// What the names of a robot's texts may mean.
 #[derive(Debug, Default)]
 pub struct TextNames {
-    given: Vec<Given>,
-    used: Vec<Used>,
-    scopes: Vec<Scope>,
+    given: IdVec<GivenId, Given>,
+    used: IdVec<UsedId, Used>,
+    scopes: IdVec<ScopeId, Scope>,
     /// The condition around each condition.
     guards: Vec<Guard>,
     /// The files that were read.
@@ -38,13 +38,13 @@ pub struct TextNames {
     /// By file, the tags of the includes that bring it in.
     included_at: FastMap<FileId, Vec<Span>>,
     /// The definitions of a name.
-    by_name: FastMap<(Class, EcoString), Vec<u32>>,
+    by_name: FastMap<(Class, EcoString), Vec<GivenId>>,
     /// Where macros are called, and blocks inserted: the scopes that their content sees.
     entered_from: FastMap<ScopeId, Vec<ScopeId>>,
-    /// The calls of macros: indices of [`TextNames::used`].
-    calls_of: FastMap<u32, Vec<u32>>,
+    /// The calls of macros.
+    calls_of: FastMap<GivenId, Vec<UsedId>>,
     /// When each macro is called, the first time and the last.
-    called_at: FastMap<u32, (u32, u32)>,
+    called_at: FastMap<GivenId, (u32, u32)>,
 }
 
 /// A definition.
@@ -59,7 +59,7 @@ pub struct Given {
     /// All that belongs to it: its element, or the name of a parameter.
     pub whole: Span,
     /// Of a parameter: its macro.
-    of: Option<u32>,
+    of: Option<GivenId>,
     /// The scopes that it stands in.
     scopes: Vec<ScopeId>,
     /// `scope="parent"`: it goes to whoever calls this macro.
@@ -89,7 +89,7 @@ struct Used {
     /// The innermost condition around it.
     guard: Guard,
     /// The property whose value it stands in, when that is evaluated later than where it stands.
-    lazy_in: Option<u32>,
+    lazy_in: Option<GivenId>,
     /// Whether it is the name in an end tag.
     is_end: bool,
 }
@@ -137,6 +137,21 @@ impl Class {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct ScopeId(u32);
 
+impl ScopeId {
+    /// The document.
+    const TOP: ScopeId = ScopeId(0);
+}
+
+/// A definition: index of [`TextNames::given`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+struct GivenId(u32);
+
+/// A use: index of [`TextNames::used`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+struct UsedId(u32);
+
+base::ids!(ScopeId, GivenId, UsedId);
+
 /// A condition, with those around it and around the includes and macros that it stands in: index of [`TextNames::guards`],
 /// counted from one; zero: none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -165,10 +180,10 @@ enum Scope {
     Top,
     /// An include with `ns`: its name with those around it, and the scope that includes.
     Namespace(EcoString, ScopeId),
-    /// The body of a macro, or the content of a block: index of its definition.
-    Body(u32),
+    /// The body of a macro, or the content of a block, by its definition.
+    Body(GivenId),
     /// Where a macro is called: nothing of its own, for the defaults of parameters.
-    Callers(u32),
+    Callers(GivenId),
 }
 
 /// What a name may mean.

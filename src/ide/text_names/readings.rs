@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Given, Reading, Seen, TextNames, Used};
+use super::{Given, GivenId, Reading, Seen, TextNames, Used};
 use base::FileId;
 
 impl TextNames {
@@ -18,17 +18,17 @@ impl TextNames {
     pub(super) fn at_each_reading(
         &self,
         used: &Used,
-        all: &BTreeSet<u32>,
-    ) -> Option<BTreeSet<u32>> {
-        let given = |id: &u32| self.given.get(*id as usize);
+        all: &BTreeSet<GivenId>,
+    ) -> Option<BTreeSet<GivenId>> {
+        let given = |id: &GivenId| self.given.get(*id);
         let mut found = BTreeSet::new();
         for reading in self.several(used.span.file)? {
-            let is_in_front = |id: &&u32| {
+            let is_in_front = |id: &&GivenId| {
                 let own = given(id);
                 own.is_some_and(|own| own.span.file != used.span.file && own.order < reading.order)
             };
-            let in_front: Vec<u32> = all.iter().filter(is_in_front).copied().collect();
-            let is_sure = |id: &&u32| {
+            let in_front: Vec<GivenId> = all.iter().filter(is_in_front).copied().collect();
+            let is_sure = |id: &&GivenId| {
                 given(id).is_some_and(|own| {
                     let at = Seen {
                         file: own.span.file,
@@ -38,11 +38,11 @@ impl TextNames {
                     self.is_sure(own, at)
                 })
             };
-            let order = |id: &u32| given(id).map_or(0, |own| own.order);
+            let order = |id: &GivenId| given(id).map_or(0, |own| own.order);
             let since = in_front.iter().filter(is_sure).map(order).max()?;
             found.extend(in_front.into_iter().filter(|id| order(id) >= since));
         }
-        let is_beside = |id: &&u32| {
+        let is_beside = |id: &&GivenId| {
             let own = given(id);
             own.is_some_and(|own| own.span.file == used.span.file && own.order < used.order)
         };

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use ecow::EcoString;
 
 use super::{
-    Class, Given, Guard, Meaning, NameText, Reading, Scope, ScopeId, Seen, TextNames, Used,
+    Class, Given, GivenId, Guard, Meaning, NameText, Reading, Scope, ScopeId, Seen, TextNames, Used,
 };
 use base::{FastMap, FastSet, Span};
 use expand::{SymbolKind, UseKind};
@@ -15,10 +15,7 @@ impl TextNames {
     pub(super) fn meaning(&self, used: &Used) -> Meaning<'_> {
         let mut found = self.candidates(used, Some(used.order));
         found = self.latest(used, found, &mut { MOST_CALLS });
-        let mut given: Vec<&Given> = found
-            .iter()
-            .filter_map(|&id| self.given.get(id as usize))
-            .collect();
+        let mut given: Vec<&Given> = found.iter().filter_map(|&id| self.given.get(id)).collect();
         match (given.len(), given.pop()) {
             (1, Some(one)) => Meaning::One(one),
             (_, Some(last)) => Meaning::OneOf(given.into_iter().chain([last]).collect()),
@@ -28,15 +25,15 @@ impl TextNames {
 
     /// All definitions that a use may mean; with `order`, a definition in front of it in its own scope hides those of
     /// outer ones.
-    pub(super) fn candidates(&self, used: &Used, order: Option<u32>) -> BTreeSet<u32> {
+    pub(super) fn candidates(&self, used: &Used, order: Option<u32>) -> BTreeSet<GivenId> {
         self.among(self.named(used.class, &used.name), used, order)
     }
 
     /// The ones of some definitions that a use would mean if it had their name.
-    fn among(&self, named: &[u32], used: &Used, order: Option<u32>) -> BTreeSet<u32> {
-        let given = |id: &u32| self.given.get(*id as usize);
+    fn among(&self, named: &[GivenId], used: &Used, order: Option<u32>) -> BTreeSet<GivenId> {
+        let given = |id: &GivenId| self.given.get(*id);
         if used.kind == UseKind::Given {
-            let mut macros: BTreeSet<u32> =
+            let mut macros: BTreeSet<GivenId> =
                 self.macros(&used.of, &used.scopes).into_iter().collect();
             if order.is_some() {
                 macros = self.at_that_time(used, macros);
@@ -69,7 +66,7 @@ impl TextNames {
         }
     }
 
-    fn named(&self, class: Class, name: &EcoString) -> &[u32] {
+    fn named(&self, class: Class, name: &EcoString) -> &[GivenId] {
         self.by_name
             .get(&(class, name.clone()))
             .map_or(&[], Vec::as_slice)
@@ -79,10 +76,10 @@ impl TextNames {
     fn visible(
         &self,
         (scope, at): (ScopeId, Seen),
-        named: &[u32],
+        named: &[GivenId],
         order: Option<u32>,
         seen: &mut FastSet<ScopeId>,
-        found: &mut BTreeSet<u32>,
+        found: &mut BTreeSet<GivenId>,
     ) {
         if named.is_empty() || !seen.insert(scope) {
             return;
@@ -91,7 +88,7 @@ impl TextNames {
         for &id in named {
             let Some(given) = self
                 .given
-                .get(id as usize)
+                .get(id)
                 .filter(|given| self.reaches(given, scope))
             else {
                 continue;
@@ -120,14 +117,14 @@ impl TextNames {
 
     /// The scopes that a scope sees.
     fn around(&self, scope: ScopeId) -> Vec<ScopeId> {
-        match self.scopes.get(scope.0 as usize) {
+        match self.scopes.get(scope) {
             Some(Scope::Namespace(_, outer)) => vec![*outer],
             Some(Scope::Body(of) | Scope::Callers(of)) => match self.entered_from.get(&scope) {
                 Some(from) => from.clone(),
                 // nobody comes by: where it is defined
                 None => self
                     .given
-                    .get(*of as usize)
+                    .get(*of)
                     .map(|given| given.scopes.clone())
                     .unwrap_or_default(),
             },
@@ -140,11 +137,12 @@ impl TextNames {
     pub(super) fn latest(
         &self,
         used: &Used,
-        found: BTreeSet<u32>,
+        found: BTreeSet<GivenId>,
         left: &mut u32,
-    ) -> BTreeSet<u32> {
-        let given = |id: &u32| self.given.get(*id as usize);
-        let is_sure = |id: &u32| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
+    ) -> BTreeSet<GivenId> {
+        let given = |id: &GivenId| self.given.get(*id);
+        let is_sure =
+            |id: &GivenId| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
         if used.class == Class::Argument {
             // the first one counts; macros are called later
             let outside = found
@@ -169,17 +167,18 @@ impl TextNames {
         let sure = own.iter().filter(|(_, (_, is_sure))| *is_sure);
         let last = sure.max_by_key(|(_, (order, _))| *order);
         let since = last.map_or(0, |(_, (order, _))| *order);
-        let later = |id: &u32| own.get(id).is_some_and(|(order, _)| *order >= since);
-        let in_scope = |id: &u32| given(id).is_some_and(|given| self.is_in_scope(given, used));
+        let later = |id: &GivenId| own.get(id).is_some_and(|(order, _)| *order >= since);
+        let in_scope = |id: &GivenId| given(id).is_some_and(|given| self.is_in_scope(given, used));
         if used.lazy_in.is_some() {
             // it is evaluated later, when others may have been defined; those in front of a sure one are gone
             let end = self.last_use(used);
-            let is_late = |id: &u32| in_scope(id) && given(id).is_some_and(|own| own.order >= end);
-            let is_gone = |id: &u32| own.contains_key(id) && !later(id) || is_late(id);
+            let is_late =
+                |id: &GivenId| in_scope(id) && given(id).is_some_and(|own| own.order >= end);
+            let is_gone = |id: &GivenId| own.contains_key(id) && !later(id) || is_late(id);
             let left = found.into_iter().filter(|id| !is_gone(id));
             return self.at_the_calls(used, left.collect());
         }
-        let own_file = |id: &u32| given(id).is_some_and(|own| own.span.file == used.span.file);
+        let own_file = |id: &GivenId| given(id).is_some_and(|own| own.span.file == used.span.file);
         if !last.is_some_and(|(id, _)| own_file(id)) {
             let all = found.iter().copied().filter(in_scope).collect();
             if let Some(found) = self.at_each_reading(used, &all) {
@@ -204,7 +203,7 @@ impl TextNames {
 
     /// The ones of some definitions that are made in the scope of a use and in front of it, be it by a macro that is called
     /// there and hands them out: with the order in which they are made, and whether they are sure to be.
-    fn in_front(&self, used: &Used, found: &BTreeSet<u32>) -> BTreeMap<u32, (u32, bool)> {
+    fn in_front(&self, used: &Used, found: &BTreeSet<GivenId>) -> BTreeMap<GivenId, (u32, bool)> {
         let order = |given: &Given| {
             if given.handed_out {
                 return self.handed_out_order(given, used);
@@ -213,7 +212,7 @@ impl TextNames {
             is_own.then(|| (given.order, self.is_sure(given, used.seen())))
         };
         let found = found.iter().filter_map(|&id| {
-            let order = self.given.get(id as usize).and_then(order)?;
+            let order = self.given.get(id).and_then(order)?;
             Some((id, order))
         });
         found.collect()
@@ -260,19 +259,19 @@ impl TextNames {
     }
 
     /// The macros that `name`, with namespaces, calls in these scopes.
-    pub(super) fn macros(&self, name: &str, scopes: &[ScopeId]) -> Vec<u32> {
+    pub(super) fn macros(&self, name: &str, scopes: &[ScopeId]) -> Vec<GivenId> {
         let (path, last) = name.rsplit_once('.').unwrap_or(("", name));
         self.called(self.named(Class::Macro, &last.into()), path, scopes)
     }
 
     /// The ones of some macros that a call in these scopes reaches, with `path` in front of their name.
-    fn called(&self, named: &[u32], path: &str, scopes: &[ScopeId]) -> Vec<u32> {
+    fn called(&self, named: &[GivenId], path: &str, scopes: &[ScopeId]) -> Vec<GivenId> {
         let wanted: Vec<EcoString> = scopes
             .iter()
             .map(|&scope| joined(&self.namespace(scope), path))
             .collect();
-        let is_it = |id: &&u32| {
-            let given = self.given.get(**id as usize);
+        let is_it = |id: &&GivenId| {
+            let given = self.given.get(**id);
             given.is_some_and(|given| {
                 given
                     .scopes
@@ -280,7 +279,7 @@ impl TextNames {
                     .any(|&own| wanted.contains(&self.namespace(own)))
             })
         };
-        let found: Vec<u32> = named.iter().filter(is_it).copied().collect();
+        let found: Vec<GivenId> = named.iter().filter(is_it).copied().collect();
         // a body may be called from a namespace that its text knows nothing of
         if found.is_empty() && path.is_empty() {
             named.to_vec()
@@ -290,19 +289,19 @@ impl TextNames {
     }
 
     /// The ones of some definitions that `ns.name` means: those of the include into `ns`.
-    fn members(&self, named: &[u32], used: &Used) -> Vec<u32> {
+    fn members(&self, named: &[GivenId], used: &Used) -> Vec<GivenId> {
         let inner = used
             .scopes
             .iter()
             .map(|&scope| joined(&self.namespace(scope), &used.of));
         let paths: Vec<EcoString> = inner.chain([used.of.clone()]).collect();
         let in_it = |scope: &ScopeId| {
-            let scope = self.scopes.get(scope.0 as usize);
+            let scope = self.scopes.get(*scope);
             matches!(scope, Some(Scope::Namespace(path, _)) if paths.contains(path))
         };
-        let is_it = |id: &&u32| {
+        let is_it = |id: &&GivenId| {
             self.given
-                .get(**id as usize)
+                .get(**id)
                 .is_some_and(|given| given.scopes.iter().any(in_it))
         };
         named.iter().filter(is_it).copied().collect()
@@ -312,12 +311,12 @@ impl TextNames {
     pub(super) fn namespace(&self, scope: ScopeId) -> EcoString {
         let mut scope = Some(scope);
         for _ in 0..MOST_STEPS {
-            match scope.and_then(|scope| self.scopes.get(scope.0 as usize)) {
+            match scope.and_then(|scope| self.scopes.get(scope)) {
                 Some(Scope::Namespace(path, _)) => return path.clone(),
                 Some(Scope::Body(of) | Scope::Callers(of)) => {
                     scope = self
                         .given
-                        .get(*of as usize)
+                        .get(*of)
                         .and_then(|given| given.scopes.first().copied());
                 }
                 Some(Scope::Top) | None => break,
@@ -331,7 +330,7 @@ impl TextNames {
     pub fn together(&self, places: &[Span]) -> Vec<NameText> {
         let names = self.names_at(places);
         let mut groups = Groups::default();
-        for (id, given) in (0..).zip(&self.given) {
+        for (id, given) in self.given.iter_ids() {
             if names.contains(&given.name) {
                 groups.join(given.span, id);
             }
@@ -341,7 +340,7 @@ impl TextNames {
                 groups.join(used.span, id);
             }
         }
-        let wanted: FastSet<u32> = places
+        let wanted: FastSet<GivenId> = places
             .iter()
             .filter_map(|place| groups.of_place(*place))
             .collect();
@@ -380,14 +379,15 @@ impl TextNames {
     pub fn clash(&self, places: &[Span], new: &str) -> Option<Span> {
         let new: EcoString = new.into();
         let is_own = |span: &Span| places.contains(span);
-        let group: Vec<u32> = (0..)
-            .zip(&self.given)
+        let group: Vec<GivenId> = self
+            .given
+            .iter_ids()
             .filter(|(_, given)| is_own(&given.span))
             .map(|(id, _)| id)
             .collect();
-        let class = Class::of(self.given.get(*group.first()? as usize)?.kind);
+        let class = Class::of(self.given.get(*group.first()?)?.kind);
         let others = self.named(class, &new);
-        let both: Vec<u32> = group.iter().chain(others).copied().collect();
+        let both: Vec<GivenId> = group.iter().chain(others).copied().collect();
         let is_other = |used: &Used| {
             let meant = self.among(&both, used, None);
             match is_own(&used.span) {
@@ -429,19 +429,19 @@ fn joined(outer: &str, inner: &str) -> EcoString {
 /// Definitions that belong together, joined by the places that mean them.
 #[derive(Default)]
 struct Groups {
-    parents: FastMap<u32, u32>,
-    places: FastMap<Span, u32>,
+    parents: FastMap<GivenId, GivenId>,
+    places: FastMap<Span, GivenId>,
 }
 
 impl Groups {
-    fn root(&self, mut id: u32) -> u32 {
+    fn root(&self, mut id: GivenId) -> GivenId {
         while let Some(&parent) = self.parents.get(&id) {
             id = parent;
         }
         id
     }
 
-    fn join(&mut self, place: Span, id: u32) {
+    fn join(&mut self, place: Span, id: GivenId) {
         let id = self.root(id);
         let known = self.places.insert(place, id).map(|known| self.root(known));
         if let Some(known) = known.filter(|known| *known != id) {
@@ -449,7 +449,7 @@ impl Groups {
         }
     }
 
-    fn of_place(&self, place: Span) -> Option<u32> {
+    fn of_place(&self, place: Span) -> Option<GivenId> {
         self.places.get(&place).map(|&id| self.root(id))
     }
 }

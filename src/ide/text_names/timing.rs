@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Class, Given, Scope, ScopeId, Seen, TextNames, Used};
+use super::{Class, Given, GivenId, Scope, ScopeId, Seen, TextNames, Used};
 use base::{FastMap, FastSet};
 use expand::UseKind;
 
@@ -20,16 +20,16 @@ fn wider(one: (u32, u32), other: (u32, u32)) -> (u32, u32) {
 impl TextNames {
     /// Of macros with one name, those that count when a use is evaluated: the last one that is sure to be defined then,
     /// and those behind it.
-    pub(super) fn at_that_time(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+    pub(super) fn at_that_time(&self, used: &Used, found: BTreeSet<GivenId>) -> BTreeSet<GivenId> {
         if found.len() < 2 {
             return found;
         }
         if let Some(own) = self.defined_on_the_way(used, &found, &mut { MOST_STEPS }) {
             return own;
         }
-        let given = |id: &u32| self.given.get(*id as usize);
+        let given = |id: &GivenId| self.given.get(*id);
         let (first, last) = self.time(used.order, &used.scopes);
-        let before = |id: &u32, time: u32| given(id).is_some_and(|given| given.order < time);
+        let before = |id: &GivenId, time: u32| given(id).is_some_and(|given| given.order < time);
         let sure = found.iter().filter(|id| before(id, first));
         let at = Seen {
             order: first,
@@ -48,7 +48,7 @@ impl TextNames {
     /// When the value that a use stands in is evaluated at the latest: when the property is last used, as far as that happens in
     /// the scope of the property.
     pub(super) fn last_use(&self, used: &Used) -> u32 {
-        let property = used.lazy_in.and_then(|id| self.given.get(id as usize));
+        let property = used.lazy_in.and_then(|id| self.given.get(id));
         let Some(property) = property else {
             return u32::MAX;
         };
@@ -80,16 +80,16 @@ impl TextNames {
     pub(super) fn at_each_call(
         &self,
         used: &Used,
-        found: &BTreeSet<u32>,
+        found: &BTreeSet<GivenId>,
         left: &mut u32,
-    ) -> Option<BTreeSet<u32>> {
+    ) -> Option<BTreeSet<GivenId>> {
         if found.len() < 2 {
             return None;
         }
         let mut counting = BTreeSet::new();
         for &scope in &used.scopes {
             let calls = self.calls_of.get(&self.macro_of(scope)?)?;
-            for call in calls.iter().filter_map(|&id| self.used.get(id as usize)) {
+            for call in calls.iter().filter_map(|&id| self.used.get(id)) {
                 *left = left.checked_sub(1)?;
                 // a macro of a namespace sees that, and not who calls it
                 if !call.of.is_empty() {
@@ -112,7 +112,7 @@ impl TextNames {
     /// Of definitions with one name, those that count while the macro around a use is called. What stands outside of macros is evaluated in
     /// the order of its text: what follows the last call comes too late, and the last one that is sure in front of the first call
     /// hides those in front of it.
-    pub(super) fn at_the_calls(&self, used: &Used, found: BTreeSet<u32>) -> BTreeSet<u32> {
+    pub(super) fn at_the_calls(&self, used: &Used, found: BTreeSet<GivenId>) -> BTreeSet<GivenId> {
         let is_in_macro = used.scopes.iter().all(|&scope| self.is_called(scope));
         if found.len() < 2 || !is_in_macro {
             return found;
@@ -122,7 +122,7 @@ impl TextNames {
             order: first,
             ..used.seen()
         };
-        let given = |id: &u32| self.given.get(*id as usize);
+        let given = |id: &GivenId| self.given.get(*id);
         let outside: Vec<&Given> = found
             .iter()
             .filter_map(given)
@@ -139,13 +139,13 @@ impl TextNames {
             let is_outside = outside.iter().any(|other| other.span == given.span);
             !is_outside || given.order < last && !is_hidden(given)
         };
-        let counting = |id: &u32| given(id).is_some_and(counts);
+        let counting = |id: &GivenId| given(id).is_some_and(counts);
         found.iter().copied().filter(counting).collect()
     }
 
     /// Whether a scope is that of a macro with known calls.
     fn is_called(&self, scope: ScopeId) -> bool {
-        match self.scopes.get(scope.0 as usize) {
+        match self.scopes.get(scope) {
             Some(Scope::Body(of) | Scope::Callers(of)) => self.called_at.contains_key(of),
             _ => false,
         }
@@ -157,10 +157,10 @@ impl TextNames {
     fn defined_on_the_way(
         &self,
         used: &Used,
-        found: &BTreeSet<u32>,
+        found: &BTreeSet<GivenId>,
         left: &mut u32,
-    ) -> Option<BTreeSet<u32>> {
-        let given = |id: &u32| self.given.get(*id as usize);
+    ) -> Option<BTreeSet<GivenId>> {
+        let given = |id: &GivenId| self.given.get(*id);
         let own = found.iter().filter_map(given);
         let own = own.filter_map(|given| self.own_order(given, used));
         let since = own
@@ -196,11 +196,11 @@ impl TextNames {
         let makers = given.scopes.iter().filter_map(|&own| self.macro_of(own));
         let calls = makers.filter_map(|of| Some((of, self.calls_of.get(&of)?)));
         let calls = calls.flat_map(|(of, calls)| calls.iter().map(move |&call| (of, call)));
-        let calls = calls.filter_map(|(of, call)| Some((of, self.used.get(call as usize)?)));
+        let calls = calls.filter_map(|(of, call)| Some((of, self.used.get(call)?)));
         let in_front =
             calls.filter(|(_, call)| call.scopes == used.scopes && call.order < used.order);
         let (of, call) = in_front.max_by_key(|(_, call)| call.order)?;
-        let guard = self.given.get(of as usize)?.guard;
+        let guard = self.given.get(of)?.guard;
         let is_sure = given.is_sure
             && given.guard == guard
             && call.span.file == used.span.file
@@ -222,7 +222,12 @@ impl TextNames {
     }
 
     /// Whether the body around a use calls a macro in front of it, but behind a place, be it through others.
-    fn is_called_between(&self, within: (u32, &Used), of: u32, seen: &mut FastSet<u32>) -> bool {
+    fn is_called_between(
+        &self,
+        within: (u32, &Used),
+        of: GivenId,
+        seen: &mut FastSet<GivenId>,
+    ) -> bool {
         let (since, used) = within;
         if !seen.insert(of) {
             return false;
@@ -232,7 +237,7 @@ impl TextNames {
             .get(&of)
             .into_iter()
             .flatten()
-            .filter_map(|&id| self.used.get(id as usize));
+            .filter_map(|&id| self.used.get(id));
         calls.any(|call| {
             let is_there = call.scopes == used.scopes && (since..used.order).contains(&call.order);
             let mut around = call.scopes.iter().filter_map(|&scope| self.macro_of(scope));
@@ -241,8 +246,8 @@ impl TextNames {
     }
 
     /// The macro whose body a scope is.
-    fn macro_of(&self, scope: ScopeId) -> Option<u32> {
-        match self.scopes.get(scope.0 as usize) {
+    fn macro_of(&self, scope: ScopeId) -> Option<GivenId> {
+        match self.scopes.get(scope) {
             Some(Scope::Body(of)) => Some(*of),
             _ => None,
         }
@@ -253,14 +258,14 @@ impl TextNames {
     fn defined_by_callers(
         &self,
         used: &Used,
-        found: &BTreeSet<u32>,
+        found: &BTreeSet<GivenId>,
         left: &mut u32,
-    ) -> Option<BTreeSet<u32>> {
+    ) -> Option<BTreeSet<GivenId>> {
         *left = left.checked_sub(1)?;
         let mut counting = BTreeSet::new();
         for &scope in &used.scopes {
             let calls = self.calls_of.get(&self.macro_of(scope)?)?;
-            for call in calls.iter().filter_map(|&id| self.used.get(id as usize)) {
+            for call in calls.iter().filter_map(|&id| self.used.get(id)) {
                 counting.extend(self.defined_on_the_way(call, found, left)?);
             }
         }
@@ -272,7 +277,7 @@ impl TextNames {
     fn time(&self, order: u32, scopes: &[ScopeId]) -> (u32, u32) {
         let mut found = NEVER;
         for scope in scopes {
-            let of = match self.scopes.get(scope.0 as usize) {
+            let of = match self.scopes.get(*scope) {
                 Some(Scope::Body(of) | Scope::Callers(of)) => Some(of),
                 _ => None,
             };
@@ -288,17 +293,17 @@ impl TextNames {
 
     /// Work out when macros are called, of which the calls are known.
     pub(super) fn set_times(&mut self) {
-        let macros: Vec<u32> = self.calls_of.keys().copied().collect();
+        let macros: Vec<GivenId> = self.calls_of.keys().copied().collect();
         // a call in a macro is made when that is called: what one round adds, the next hands on
         for _ in 0..MOST_CALLS {
-            let mut found: FastMap<u32, (u32, u32)> = FastMap::default();
+            let mut found: FastMap<GivenId, (u32, u32)> = FastMap::default();
             for of in &macros {
                 let own = self
                     .calls_of
                     .get(of)
                     .into_iter()
                     .flatten()
-                    .filter_map(|id| self.used.get(*id as usize));
+                    .filter_map(|id| self.used.get(*id));
                 let times = own.map(|used| self.time(used.order, &used.scopes));
                 found.insert(*of, times.fold(NEVER, wider));
             }

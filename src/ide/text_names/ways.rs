@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Class, TextNames};
+use super::{Class, GivenId, TextNames};
 use base::{FastSet, FileId, Span, TextRange};
 use expand::SymbolKind;
 use vfs::SourceFile;
@@ -44,14 +44,15 @@ impl TextNames {
     }
 
     /// The innermost macro that a text stands in, with its element.
-    fn macro_around(&self, at: Span) -> Option<(u32, Span)> {
+    fn macro_around(&self, at: Span) -> Option<(GivenId, Span)> {
         let holds = |whole: Span| {
             whole.file == at.file
                 && whole.range.start < at.range.start
                 && at.range.end <= whole.range.end
         };
-        let macros = (0..)
-            .zip(&self.given)
+        let macros = self
+            .given
+            .iter_ids()
             .filter(|(_, given)| given.kind == SymbolKind::Macro);
         let around = macros
             .filter(|(_, given)| holds(given.whole))
@@ -60,8 +61,8 @@ impl TextNames {
     }
 
     /// The call of a macro that the fewest conditions stand around.
-    fn call_of(&self, documents: Documents<'_>, of: u32, whole: Span) -> Option<Span> {
-        let name = &self.given.get(of as usize)?.name;
+    fn call_of(&self, documents: Documents<'_>, of: GivenId, whole: Span) -> Option<Span> {
+        let name = &self.given.get(of)?.name;
         let is_outside =
             |span: Span| span.file != whole.file || !whole.range.contains_range(span.range);
         let calls = self

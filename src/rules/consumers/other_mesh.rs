@@ -109,7 +109,7 @@ fn relative_name(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<String> {
 /// `package://PACKAGE/PATH`, when the mesh lies in the package of the file that names it.
 fn name_in_package(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>) -> Option<String> {
     let place = cx.expansion.place(mesh.file.origin)?;
-    let file = cx.expansion.files.get(place.file.0 as usize)?;
+    let file = cx.expansion.files.get(place.file)?;
     let package = cx.world.packages.containing(&file.source.path)?;
     package
         .uri(mesh.target.file()?)

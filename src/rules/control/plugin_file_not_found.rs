@@ -71,7 +71,7 @@ fn missing(cx: &DocumentCx<'_>, text: &Text) -> Option<(String, String)> {
     let written = is_meant
         .then(|| cx.expansion.place(text.origin))
         .flatten()?;
-    let file = cx.expansion.files.get(written.file.0 as usize)?;
+    let file = cx.expansion.files.get(written.file)?;
     let source = file.source.document.slice(written.range);
     let (_, rest) = source.split_once("$(find ")?;
     let (package, path) = rest.split_once(')')?;

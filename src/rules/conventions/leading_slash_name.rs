@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::names;
 use base::FastSet;
-use expand::BindingKind;
+use expand::{BindingId, BindingKind};
 use model::Text;
 
 pub(super) static RULE: Rule = Rule {
@@ -60,7 +60,7 @@ fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
         .pieces
         .iter()
         .filter(|piece| piece.out.start == 0 && piece.out.is_empty());
-    let mut reads: Vec<u32> = first
+    let mut reads: Vec<BindingId> = first
         .flat_map(|piece| expansion.index.read_in(piece.reads).iter().copied())
         .collect();
     let mut seen = FastSet::default();
@@ -68,7 +68,7 @@ fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
         let Some(binding) = expansion
             .index
             .bindings
-            .get(read as usize)
+            .get(read)
             .filter(|_| seen.insert(read))
         else {
             continue;

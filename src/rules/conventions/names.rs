@@ -57,7 +57,7 @@ pub(in super::super) fn rename(
             .expansion
             .place(text.origin)
             .filter(|_| text.is_literal())?;
-        let file = cx.expansion.files.get(place.file.0 as usize)?.source.id;
+        let file = cx.expansion.files.get(place.file)?.source.id;
         if places.insert(place) {
             let span = base::Span {
                 file,

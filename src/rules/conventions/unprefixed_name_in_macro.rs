@@ -120,7 +120,7 @@ fn is_called_without(cx: &FileCx<'_>, base: u32, node: Node<'_>, prefix: &str) -
     });
     let given: Vec<Option<&str>> = calls
         .map(|frame| {
-            let item = &cx.expansion.sources.get(frame.call.src.0 as usize)?.item;
+            let item = &cx.expansion.sources.get(frame.call.src)?.item;
             let call = item
                 .all_nodes()
                 .find(|node| node.name_range().end == frame.call.range.end)?;

@@ -157,7 +157,7 @@ fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
         .and_then(|rest| rest.split('/').next());
     let certain = !name.value.starts_with("package:///");
     let place = cx.expansion.place(name.origin);
-    let source = place.and_then(|place| cx.expansion.files.get(place.file.0 as usize));
+    let source = place.and_then(|place| cx.expansion.files.get(place.file));
     let known = |package| {
         source.is_some_and(|file| cx.world.packages.find(package, &file.source.path).is_ok())
     };

@@ -157,13 +157,7 @@ fn namesake(
     package: Option<&Path>,
 ) -> Option<PathBuf> {
     let place = cx.expansion.place(file.name.origin)?;
-    let from = cx
-        .expansion
-        .files
-        .get(place.file.0 as usize)?
-        .source
-        .path
-        .clone();
+    let from = cx.expansion.files.get(place.file)?.source.path.clone();
     cx.world.packages.namesake(&file.path, package, &from)
 }
 
@@ -201,7 +195,7 @@ fn uri_of(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> Option<String> {
         return None;
     }
     let place = cx.expansion.place(name.origin)?;
-    let source = &cx.expansion.files.get(place.file.0 as usize)?.source.path;
+    let source = &cx.expansion.files.get(place.file)?.source.path;
     let inside = file.strip_prefix(source.parent()?).ok()?;
     inside.to_str().map(|text| {
         if text.is_empty() {

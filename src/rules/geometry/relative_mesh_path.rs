@@ -28,7 +28,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let place = cx.expansion.place(mesh.file.origin);
-        let source = place.and_then(|place| cx.expansion.files.get(place.file.0 as usize));
+        let source = place.and_then(|place| cx.expansion.files.get(place.file));
         let Some(package) = source.and_then(|file| cx.world.packages.containing(&file.source.path))
         else {
             continue;

@@ -222,7 +222,7 @@ pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &Text) -> Target
     let from = files.map(|file| {
         expansion
             .files
-            .get(file.0 as usize)
+            .get(file)
             .map(|file| file.source.path.as_ref())
     });
     let mut first = None;

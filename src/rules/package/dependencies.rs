@@ -48,5 +48,5 @@ pub(super) fn of_file(
     expansion: &expand::Expansion,
     file: FileIdx,
 ) -> Option<Arc<Manifest>> {
-    manifest_around(world, &expansion.files.get(file.0 as usize)?.source.path)
+    manifest_around(world, &expansion.files.get(file)?.source.path)
 }

@@ -233,13 +233,7 @@ fn look_up(
     let slot = missing
         .entry((place.file, name.to_owned()))
         .or_insert_with(|| {
-            let from = cx
-                .expansion
-                .files
-                .get(place.file.0 as usize)?
-                .source
-                .path
-                .clone();
+            let from = cx.expansion.files.get(place.file)?.source.path.clone();
             let error = cx.world.packages.find(name, &from).err()?;
             Some(Missing {
                 error,

@@ -109,7 +109,7 @@ fn calls_around(expansion: &Expansion, origin: Origin) -> Vec<(&Frame, Place)> {
 
 /// The attribute of a call that is a prefix by its name.
 fn prefix_of(expansion: &Expansion, call: Origin) -> Option<String> {
-    let item = &expansion.sources.get(call.src.0 as usize)?.item;
+    let item = &expansion.sources.get(call.src)?.item;
     let node = item.element_at(call.range.start)?;
     let mut names = node.attrs().map(|attr| attr.name());
     names

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, TextRange};
-use expand::{FileIdx, Place, XId};
+use expand::{FileIdx, FrameId, Place, XId};
 use xml::NodeKind;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -72,14 +72,14 @@ fn depends_on_arguments(first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
 }
 
 /// The frames of includes that give elements.
-fn emitting(cx: &DocumentCx<'_>) -> FastSet<u32> {
+fn emitting(cx: &DocumentCx<'_>) -> FastSet<FrameId> {
     let tree = &cx.expansion.tree;
     let mut frames = FastSet::default();
     let mut open: Vec<XId> = tree.elements(cx.element).collect();
     while let Some(element) = open.pop() {
         let mut frame = tree.get(element).origin.frame;
-        while frames.insert(frame.0) {
-            let Some(around) = cx.expansion.frames.get(frame.0 as usize) else {
+        while frames.insert(frame) {
+            let Some(around) = cx.expansion.frames.get(frame) else {
                 break;
             };
             frame = around.call.frame;
@@ -91,7 +91,7 @@ fn emitting(cx: &DocumentCx<'_>) -> FastSet<u32> {
 
 /// Whether a property is set between two tags of one file: the second include may then mean something else.
 fn is_redefined_between(cx: &DocumentCx<'_>, first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
-    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(later.tag.file) else {
         return false;
     };
     let between = TextRange::new(
@@ -133,7 +133,7 @@ fn report(
             .help("remove one of the includes; the content is in the robot twice")
             .done();
     }
-    let Some(file) = cx.expansion.files.get(later.tag.file.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(later.tag.file) else {
         return;
     };
     let element = later.node.range();

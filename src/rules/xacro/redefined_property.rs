@@ -98,7 +98,7 @@ fn are_close(one: &str, two: &str) -> bool {
 /// Whether a file is included between two definitions: it may read the first one, in another branch or in the macros that
 /// it defines.
 fn included_between(cx: &DocumentCx<'_>, first: Place, second: Place) -> bool {
-    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(second.file) else {
         return true;
     };
     let between = TextRange::new(first.range.end, second.range.start);
@@ -117,7 +117,7 @@ fn mentioned_between(
     node: Node<'_>,
     name: &str,
 ) -> bool {
-    let Some(file) = cx.expansion.files.get(second.file.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(second.file) else {
         return true;
     };
     let end = second.range.end + node.start_tag_range().len();

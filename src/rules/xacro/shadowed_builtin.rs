@@ -47,11 +47,7 @@ pub(in super::super) fn is_harmless(
 
 /// The tag of the property that hides a symbol.
 fn definition<'a>(expansion: &'a Expansion, problem: &Problem) -> Option<Node<'a>> {
-    let document = &expansion
-        .files
-        .get(problem.place.file.0 as usize)?
-        .source
-        .document;
+    let document = &expansion.files.get(problem.place.file)?.source.document;
     let item = document.item_at(problem.place.range.start);
     item.item.all_nodes().find(|node| {
         let tag = node.start_tag_range().shift(item.start);

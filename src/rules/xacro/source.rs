@@ -3,7 +3,7 @@ use std::path::Path;
 
 use super::super::context::{DocumentCx, RuleEnv};
 use base::{FastMap, FileId, Span, TextRange};
-use expand::{Definition, Expansion, FileIdx, FrameKind, Place, SourceRange};
+use expand::{Definition, Expansion, FileIdx, FrameId, FrameKind, Place, SourceRange};
 use xml::{Document, Node};
 
 /// Whether a context is about the whole document, not about a macro that nothing calls.
@@ -13,7 +13,7 @@ pub(super) fn is_main(cx: &DocumentCx<'_>) -> bool {
 
 /// The absolute place of a text.
 pub(super) fn place(expansion: &Expansion, at: SourceRange) -> Option<Place> {
-    let source = expansion.sources.get(at.src.0 as usize)?;
+    let source = expansion.sources.get(at.src)?;
     Some(Place {
         file: source.file,
         range: at.range.shift(source.base),
@@ -22,7 +22,7 @@ pub(super) fn place(expansion: &Expansion, at: SourceRange) -> Option<Place> {
 
 /// The innermost element whose start tag holds a text, with the offset its ranges count from.
 pub(super) fn tag(expansion: &Expansion, at: SourceRange) -> Option<(u32, Node<'_>)> {
-    let source = expansion.sources.get(at.src.0 as usize)?;
+    let source = expansion.sources.get(at.src)?;
     let node = source
         .item
         .all_nodes()
@@ -56,7 +56,7 @@ pub(super) fn macro_around(node: Node<'_>) -> Option<Node<'_>> {
 pub(super) fn file_name(expansion: &Expansion, file: FileIdx) -> &str {
     let name = expansion
         .files
-        .get(file.0 as usize)
+        .get(file)
         .map_or("", |file| file.name.as_str());
     name.rsplit('/').next().unwrap_or(name)
 }
@@ -79,8 +79,8 @@ pub(super) fn removal(document: &Document, element: TextRange) -> TextRange {
 
 /// An include that was carried out.
 pub(super) struct Inclusion<'a> {
-    /// Its frame: index of [`Expansion::frames`].
-    pub frame: u32,
+    /// Its frame.
+    pub frame: FrameId,
     /// The tag, from `<` to the end of the name.
     pub tag: Place,
     /// The same as an element.
@@ -90,27 +90,25 @@ pub(super) struct Inclusion<'a> {
     /// The namespace it was included into, those around it in front; empty: none.
     pub namespace: String,
     /// The frame that the tag was reached through.
-    pub within: u32,
+    pub within: FrameId,
 }
 
 /// The includes of an expansion, in order; of very many, the first ones.
 pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: RuleEnv<'_>) -> Vec<Inclusion<'a>> {
     const MOST: usize = 10_000;
-    let names = expansion.files.iter().map(|file| file.name.as_str());
-    let mut by_name: FastMap<&str, Option<FileIdx>> =
-        names.zip((0..).map(FileIdx).map(Some)).collect();
-    let by_id: FastMap<FileId, FileIdx> = expansion
-        .files
-        .iter()
-        .map(|file| file.source.id)
-        .zip((0..).map(FileIdx))
+    let files = expansion.files.iter_ids();
+    let mut by_name: FastMap<&str, Option<FileIdx>> = files
+        .clone()
+        .map(|(idx, file)| (file.name.as_str(), Some(idx)))
         .collect();
-    let mut namespaces: FastMap<u32, String> = FastMap::default();
+    let by_id: FastMap<FileId, FileIdx> = files.map(|(idx, file)| (file.source.id, idx)).collect();
+    let mut namespaces: FastMap<FrameId, String> = FastMap::default();
     let mut found = Vec::new();
-    let frames = (0..)
-        .zip(&expansion.frames)
+    let frames = expansion
+        .frames
+        .iter_ids()
         .filter(|(_, frame)| frame.kind == FrameKind::Include);
-    for (number, frame) in frames.take(MOST) {
+    for (id, frame) in frames.take(MOST) {
         let load = || {
             let path = world.vfs.absolute(Path::new(frame.name.as_str()));
             world.vfs.document(&world.packages.present(&path)).ok()
@@ -123,15 +121,15 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: RuleEnv<'_>) -> Ve
         else {
             continue;
         };
-        let within = frame.call.frame.0;
+        let within = frame.call.frame;
         let outer = include_around(expansion, within).and_then(|around| namespaces.get(&around));
         let mut namespace = outer.cloned().unwrap_or_default();
         if let Some(ns) = node.attr("ns") {
             namespace = format!("{namespace}.{}", ns.raw());
         }
-        namespaces.insert(number, namespace.clone());
+        namespaces.insert(id, namespace.clone());
         found.push(Inclusion {
-            frame: number,
+            frame: id,
             tag,
             node,
             target,
@@ -144,7 +142,7 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: RuleEnv<'_>) -> Ve
 
 /// The files that an expansion included, each with the tag that did.
 pub fn include_tags(expansion: &Expansion, world: RuleEnv<'_>) -> Vec<(FileId, Span)> {
-    let id = |file: FileIdx| Some(expansion.files.get(file.0 as usize)?.source.id);
+    let id = |file: FileIdx| Some(expansion.files.get(file)?.source.id);
     let tag = |found: Inclusion<'_>| {
         let span = Span {
             file: id(found.tag.file)?,
@@ -159,13 +157,13 @@ pub fn include_tags(expansion: &Expansion, world: RuleEnv<'_>) -> Vec<(FileId, S
 }
 
 /// The innermost include among a frame and those around it.
-fn include_around(expansion: &Expansion, mut frame: u32) -> Option<u32> {
+fn include_around(expansion: &Expansion, mut frame: FrameId) -> Option<FrameId> {
     loop {
-        let here = expansion.frames.get(frame as usize)?;
+        let here = expansion.frames.get(frame)?;
         match here.kind {
             FrameKind::Include => return Some(frame),
             FrameKind::Root => return None,
-            FrameKind::Macro | FrameKind::Block => frame = here.call.frame.0,
+            FrameKind::Macro | FrameKind::Block => frame = here.call.frame,
         }
     }
 }

@@ -8,7 +8,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source;
 use base::{FastMap, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Place, SourceRange, SrcId, SymbolKind, UseKind};
+use expand::{Definition, DefinitionId, Place, SourceRange, SymbolKind, UseKind};
 use expr::ast::{CmpOp, Const, Expr, ExprKind};
 use expr::{Code, Token, split, visit};
 
@@ -35,7 +35,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let uses = LazyCell::new(|| uses(cx));
-    for (src, read) in (0..).map(SrcId).zip(&cx.expansion.sources) {
+    for (src, read) in cx.expansion.sources.iter_ids() {
         let attrs = read.item.all_nodes().flat_map(|node| node.attrs());
         // references such as &quot; shift the text against the source
         let compares = |text: &str| {
@@ -228,7 +228,7 @@ fn is_converted_param(
 
 /// What stands behind the `=` of a parameter, up to the next blank.
 fn default_of(cx: &DocumentCx<'_>, param: &Definition) -> Option<String> {
-    let source = cx.expansion.sources.get(param.place.src.0 as usize)?;
+    let source = cx.expansion.sources.get(param.place.src)?;
     let rest = source.item.text().get(param.place.range.end as usize..)?;
     let value = rest.strip_prefix(':').unwrap_or(rest).strip_prefix('=')?;
     value

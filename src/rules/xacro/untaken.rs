@@ -23,12 +23,9 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
         .map(|file| file.source.id)
         .collect();
     let mut open = Vec::new();
-    for (number, file) in (0..).zip(&cx.expansion.files) {
+    for (idx, file) in cx.expansion.files.iter_ids() {
         for (range, filename) in includes(&file.source) {
-            let place = Place {
-                file: expand::FileIdx(number),
-                range,
-            };
+            let place = Place { file: idx, range };
             let brought_in = || load(cx, &filename, &file.source.path);
             match taken.contains(&place) {
                 false => open.extend(brought_in()?),

@@ -60,11 +60,6 @@ pub(super) fn used(cx: &DocumentCx<'_>) -> FastSet<DefinitionId> {
 pub(super) fn removal(cx: &DocumentCx<'_>, definition: &Definition) -> Option<TextRange> {
     let (base, node) = source::tag(cx.expansion, definition.place)?;
     let place = source::place(cx.expansion, definition.place)?;
-    let document = &cx
-        .expansion
-        .files
-        .get(place.file.0 as usize)?
-        .source
-        .document;
+    let document = &cx.expansion.files.get(place.file)?.source.document;
     Some(source::removal(document, node.range().shift(base)))
 }

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::mentions;
 use super::source::{self, Inclusion};
-use base::{FastSet, TextRange};
+use base::{FastSet, IdVec, TextRange};
 use expand::{FileIdx, FrameId, SourceRange, SymbolKind, XKind};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -42,9 +42,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .filter(|other| other.target == inclusion.target)
             .count()
             == 1;
-        let gives_nodes = || {
-            giving.get(inclusion.frame as usize) != Some(&false) || may_give_nodes(cx, inclusion)
-        };
+        let gives_nodes =
+            || giving.get(inclusion.frame) != Some(&false) || may_give_nodes(cx, inclusion);
         if once && !gives_nodes() && !is_used(cx, &files) {
             report(cx, inclusion, out);
         }
@@ -65,10 +64,10 @@ fn subtree(inclusion: &Inclusion<'_>, all: &[Inclusion<'_>]) -> FastSet<FileIdx>
 }
 
 /// Of each step of the expansion: whether an element of the document comes from it.
-fn giving(cx: &DocumentCx<'_>) -> Vec<bool> {
+fn giving(cx: &DocumentCx<'_>) -> IdVec<FrameId, bool> {
     let (tree, frames) = (&cx.expansion.tree, &cx.expansion.frames);
-    let mut giving = vec![false; frames.len()];
-    let mut give = |frame: FrameId| giving.get_mut(frame.0 as usize).map(|gives| *gives = true);
+    let mut giving = IdVec::from(vec![false; frames.len()]);
+    let mut give = |frame: FrameId| giving.get_mut(frame).map(|gives| *gives = true);
     give(tree.get(cx.element).origin.frame);
     for node in tree
         .below(cx.element)
@@ -78,9 +77,9 @@ fn giving(cx: &DocumentCx<'_>) -> Vec<bool> {
         give(node.origin.frame);
     }
     // a step comes behind the one around it
-    for (number, frame) in frames.iter().enumerate().rev() {
-        if giving.get(number) == Some(&true)
-            && let Some(around) = giving.get_mut(frame.call.frame.0 as usize)
+    for (id, frame) in frames.iter_ids().rev() {
+        if giving.get(id) == Some(&true)
+            && let Some(around) = giving.get_mut(frame.call.frame)
         {
             *around = true;
         }
@@ -90,7 +89,7 @@ fn giving(cx: &DocumentCx<'_>) -> Vec<bool> {
 
 /// Whether an element of the document could come from one of the branches of an include.
 fn may_give_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
-    let Some(file) = cx.expansion.files.get(inclusion.target.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(inclusion.target) else {
         return true;
     };
     let mut elements = file
@@ -137,7 +136,7 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
 }
 
 fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {
-    let Some(file) = cx.expansion.files.get(inclusion.tag.file.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(inclusion.tag.file) else {
         return;
     };
     let name = source::file_name(cx.expansion, inclusion.target);

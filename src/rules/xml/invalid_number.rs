@@ -9,7 +9,7 @@ use super::super::sink::Sink;
 use super::super::xml::seen::Numeric;
 use super::meant::{self, Meant};
 use super::walk;
-use expand::{Origin, Place, XId, meant_number};
+use expand::{BindingId, Origin, Place, XId, meant_number};
 use model::{Text, decimal, is_decimal};
 use xml::Document;
 
@@ -298,11 +298,11 @@ fn written_at(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>) -> Option<O
     if meant_number(word).is_none() && meant::name_of_property(cx, word).is_none() {
         return None;
     }
-    let mut open: Vec<u32> = text.reads(cx.expansion, range).collect();
+    let mut open: Vec<BindingId> = text.reads(cx.expansion, range).collect();
     let mut seen = 0;
     while let Some(read) = open.pop().filter(|_| seen < MOST) {
         seen += 1;
-        let Some(binding) = cx.expansion.index.bindings.get(read as usize) else {
+        let Some(binding) = cx.expansion.index.bindings.get(read) else {
             continue;
         };
         open.extend(cx.expansion.index.read_in(binding.reads));

@@ -86,7 +86,7 @@ fn is_left_over(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
 
 /// A place without the blanks around its text.
 fn trimmed(cx: &DocumentCx<'_>, origin: Origin) -> Origin {
-    let Some(source) = cx.expansion.sources.get(origin.src.0 as usize) else {
+    let Some(source) = cx.expansion.sources.get(origin.src) else {
         return origin;
     };
     let text = origin.range.slice(source.item.text());

@@ -266,7 +266,7 @@ fn is_of_other_shape(spec: &ElementSpec, name: &str) -> bool {
 /// The name of an attribute in the source; its value, where the name stands somewhere else.
 fn name_of(cx: &DocumentCx<'_>, attr: &XAttr) -> Origin {
     let origin = attr.origin;
-    let source = cx.expansion.sources.get(origin.src.0 as usize);
+    let source = cx.expansion.sources.get(origin.src);
     let holds = |node: &Node<'_>| node.start_tag_range().contains_range(origin.range);
     let node = source.and_then(|source| source.item.all_nodes().find(holds));
     let mut attrs = node.into_iter().flat_map(|node| node.attrs());

@@ -203,7 +203,7 @@ fn names(cx: &DocumentCx<'_>, id: XId) -> Option<(FileIdx, Vec<TextRange>)> {
     let node = cx.expansion.tree.get(id);
     let source =
         walk::source_node(cx.expansion, node.origin).filter(|source| source.name() == node.text)?;
-    let base = cx.expansion.sources.get(node.origin.src.0 as usize)?.base;
+    let base = cx.expansion.sources.get(node.origin.src)?.base;
     let names = [Some(source.name_range()), source.end_name_range()];
     let file = cx.expansion.place(node.origin)?.file;
     Some((

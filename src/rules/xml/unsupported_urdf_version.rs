@@ -33,7 +33,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(at) = cx.expansion.place(version.origin) else {
         return;
     };
-    let Some(file) = cx.expansion.files.get(at.file.0 as usize) else {
+    let Some(file) = cx.expansion.files.get(at.file) else {
         return;
     };
     let range = place::whole_attribute(&file.source.document, at.range);

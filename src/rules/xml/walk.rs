@@ -133,7 +133,7 @@ pub(super) fn may_get_more(cx: &DocumentCx<'_>, element: XId) -> bool {
 
 /// The element of the source whose start tag is at `origin`.
 pub(super) fn source_node(expansion: &Expansion, origin: Origin) -> Option<Node<'_>> {
-    let item = &expansion.sources.get(origin.src.0 as usize)?.item;
+    let item = &expansion.sources.get(origin.src)?.item;
     item.element_at(origin.range.start)
         .filter(|node| node.start_tag_range() == origin.range)
 }
@@ -189,7 +189,7 @@ pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
     let node = cx.expansion.tree.get(element);
     let declares = || {
         let place = cx.expansion.place(node.origin)?;
-        let file = cx.expansion.files.get(place.file.0 as usize)?;
+        let file = cx.expansion.files.get(place.file)?;
         file.source.document.root()?.attr("xmlns:xacro")
     };
     let name = node.text.as_str();

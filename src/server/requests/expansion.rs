@@ -115,7 +115,7 @@ fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
 
 pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
     let place = |place: Place| {
-        let file = expansion.files.get(place.file.0 as usize)?.source.id;
+        let file = expansion.files.get(place.file)?.source.id;
         location(
             state,
             Span {

@@ -94,12 +94,7 @@ fn mapped(
     role: &'static str,
 ) -> Option<SourceLocation> {
     let place = analyzed.expansion.place(origin)?;
-    let file = analyzed
-        .expansion
-        .files
-        .get(place.file.0 as usize)?
-        .source
-        .id;
+    let file = analyzed.expansion.files.get(place.file)?.source.id;
     let location = location(
         state,
         base::Span {
@@ -123,9 +118,7 @@ pub fn instances_of(
     let file = analyzed
         .expansion
         .files
-        .iter()
         .position(|file| *file.source.path == *path);
-    let file = file.map(|index| expand::FileIdx(index as u32));
     let found = file
         .map(|file| ide::instances(&analyzed.expansion, written, file, offset))
         .unwrap_or_default();
@@ -141,13 +134,13 @@ pub fn instances_of(
 
 /// A call in a few words: `unit @ robot.urdf.xacro:7`.
 pub fn label(state: &State, analyzed: &Analyzed, frame: FrameId) -> String {
-    let Some(frame) = analyzed.expansion.frames.get(frame.0 as usize) else {
+    let Some(frame) = analyzed.expansion.frames.get(frame) else {
         return String::new();
     };
     let Some(place) = analyzed.expansion.place(frame.call) else {
         return frame.name.to_string();
     };
-    let Some(file) = analyzed.expansion.files.get(place.file.0 as usize) else {
+    let Some(file) = analyzed.expansion.files.get(place.file) else {
         return frame.name.to_string();
     };
     let line = file

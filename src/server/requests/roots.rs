@@ -291,12 +291,7 @@ fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
 
 fn origin_location(state: &State, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
     let place = analyzed.expansion.place(origin)?;
-    let file = analyzed
-        .expansion
-        .files
-        .get(place.file.0 as usize)?
-        .source
-        .id;
+    let file = analyzed.expansion.files.get(place.file)?.source.id;
     location(
         state,
         base::Span {

@@ -3,7 +3,7 @@
 use super::{ExpatError, Parser, Stop};
 use crate::chars::{name_char, skip_ascii_name};
 use crate::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
-use crate::node::NodeKind;
+use crate::node::{NodeId, NodeKind};
 
 /// Open elements an end tag looks through for its start tag.
 const MAX_LOOK: usize = 64;
@@ -11,8 +11,8 @@ const MAX_LOOK: usize = 64;
 const MAX_UNCLOSED: usize = 8;
 
 impl Parser<'_> {
-    pub(super) fn name_of(&self, id: u32) -> &str {
-        let Some(node) = self.nodes.get(id as usize) else {
+    pub(super) fn name_of(&self, id: NodeId) -> &str {
+        let Some(node) = self.nodes.get(id) else {
             return "";
         };
         let start = self.base + node.start as usize + 1;
@@ -66,7 +66,7 @@ impl Parser<'_> {
 
     /// An end tag of another name, taken for that of the innermost element.
     fn report_renamed(&mut self, start: usize, name_end: usize, expat_error: ExpatError) {
-        let Some(node) = self.open.last().and_then(|&id| self.nodes.get(id as usize)) else {
+        let Some(node) = self.open.last().and_then(|&id| self.nodes.get(id)) else {
             return;
         };
         let open = self.base + node.start as usize + 1;
@@ -153,11 +153,11 @@ impl Parser<'_> {
 
     fn report_unclosed(
         &mut self,
-        id: u32,
+        id: NodeId,
         end_tag: Option<(usize, usize)>,
         expat_error: ExpatError,
     ) {
-        let Some(node) = self.nodes.get(id as usize) else {
+        let Some(node) = self.nodes.get(id) else {
             return;
         };
         let start = self.base + node.start as usize;
@@ -194,11 +194,7 @@ impl Parser<'_> {
         let end = self.rel(self.pos);
         let subtree_end = self.nodes.len() as u32;
         let tag = end_tag.map(|at| self.rel(at));
-        let Some(node) = self
-            .open
-            .pop()
-            .and_then(|id| self.nodes.get_mut(id as usize))
-        else {
+        let Some(node) = self.open.pop().and_then(|id| self.nodes.get_mut(id)) else {
             return;
         };
         node.end = end;

@@ -18,9 +18,9 @@ use std::collections::HashMap;
 
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
 use super::item::{EntityUse, Extra, Item};
-use super::node::{AttrData, NONE, NodeData, NodeKind};
+use super::node::{AttrData, NONE, NodeData, NodeId, NodeKind};
 use base::limits::ITEM_ERRORS;
-use base::{TextRange, count_line_ends};
+use base::{IdVec, TextRange, count_line_ends};
 use names::Scopes;
 
 pub(super) use prolog::{Footer, Header, RootState};
@@ -76,11 +76,11 @@ pub(super) struct Parser<'t> {
     /// The first forbidden character from an offset on.
     illegal: Option<(usize, Option<usize>)>,
     has_doctype: bool,
-    nodes: Vec<NodeData>,
+    nodes: IdVec<NodeId, NodeData>,
     attrs: Vec<AttrData>,
     errors: Vec<ItemError>,
-    /// Ids of the open elements.
-    open: Vec<u32>,
+    /// The open elements.
+    open: Vec<NodeId>,
     entity_uses: HashMap<(&'t str, bool), u32>,
     scopes: Scopes<'t>,
 }
@@ -105,7 +105,7 @@ impl<'t> Parser<'t> {
             absent: Vec::new(),
             illegal: None,
             has_doctype: false,
-            nodes: Vec::new(),
+            nodes: IdVec::default(),
             attrs: Vec::new(),
             errors: Vec::new(),
             open: Vec::new(),
@@ -170,7 +170,8 @@ impl<'t> Parser<'t> {
             },
             needs_root_name: self.needs_root_name,
         });
-        Item::new(text, count_line_ends(text), &self.nodes, &self.attrs, extra)
+        let (nodes, attrs) = (self.nodes.as_slice(), &self.attrs);
+        Item::new(text, count_line_ends(text), nodes, attrs, extra)
     }
 
     fn take_entity_uses(&mut self) -> Vec<EntityUse> {
@@ -227,22 +228,20 @@ impl<'t> Parser<'t> {
     }
 
     /// Add a node that ends at the current position.
-    fn push_node(&mut self, kind: NodeKind, start: usize, flags: u8) -> u32 {
-        let id = self.nodes.len() as u32;
+    fn push_node(&mut self, kind: NodeKind, start: usize, flags: u8) -> NodeId {
         let (start, end) = (self.rel(start), self.rel(self.pos));
         self.nodes.push(NodeData {
             kind,
             flags,
             start,
             end,
-            parent: self.open.last().copied().unwrap_or(NONE),
-            subtree_end: id + 1,
+            parent: self.open.last().map_or(NONE, |open| open.0),
+            subtree_end: self.nodes.next_id().0 + 1,
             name_len: 0,
             start_tag_end: 0,
             end_tag: NONE,
             attrs: (0, 0),
-        });
-        id
+        })
     }
 
     fn push_error(&mut self, condition: Condition, mut error: SyntaxError) {

@@ -4,6 +4,7 @@
 use super::Parser;
 use crate::chars::{is_space, name_char};
 use crate::node::NodeKind;
+use base::Id;
 
 /// Unclosed elements up to which a whole item is cut at its indentation. A limit, so that a file of
 /// nothing but start tags is not read again and again.
@@ -95,7 +96,7 @@ impl Parser<'_> {
             self.look(after + own.len() + 3);
             return own.starts_with(name) && !self.is_end_tag_of(after, &own);
         }
-        let tag = self.base + self.nodes[id as usize].start as usize;
+        let tag = self.base + self.nodes.as_slice()[id.index()].start as usize;
         let between = self.bytes.get(tag..start).unwrap_or(&[]);
         (between.len() <= MAX_LINE && memchr::memchr2(b'\n', b'\r', between).is_none())
             || self
@@ -109,26 +110,26 @@ impl Parser<'_> {
         let Some(&top) = self.open.first().filter(|_| self.open.len() <= MAX_CUT) else {
             return;
         };
-        let start = self.base + self.nodes[top as usize].start as usize;
+        let start = self.base + self.nodes.as_slice()[top.index()].start as usize;
         let Some(indent) = self.indent(start) else {
             return;
         };
-        let cut = (top as usize + 1..self.nodes.len()).find(|&id| {
-            let node = &self.nodes[id];
-            node.parent == top
+        let cut = (top.index() + 1..self.nodes.len()).find(|&id| {
+            let node = &self.nodes.as_slice()[id];
+            node.parent == top.0
                 && node.kind == NodeKind::Element
                 && self
                     .indent(self.base + node.start as usize)
                     .is_some_and(|own| own <= indent)
         });
         let Some(mut cut) = cut else { return };
-        let node = self.nodes[cut];
+        let node = self.nodes.as_slice()[cut];
         self.attrs.truncate(node.attrs.0 as usize);
         let mut at = node.start;
         // White space and comments before an element belong to its item.
-        while let Some(before) = cut.checked_sub(1).filter(|&id| id > top as usize) {
-            let node = self.nodes[before];
-            if node.parent != top || !matches!(node.kind, NodeKind::Text | NodeKind::Comment) {
+        while let Some(before) = cut.checked_sub(1).filter(|&id| id > top.index()) {
+            let node = self.nodes.as_slice()[before];
+            if node.parent != top.0 || !matches!(node.kind, NodeKind::Text | NodeKind::Comment) {
                 break;
             }
             (cut, at) = (before, node.start);

@@ -5,6 +5,7 @@ use super::{ExpatError, Parser, Stop};
 use crate::chars::is_space;
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::{AttrData, HAS_EQUALS, NO_CONTENT, NodeKind, PREFIXED, SELF_CLOSING};
+use base::Id;
 
 impl Parser<'_> {
     /// Read a start tag.
@@ -13,14 +14,14 @@ impl Parser<'_> {
         let name = self.qname(start + 1);
         self.min_offset = Some(0);
         self.pos = name.end;
-        let id = self.push_node(NodeKind::Element, start, 0) as usize;
+        let id = self.push_node(NodeKind::Element, start, 0);
         let first_attr = self.attrs.len();
-        self.nodes[id].name_len = (name.end - start - 1) as u32;
+        self.nodes.as_mut_slice()[id.index()].name_len = (name.end - start - 1) as u32;
         if let Some(at) = name.bad {
             self.bad_name((start + 1, name.end), at);
         }
         let flags = self.tag_rest(start, name.bad.is_some());
-        let node = &mut self.nodes[id];
+        let node = &mut self.nodes.as_mut_slice()[id.index()];
         node.flags = flags;
         node.attrs = (first_attr as u32, self.attrs.len() as u32);
         node.start_tag_end = (self.pos - self.base) as u32;
@@ -33,7 +34,7 @@ impl Parser<'_> {
         self.check_tag(start, prefix, first_attr);
         self.min_offset = None;
         if flags & NO_CONTENT == 0 {
-            self.open.push(id as u32);
+            self.open.push(id);
             return None;
         }
         self.scopes.leave(self.open.len());

@@ -66,7 +66,7 @@ pub fn expander(data: &[u8]) {
         &request,
     );
     for problem in &expansion.problems {
-        let file = &expansion.files[problem.place.file.0 as usize];
+        let file = expansion.files.get(problem.place.file).unwrap();
         assert!(
             problem.place.range.end <= file.source.document.len(),
             "{problem:?} of {text:?}"

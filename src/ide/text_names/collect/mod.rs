@@ -7,8 +7,8 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::files::Files;
-use super::{Class, Given, Guard, Reading, Scope, ScopeId, TextNames};
-use base::{FastMap, FastSet, FileId, Span, TextRange};
+use super::{Class, Given, GivenId, Guard, Reading, Scope, ScopeId, TextNames, UsedId};
+use base::{FastMap, FastSet, FileId, IdVec, Span, TextRange};
 use expand::{Expansion, SymbolKind, UseKind, parse_params};
 use facts::{FactsOf, facts_of, is_keyword};
 use rules::RuleEnv;
@@ -23,7 +23,7 @@ impl TextNames {
     pub fn of(expansion: &Expansion, world: RuleEnv<'_>) -> Self {
         let files = Files::new(expansion, world);
         let mut names = Self {
-            scopes: vec![Scope::Top],
+            scopes: IdVec::from(vec![Scope::Top]),
             ..Self::default()
         };
         if let Some(root) = files.root() {
@@ -34,10 +34,11 @@ impl TextNames {
                 several: FastSet::default(),
                 readings: FastMap::default(),
                 known: FastMap::default(),
+                known_uses: FastMap::default(),
                 order: 0,
             };
             let at = At {
-                scope: ScopeId(0),
+                scope: ScopeId::TOP,
                 guard: Guard::default(),
                 is_sure: true,
                 is_in_body: false,
@@ -47,7 +48,7 @@ impl TextNames {
             names.readings = readings;
             names.several = several;
         }
-        for (id, given) in (0..).zip(&names.given) {
+        for (id, given) in names.given.iter_ids() {
             names
                 .by_name
                 .entry((Class::of(given.kind), given.name.clone()))
@@ -60,11 +61,12 @@ impl TextNames {
 
     /// Work out what the bodies of macros and blocks see.
     fn connect(&mut self) {
-        let calls = (0..)
-            .zip(&self.used)
+        let calls = self
+            .used
+            .iter_ids()
             .filter(|(_, used)| used.class == Class::Macro && !used.is_end);
         let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
-        let mut calls_of: FastMap<u32, Vec<u32>> = FastMap::default();
+        let mut calls_of: FastMap<GivenId, Vec<UsedId>> = FastMap::default();
         for (call, used) in calls {
             for of in self.macros(&used.called(), &used.scopes) {
                 calls_of.entry(of).or_default().push(call);
@@ -73,10 +75,7 @@ impl TextNames {
                     .or_default()
                     .extend(&used.scopes);
                 // a macro of a namespace sees that, and not who calls it
-                let own = self
-                    .given
-                    .get(of as usize)
-                    .map_or(&[][..], |given| &given.scopes);
+                let own = self.given.get(of).map_or(&[][..], |given| &given.scopes);
                 let seen = if used.of.is_empty() {
                     &used.scopes[..]
                 } else {
@@ -101,7 +100,7 @@ impl TextNames {
     }
 
     fn set_entered(&mut self, mut entered: FastMap<Scope, Vec<ScopeId>>) {
-        for (id, scope) in (0..).map(ScopeId).zip(&self.scopes) {
+        for (id, scope) in self.scopes.iter_ids() {
             if let Some(mut from) = entered.remove(scope) {
                 from.sort_unstable();
                 from.dedup();
@@ -120,8 +119,10 @@ struct Reader<'a> {
     several: FastSet<FileId>,
     /// Where each file is read.
     readings: FastMap<FileId, Vec<Reading>>,
-    /// Definitions and uses by place.
-    known: FastMap<(Span, bool), u32>,
+    /// Definitions by place.
+    known: FastMap<Span, GivenId>,
+    /// Uses by place.
+    known_uses: FastMap<Span, UsedId>,
     order: u32,
 }
 
@@ -230,7 +231,7 @@ impl Reader<'_> {
                     SymbolKind::Argument,
                     named(node, "name")?,
                     At {
-                        scope: ScopeId(0),
+                        scope: ScopeId::TOP,
                         ..at
                     },
                 );
@@ -292,14 +293,14 @@ impl Reader<'_> {
         let scope = node.attr("scope").map_or("", |scope| scope.raw());
         let own = match scope {
             "global" => At {
-                scope: ScopeId(0),
+                scope: ScopeId::TOP,
                 is_sure: is_sure && !at.is_in_body,
                 ..at
             },
             _ => At { is_sure, ..at },
         };
         let id = self.give(part, node, kind, name, own);
-        if let Some(given) = self.names.given.get_mut(id as usize) {
+        if let Some(given) = self.names.given.get_mut(id) {
             given.handed_out = scope == "parent";
         }
         (!has_value).then(|| At {
@@ -328,7 +329,14 @@ impl Reader<'_> {
         Some(inside)
     }
 
-    fn params(&mut self, part: &Part<'_>, attr: Attr<'_>, of: u32, inside: At, callers: ScopeId) {
+    fn params(
+        &mut self,
+        part: &Part<'_>,
+        attr: Attr<'_>,
+        of: GivenId,
+        inside: At,
+        callers: ScopeId,
+    ) {
         let entities = Entities::default();
         let text = attr.value(&entities);
         let at = |offset: u32| source_offset(attr.raw(), &entities, true, offset as usize) as u32;
@@ -355,7 +363,7 @@ impl Reader<'_> {
                 guard: inside.guard,
                 is_in_body: true,
             });
-            debug_assert!((id as usize) < self.names.given.len());
+            debug_assert!(self.names.given.get(id).is_some());
             if param.forward {
                 let at = At {
                     scope: callers,

@@ -2,7 +2,7 @@
 
 use ecow::EcoString;
 
-use super::super::{Class, Given, Scope, ScopeId, Used};
+use super::super::{Class, Given, GivenId, Scope, ScopeId, Used};
 use super::{At, Part, Reader};
 use base::TextRange;
 use expand::{SymbolKind, UseKind};
@@ -79,11 +79,9 @@ impl Reader<'_> {
             // neither is evaluated
             "xacro:macro" | "xacro:insert_block" if is("name") => {}
             "xacro:macro" if is("params") => {
-                let of = inside.and_then(|inside| {
-                    match self.names.scopes.get(inside.scope.0 as usize) {
-                        Some(Scope::Body(of)) => Some(*of),
-                        _ => None,
-                    }
+                let of = inside.and_then(|inside| match self.names.scopes.get(inside.scope) {
+                    Some(Scope::Body(of)) => Some(*of),
+                    _ => None,
                 });
                 let callers = of.map_or(at.scope, |of| self.scope(Scope::Callers(of)));
                 self.mentions(
@@ -99,7 +97,7 @@ impl Reader<'_> {
             "xacro:property" => {
                 let at_once = node.attr("lazy_eval").is_some() || node.attr("scope").is_some();
                 let own = node.attr("name").map(|name| part.span(name.value_range()));
-                let own = own.and_then(|span| self.known.get(&(span, true)).copied());
+                let own = own.and_then(|span| self.known.get(&span).copied());
                 let is_later = !at_once && !is("name");
                 self.mentions(part, site, at, own.filter(|_| is_later));
             }
@@ -107,7 +105,13 @@ impl Reader<'_> {
         }
     }
 
-    pub(super) fn mentions(&mut self, part: &Part<'_>, site: &Site, at: At, lazy_in: Option<u32>) {
+    pub(super) fn mentions(
+        &mut self,
+        part: &Part<'_>,
+        site: &Site,
+        at: At,
+        lazy_in: Option<GivenId>,
+    ) {
         let mut path = String::new();
         let first = self.names.used.len();
         for mention in &site.mentions {
@@ -135,12 +139,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn scope(&mut self, scope: Scope) -> ScopeId {
-        let known = self.names.scopes.iter().position(|known| *known == scope);
-        let id = known.unwrap_or_else(|| {
-            self.names.scopes.push(scope);
-            self.names.scopes.len() - 1
-        });
-        ScopeId(id as u32)
+        let scopes = &mut self.names.scopes;
+        let known = scopes.position(|known| *known == scope);
+        known.unwrap_or_else(|| scopes.push(scope))
     }
 
     pub(super) fn give(
@@ -150,7 +151,7 @@ impl Reader<'_> {
         kind: SymbolKind,
         (name, range): (EcoString, TextRange),
         at: At,
-    ) -> u32 {
+    ) -> GivenId {
         self.add(Given {
             kind,
             name,
@@ -167,18 +168,20 @@ impl Reader<'_> {
     }
 
     /// Add a definition, or the scopes of one that is known.
-    pub(super) fn add(&mut self, given: Given) -> u32 {
+    pub(super) fn add(&mut self, given: Given) -> GivenId {
         self.order += 1;
-        let next = self.names.given.len() as u32;
-        let id = *self.known.entry((given.span, true)).or_insert(next);
-        match self.names.given.get_mut(id as usize) {
+        let next = self.names.given.next_id();
+        let id = *self.known.entry(given.span).or_insert(next);
+        match self.names.given.get_mut(id) {
             Some(known) => {
                 add_scopes(&mut known.scopes, &given.scopes);
                 if known.guard != given.guard {
                     self.several.insert(given.span.file);
                 }
             }
-            None => self.names.given.push(given),
+            None => {
+                self.names.given.push(given);
+            }
         }
         id
     }
@@ -194,27 +197,29 @@ impl Reader<'_> {
     ) {
         self.order += 1;
         let span = part.span(range);
-        let next = self.names.used.len() as u32;
-        let id = *self.known.entry((span, false)).or_insert(next);
-        match self.names.used.get_mut(id as usize) {
+        let next = self.names.used.next_id();
+        let id = *self.known_uses.entry(span).or_insert(next);
+        match self.names.used.get_mut(id) {
             Some(known) => {
                 add_scopes(&mut known.scopes, &[at.scope]);
                 if known.guard != at.guard {
                     self.several.insert(span.file);
                 }
             }
-            None => self.names.used.push(Used {
-                kind,
-                class,
-                name,
-                span,
-                scopes: vec![at.scope],
-                of: of.into(),
-                order: self.order,
-                guard: at.guard,
-                lazy_in: None,
-                is_end: false,
-            }),
+            None => {
+                self.names.used.push(Used {
+                    kind,
+                    class,
+                    name,
+                    span,
+                    scopes: vec![at.scope],
+                    of: of.into(),
+                    order: self.order,
+                    guard: at.guard,
+                    lazy_in: None,
+                    is_end: false,
+                });
+            }
         }
     }
 }
