@@ -215,7 +215,7 @@ fn trials_outside_of_packages() {
             ("notes/deep/try.urdf", BROKEN),
             (
                 name,
-                "<arg name='m' default='/home/me/notes/deep/try.urdf'/>",
+                "<arg name='m' default='/home/me/notes/deep/try.urdf'/><param textfile='$(arg m)'/>",
             ),
         ];
         severity_of("notes/deep/try.urdf", &files, "missing-element")

@@ -41,6 +41,11 @@ impl Session {
                 && self.is_made_by_a_program(file, finding)
         };
         self.lower_where(findings, is_unmade, info);
+        let is_of_system = |finding: &Finding| {
+            finding.problem == Some(ProblemKind::ExpressionError)
+                && missing_file(finding).is_some_and(|path| path.starts_with("/opt/ros/"))
+        };
+        self.lower_where(findings, is_of_system, info);
         let is_unread = |finding: &Finding| {
             finding.rule == named::MISSING_PACKAGE_DEPENDENCY
                 && self.is_in_idle_default(file, finding)
@@ -103,9 +108,7 @@ impl Session {
 
     /// Whether an expression reads a file that is missing here and that `.gitignore` leaves out: a program makes it.
     fn is_made_by_a_program(&self, file: &Path, finding: &Finding) -> bool {
-        const MISSING: &str = "No such file or directory: '";
-        let path = finding.message.split(MISSING).nth(1);
-        let Some(path) = path.and_then(|rest| rest.split('\'').next()) else {
+        let Some(path) = missing_file(finding) else {
             return false;
         };
         let folder = file.parent().unwrap_or(file);
@@ -139,4 +142,11 @@ impl Session {
         let gives = |call: &RobotCall| call.call.args.iter().any(|argument| argument.name == name);
         calls.peek().is_some() && calls.all(gives)
     }
+}
+
+/// The file that an expression reads and that is missing.
+fn missing_file(finding: &Finding) -> Option<&str> {
+    const MISSING: &str = "No such file or directory: '";
+    let path = finding.message.split(MISSING).nth(1)?;
+    path.split('\'').next()
 }

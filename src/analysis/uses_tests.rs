@@ -332,3 +332,47 @@ fn paths_with_backslashes() {
     assert_eq!(of("urdf/hand.urdf"), Some(Severity::Warning));
     assert_eq!(of("urdf/arm.urdf"), None);
 }
+
+#[test]
+fn tags_without_prefix_in_a_container_of_an_old_distribution() {
+    let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+                 <xacro:macro name='base'><link name='base'/></xacro:macro><base/></robot>";
+    let of = |container: &str| {
+        let files = [
+            (
+                "ros/package.xml",
+                "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>",
+            ),
+            ("ros/urdf/arm.urdf.xacro", robot),
+            ("Dockerfile", container),
+        ];
+        severity("unprefixed-macro-call", &files)
+    };
+    assert_eq!(
+        of("FROM ubuntu\nRUN apt-get install ros-indigo-xacro"),
+        Some(Severity::Info)
+    );
+    assert_eq!(of("FROM ros:noetic"), Some(Severity::Error));
+    assert_eq!(
+        of("FROM ros:noetic\nRUN ls /opt/ros/indigo"),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
+fn files_of_a_distribution_that_is_not_here() {
+    let of = |path: &str| {
+        let robot = format!(
+            "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+             <xacro:property name='limits' value=\"${{xacro.load_yaml('{path}')}}\"/><link name='base'/>\
+             <link name='${{limits[0]}}'/></robot>"
+        );
+        let files = [MANIFEST, ("urdf/arm.urdf.xacro", robot.as_str())];
+        severity("expression-error", &files)
+    };
+    assert_eq!(
+        of("/opt/ros/humble/share/no_such_package/limits.yaml"),
+        Some(Severity::Info)
+    );
+    assert_eq!(of("/no/such/limits.yaml"), Some(Severity::Error));
+}

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
+use super::manifest::{MANIFEST, package_name};
 use super::{Package, Packages, Target};
+use vfs::DirEntry;
 
 /// Files that have colcon pass over a folder and all that lies below it.
 const COLCON_MARKS: [&str; 2] = ["AMENT_IGNORE", "COLCON_IGNORE"];
@@ -10,8 +12,11 @@ const COLCON_MARKS: [&str; 2] = ["AMENT_IGNORE", "COLCON_IGNORE"];
 /// The file that does the same for catkin.
 const CATKIN_MARK: &str = "CATKIN_IGNORE";
 
-/// What `catkin_make` writes into the top folder of a workspace, of which it builds the folder `src`.
+/// What `catkin_make` writes into the top folder of a workspace, of which it builds the folder [`SOURCES`].
 const CATKIN_WORKSPACE: &str = ".catkin_workspace";
+
+/// The folder of a workspace in which its packages lie.
+const SOURCES: &str = "src";
 
 impl Packages {
     /// Whether the build tools pass over the package of a file: a folder around it is marked for that, it lies in another
@@ -27,47 +32,35 @@ impl Packages {
         let Some(top) = self.sources_around(file) else {
             return false;
         };
-        let mut folders = package
-            .folder
-            .ancestors()
-            .take_while(|folder| folder.starts_with(&top) && **folder != *top);
-        folders.any(|folder| self.is_marked(folder, file))
-            || self.is_inner_copy(&package.folder, &package.name)
-            || self.is_beside_sources(&package.folder, &top)
+        let folders = package.folder.ancestors();
+        folders
+            .take_while(|folder| folder.starts_with(&top))
+            .any(|folder| {
+                let entries = self.vfs.list_dir(folder);
+                *folder != *top && self.is_marked(&entries, file)
+                    || *folder != *package.folder && self.passes_over(folder, &entries, package)
+            })
     }
 
     /// Whether a folder is marked to be passed over by the tool that builds the package of a file.
-    fn is_marked(&self, folder: &Path, file: &Path) -> bool {
-        let entries = self.vfs.list_dir(folder);
-        let has = |mark: &&str| entries.iter().any(|entry| entry.name == **mark);
+    fn is_marked(&self, entries: &[DirEntry], file: &Path) -> bool {
         let is_for_catkin = || self.generation(file) == Some(Target::Ros1);
-        has(&CATKIN_MARK) && is_for_catkin() || COLCON_MARKS.iter().any(has) && !is_for_catkin()
+        has(entries, CATKIN_MARK) && is_for_catkin()
+            || COLCON_MARKS.iter().any(|mark| has(entries, mark)) && !is_for_catkin()
     }
 
-    /// Whether a package lies in another one of its name: tools look for no packages inside of a package.
-    fn is_inner_copy(&self, folder: &Path, name: &str) -> bool {
-        let mut outer = self.containing(folder);
-        while let Some(package) = outer {
-            if package.name == name {
-                return true;
-            }
-            outer = self.containing(&package.folder);
-        }
-        false
+    /// Whether a folder above a package is a package of the same name, since tools look for none inside of one, or the top of a
+    /// workspace of catkin with its sources elsewhere.
+    fn passes_over(&self, folder: &Path, entries: &[DirEntry], package: &Package) -> bool {
+        let is_same = || package_name(&self.vfs, folder).as_ref() == Some(&package.name);
+        let is_elsewhere =
+            || has(entries, SOURCES) && !package.folder.starts_with(folder.join(SOURCES));
+        has(entries, MANIFEST) && is_same() || has(entries, CATKIN_WORKSPACE) && is_elsewhere()
     }
+}
 
-    /// Whether a package lies in a workspace of catkin, and not in its folder `src`.
-    fn is_beside_sources(&self, package: &Path, top: &Path) -> bool {
-        package
-            .ancestors()
-            .skip(1)
-            .take_while(|folder| folder.starts_with(top))
-            .any(|folder| {
-                self.vfs.is_file(&folder.join(CATKIN_WORKSPACE))
-                    && self.vfs.is_dir(&folder.join("src"))
-                    && !package.starts_with(folder.join("src"))
-            })
-    }
+fn has(entries: &[DirEntry], name: &str) -> bool {
+    entries.iter().any(|entry| entry.name == name)
 }
 
 #[cfg(test)]

@@ -33,6 +33,18 @@ const ROUND: [f64; 10] = [
     30.0, 45.0, 60.0, 90.0, 120.0, 135.0, 150.0, 180.0, 270.0, 360.0,
 ];
 
+/// Whether a number with many digits is a whole number of degrees in radians, such as 6.4577.
+fn is_converted(written: Option<&str>) -> bool {
+    const DIGITS: usize = 4;
+    const ROUNDING: f64 = 0.01;
+    let Some(written) = written else { return false };
+    let digits = written
+        .split_once('.')
+        .map_or(0, |(_, digits)| digits.len());
+    let degrees = written.parse::<f64>().map_or(f64::NAN, f64::to_degrees);
+    digits >= DIGITS && (degrees - degrees.round()).abs() < ROUNDING
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for placed in poses(cx) {
         let Some(text) = &placed.pose.rpy else {
@@ -44,6 +56,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
             let is_angle = || {
                 is_part_of_pi(angle)
+                    || angle.abs() < MOST_COMPUTED && is_converted(text.value.get(range.clone()))
                     || angle.abs() < MOST_COMPUTED
                         && is_made_with(cx.expansion, text, range.clone(), &IN_RADIANS)
             };

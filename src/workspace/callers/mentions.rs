@@ -95,10 +95,12 @@ impl Callers {
         })
     }
 
-    /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix.
+    /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix, or it belongs to a
+    /// container with one of these.
     pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
         let is_old = |mentions: &Mentions| {
-            mentions.distributions == (true, false)
+            is_run_in_old(file, packages)
+                || mentions.distributions == (true, false)
                 || !mentions.distributions.1 && is_edited_for_old(file, packages)
         };
         self.mentions(file, packages)
@@ -252,6 +254,32 @@ impl Mentions {
             .flatten()
             .map(PathBuf::as_path)
     }
+}
+
+/// Whether the nearest `Dockerfile` in a folder above a file installs an old distribution, and no newer one.
+fn is_run_in_old(file: &Path, packages: &Packages) -> bool {
+    let Some(top) = packages.sources_around(file) else {
+        return false;
+    };
+    let mut paths = file
+        .ancestors()
+        .skip(1)
+        .take_while(|folder| folder.starts_with(&top))
+        .map(|folder| folder.join("Dockerfile"));
+    let nearest = paths.find(|path| packages.vfs.is_file(path));
+    let text = nearest.and_then(|path| packages.vfs.text(&path).ok());
+    text.is_some_and(|file| {
+        let is_installed = |name: &&str| {
+            [
+                format!("ros-{name}"),
+                format!("ros:{name}"),
+                format!("/opt/ros/{name}"),
+            ]
+            .iter()
+            .any(|text| file.text.contains(text.as_str()))
+        };
+        OLD.iter().any(is_installed) && !NEW.iter().any(is_installed)
+    })
 }
 
 /// Whether an editor was set up for an old distribution, in the folder of sources around a file.
