@@ -165,6 +165,10 @@ pub fn without_comments<'t>(name: &str, text: &'t str) -> Cow<'t, str> {
 
 /// A line up to a `#` that begins a comment: outside of quotes, and behind a blank or nothing.
 fn without_line_comment(line: &str) -> &str {
+    // most lines have none
+    if !line.contains('#') {
+        return line;
+    }
     let (mut quote, mut before) = (None, ' ');
     for (at, c) in line.char_indices() {
         match c {
