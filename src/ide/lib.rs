@@ -7,7 +7,6 @@ mod actions;
 mod arguments;
 mod beside;
 mod calls;
-mod code;
 mod colors;
 mod completion;
 mod context;

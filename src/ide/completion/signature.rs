@@ -3,9 +3,8 @@
 use super::docs::{parameter, signature};
 use super::scope::{MacroInfo, Scope};
 use super::tags::is_required;
-use crate::code::{UnclosedDelimiter, hole, open_call};
 use crate::tag_reader::Open;
-use crate::typed::{Typed, Typing, is_name_char, typed};
+use crate::typed::{Typed, Typing, Unclosed, is_name_char, open_call, typed, unclosed};
 use base::TextRange;
 use expr::{Module, global_symbols};
 
@@ -25,12 +24,9 @@ pub struct Signature {
 /// The signature of the call that is typed at `offset`: of a macro in a start tag, of a function in an expression.
 pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
     let typed = typed(&scope.sources.source.document, offset);
-    let of_function = || match hole(&typed.before)? {
-        UnclosedDelimiter::Code(start) => of_code(typed.before.get(start..)?),
-        UnclosedDelimiter::Substitution(start) => {
-            of_code(typed.before.get(start..)?.strip_prefix("eval ")?)
-        }
-        UnclosedDelimiter::Dollar(_) => None,
+    let of_function = || match unclosed(&typed.before)? {
+        Unclosed::Code { code, .. } => of_code(code),
+        Unclosed::Substitution(_) | Unclosed::Dollar => None,
     };
     match &typed.what {
         Typing::Value(tag, name) => of_function().or_else(|| {

@@ -3,6 +3,10 @@
 //! The tree of a half-typed file says what the file would mean; here it matters what the author is in the middle
 //! of. So the text from the start of the item to the offset is read once more, and whatever is open there counts.
 
+mod code;
+
+pub use code::{Cursor, Opened, Unclosed, cursor, open_call, unclosed};
+
 use super::tag_reader::{Open, Reader, State};
 use base::TextRange;
 use xml::{Document, Node, Part};
