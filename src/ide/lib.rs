@@ -33,7 +33,6 @@ mod schema;
 mod search;
 mod selection;
 mod source_map;
-mod tag_reader;
 mod tags;
 mod text_names;
 mod tokens;

@@ -7,14 +7,14 @@ use super::members;
 use super::paths;
 use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
-use crate::typed::{Cursor, Opened, Typed, Unclosed, cursor, unclosed};
+use crate::typed::{Cursor, Opened, Typed, Unclosed, attr_text, cursor, unclosed};
 use base::limits::COMPLETIONS;
 use expand::parse_params;
 use expr::{SymbolKind, Value, display, global_symbols};
 
 /// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
-pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions> {
-    Some(match unclosed(&typed.before)? {
+pub(super) fn expression(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<Completions> {
+    Some(match unclosed(typed.before)? {
         Unclosed::Dollar => dollar(typed, typed.offset - 1),
         Unclosed::Code { code, is_eval } => self::code(scope, typed, code, is_eval),
         Unclosed::Substitution(inner) => substitutions::substitution(scope, typed, inner),
@@ -22,7 +22,7 @@ pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions
 }
 
 /// Behind a `$`.
-fn dollar(typed: &Typed, start: u32) -> Completions {
+fn dollar(typed: &Typed<'_>, start: u32) -> Completions {
     let item = |label: &str, snippet: &str, detail: &str| {
         Completion::new(ItemKind::Snippet, label)
             .snippet(snippet)
@@ -38,7 +38,7 @@ fn dollar(typed: &Typed, start: u32) -> Completions {
 }
 
 /// In an expression; `is_eval`: of `$(eval)`, where arguments are the names.
-fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completions {
+fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Completions {
     let at = |inside: usize| typed.offset - (code.len() - inside) as u32;
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let rest = typed.rest_of_word(is_word);
@@ -81,7 +81,7 @@ fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completi
 /// The keys of what an expression stands for.
 fn entries(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     object: &str,
     spelled: impl Fn(&Value) -> Option<String>,
 ) -> Vec<Completion> {
@@ -98,7 +98,7 @@ fn entries(
 }
 
 /// What can stand behind a dot.
-fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
+fn members(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion> {
     let symbols = global_symbols()
         .filter(|symbol| {
             symbol
@@ -147,7 +147,12 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
 }
 
 /// Names that an expression can begin with, and whether some that do not fit to `word` were left out.
-fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Completion>, bool) {
+fn names(
+    scope: &Scope<'_>,
+    typed: &Typed<'_>,
+    word: &str,
+    is_eval: bool,
+) -> (Vec<Completion>, bool) {
     let mut items = Vec::new();
     let mut more = false;
     if is_eval {
@@ -166,10 +171,13 @@ fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Co
     (items, more)
 }
 
-fn parameters(typed: &Typed) -> Vec<Completion> {
-    let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
+fn parameters(typed: &Typed<'_>) -> Vec<Completion> {
+    let macros = typed
+        .open
+        .iter()
+        .filter(|open| open.name() == "xacro:macro");
     let params = macros
-        .filter_map(|open| parse_params(&open.attr("params")?))
+        .filter_map(|open| parse_params(&attr_text(*open, "params")?))
         .flatten();
     let values = params.filter(|param| !param.is_block());
     values

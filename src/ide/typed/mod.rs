@@ -1,19 +1,25 @@
-//! What is being typed at an offset, told from the text in front of it.
+//! What is being typed at an offset: the one place that answers this, for completion, signature help and what is added
+//! while somebody types.
 //!
-//! The tree of a half-typed file says what the file would mean; here it matters what the author is in the middle
-//! of. So the text from the start of the item to the offset is read once more, and whatever is open there counts.
+//! The tree of a half-typed file says what the file would mean; here it matters what the author is in the middle of.
+//! So the tree is asked for what begins in front of the offset and is not over there (`place`), for end tags that are
+//! missing or too many (`end_tags`), and the lexer for where an expression ends (`code`).
 
 mod code;
+mod end_tags;
+mod place;
+#[cfg(test)]
+mod tests;
 
 pub use code::{Cursor, Opened, Unclosed, cursor, open_call, unclosed};
+pub use end_tags::{ended_at, has_end_tag, is_surplus};
 
-use super::tag_reader::{Open, Reader, State};
-use base::TextRange;
-use xml::{Document, Node, Part};
+use place::Tag;
+use xml::{Document, Node};
 
 /// What is being typed.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Typing {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Typing<'a> {
     /// Nothing that could be completed: CDATA, an instruction, a place between attributes.
     Nothing,
     /// A comment.
@@ -25,107 +31,87 @@ pub enum Typing {
     /// The name of an end tag.
     EndTag,
     /// The name of an attribute of this element.
-    Attribute(Open),
+    Attribute(Node<'a>),
     /// The value of the named attribute of this element.
-    Value(Open, String),
+    Value(Node<'a>, &'a str),
 }
 
 /// What is being typed at an offset.
 #[derive(Clone, Debug)]
-pub struct Typed {
+pub struct Typed<'a> {
     /// What it is.
-    pub what: Typing,
+    pub what: Typing<'a>,
     /// The elements around it, the outermost first; of a value or a tag, that element left out.
-    pub open: Vec<Open>,
+    pub open: Vec<Node<'a>>,
     /// What was typed of it so far.
-    pub before: String,
-    /// All of the text in front of the offset that was read: from the start of its item.
-    pub text_before: String,
+    pub before: &'a str,
+    /// All of the text of the item in front of the offset.
+    pub text_before: &'a str,
     /// Where the innermost element begins, and where its start tag ends, when that is the last tag in front.
     pub just_opened: Option<(u32, u32)>,
-    /// The text behind the offset.
-    pub after: String,
+    /// The text of the item behind the offset.
+    pub after: &'a str,
     /// The offset.
     pub offset: u32,
+    /// The start tag that is typed.
+    tag: Option<Tag<'a>>,
 }
-
-/// Most of the text behind an offset that is looked at.
-const MOST_BEHIND: u32 = 1 << 20;
 
 /// What is being typed at `offset`.
-pub fn typed(document: &Document, offset: u32) -> Typed {
+pub fn typed(document: &Document, offset: u32) -> Typed<'_> {
     let offset = offset.min(document.len());
-    let begin = beginning(document, offset);
-    let text = document.slice(TextRange::new(begin, offset));
-    let mut reader = Reader::new(&text);
-    if let (true, Some(root)) = (begin > 0, document.root()) {
-        reader.open.push(Open::of(root));
-    }
-    let behind_root = document.root_end_tag().is_some_and(|tag| tag.end <= offset);
-    let state = reader.run();
-    let state_start = match &state {
-        State::Content(start) => Some(*start),
+    let found = place::find(document, offset);
+    let in_front = document.item_at(offset.saturating_sub(1));
+    let text_before = part_of(in_front.item.text(), 0, offset - in_front.start);
+    let before = match found.start.checked_sub(in_front.start) {
+        Some(start) => part_of(text_before, start, offset - in_front.start),
+        None => "",
+    };
+    let behind = document.item_at(offset);
+    let open = place::open_at(document, found.around);
+    let just_opened = match found.what {
+        Typing::Content => just_opened(document, &open, offset, found.start),
         _ => None,
     };
-    let from = |start: usize| text.get(start..).unwrap_or("").to_owned();
-    let (what, before) = match state {
-        _ if behind_root => (Typing::Nothing, String::new()),
-        State::Comment(start) => (Typing::Comment, from(start)),
-        State::Content(start) => (Typing::Content, from(start)),
-        State::Tag(start) => (Typing::Tag, from(start)),
-        State::EndTag(start) => (Typing::EndTag, from(start)),
-        State::Attribute(tag, start) => (Typing::Attribute(tag), from(start)),
-        State::Value(tag, name, start) => (Typing::Value(tag, name), from(start)),
-        State::Nothing => (Typing::Nothing, String::new()),
-    };
-    let opened = reader.opened_at.filter(|&end| state_start == Some(end));
-    let inner = opened.zip(reader.open.last());
-    let inner = inner.map(|(end, open)| (begin + open.start as u32, begin + end as u32));
-    // the root's start tag is a part of its own
-    let root = document
-        .root()
-        .filter(|_| reader.open.len() == 1 && state_start == Some(0));
-    let root = root
-        .map(Node::start_tag_range)
-        .filter(|tag| tag.end == begin);
-    let just_opened = inner.or(root.map(|tag| (tag.start, tag.end)));
-    let end = document.len().min(offset.saturating_add(MOST_BEHIND));
-    let after = document.slice(TextRange::new(offset, end));
-    let open = reader.open;
     Typed {
-        what,
+        what: found.what,
         open,
         before,
-        text_before: text,
+        text_before,
         just_opened,
-        after,
+        after: part_of(behind.item.text(), offset - behind.start, behind.item.len()),
         offset,
+        tag: found.tag,
     }
 }
 
-/// Where to begin reading: with the item around `offset`, or in front of it when a tag was left open there.
-fn beginning(document: &Document, offset: u32) -> u32 {
-    let place = document.item_at(offset.saturating_sub(1));
-    let mut index = match place.part {
-        Part::Header => return 0,
-        Part::Item(index) => index,
-        Part::Footer => document.item_count(),
+fn part_of(text: &str, start: u32, end: u32) -> &str {
+    text.get(start as usize..end as usize).unwrap_or("")
+}
+
+/// Where the start tag of the innermost element stands, when it ends at `start`.
+fn just_opened(
+    document: &Document,
+    open: &[Node<'_>],
+    offset: u32,
+    start: u32,
+) -> Option<(u32, u32)> {
+    let inner = open.last()?;
+    let base = match document.root() == Some(*inner) {
+        true => 0,
+        false => document.item_at(offset.saturating_sub(1)).start,
     };
-    let mut start = place.start;
-    while let Some((before, item)) = index.checked_sub(1).and_then(|index| document.item(index)) {
-        if item.text().ends_with('>') {
-            return start;
-        }
-        (index, start) = (index - 1, before);
-    }
-    if document.header().text().ends_with('>') {
-        start
-    } else {
-        0
-    }
+    let tag = inner.start_tag_range().shift(base);
+    (tag.end == start).then_some((tag.start, tag.end))
 }
 
-impl Typed {
+/// The value of an attribute as written, line ends and tabs as the blanks that XML takes them for.
+pub fn attr_text(node: Node<'_>, name: &str) -> Option<String> {
+    let value = node.attr(name)?.raw();
+    Some(value.replace(['\n', '\r', '\t'], " "))
+}
+
+impl<'a> Typed<'a> {
     /// How much of the text behind the offset belongs to the word that is typed, in bytes.
     pub fn rest_of_word(&self, belongs: impl Fn(char) -> bool) -> u32 {
         let end = self
@@ -139,55 +125,63 @@ impl Typed {
     /// the same line.
     pub fn rest_of_value(&self) -> u32 {
         let stop = |c: char| matches!(c, '"' | '<' | '\n' | '\r');
-        match self.after.find(stop) {
-            Some(end)
-                if self
-                    .after
-                    .get(end..)
-                    .is_some_and(|rest| rest.starts_with('"')) =>
-            {
-                end as u32
-            }
-            _ => 0,
-        }
+        let end = self.after.find(stop);
+        let is_quote = |end: &usize| {
+            self.after
+                .get(*end..)
+                .is_some_and(|rest| rest.starts_with('"'))
+        };
+        end.filter(is_quote).unwrap_or(0) as u32
     }
 
-    /// The innermost element around whose name `is` accepts.
-    pub fn inside(&self, is: impl Fn(&str) -> bool) -> Option<&Open> {
-        self.open.iter().rev().find(|open| is(&open.name))
+    /// The innermost element around with this name.
+    pub fn inside(&self, name: &str) -> Option<Node<'a>> {
+        self.open
+            .iter()
+            .rev()
+            .find(|open| open.name() == name)
+            .copied()
     }
 
     /// The macro around.
-    pub fn in_macro(&self) -> Option<&Open> {
-        self.inside(|name| name == "xacro:macro")
+    pub fn in_macro(&self) -> Option<Node<'a>> {
+        self.inside("xacro:macro")
     }
 
-    /// The names of the elements beside what is typed: those in front of it and those behind.
-    pub fn siblings(&self) -> Vec<String> {
-        let mut names = self
-            .open
-            .last()
-            .map(|open| open.children.clone())
-            .unwrap_or_default();
-        let from = self.rest_of_word(is_name_char) as usize;
-        let mut reader = Reader::new(self.after.get(from..).unwrap_or("")).until_unmatched(1);
-        reader.open.push(Open::default());
-        reader.run();
-        names.extend(
-            reader
-                .open
-                .into_iter()
-                .next()
-                .map(|open| open.children)
-                .unwrap_or_default(),
-        );
-        names
+    /// The names of the elements beside what is typed: those in front of it and those behind. Children of the root, of
+    /// which there may be many, are not listed.
+    pub fn siblings(&self) -> Vec<&'a str> {
+        let own = self.tag.map(|tag| tag.node);
+        // what a tag without an end tag took in stands beside it
+        let taken = own.filter(|node| node.end_tag().is_none());
+        let around = self.open.last().into_iter().copied().chain(taken);
+        around
+            .flat_map(|node| node.child_elements())
+            .filter(|node| Some(*node) != own)
+            .map(Node::name)
+            .collect()
     }
 
-    /// What stands behind the offset in the same start tag: the names of attributes, and whether the tag ends.
-    pub fn rest_of_tag(&self) -> (Vec<String>, bool) {
-        let from = self.rest_of_word(is_name_char) as usize;
-        Reader::new(self.after.get(from..).unwrap_or("")).rest_of_tag()
+    /// Whether the start tag that is typed has an attribute beside the one that is typed.
+    pub fn has_attr(&self, name: &str) -> bool {
+        let Some(Tag { node, base }) = self.tag else {
+            return false;
+        };
+        let is_typed = |attr: &xml::Attr<'_>| attr.name_range().shift(base).touches(self.offset);
+        node.attrs()
+            .any(|attr| attr.name() == name && !is_typed(&attr))
+    }
+
+    /// Whether the start tag that is typed has its end.
+    pub fn tag_ends(&self) -> bool {
+        match self.tag {
+            Some(tag) => place::has_bracket(tag.node),
+            // a `<` without a name begins no tag in the tree; what follows would be the rest of it
+            None => {
+                let end = self.after.find(['<', '>']);
+                end.is_some_and(|end| self.after.as_bytes().get(end) == Some(&b'>'))
+            }
+        }
     }
 }
 
