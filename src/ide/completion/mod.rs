@@ -1,6 +1,6 @@
 //! What can be typed at a place.
 //!
-//! Works on text that is broken or cut off: what stands around the cursor is read from the text in front of it
+//! Works on text that is broken or cut off: what stands around the cursor is asked of the tree and of the lexer
 //! (`ide::typed`), names come from the texts of the files that belong together (`scope`), names of links and joints
 //! also from earlier expansions. Nothing is expanded here.
 

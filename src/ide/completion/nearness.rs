@@ -36,6 +36,7 @@ impl RuleEnv {
             .text_before
             .strip_suffix(word)
             .unwrap_or(typed.text_before);
+        // only words are taken from this text, wherever they stand: its tags need not be understood
         let tag = text.rfind('<').unwrap_or(0);
         let near = text.len().saturating_sub(NEAR);
         let start = (near..=tag.max(near))

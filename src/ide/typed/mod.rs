@@ -2,19 +2,20 @@
 //! while somebody types.
 //!
 //! The tree of a half-typed file says what the file would mean; here it matters what the author is in the middle of.
-//! So the tree is asked for what begins in front of the offset and is not over there (`place`), for end tags that are
+//! So the tree is asked for what begins in front of the offset and is not over there (`place`, `tag`), for end tags that are
 //! missing or too many (`end_tags`), and the lexer for where an expression ends (`code`).
 
 mod code;
 mod end_tags;
 mod place;
+mod tag;
 #[cfg(test)]
 mod tests;
 
 pub use code::{Cursor, Opened, Unclosed, cursor, open_call, unclosed};
 pub use end_tags::{ended_at, has_end_tag, is_surplus};
 
-use place::Tag;
+use tag::Tag;
 use xml::{Document, Node};
 
 /// What is being typed.
@@ -124,14 +125,16 @@ impl<'a> Typed<'a> {
     /// How much of the text behind the offset still belongs to the value: up to its quote, where that stands on
     /// the same line.
     pub fn rest_of_value(&self) -> u32 {
-        let stop = |c: char| matches!(c, '"' | '<' | '\n' | '\r');
-        let end = self.after.find(stop);
-        let is_quote = |end: &usize| {
-            self.after
-                .get(*end..)
-                .is_some_and(|rest| rest.starts_with('"'))
-        };
-        end.filter(is_quote).unwrap_or(0) as u32
+        let attrs = self.tag.into_iter().flat_map(|Tag { node, base }| {
+            let quoted = node.attrs().filter(|attr| attr.is_quoted());
+            quoted.map(move |attr| attr.value_range().shift(base))
+        });
+        let value = attrs.filter(|value| value.touches(self.offset)).last();
+        let rest = value.map_or(0, |value| value.end - self.offset);
+        match part_of(self.after, 0, rest).contains(['\n', '\r', '<']) {
+            true => 0,
+            false => rest,
+        }
     }
 
     /// The innermost element around with this name.
@@ -175,7 +178,7 @@ impl<'a> Typed<'a> {
     /// Whether the start tag that is typed has its end.
     pub fn tag_ends(&self) -> bool {
         match self.tag {
-            Some(tag) => place::has_bracket(tag.node),
+            Some(tag) => tag::has_bracket(tag.node),
             // a `<` without a name begins no tag in the tree; what follows would be the rest of it
             None => {
                 let end = self.after.find(['<', '>']);

@@ -4,8 +4,9 @@
 //! Only the item around the offset is looked at, and the one in front of it where a tag was left open at its end.
 
 use super::Typing;
+use super::tag::{Tag, has_bracket};
 use base::TextRange;
-use xml::{Attr, Document, Item, Node, NodeKind, Part};
+use xml::{Document, Item, Node, NodeKind, Part};
 
 /// What is typed, and where that begins in the document.
 pub(super) struct Found<'a> {
@@ -16,14 +17,6 @@ pub(super) struct Found<'a> {
     pub tag: Option<Tag<'a>>,
     /// Where the thing begins that is around it: the elements that are open there are those around.
     pub around: u32,
-}
-
-/// A start tag that is typed.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Tag<'a> {
-    pub node: Node<'a>,
-    /// Where its item begins.
-    pub base: u32,
 }
 
 /// A place in an item, and the last node that begins in front of it.
@@ -55,7 +48,7 @@ impl<'a> Spot<'a> {
         std::iter::successors(self.last, |node| node.parent())
     }
 
-    fn text(&self, start: u32, end: u32) -> &'a str {
+    pub fn text(&self, start: u32, end: u32) -> &'a str {
         let text = self.item.text();
         text.get(start as usize..end as usize).unwrap_or("")
     }
@@ -91,7 +84,7 @@ impl<'a> Spot<'a> {
         }
     }
 
-    fn found(&self, what: Typing<'a>, start: u32, around: u32) -> Found<'a> {
+    pub fn found(&self, what: Typing<'a>, start: u32, around: u32) -> Found<'a> {
         Found {
             what,
             start: self.base + start,
@@ -121,118 +114,6 @@ impl<'a> Spot<'a> {
             _ => None,
         }
     }
-
-    /// What is typed in the start tag of an element, or behind one without an end.
-    fn in_tag(&self, node: Node<'a>, gap: &str) -> Option<Found<'a>> {
-        let end = node.start_tag_range().end;
-        let is_inside = self.inside < end || self.inside == end && !is_finished(node);
-        // where the `>` is taken for that of the tag, the value ends with the line at the latest
-        let is_other_line = gap.contains(['\n', '\r']);
-        let is_over =
-            ends_in_bracket(node) && (is_other_line || node.is_self_closing() && !gap.is_empty());
-        if !is_inside || is_over {
-            return None;
-        }
-        let (what, start) = self.part_of_tag(node, gap);
-        let (base, tag) = (self.base, node.range().start);
-        Some(Found {
-            tag: Some(Tag { node, base }),
-            ..self.found(what, start, tag)
-        })
-    }
-
-    fn part_of_tag(&self, node: Node<'a>, gap: &str) -> (Typing<'a>, u32) {
-        let name = node.name_range();
-        if self.inside <= name.end && gap.is_empty() {
-            return (Typing::Tag, name.start);
-        }
-        let begun = |attr: &Attr<'_>| attr.name_range().start < self.inside;
-        let before = ends_in_blank(self.text(0, self.inside), gap);
-        let next = match before {
-            true => Typing::Attribute(node),
-            false => Typing::Nothing,
-        };
-        let Some(attr) = node.attrs().take_while(begun).last() else {
-            return (next, self.inside);
-        };
-        let (name, value) = (attr.name_range(), attr.value_range());
-        if self.inside <= name.end && gap.is_empty() {
-            return (Typing::Attribute(node), name.start);
-        }
-        let is_value = match value_state(attr) {
-            // the `=` or the value is what is missing
-            ValueState::Missing => return (Typing::Nothing, self.inside),
-            ValueState::Bare => false,
-            ValueState::Quoted => self.inside <= value.end,
-            // it ends with its line
-            ValueState::Unclosed => {
-                let rest = self.text(value.start, self.inside);
-                !gap.contains(['\n', '\r'])
-                    && (self.inside <= value.end || !rest.contains(['\n', '\r']))
-            }
-        };
-        if self.inside < value.start {
-            return (Typing::Nothing, self.inside);
-        }
-        match is_value {
-            true => (Typing::Value(node, attr.name()), value.start),
-            false => (next, self.inside),
-        }
-    }
-}
-
-/// Whether what is in front of an offset ends in a blank.
-fn ends_in_blank(before: &str, gap: &str) -> bool {
-    !gap.is_empty() || before.ends_with(char::is_whitespace)
-}
-
-/// How far a value is written.
-enum ValueState {
-    /// No `=`, or nothing behind it.
-    Missing,
-    /// Without quotes.
-    Bare,
-    /// With a quote in front only.
-    Unclosed,
-    Quoted,
-}
-
-fn value_state(attr: Attr<'_>) -> ValueState {
-    let value = attr.value_range();
-    let text = attr.item().text();
-    let lead = text.get(attr.name_range().end as usize..value.start as usize);
-    let is_opened = lead.is_some_and(|lead| lead.ends_with(['"', '\'']));
-    match (attr.is_quoted(), is_opened) {
-        (true, _) => ValueState::Quoted,
-        (false, true) => ValueState::Unclosed,
-        (false, false) if value.is_empty() => ValueState::Missing,
-        (false, false) => ValueState::Bare,
-    }
-}
-
-/// Whether a start tag has its `>`, and that is not a part of a value without its closing quote.
-pub(super) fn is_finished(node: Node<'_>) -> bool {
-    has_bracket(node) && !ends_in_bracket(node)
-}
-
-/// Whether a start tag ends in `>`.
-pub(super) fn has_bracket(node: Node<'_>) -> bool {
-    node.start_tag_range()
-        .slice(node.item().text())
-        .ends_with('>')
-}
-
-/// Whether the `>` of a start tag stands directly behind a value without its closing quote, and may be a part of it.
-fn ends_in_bracket(node: Node<'_>) -> bool {
-    let end = node.start_tag_range().end;
-    let Some(last) = node.attrs().last() else {
-        return false;
-    };
-    let rest = node
-        .item()
-        .text()
-        .get(last.range().end as usize..end as usize);
-    matches!(value_state(last), ValueState::Unclosed) && matches!(rest, Some(">" | "/>"))
 }
 
 /// Whether the content of an element lies around a place in its item, or begins or ends there.

@@ -121,3 +121,21 @@ fn what_stands_beside() {
         assert_eq!(at(text), expected, "{text}");
     }
 }
+
+/// What a completion of all of a value replaces.
+#[test]
+fn the_rest_of_a_value() {
+    for (text, expected) in [
+        ("<a><b x=\"1|23\" y=\"4\"/></a>", 2),
+        // any quote closes the value that it opened
+        ("<a><b x='1|23' y=\"4\"/></a>", 2),
+        // the quote that follows begins the next value
+        ("<a><b x=\"1| y=\"4\"/></a>", 0),
+        ("<a><b x=\"1|\n  2\"/></a>", 0),
+        ("<a><b x=\"1|", 0),
+    ] {
+        let offset = text.find('|').unwrap() as u32;
+        let document = Document::parse(&text.replacen('|', "", 1));
+        assert_eq!(typed(&document, offset).rest_of_value(), expected, "{text}");
+    }
+}
