@@ -16,6 +16,8 @@ pub enum WordKind {
     Number,
     /// A string with its quotes.
     String,
+    /// A string without its closing quote.
+    OpenString,
     /// Operators, brackets, commas, dots.
     Operator,
 }
@@ -47,7 +49,8 @@ fn kind(token: Tok) -> Option<WordKind> {
         End | Newline | Indent => return Option::None,
         Name => WordKind::Name,
         Number | BadNumber => WordKind::Number,
-        Str | OpenStr => WordKind::String,
+        Str => WordKind::String,
+        OpenStr => WordKind::OpenString,
         None | True | False | And | Or | Not | In | Is | If | Else | For | Lambda | Async
         | Await | Yield | Keyword => WordKind::Keyword,
         _ => WordKind::Operator,
@@ -73,7 +76,7 @@ mod tests {
         );
         assert_eq!(
             words("'open").first().map(|(_, kind)| *kind),
-            Some(WordKind::String)
+            Some(WordKind::OpenString)
         );
     }
 }

@@ -1,7 +1,6 @@
 //! What an editor adds while somebody types: end tags and indentation.
 
-use super::tag_reader::Reader;
-use super::typed::{Typed, Typing, is_name_char, typed};
+use super::typed::{Typed, Typing, ended_at, has_end_tag, is_name_char, is_surplus, typed};
 use base::{Encoding, LineCol, TextRange};
 use xml::Document;
 
@@ -19,74 +18,56 @@ pub struct Insertion {
 pub fn on_type(document: &Document, offset: u32, character: char, unit: &str) -> Vec<Insertion> {
     let typed = typed(document, offset);
     match character {
-        '>' => end_tag(&typed)
-            .or_else(|| without_added(&typed))
+        '>' => end_tag(document, &typed)
+            .or_else(|| without_added(document, &typed))
             .into_iter()
             .collect(),
-        '/' => name_of_end_tag(&typed).into_iter().collect(),
+        '/' => name_of_end_tag(document, &typed).into_iter().collect(),
         '\n' => indentation(document, &typed, unit).unwrap_or_default(),
         _ => Vec::new(),
     }
 }
 
 /// Behind `>`: the end tag of the element, when it has none.
-fn end_tag(typed: &Typed) -> Option<Insertion> {
+fn end_tag(document: &Document, typed: &Typed<'_>) -> Option<Insertion> {
     let is_here = typed
         .just_opened
         .is_some_and(|(_, end)| end == typed.offset);
-    let name = &typed.open.last().filter(|_| is_here)?.name;
-    // elements of the same name around it may own the end tags that follow
-    let same = typed.open.iter().filter(|open| open.name == *name).count();
-    let mut reader = Reader::new(&typed.after).until_unmatched(same);
-    reader.run();
-    let ends = reader
-        .unmatched
-        .iter()
-        .take_while(|end| *end == name)
-        .count();
-    (ends < same).then(|| Insertion {
+    let name = typed.open.last().filter(|_| is_here)?.name();
+    // an end tag that the tree gives to this element may be that of one around it
+    (!all_ended(document, typed, name)).then(|| Insertion {
         range: TextRange::empty(typed.offset),
         text: format!("</{name}>"),
     })
 }
 
+/// Whether the elements of a name around have end tags.
+fn all_ended(document: &Document, typed: &Typed<'_>, name: &str) -> bool {
+    let mut same = typed.open.iter().filter(|open| open.name() == name);
+    same.all(|open| has_end_tag(document, *open))
+}
+
 /// Behind the `>` of an end tag: where the end tag that was added follows, it gives way. Whoever types fast is done with the
 /// name before the answer to `</` comes, which is of no use then.
-fn without_added(typed: &Typed) -> Option<Insertion> {
-    if typed.what != Typing::Content || !typed.before.is_empty() {
-        return None;
-    }
-    let (before, name) = typed.text_before.strip_suffix('>')?.rsplit_once("</")?;
-    let mut reader = Reader::new(before);
-    reader.run();
-    reader.open.last().filter(|open| open.name == name)?;
-    let around = typed.open.iter().filter(|open| open.name == name).count();
-    let length = added_end_tag(typed, name, around + 1)?;
-    Some(Insertion {
-        range: TextRange::new(typed.offset, typed.offset + length),
-        text: String::new(),
-    })
+fn without_added(document: &Document, typed: &Typed<'_>) -> Option<Insertion> {
+    let name = ended_at(document, typed.offset)?.name();
+    let (start, end) = end_tag_behind(typed, name)?;
+    is_surplus(document, start, name).then(|| removed(typed, end))
 }
 
 /// Behind `</`: the name of the open element, and the `>`. Where its end tag follows already, somebody types by habit
 /// what was added: that end tag gives way to the one that is typed.
-fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
+fn name_of_end_tag(document: &Document, typed: &Typed<'_>) -> Option<Insertion> {
     let is_here = typed.what == Typing::EndTag && typed.before.is_empty();
-    let open = typed
+    let name = typed
         .open
         .last()
-        .filter(|_| is_here && !typed.after.starts_with(is_name_char))?;
-    let same = typed
-        .open
-        .iter()
-        .filter(|other| other.name == open.name)
-        .count();
-    if let Some(length) = added_end_tag(typed, &open.name, same) {
-        let range = TextRange::new(typed.offset, typed.offset + length);
-        return Some(Insertion {
-            range,
-            text: String::new(),
-        });
+        .filter(|_| is_here && !typed.after.starts_with(is_name_char))?
+        .name();
+    if let Some((_, end)) = end_tag_behind(typed, name)
+        && all_ended(document, typed, name)
+    {
+        return Some(removed(typed, end));
     }
     let end = if typed.after.starts_with('>') {
         ""
@@ -95,30 +76,30 @@ fn name_of_end_tag(typed: &Typed) -> Option<Insertion> {
     };
     Some(Insertion {
         range: TextRange::empty(typed.offset),
-        text: format!("{}{end}", open.name),
+        text: format!("{name}{end}"),
     })
 }
 
-/// The length of the end tag of this name that follows, when nothing but blanks is in front of it and `same` such end tags
-/// close what is open.
-fn added_end_tag(typed: &Typed, name: &str, same: usize) -> Option<u32> {
+/// Where the end tag of this name stands that follows, when nothing but blanks is in front of it.
+fn end_tag_behind(typed: &Typed<'_>, name: &str) -> Option<(u32, u32)> {
     let rest = typed.after.trim_start();
     rest.strip_prefix("</")?
         .strip_prefix(name)
         .filter(|rest| rest.starts_with('>'))?;
-    let mut reader = Reader::new(&typed.after).until_unmatched(same);
-    reader.run();
-    let ends = reader
-        .unmatched
-        .iter()
-        .take_while(|end| *end == name)
-        .count();
-    let blanks = typed.after.len() - rest.len();
-    (ends >= same).then_some((blanks + "</>".len() + name.len()) as u32)
+    let start = typed.offset + (typed.after.len() - rest.len()) as u32;
+    Some((start, start + ("</>".len() + name.len()) as u32))
+}
+
+/// What follows, up to an offset, is taken away.
+fn removed(typed: &Typed<'_>, end: u32) -> Insertion {
+    Insertion {
+        range: TextRange::new(typed.offset, end),
+        text: String::new(),
+    }
 }
 
 /// Behind a line end between tags: the indentation of the new line, and an end tag in a line of its own.
-fn indentation(document: &Document, typed: &Typed, unit: &str) -> Option<Vec<Insertion>> {
+fn indentation(document: &Document, typed: &Typed<'_>, unit: &str) -> Option<Vec<Insertion>> {
     if typed.what != Typing::Content || !typed.before.trim().is_empty() {
         return None;
     }

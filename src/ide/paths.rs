@@ -8,7 +8,7 @@ use super::expressions::ExprText;
 use super::locate::{At, Part};
 use super::values::{distinct, instances};
 use base::TextRange;
-use expr::{self, Subst, Token, Value, display, parse_substitution};
+use expr::{self, Subst, Token, Value, WordKind, display, parse_substitution, words};
 use rules::RuleEnv;
 use workspace::UriOutcome;
 use xml::{Attr, Node, NodeKind};
@@ -203,21 +203,35 @@ fn yaml(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, token: &Token) -> 
     let Token::Expr { inner, .. } = token else {
         return None;
     };
-    let (before, call) = inner.slice(&text.text).split_once("load_yaml(")?;
-    let open = call.len() - call.trim_start().len();
-    let quote = call
-        .trim_start()
-        .chars()
-        .next()
-        .filter(|c| matches!(c, '\'' | '"'))?;
-    let name = call.get(open + 1..)?.split(quote).next()?;
-    let start = inner.start + (before.len() + "load_yaml(".len() + open + 1) as u32;
-    let range = TextRange::new(start, start + name.len() as u32);
+    let range = loaded_name(inner.slice(&text.text))?.shift(inner.start);
     let path = folded(cx, world, text, range)?;
     Some(FileName {
         range: text.range(range),
         target: beside(cx, world, &path),
         kind: FileKind::Yaml,
+    })
+}
+
+/// Where the name stands that code gives to `load_yaml`, if that is a string.
+fn loaded_name(code: &str) -> Option<TextRange> {
+    if !code.contains("load_yaml") {
+        return None;
+    }
+    let words = words(code);
+    words.windows(3).find_map(|three| {
+        let [called, bracket, (name, kind)] = three else {
+            return None;
+        };
+        let is_call = called.0.slice(code) == "load_yaml" && bracket.0.slice(code) == "(";
+        let string = name.slice(code);
+        let quote = string
+            .get(..1)
+            .filter(|first| is_call && matches!(*first, "'" | "\""))?;
+        let end = match kind {
+            WordKind::String if string.ends_with(quote) => name.end - 1,
+            _ => name.end,
+        };
+        Some(TextRange::new(name.start + 1, end))
     })
 }
 
@@ -256,4 +270,25 @@ fn found_package(cx: &Cx<'_>, world: RuleEnv<'_>, token: &str) -> Option<String>
     };
     let found = world.packages.find(&package.text, &cx.source.path).ok()?;
     Some(vfs::slashed(&world.vfs.absolute(&found.path)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::loaded_name;
+
+    #[test]
+    fn names_that_are_loaded() {
+        for (code, expected) in [
+            ("xacro.load_yaml('a.yaml')['k']", Some("a.yaml")),
+            ("load_yaml( \"a.yaml\" )", Some("a.yaml")),
+            ("load_yaml('$(find p)/a.yaml')", Some("$(find p)/a.yaml")),
+            ("load_yaml('it\\'s.yaml')", Some("it\\'s.yaml")),
+            ("load_yaml('a", Some("a")),
+            ("load_yaml(name)", None),
+            ("'load_yaml(' + 'a'", None),
+        ] {
+            let found = loaded_name(code).map(|range| range.slice(code));
+            assert_eq!(found, expected, "{code}");
+        }
+    }
 }

@@ -4,7 +4,7 @@ use super::place::{before, top_level};
 use super::{Action, ActionKind, edit};
 use crate::{At, Cx, Part, locate};
 use base::TextRange;
-use expr::is_identifier;
+use expr::{Code, Token, WordKind, is_identifier, split, words};
 use facts::{FactKind, facts};
 use vfs::SourceFile;
 use xml::Attr;
@@ -158,25 +158,31 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
     })
 }
 
-/// Whether an offset of a text stands inside of `${}`; none inside of `$()` or where that cannot be said.
+/// Whether an offset of a text stands inside of `${}`; none inside of `$()`, in a string, in code that is put together when
+/// it is evaluated, and where code is broken.
 fn in_expression(text: &str, offset: usize) -> Option<bool> {
-    let before = text.get(..offset)?;
-    let (opened, closed) = (before.rfind('$'), before.rfind(['}', ')']));
-    let Some(opened) = opened else {
-        return Some(false);
-    };
-    let quotes = before.get(opened..)?.matches('\'').count();
-    match before.get(opened + 1..)?.chars().next() {
-        Some('{')
-            if before.get(opened..)?.matches('{').count()
-                > before.get(opened..)?.matches('}').count() =>
-        {
-            (quotes % 2 == 0).then_some(true)
+    let offset = u32::try_from(offset).ok()?;
+    let template = split(text);
+    let is_broken = |token: &Token| matches!(token, Token::Expr { code: Code::Static(parsed), .. } if !parsed.errors.is_empty());
+    if template.tokens.iter().any(is_broken) {
+        return None;
+    }
+    let holds = |range: TextRange| range.start <= offset && offset < range.end;
+    let token = template.tokens.iter().find(|token| holds(token.range()));
+    match token {
+        None | Some(Token::Text(_)) => Some(false),
+        Some(Token::Expr {
+            inner,
+            code: Code::Static(_),
+            ..
+        }) if inner.start <= offset => {
+            let is_string = |kind| matches!(kind, WordKind::String | WordKind::OpenString);
+            let mut words = words(inner.slice(text)).into_iter();
+            let is_in_string =
+                words.any(|(range, kind)| holds(range.shift(inner.start)) && is_string(kind));
+            (!is_in_string).then_some(true)
         }
-        Some('{' | '(') => closed
-            .is_some_and(|closed| closed > opened)
-            .then_some(false),
-        _ => None,
+        Some(_) => None,
     }
 }
 
@@ -263,7 +269,12 @@ mod tests {
             ("$(arg |1)", None),
             ("$(arg a) |1", Some(false)),
             ("${'|1'}", None),
-            ("${dict(a={}) + |1}", Some(true)),
+            ("${d['}'] + |1}", None),
+            ("${d['a\\'b'] + |1}", Some(true)),
+            ("${$(arg a) + |1}", None),
+            ("$5 |1", Some(false)),
+            // xacro ends an expression at the first `}`
+            ("${dict(a={}) + |1}", None),
         ] {
             let offset = text.find('|').unwrap();
             assert_eq!(

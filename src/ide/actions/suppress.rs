@@ -155,7 +155,8 @@ fn is_header(line: &str) -> bool {
     inner.is_some_and(|(name, _)| name.trim() == "severity")
 }
 
-/// The text in quotes behind an equals sign, with the space in front of it.
+/// The text in quotes behind an equals sign, with the space in front of it. This is the text of a configuration file, of which
+/// there is no tree that knows its offsets.
 fn value_range(text: &str, start: usize) -> Option<TextRange> {
     let rest = text.get(start..)?;
     let quote = rest.trim_start_matches([' ', '\t']).chars().next()?;

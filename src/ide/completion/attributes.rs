@@ -5,9 +5,9 @@ use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::learned;
 use super::scope::Scope;
 use super::tags::{is_required, spec_of};
-use crate::tag_reader::Open;
 use crate::typed::{Typed, is_name_char};
 use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
+use xml::Node;
 
 /// The name that xacro's tags belong to.
 const NAMESPACE: &str = "http://www.ros.org/wiki/xacro";
@@ -15,25 +15,23 @@ const NAMESPACE: &str = "http://www.ros.org/wiki/xacro";
 /// The element of URDF that a start tag stands for.
 pub(super) fn spec_of_tag(
     scope: &Scope<'_>,
-    typed: &Typed,
-    tag: &Open,
+    typed: &Typed<'_>,
+    tag: Node<'_>,
 ) -> Option<&'static ElementSpec> {
-    let mut names: Vec<&str> = typed.open.iter().map(|open| open.name.as_str()).collect();
-    names.push(&tag.name);
+    let mut names: Vec<&str> = typed.open.iter().map(|open| open.name()).collect();
+    names.push(tag.name());
     spec_of(scope, &names)
 }
 
 /// Attributes that a start tag does not have yet.
-pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Completions {
+pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed<'_>, tag: Node<'_>) -> Completions {
     let start = typed.offset - typed.before.len() as u32;
     let rest = typed.rest_of_word(is_name_char);
-    let (behind, _) = typed.rest_of_tag();
-    let has = |name: &str| tag.attr(name).is_some() || behind.iter().any(|given| given == name);
     let has_value = typed
         .after
         .get(rest as usize..)
         .is_some_and(|after| after.trim_start().starts_with('='));
-    let mut items = if let Some(directive) = directive(&tag.name) {
+    let mut items = if let Some(directive) = directive(tag.name()) {
         let all = directive.attributes.iter();
         all.map(|attribute| {
             let value = match attribute.words {
@@ -43,13 +41,13 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
             attribute_item(attribute.name, attribute.required, &value).detail(attribute.docs)
         })
         .collect()
-    } else if tag.name.starts_with("xacro:") {
+    } else if tag.name().starts_with("xacro:") {
         parameters(scope, typed, tag)
     } else {
         let spec = spec_of_tag(scope, typed, tag);
         let known = spec.map(of_urdf).unwrap_or_default();
         let rank = if known.is_empty() { 1 } else { 4 };
-        let further = learned::attributes(scope, typed, &tag.name)
+        let further = learned::attributes(scope, typed, tag.name())
             .into_iter()
             .map(|item| item.rank(rank));
         let mut items: Vec<Completion> = known.into_iter().chain(further).collect();
@@ -64,7 +62,7 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Comple
         let item = Completion::new(ItemKind::Attribute, "xmlns:xacro");
         items.push(item.text(text).rank(1).detail("the xacro namespace"));
     }
-    items.retain(|item| !has(&item.label));
+    items.retain(|item| !typed.has_attr(&item.label));
     if has_value {
         for item in &mut items {
             item.snippet = None;
@@ -116,10 +114,10 @@ fn facts_in_short(attribute: &AttributeSpec) -> String {
 }
 
 /// The parameters of the macro that a tag calls; blocks are children, not attributes.
-fn parameters(scope: &Scope<'_>, typed: &Typed, tag: &Open) -> Vec<Completion> {
+fn parameters(scope: &Scope<'_>, typed: &Typed<'_>, tag: Node<'_>) -> Vec<Completion> {
     // of a macro whose file is missing, other calls say what it takes
-    let Some(info) = scope.called(&tag.name) else {
-        return learned::attributes(scope, typed, &tag.name);
+    let Some(info) = scope.called(tag.name()) else {
+        return learned::attributes(scope, typed, tag.name());
     };
     let values = info.params.iter().filter(|param| !param.is_block());
     values

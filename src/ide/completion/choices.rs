@@ -10,9 +10,9 @@ use super::scope::Scope;
 use super::semantic;
 use super::substitutions;
 use super::tags::is_directive;
-use crate::tag_reader::Open;
 use crate::typed::Typed;
 use rules::schema::{AttributeKind, ElementSpec};
+use xml::Node;
 
 /// What the types of joints do.
 const JOINT_TYPES: &[(&str, &str)] = &[
@@ -33,23 +33,28 @@ pub(super) struct Place<'a> {
     /// What is known of its element.
     pub spec: Option<&'static ElementSpec>,
     /// Its start tag.
-    pub tag: &'a Open,
+    pub tag: Node<'a>,
     /// Its name.
     pub attribute: &'a str,
 }
 
 /// Values of an attribute of a start tag.
-pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Completions {
+pub(super) fn values(
+    scope: &Scope<'_>,
+    typed: &Typed<'_>,
+    tag: Node<'_>,
+    attribute: &str,
+) -> Completions {
     if let Some(found) = expression(scope, typed) {
         return found;
     }
     let spec = spec_of_tag(scope, typed, tag);
     if let Some(wanted) = file_wanted(spec, tag, attribute) {
-        return paths::in_text(scope, typed, &typed.before, wanted);
+        return paths::in_text(scope, typed, typed.before, wanted);
     }
-    let items = match directive(&tag.name) {
+    let items = match directive(tag.name()) {
         Some(_) => of_directive(scope, typed, tag, attribute),
-        None if tag.name.starts_with("xacro:") => of_call(scope, typed, tag, attribute),
+        None if tag.name().starts_with("xacro:") => of_call(scope, typed, tag, attribute),
         None if scope.is_semantic => semantic::values(
             scope,
             typed,
@@ -73,28 +78,37 @@ pub(super) fn values(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &s
 }
 
 /// Items for all of a value.
-fn whole_value(typed: &Typed, items: Vec<Completion>) -> Completions {
+fn whole_value(typed: &Typed<'_>, items: Vec<Completion>) -> Completions {
     let start = typed.offset - typed.before.len() as u32;
     Completions::new(start, typed.offset, typed.rest_of_value(), items)
 }
 
 /// The files that an attribute names.
-fn file_wanted(spec: Option<&ElementSpec>, tag: &Open, attribute: &str) -> Option<paths::Wanted> {
-    match (tag.name.as_str(), attribute) {
+fn file_wanted(
+    spec: Option<&ElementSpec>,
+    tag: Node<'_>,
+    attribute: &str,
+) -> Option<paths::Wanted> {
+    match (tag.name(), attribute) {
         ("xacro:include", "filename") => return Some(paths::Wanted::Description),
         (name, _) if is_directive(name) => return None,
         _ => {}
     }
     let named = spec.and_then(|spec| spec.attribute(attribute));
-    match (tag.name.as_str(), named.map(|attribute| attribute.kind)) {
+    match (tag.name(), named.map(|attribute| attribute.kind)) {
         ("texture", Some(AttributeKind::Uri)) => Some(paths::Wanted::Picture),
         ("mesh", _) if attribute == "filename" => Some(paths::Wanted::Mesh),
         _ => None,
     }
 }
 
-fn of_directive(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec<Completion> {
-    match (tag.name.as_str(), attribute) {
+fn of_directive(
+    scope: &Scope<'_>,
+    typed: &Typed<'_>,
+    tag: Node<'_>,
+    attribute: &str,
+) -> Vec<Completion> {
+    match (tag.name(), attribute) {
         ("xacro:insert_block", "name") => blocks(scope, typed),
         ("xacro:if" | "xacro:unless", "value") => conditions(scope, typed),
         ("xacro:call", "macro") => {
@@ -125,7 +139,7 @@ pub(super) fn words_to_choose(words: &[&str]) -> Vec<Completion> {
 }
 
 /// An expression, and the arguments that are true or false.
-fn conditions(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+fn conditions(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let is_truth = |text: &str| {
         matches!(
             text.to_ascii_lowercase().as_str(),
@@ -152,8 +166,13 @@ fn conditions(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
 }
 
 /// Arguments of macro calls: names, when that is what the macro makes of them.
-fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec<Completion> {
-    let Some(info) = scope.called(&tag.name) else {
+fn of_call(
+    scope: &Scope<'_>,
+    typed: &Typed<'_>,
+    tag: Node<'_>,
+    attribute: &str,
+) -> Vec<Completion> {
+    let Some(info) = scope.called(tag.name()) else {
         return Vec::new();
     };
     let mut items = match flows_into(scope, &info, attribute) {
@@ -178,17 +197,17 @@ fn of_call(scope: &Scope<'_>, typed: &Typed, tag: &Open, attribute: &str) -> Vec
 
 fn of_element(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     Place {
         spec,
         tag,
         attribute,
     }: Place<'_>,
 ) -> Vec<Completion> {
-    if tag.name == "material" && attribute == "name" {
+    if tag.name() == "material" && attribute == "name" {
         return materials(scope, typed);
     }
-    if tag.name.ends_with("_interface") && attribute == "name" {
+    if tag.name().ends_with("_interface") && attribute == "name" {
         return words_to_choose(INTERFACES);
     }
     if attribute == "frame_id" || attribute == "frame_name" {
@@ -201,14 +220,14 @@ fn of_element(
         return Vec::new();
     };
     if let Some(wanted) = Wanted::of(kind) {
-        return names::names(scope, typed, wanted, tag.name == "child");
+        return names::names(scope, typed, wanted, tag.name() == "child");
     }
     match kind {
         AttributeKind::Choice(words) => words
             .iter()
             .map(|word| Completion::new(ItemKind::Choice, *word).detail(meaning(word)))
             .collect(),
-        _ => numbers(&tag.name, attribute),
+        _ => numbers(tag.name(), attribute),
     }
 }
 

@@ -14,7 +14,7 @@ const DIRECTIVES: &[(&str, &str)] = &[
 ];
 
 /// What fits into a comment: nothing, unless it begins as one of those.
-pub(super) fn comment(scope: &Scope<'_>, typed: &Typed) -> Completions {
+pub(super) fn comment(scope: &Scope<'_>, typed: &Typed<'_>) -> Completions {
     let text = typed.before.trim_start();
     if let Some(rest) = text.strip_prefix("xacro-lint:") {
         return lint(typed, rest.trim_start());
@@ -40,7 +40,7 @@ pub(super) fn comment(scope: &Scope<'_>, typed: &Typed) -> Completions {
     Completions::new(typed.offset - text.len() as u32, typed.offset, 0, items)
 }
 
-fn lint(typed: &Typed, text: &str) -> Completions {
+fn lint(typed: &Typed<'_>, text: &str) -> Completions {
     let rest = typed.rest_of_word(|c| c.is_alphanumeric() || c == '-');
     let answer = |word: &str, items| {
         Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
@@ -73,7 +73,7 @@ fn lint(typed: &Typed, text: &str) -> Completions {
     answer(word, items.collect())
 }
 
-fn root(scope: &Scope<'_>, typed: &Typed, text: &str) -> Completions {
+fn root(scope: &Scope<'_>, typed: &Typed<'_>, text: &str) -> Completions {
     if text.contains(' ') {
         return Completions::default();
     }

@@ -7,31 +7,22 @@ use super::members;
 use super::paths;
 use super::scope::{PropertyInfo, Scope};
 use super::substitutions;
-use crate::code::{Cursor, UnclosedDelimiter, chain_before, cursor, hole};
-use crate::typed::Typed;
+use crate::typed::{Cursor, Opened, Typed, Unclosed, attr_text, cursor, unclosed};
 use base::limits::COMPLETIONS;
 use expand::parse_params;
 use expr::{SymbolKind, Value, display, global_symbols};
 
 /// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
-pub(super) fn expression(scope: &Scope<'_>, typed: &Typed) -> Option<Completions> {
-    let text = &typed.before;
-    let at = |inside: usize| typed.offset - (text.len() - inside) as u32;
-    match hole(text)? {
-        UnclosedDelimiter::Dollar(start) => Some(dollar(typed, at(start))),
-        UnclosedDelimiter::Code(start) => Some(code(scope, typed, text.get(start..)?, false)),
-        UnclosedDelimiter::Substitution(start) => {
-            let inner = text.get(start..)?;
-            match inner.strip_prefix("eval ") {
-                Some(inner) => Some(code(scope, typed, inner, true)),
-                None => Some(substitutions::substitution(scope, typed, inner)),
-            }
-        }
-    }
+pub(super) fn expression(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<Completions> {
+    Some(match unclosed(typed.before)? {
+        Unclosed::Dollar => dollar(typed, typed.offset - 1),
+        Unclosed::Code { code, is_eval } => self::code(scope, typed, code, is_eval),
+        Unclosed::Substitution(inner) => substitutions::substitution(scope, typed, inner),
+    })
 }
 
 /// Behind a `$`.
-fn dollar(typed: &Typed, start: u32) -> Completions {
+fn dollar(typed: &Typed<'_>, start: u32) -> Completions {
     let item = |label: &str, snippet: &str, detail: &str| {
         Completion::new(ItemKind::Snippet, label)
             .snippet(snippet)
@@ -47,39 +38,34 @@ fn dollar(typed: &Typed, start: u32) -> Completions {
 }
 
 /// In an expression; `is_eval`: of `$(eval)`, where arguments are the names.
-fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completions {
+fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Completions {
     let at = |inside: usize| typed.offset - (code.len() - inside) as u32;
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let rest = typed.rest_of_word(is_word);
     let answer = |start: usize, items| Completions::new(at(start), typed.offset, rest, items);
     match cursor(code) {
         Cursor::Outside => Completions::default(),
-        Cursor::Text { start, .. } => {
-            let before = code.get(..start.saturating_sub(1)).unwrap_or("").trim_end();
-            let within = code.get(start..).unwrap_or("");
-            if let Some(object) = before.strip_suffix('[') {
-                return answer(
-                    start,
-                    entries(scope, typed, chain_before(object), |key| match key {
-                        Value::Str(text) => Some(text.to_string()),
-                        _ => None,
-                    }),
-                );
+        Cursor::Text { start, opened } => match opened {
+            Opened::Index(object) => answer(
+                start,
+                entries(scope, typed, object, |key| match key {
+                    Value::Str(text) => Some(text.to_string()),
+                    _ => None,
+                }),
+            ),
+            Opened::Call("load_yaml" | "xacro.load_yaml") => {
+                let within = code.get(start..).unwrap_or("");
+                paths::in_text(scope, typed, within, paths::Wanted::Yaml)
             }
-            if before.ends_with("load_yaml(") {
-                return paths::in_text(scope, typed, within, paths::Wanted::Yaml);
-            }
-            match before.ends_with("xacro.arg(") {
-                true => answer(start, substitutions::arguments(scope, typed)),
-                false => Completions::default(),
-            }
-        }
+            Opened::Call("xacro.arg") => answer(start, substitutions::arguments(scope, typed)),
+            Opened::Call(_) | Opened::Nothing => Completions::default(),
+        },
         Cursor::Member { object, start } => answer(start, members(scope, typed, object)),
-        Cursor::Name { start } => {
+        Cursor::Name { start, opened } => {
             let word = code.get(start..).unwrap_or("");
             let (mut items, more) = names(scope, typed, word, is_eval);
-            if let Some(object) = code.get(..start).unwrap_or("").trim_end().strip_suffix('[') {
-                let quoted = entries(scope, typed, chain_before(object), |key| {
+            if let Opened::Index(object) = opened {
+                let quoted = entries(scope, typed, object, |key| {
                     display::repr(key).map(|text| text.to_string())
                 });
                 items.extend(quoted.into_iter().map(|item| item.rank(0)));
@@ -95,7 +81,7 @@ fn code(scope: &Scope<'_>, typed: &Typed, code: &str, is_eval: bool) -> Completi
 /// The keys of what an expression stands for.
 fn entries(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     object: &str,
     spelled: impl Fn(&Value) -> Option<String>,
 ) -> Vec<Completion> {
@@ -112,7 +98,7 @@ fn entries(
 }
 
 /// What can stand behind a dot.
-fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
+fn members(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion> {
     let symbols = global_symbols()
         .filter(|symbol| {
             symbol
@@ -161,7 +147,12 @@ fn members(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
 }
 
 /// Names that an expression can begin with, and whether some that do not fit to `word` were left out.
-fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Completion>, bool) {
+fn names(
+    scope: &Scope<'_>,
+    typed: &Typed<'_>,
+    word: &str,
+    is_eval: bool,
+) -> (Vec<Completion>, bool) {
     let mut items = Vec::new();
     let mut more = false;
     if is_eval {
@@ -180,10 +171,13 @@ fn names(scope: &Scope<'_>, typed: &Typed, word: &str, is_eval: bool) -> (Vec<Co
     (items, more)
 }
 
-fn parameters(typed: &Typed) -> Vec<Completion> {
-    let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
+fn parameters(typed: &Typed<'_>) -> Vec<Completion> {
+    let macros = typed
+        .open
+        .iter()
+        .filter(|open| open.name() == "xacro:macro");
     let params = macros
-        .filter_map(|open| parse_params(&open.attr("params")?))
+        .filter_map(|open| parse_params(&attr_text(*open, "params")?))
         .flatten();
     let values = params.filter(|param| !param.is_block());
     values

@@ -6,7 +6,7 @@ use ecow::EcoString;
 
 use super::item::{Completion, ItemKind};
 use super::scope::Scope;
-use crate::typed::Typed;
+use crate::typed::{Typed, attr_text};
 use base::FastSet;
 use expand::parse_params;
 use facts::{FactKind, facts_of};
@@ -23,8 +23,8 @@ struct Caller {
 }
 
 /// The names of the macros that call the one around the cursor, and of those that call them: the nearest first.
-pub(super) fn names(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let Some(own) = typed.in_macro().and_then(|open| open.attr("name")) else {
+pub(super) fn names(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+    let Some(own) = typed.in_macro().and_then(|open| attr_text(open, "name")) else {
         return Vec::new();
     };
     let mut open: Vec<EcoString> = vec![own.trim_start_matches("xacro:").into()];

@@ -14,7 +14,7 @@ use xml::{Node, NodeKind};
 const MOST: usize = 60;
 
 /// Attributes that elements with a tag have elsewhere.
-pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &str) -> Vec<Completion> {
+pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed<'_>, tag: &str) -> Vec<Completion> {
     learned(scope, typed, tag, |node, add| {
         node.attrs().for_each(|attr| add(attr.name()))
     })
@@ -30,7 +30,7 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed, tag: &str) -> Vec<Com
 }
 
 /// Elements that stand in elements with a tag elsewhere.
-pub(super) fn children(scope: &Scope<'_>, typed: &Typed, tag: &str) -> Vec<Completion> {
+pub(super) fn children(scope: &Scope<'_>, typed: &Typed<'_>, tag: &str) -> Vec<Completion> {
     learned(scope, typed, tag, |node, add| {
         node.child_elements().for_each(|child| add(child.name()))
     })
@@ -48,7 +48,7 @@ pub(super) fn children(scope: &Scope<'_>, typed: &Typed, tag: &str) -> Vec<Compl
 /// What is read off the elements with a tag, each with the file that it is taken from. What is being typed is left out.
 fn learned(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     tag: &str,
     read: impl Fn(Node<'_>, &mut dyn FnMut(&str)),
 ) -> Vec<(EcoString, String)> {

@@ -25,7 +25,7 @@ type Given = FastMap<EcoString, Option<EcoString>>;
 /// The names that the calls of the edited file make; those around the cursor come before the others.
 pub(super) fn names(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     fact: FactKind,
     kind: ItemKind,
 ) -> Vec<Completion> {

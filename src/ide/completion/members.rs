@@ -10,7 +10,7 @@ use base::FastSet;
 const MOST: usize = 60;
 
 /// The names that other texts have behind the same word and a dot: of `link.origin`, those behind `origin.`.
-pub(super) fn seen(scope: &Scope<'_>, typed: &Typed, object: &str) -> Vec<Completion> {
+pub(super) fn seen(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion> {
     let word = object.rsplit(|c: char| !is_word(c)).next().unwrap_or("");
     let mut found = Vec::new();
     if word.is_empty() {

@@ -17,9 +17,9 @@ use xml::Node;
 const MOST_VALUES: usize = 16;
 
 /// The names that are not given where the cursor is.
-pub(super) fn names(scope: &Scope<'_>, typed: &Typed, kind: ItemKind) -> Vec<Completion> {
+pub(super) fn names(scope: &Scope<'_>, typed: &Typed<'_>, kind: ItemKind) -> Vec<Completion> {
     let mut found = referred_to(scope, typed, kind);
-    let lead = lead(&typed.before);
+    let lead = lead(typed.before);
     if !lead.is_empty() {
         found.extend(behind(scope, typed, lead, kind));
         let fact = if kind == ItemKind::Link {
@@ -34,7 +34,7 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed, kind: ItemKind) -> Vec<Com
 }
 
 /// What attributes of the file refer to; what is typed is none of them.
-fn referred_to(scope: &Scope<'_>, typed: &Typed, kind: ItemKind) -> Vec<Completion> {
+fn referred_to(scope: &Scope<'_>, typed: &Typed<'_>, kind: ItemKind) -> Vec<Completion> {
     let mut found = Vec::new();
     for (base, item) in scope.sources.source.document.parts() {
         let attrs = item.all_nodes().flat_map(|node| references(node, kind));
@@ -88,7 +88,7 @@ fn lead(text: &str) -> &str {
 }
 
 /// The names of the robot that begin with what an expression stands for, with the expression instead.
-fn behind(scope: &Scope<'_>, typed: &Typed, lead: &str, kind: ItemKind) -> Vec<Completion> {
+fn behind(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str, kind: ItemKind) -> Vec<Completion> {
     let mut found = Vec::new();
     // what no expansion knows is computed from the texts, once
     let mut known: Option<Option<String>> = None;

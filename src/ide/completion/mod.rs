@@ -1,6 +1,6 @@
 //! What can be typed at a place.
 //!
-//! Works on text that is broken or cut off: what stands around the cursor is read from the text in front of it
+//! Works on text that is broken or cut off: what stands around the cursor is asked of the tree and of the lexer
 //! (`ide::typed`), names come from the texts of the files that belong together (`scope`), names of links and joints
 //! also from earlier expansions. Nothing is expanded here.
 
@@ -48,11 +48,11 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
         Typing::Comment => comments::comment(scope, &typed),
         Typing::Tag => tags::tags(scope, &typed, ""),
         Typing::EndTag => tags::end_tag(&typed),
-        Typing::Attribute(tag) => attributes::attributes(scope, &typed, tag),
+        Typing::Attribute(tag) => attributes::attributes(scope, &typed, *tag),
         Typing::Value(tag, name) => match trigger {
             // a blank inside of a value is no reason to ask, but it is inside of `$(arg `
             Some(' ') => expressions::expression(scope, &typed).unwrap_or_default(),
-            _ => choices::values(scope, &typed, tag, name),
+            _ => choices::values(scope, &typed, *tag, name),
         },
         Typing::Content => content(scope, &typed, trigger),
     };
@@ -69,7 +69,7 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
 }
 
 /// Between tags: expressions; names in elements that hold one; elements when the user asks.
-fn content(scope: &Scope<'_>, typed: &Typed, trigger: Option<char>) -> Completions {
+fn content(scope: &Scope<'_>, typed: &Typed<'_>, trigger: Option<char>) -> Completions {
     if let Some(found) = expressions::expression(scope, typed) {
         return found;
     }
@@ -77,7 +77,7 @@ fn content(scope: &Scope<'_>, typed: &Typed, trigger: Option<char>) -> Completio
     if trigger.is_some() || has_root && typed.open.is_empty() && !typed.before.trim().is_empty() {
         return Completions::default();
     }
-    let parent = typed.open.last().map_or("", |open| open.name.as_str());
+    let parent = typed.open.last().map_or("", |open| open.name());
     if matches!(
         parent,
         "frame_id" | "frameName" | "frame_name" | "bodyName" | "baseLink" | "robotBaseFrame"

@@ -7,7 +7,7 @@ use super::made;
 use super::mentioned;
 use super::scope::{MacroInfo, Scope};
 use super::tags::spec_of;
-use crate::typed::Typed;
+use crate::typed::{Typed, attr_text};
 use base::FastSet;
 use expand::{Expansion, parse_params};
 use facts::FactKind;
@@ -51,7 +51,7 @@ impl Wanted {
 /// stand in the texts. `is_end` says that the value is the child of a joint: links that have no parent come first.
 pub(super) fn names(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     wanted: Wanted,
     is_end: bool,
 ) -> Vec<Completion> {
@@ -107,10 +107,10 @@ pub(super) fn names(
 }
 
 /// Parameters of the macro around that are there to name a link.
-fn link_parameters(typed: &Typed) -> Vec<Completion> {
+fn link_parameters(typed: &Typed<'_>) -> Vec<Completion> {
     let params = typed
         .in_macro()
-        .and_then(|open| parse_params(&open.attr("params")?))
+        .and_then(|open| parse_params(&attr_text(open, "params")?))
         .unwrap_or_default();
     let links = params
         .iter()
@@ -170,7 +170,7 @@ fn spec(scope: &Scope<'_>, node: Node<'_>) -> Option<&'static rules::schema::Ele
 }
 
 /// The materials of the robot, and those the texts give.
-pub(super) fn materials(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+pub(super) fn materials(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let patterns = scope
         .patterns(FactKind::Material, typed.offset)
         .into_iter()
@@ -222,10 +222,13 @@ fn hex(rgba: [f64; 4]) -> String {
 }
 
 /// The blocks that can be inserted: parameters of the macros around, and properties.
-pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let macros = typed.open.iter().filter(|open| open.name == "xacro:macro");
+pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+    let macros = typed
+        .open
+        .iter()
+        .filter(|open| open.name() == "xacro:macro");
     let params = macros
-        .filter_map(|open| parse_params(&open.attr("params")?))
+        .filter_map(|open| parse_params(&attr_text(*open, "params")?))
         .flatten();
     let params: Vec<Completion> = params
         .filter(|param| param.is_block())

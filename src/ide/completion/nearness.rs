@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use super::item::{Completion, ItemKind};
-use crate::typed::{Typed, Typing};
+use crate::typed::{Typed, Typing, attr_text};
 use base::FastMap;
 
 /// How much of the text in front of the cursor is read, in bytes.
@@ -23,7 +23,7 @@ pub(super) struct RuleEnv {
 
 impl RuleEnv {
     /// Of what is typed in a file. `word` is what was typed of the name itself.
-    pub fn of(typed: &Typed, file: &Path, word: &str) -> Self {
+    pub fn of(typed: &Typed<'_>, file: &Path, word: &str) -> Self {
         let mut found = Self {
             words: FastMap::default(),
         };
@@ -35,7 +35,8 @@ impl RuleEnv {
         let text = typed
             .text_before
             .strip_suffix(word)
-            .unwrap_or(&typed.text_before);
+            .unwrap_or(typed.text_before);
+        // only words are taken from this text, wherever they stand: its tags need not be understood
         let tag = text.rfind('<').unwrap_or(0);
         let near = text.len().saturating_sub(NEAR);
         let start = (near..=tag.max(near))
@@ -54,8 +55,8 @@ impl RuleEnv {
         values(before)
             .iter()
             .for_each(|value| found.read(value, CLOSE));
-        for open in typed.open.iter().filter(|open| open.name != "robot") {
-            found.read(&open.attr("name").unwrap_or_default(), AROUND);
+        for open in typed.open.iter().filter(|open| open.name() != "robot") {
+            found.read(&attr_text(*open, "name").unwrap_or_default(), AROUND);
         }
         match typed.what {
             Typing::Content => {

@@ -62,7 +62,12 @@ impl Scope<'_> {
 }
 
 /// Files for a value, or a part of one, of which `text` was typed so far.
-pub(super) fn in_text(scope: &Scope<'_>, typed: &Typed, text: &str, wanted: Wanted) -> Completions {
+pub(super) fn in_text(
+    scope: &Scope<'_>,
+    typed: &Typed<'_>,
+    text: &str,
+    wanted: Wanted,
+) -> Completions {
     if let Some(name) = text
         .strip_prefix("package://")
         .filter(|rest| !rest.contains('/'))
@@ -104,7 +109,7 @@ fn is_file_char(c: char) -> bool {
 }
 
 /// The folder that the first part of a value names.
-fn listed(scope: &Scope<'_>, typed: &Typed, folder: Option<&str>) -> Option<PathBuf> {
+fn listed(scope: &Scope<'_>, typed: &Typed<'_>, folder: Option<&str>) -> Option<PathBuf> {
     let own = &scope.sources.source.path;
     let Some(folder) = folder else {
         return own.parent().map(Path::to_path_buf);
@@ -173,11 +178,8 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
 
 /// Entries in an order that begins with the one that the text in front named last: what follows it in the folder mostly follows it in
 /// the robot, too.
-fn from_last_named(typed: &Typed, mut items: Vec<Completion>) -> Vec<Completion> {
-    let text = typed
-        .text_before
-        .strip_suffix(typed.before.as_str())
-        .unwrap_or("");
+fn from_last_named(typed: &Typed<'_>, mut items: Vec<Completion>) -> Vec<Completion> {
+    let text = typed.text_before.strip_suffix(typed.before).unwrap_or("");
     let last = |item: &Completion| text.rfind(&format!("/{}", item.label));
     let named = items
         .iter()

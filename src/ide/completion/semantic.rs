@@ -5,8 +5,7 @@ use super::item::{Completion, ItemKind};
 use super::names::{self, Wanted};
 use super::scope::Scope;
 use super::settings::{joint_item, same_text};
-use crate::tag_reader::Open;
-use crate::typed::Typed;
+use crate::typed::{Typed, attr_text};
 use base::FastSet;
 use model::{Joint, JointType, Kinematics};
 use project::{Srdf, joints_of_group};
@@ -16,7 +15,7 @@ use xml::Node;
 /// Values of an attribute of a start tag in an SRDF.
 pub(super) fn values(
     scope: &Scope<'_>,
-    typed: &Typed,
+    typed: &Typed<'_>,
     Place {
         spec,
         tag,
@@ -27,12 +26,12 @@ pub(super) fn values(
         return Vec::new();
     };
     match given.kind {
-        AttributeKind::Name if tag.name == "robot" => robots(scope),
+        AttributeKind::Name if tag.name() == "robot" => robots(scope),
         AttributeKind::Link => names::names(scope, typed, Wanted::Link, false),
         AttributeKind::Joint => joints(scope, typed),
         AttributeKind::Group => groups(scope, typed),
         AttributeKind::Choice(words) => words_to_choose(words),
-        AttributeKind::Number if tag.name == "joint" => positions(scope, tag),
+        AttributeKind::Number if tag.name() == "joint" => positions(scope, tag),
         _ => Vec::new(),
     }
 }
@@ -47,9 +46,12 @@ fn robots(scope: &Scope<'_>) -> Vec<Completion> {
 }
 
 /// Joints; in a state of a group, those of the group that have no position yet come first.
-fn joints(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
-    let around = typed.open.last().filter(|open| open.name == "group_state");
-    let group = around.and_then(|open| open.attr("group"));
+fn joints(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+    let around = typed
+        .open
+        .last()
+        .filter(|open| open.name() == "group_state");
+    let group = around.and_then(|open| attr_text(*open, "group"));
     let members = group
         .map(|group| members(scope, &group))
         .unwrap_or_default();
@@ -97,7 +99,7 @@ fn members(scope: &Scope<'_>, group: &str) -> FastSet<String> {
 }
 
 /// The joints that have a position in the state around already.
-fn given_beside(scope: &Scope<'_>, typed: &Typed) -> Vec<String> {
+fn given_beside(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<String> {
     let place = scope
         .sources
         .source
@@ -120,7 +122,7 @@ fn given_beside(scope: &Scope<'_>, typed: &Typed) -> Vec<String> {
 }
 
 /// The groups: those that the text defines, and those of the last expansion.
-fn groups(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+fn groups(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let mut found: Vec<Completion> = Vec::new();
     for (own, _) in scope.sources.expansions {
         let srdf = Srdf::of(own);
@@ -149,8 +151,8 @@ fn groups(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
     let own = typed
         .open
         .last()
-        .filter(|open| open.name == "group")
-        .and_then(|open| open.attr("name"));
+        .filter(|open| open.name() == "group")
+        .and_then(|open| attr_text(*open, "name"));
     found.retain(|item| {
         !item.label.is_empty() && !own.as_ref().is_some_and(|own| same_text(own, &item.label))
     });
@@ -158,8 +160,8 @@ fn groups(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
 }
 
 /// Positions that people often write: zero and the ends of the range.
-fn positions(scope: &Scope<'_>, tag: &Open) -> Vec<Completion> {
-    let name = tag.attr("name").unwrap_or_default();
+fn positions(scope: &Scope<'_>, tag: Node<'_>) -> Vec<Completion> {
+    let name = attr_text(tag, "name").unwrap_or_default();
     let joint = scope.robots().find_map(|(_, robot)| robot.joint(&name));
     let kind = joint.and_then(Joint::joint_type);
     let range = joint.and_then(|joint| joint.limit.as_ref()?.range());

@@ -3,9 +3,7 @@
 use super::docs::{parameter, signature};
 use super::scope::{MacroInfo, Scope};
 use super::tags::is_required;
-use crate::code::{UnclosedDelimiter, hole, open_call};
-use crate::tag_reader::Open;
-use crate::typed::{Typed, Typing, is_name_char, typed};
+use crate::typed::{Typed, Typing, Unclosed, is_name_char, open_call, typed, unclosed};
 use base::TextRange;
 use expr::{Module, global_symbols};
 
@@ -25,21 +23,18 @@ pub struct Signature {
 /// The signature of the call that is typed at `offset`: of a macro in a start tag, of a function in an expression.
 pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
     let typed = typed(&scope.sources.source.document, offset);
-    let of_function = || match hole(&typed.before)? {
-        UnclosedDelimiter::Code(start) => of_code(typed.before.get(start..)?),
-        UnclosedDelimiter::Substitution(start) => {
-            of_code(typed.before.get(start..)?.strip_prefix("eval ")?)
-        }
-        UnclosedDelimiter::Dollar(_) => None,
+    let of_function = || match unclosed(typed.before)? {
+        Unclosed::Code { code, .. } => of_code(code),
+        Unclosed::Substitution(_) | Unclosed::Dollar => None,
     };
     match &typed.what {
         Typing::Value(tag, name) => of_function().or_else(|| {
-            let info = scope.called(&tag.name)?;
+            let info = scope.called(tag.name())?;
             Some(of_macro(&info, position(&info, name)))
         }),
         Typing::Attribute(tag) => {
-            let info = scope.called(&tag.name)?;
-            let active = next(&info, tag, &typed);
+            let info = scope.called(tag.name())?;
+            let active = next(&info, &typed);
             Some(of_macro(&info, active))
         }
         Typing::Content => of_function(),
@@ -55,18 +50,16 @@ fn position(info: &MacroInfo, name: &str) -> Option<u32> {
 }
 
 /// The parameter whose name is typed; else the next one that is not given yet, the required ones first.
-fn next(info: &MacroInfo, tag: &Open, typed: &Typed) -> Option<u32> {
+fn next(info: &MacroInfo, typed: &Typed<'_>) -> Option<u32> {
     let rest = typed.rest_of_word(is_name_char) as usize;
     let word = format!("{}{}", typed.before, typed.after.get(..rest).unwrap_or(""));
     if let Some(place) = position(info, &word) {
         return Some(place);
     }
-    let (behind, _) = typed.rest_of_tag();
-    let open = |name: &str| tag.attr(name).is_none() && !behind.iter().any(|given| given == name);
     let free = || {
         info.params
             .iter()
-            .filter(|param| !param.is_block() && open(&param.name))
+            .filter(|param| !param.is_block() && !typed.has_attr(&param.name))
     };
     let begun = free().find(|param| !word.is_empty() && param.name.starts_with(&word));
     let wanted = begun

@@ -28,7 +28,7 @@ const COMMANDS: &[(&str, &str, &str)] = &[
 const MOST_FILES: usize = 40;
 
 /// What fits behind `$(` and what was typed since.
-pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed, inner: &str) -> Completions {
+pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed<'_>, inner: &str) -> Completions {
     let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
     let rest = typed.rest_of_word(is_word);
     let Some((command, word)) = inner.split_once(' ') else {
@@ -63,7 +63,7 @@ pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed, inner: &str) -> Com
 }
 
 /// The arguments of the context with their values.
-pub(super) fn arguments(scope: &Scope<'_>, _: &Typed) -> Vec<Completion> {
+pub(super) fn arguments(scope: &Scope<'_>, _: &Typed<'_>) -> Vec<Completion> {
     let all = scope.arguments().into_iter();
     all.map(|(name, value)| {
         let note = value.unwrap_or_else(|| "no default".to_owned());

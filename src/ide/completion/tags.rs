@@ -83,13 +83,13 @@ impl<'a> Near<'a> {
 }
 
 /// The element around what is typed.
-pub(super) fn parent_of(scope: &Scope<'_>, typed: &Typed) -> Option<&'static ElementSpec> {
-    let names: Vec<&str> = typed.open.iter().map(|open| open.name.as_str()).collect();
+pub(super) fn parent_of(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<&'static ElementSpec> {
+    let names: Vec<&str> = typed.open.iter().map(|open| open.name()).collect();
     spec_of(scope, &names)
 }
 
 /// Names of start tags. `lead` stands in front of each: nothing behind a `<`, else that.
-pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions {
+pub(super) fn tags(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str) -> Completions {
     let word = typed
         .before
         .rfind(|c: char| !is_name_char(c))
@@ -97,7 +97,7 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
     let start = typed.offset - (typed.before.len() - word) as u32;
     let rest = typed.rest_of_word(is_name_char);
     // a tag that is complete but for its name keeps what it has
-    let bare = lead.is_empty() && typed.rest_of_tag().1;
+    let bare = lead.is_empty() && typed.tag_ends();
     let mut items = children(scope, typed);
     if !bare
         && !scope.is_semantic
@@ -110,14 +110,14 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
         .open
         .iter()
         .rev()
-        .find(|open| !is_transparent(&open.name));
+        .find(|open| !is_transparent(open.name()));
     if let Some(around) =
-        around.filter(|open| !open.name.starts_with("xacro:") && open.name != "robot")
+        around.filter(|open| !open.name().starts_with("xacro:") && open.name() != "robot")
     {
         // what the schema knows was offered, or is there and stands there once
         let parent = parent_of(scope, typed);
         let is_known = |name: &str| parent.is_some_and(|parent| parent.child(name).is_some());
-        let further = learned::children(scope, typed, &around.name).into_iter();
+        let further = learned::children(scope, typed, around.name()).into_iter();
         let rank = if parent.is_some() { 4 } else { 2 };
         items.extend(
             further
@@ -157,7 +157,7 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed, lead: &str) -> Completions 
 }
 
 /// The name of the end tag: that of the element that is open.
-pub(super) fn end_tag(typed: &Typed) -> Completions {
+pub(super) fn end_tag(typed: &Typed<'_>) -> Completions {
     let Some(open) = typed.open.last() else {
         return Completions::default();
     };
@@ -168,14 +168,14 @@ pub(super) fn end_tag(typed: &Typed) -> Completions {
         .get(rest as usize..)
         .is_some_and(|after| after.trim_start().starts_with('>'));
     let end = if closed { "" } else { ">" };
-    let item = Completion::new(ItemKind::Element, &open.name)
-        .text(format!("{}{end}", open.name))
+    let item = Completion::new(ItemKind::Element, open.name())
+        .text(format!("{}{end}", open.name()))
         .rank(0);
     Completions::new(start, typed.offset, rest, vec![item])
 }
 
 /// The elements of URDF that may stand here and do not yet.
-fn children(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
+fn children(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     if typed.open.is_empty() {
         let xmlns = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
         let root = format!("robot name=\"$1\" {xmlns}>\n\t$0\n</robot>");
@@ -189,7 +189,7 @@ fn children(scope: &Scope<'_>, typed: &Typed) -> Vec<Completion> {
         };
     };
     let siblings = typed.siblings();
-    let is_there = |name: &str| siblings.iter().any(|sibling| sibling == name);
+    let is_there = |name: &str| siblings.contains(&name);
     let shape_is_there =
         parent.name == "geometry" && parent.children().any(|shape| is_there(shape.name));
     let free = parent

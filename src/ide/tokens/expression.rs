@@ -127,7 +127,7 @@ impl Collector<'_> {
                 {
                     (TokenKind::Property, PLAIN)
                 }
-                WordKind::String => (TokenKind::String, PLAIN),
+                WordKind::String | WordKind::OpenString => (TokenKind::String, PLAIN),
                 WordKind::Number => (TokenKind::Number, PLAIN),
                 WordKind::Keyword => (TokenKind::Keyword, PLAIN),
                 WordKind::Operator => (TokenKind::Operator, PLAIN),

@@ -3,6 +3,7 @@
 use super::super::expressions::ExprText;
 use super::{Collector, Modifiers, TokenKind};
 use base::TextRange;
+use expand::parse_params;
 use facts::is_keyword;
 use xml::{Attr, Node};
 
@@ -53,16 +54,15 @@ impl Collector<'_> {
     fn attribute(&mut self, base: u32, node: Node<'_>, attr: Attr<'_>) {
         let document = &self.cx.source.document;
         let plain = self.value_kind(node, attr);
-        if plain.is_none() && !attr.has_dollar() && !attr.raw().contains("://") {
-            if (node.name(), attr.name()) == ("xacro:macro", "params") {
-                self.parameters(base, attr);
-            }
+        let is_params = (node.name(), attr.name()) == ("xacro:macro", "params");
+        let has_parts = attr.has_dollar() || attr.raw().contains("://");
+        if plain.is_none() && !has_parts && !is_params {
             return;
         }
         let text = ExprText::of_attr(document, base, attr);
         self.template(&text, Some(node), plain);
-        if (node.name(), attr.name()) == ("xacro:macro", "params") {
-            self.parameters(base, attr);
+        if is_params {
+            self.parameters(&text);
         }
         if let Some(rest) = text.text.strip_prefix("package://") {
             let start = "package://".len();
@@ -117,46 +117,12 @@ impl Collector<'_> {
     }
 
     /// The names in the list of parameters of a macro.
-    fn parameters(&mut self, base: u32, attr: Attr<'_>) {
-        let raw = attr.raw();
-        let start = attr.value_range().start + base;
-        let mut rest = raw;
-        loop {
-            rest = rest.trim_start();
-            let name = rest
-                .find(|c: char| c.is_whitespace() || c == ':' || c == '=')
-                .unwrap_or(rest.len());
-            if name == 0 {
-                break;
-            }
-            let stars = rest.len() - rest.trim_start_matches('*').len();
-            let offset = start + (raw.len() - rest.len()) as u32;
-            let range = TextRange::new(offset + stars.min(name) as u32, offset + name as u32);
-            self.add(range, TokenKind::Parameter, GIVEN);
-            rest = rest.get(name..).unwrap_or("");
-            rest = rest.get(default_length(rest)..).unwrap_or("");
+    fn parameters(&mut self, text: &ExprText<'_>) {
+        for param in parse_params(&text.text).unwrap_or_default() {
+            let name = param.name.trim_start_matches('*');
+            let stars = (param.name.len() - name.len()) as u32;
+            let range = TextRange::new(param.range.start + stars, param.range.end);
+            self.add(text.range(range), TokenKind::Parameter, GIVEN);
         }
     }
-}
-
-/// How long the default at the start of a text is.
-fn default_length(text: &str) -> usize {
-    let value = text.trim_start_matches([':', '=']);
-    if value.len() == text.len() {
-        return 0;
-    }
-    let mut quote = None;
-    let mut depth = 0;
-    for (at, c) in value.char_indices() {
-        match (c, quote) {
-            (c, Some(open)) if c == open => quote = None,
-            (_, Some(_)) => {}
-            ('\'' | '"', None) => quote = Some(c),
-            ('{' | '(', None) => depth += 1,
-            ('}' | ')', None) => depth -= 1,
-            (c, None) if c.is_whitespace() && depth <= 0 => return text.len() - value.len() + at,
-            _ => {}
-        }
-    }
-    text.len()
 }
