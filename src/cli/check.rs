@@ -54,6 +54,9 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
             };
         }
     };
+    for warning in &prepared.warnings {
+        io.line(&visible(&format!("warning: settings: {warning}")));
+    }
     // it takes as long as a third of the check
     prepared.options.count_consumers &= io.is_read;
     let Prepared {

@@ -43,6 +43,9 @@ pub(super) struct CheckArgs {
     /// Use this configuration file instead of the nearest xacro-lint.toml
     #[arg(long, value_name = "FILE")]
     pub(super) config: Option<PathBuf>,
+    /// Settings over those of the configuration file, as an editor has them below `xacro.`: a JSON object
+    #[arg(long, value_name = "JSON")]
+    pub(super) settings: Option<String>,
     /// Apply safe fixes and print the remaining findings
     #[arg(long)]
     pub(super) fix: bool,

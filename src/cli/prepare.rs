@@ -9,8 +9,9 @@ use super::io::all_of;
 use super::options::mappings;
 use super::watch::State;
 use analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
+use serde_json::Value;
 use vfs::Environment;
-use workspace::config::CONFIG_NAMES;
+use workspace::config::{CONFIG_NAMES, Config, unknown_settings};
 
 /// Everything a check needs.
 pub(super) struct Prepared {
@@ -18,6 +19,8 @@ pub(super) struct Prepared {
     pub(super) options: CheckOptions,
     /// Findings that are known, and the folder that their files are named from.
     pub(super) baseline: Option<(Baseline, PathBuf)>,
+    /// What in `--settings` has no effect.
+    pub(super) warnings: Vec<String>,
 }
 
 impl Prepared {
@@ -62,6 +65,11 @@ pub(super) fn prepare(
     stdin: &mut dyn Read,
 ) -> Result<Prepared, String> {
     let options = options(args)?;
+    let settings = editor_settings(args.settings.as_deref())?;
+    let warnings = settings
+        .iter()
+        .flat_map(|settings| settings_without_effect(settings, &env.cwd))
+        .collect();
     let setup = Setup {
         about: options
             .paths
@@ -71,7 +79,13 @@ pub(super) fn prepare(
             .cloned()
             .unwrap_or_default(),
         package_path: args.package_path.iter().map(PathBuf::from).collect(),
-        overrides: overrides(args),
+        overrides: Overrides {
+            editor: settings
+                .map(|settings| (settings, env.cwd.clone()))
+                .into_iter()
+                .collect(),
+            ..overrides(args)
+        },
         // who checks a folder means the packages in it
         folders: options
             .paths
@@ -94,6 +108,7 @@ pub(super) fn prepare(
         session,
         options,
         baseline,
+        warnings,
     })
 }
 
@@ -199,4 +214,24 @@ fn overrides(args: &CheckArgs) -> Overrides {
         consumers: given(&args.consumers),
         ..Overrides::default()
     }
+}
+
+/// The settings of an editor, as `--settings` gives them.
+fn editor_settings(json: Option<&str>) -> Result<Option<Value>, String> {
+    let Some(json) = json else {
+        return Ok(None);
+    };
+    match serde_json::from_str::<Value>(json) {
+        Ok(settings) if settings.is_object() => Ok(Some(settings)),
+        Ok(_) => Err("--settings requires a JSON object".to_owned()),
+        Err(error) => Err(format!("--settings requires a JSON object: {error}")),
+    }
+}
+
+/// Wrong types, and keys that nobody knows.
+fn settings_without_effect(settings: &Value, folder: &Path) -> Vec<String> {
+    let wrong = Config::default().apply_settings(settings, folder);
+    let mut warnings: Vec<String> = wrong.iter().map(ToString::to_string).collect();
+    warnings.extend(unknown_settings(settings));
+    warnings
 }

@@ -18,12 +18,20 @@ pub(super) struct Root {
     pub preset: Option<String>,
 }
 
-/// A root that the client names.
-pub fn chosen(state: &State, root: Root) -> Result<RootChoice, Failure> {
+/// A root that the client names: with the arguments it gives, else with those of the preset.
+pub fn chosen(state: &mut State, root: Root) -> Result<RootChoice, Failure> {
     let (file, _) = state.source(&root.uri)?;
-    Ok(RootChoice {
+    let root = RootChoice {
         file,
         args: root.args.into_iter().collect(),
         preset: root.preset,
-    })
+    };
+    if root.preset.is_none() || !root.args.is_empty() {
+        return Ok(root);
+    }
+    let known = state.world.context(&root.file).candidates.into_iter();
+    let preset = known
+        .map(|(known, _)| known)
+        .find(|known| known.file == root.file && known.preset == root.preset);
+    Ok(preset.unwrap_or(root))
 }

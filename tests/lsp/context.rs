@@ -70,6 +70,12 @@ fn the_default_comes_first_and_presets_in_the_order_of_the_file() {
         .map(|candidate| candidate["preset"].as_str().unwrap_or("-"))
         .collect();
     assert_eq!(presets, ["-", "tall", "bench"]);
+    // a preset is chosen by its name, too
+    let root = json!({ "uri": found["active"]["uri"], "preset": "bench" });
+    client.request("xacro/setRoot", json!({ "root": root }));
+    let roots = client.request("xacro/roots", client.of(UNIT));
+    assert_eq!(roots["active"]["preset"], "bench");
+    assert_eq!(roots["args"][0]["value"], "bench", "{roots}");
 }
 
 #[test]

@@ -126,6 +126,30 @@ test('a view in the address is taken over, other texts are ignored', async () =>
   assert.deepEqual((await state(page)).hidden, []);
 });
 
+test('the robot shown for comparison is part of the view', async () => {
+  const beside = action(page, 'compare');
+  const label = (await beside.locator('option').allInnerTexts()).find((text) => text.includes('long'));
+  await beside.selectOption({ label });
+  const shows = (sides) => page.waitForFunction((count) => window.xacroViewer.views.size === count, sides);
+  await shows(2);
+  await page.evaluate(() => navigator.clipboard.writeText(''));
+  await action(page, 'copy-view').click();
+  await page.waitForFunction(async () => (await navigator.clipboard.readText()) !== '');
+  const compared = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(compared, /&beside=rig\.urdf\.xacro&beside\.preset=long&/);
+  await beside.selectOption('');
+  await shows(1);
+  await paste(page, compared);
+  await shows(2);
+  assert.equal(await beside.locator('option:checked').innerText(), label);
+  await page.waitForURL(/beside\.preset=long/);
+  await page.reload();
+  await shows(2);
+  await paste(page, compared.replace('beside.preset=long', 'beside.preset=none'));
+  await shows(1);
+  assert.equal(await beside.inputValue(), '');
+});
+
 test('a view that cannot be copied by the page stands in a field', async () => {
   await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined, configurable: true }));
   await action(page, 'copy-view').click();

@@ -138,7 +138,8 @@ const share = new Share({
   },
   switch: (layer) => toolbar.switch(layer),
   parallel: () => toolbar.parallel.click(),
-  root: (root) => host.send({ type: 'root', root, compare: null }),
+  beside: () => toolbar.compared,
+  root: (root, beside) => toolbar.select(root, beside),
   remember: (text) => host.remember(text),
 }, host.remembered);
 stage.element.append(share.notice);

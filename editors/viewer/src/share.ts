@@ -5,7 +5,7 @@ import type { ModelMessage, Root, Side } from './messages';
 import { LAYERS, type Layer, type Layers, type RobotView } from './robot';
 import type { Stage } from './stage';
 import type { Values } from './values';
-import { read, shared, type ViewText, write } from './view_text';
+import { read, type RobotText, shared, type ViewText, write } from './view_text';
 
 export interface Shown {
   stage: Stage;
@@ -20,7 +20,9 @@ export interface Shown {
   select: (links: string[]) => void;
   switch: (layer: Layer) => void;
   parallel: () => void;
-  root: (root: Root) => void;
+  /** The root that is shown for comparison. */
+  beside: () => Root | null;
+  root: (root: Root, beside: Root | null) => void;
   remember: (text: string) => void;
 }
 
@@ -82,7 +84,8 @@ export class Share {
     this.text = '';
     this.wanted = { view, until: performance.now() + PATIENCE_MS };
     const root = rootOf(view, main);
-    if (!same(root, main.root)) this.shown.root(root);
+    const beside = besideOf(view, main);
+    if (!same(root, main.root) || !same(beside, this.shown.beside())) this.shown.root(root, beside);
     this.came();
   }
 
@@ -135,10 +138,10 @@ export class Share {
     const main = this.shown.main();
     const robot = views.get('main');
     if (!main || !robot) return undefined;
+    const beside = this.shown.beside();
     return {
-      file: fileOf(main.root),
-      ...(main.root.preset === undefined ? {} : { preset: main.root.preset }),
-      args: main.root.args ?? {},
+      ...textOf(main.root),
+      ...(beside ? { beside: textOf(beside) } : {}),
       joints: values.moved(),
       ...(camera ? { camera: [...stage.camera.position.toArray(), ...stage.orbit.target.toArray()] } : {}),
       parallel: stage.parallel,
@@ -163,7 +166,23 @@ function rootOf(view: ViewText, main: ModelMessage): Root {
   return { uri: main.root.uri, ...(Object.keys(args).length > 0 ? { args } : {}), ...preset };
 }
 
-function same(one: Root, other: Root): boolean {
-  const key = ({ args, preset }: Root): string => JSON.stringify([Object.entries(args ?? {}).sort(), preset ?? null]);
-  return key(one) === key(other);
+/** The root that a view compares with, if it is one of those to choose from. */
+function besideOf({ beside }: ViewText, main: ModelMessage): Root | null {
+  if (!beside) return null;
+  const wanted = key(beside);
+  return main.choices.find((root) => key(textOf(root)) === wanted) ?? null;
+}
+
+function textOf(root: Root): RobotText {
+  const { preset, args } = root;
+  return { file: fileOf(root), ...(preset === undefined ? {} : { preset }), args: args ?? {} };
+}
+
+function same(one: Root | null, other: Root | null): boolean {
+  if (!one || !other) return one === other;
+  return one.uri === other.uri && key(textOf(one)) === key(textOf(other));
+}
+
+function key({ file, preset, args }: RobotText): string {
+  return JSON.stringify([file, Object.entries(args).sort(), preset ?? null]);
 }

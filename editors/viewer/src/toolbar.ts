@@ -89,6 +89,18 @@ export class Toolbar {
     );
   }
 
+  /** The root that is shown for comparison. */
+  get compared(): Root | null {
+    return this.comparing;
+  }
+
+  /** Show a root, and another one for comparison. */
+  select(root: Root, beside: Root | null): void {
+    this.comparing = beside;
+    this.act.root(root, beside);
+    if (this.message) this.update(this.message);
+  }
+
   update(message: ModelMessage): void {
     this.message = message;
     const name = (message.model ?? message.lastGood)?.robot ?? '';

@@ -1,10 +1,16 @@
 // What is shown, as one line of text that people can send to each other: `file=arm.urdf.xacro&show=visual,grid&joint.elbow=0.8`.
 
-export interface ViewText {
-  /** Name of the file of the robot, without folders. */
+/** A robot, as a view names it. */
+export interface RobotText {
+  /** Name of its file, without folders. */
   file: string;
   preset?: string;
   args: Record<string, string>;
+}
+
+export interface ViewText extends RobotText {
+  /** The robot that is shown for comparison. */
+  beside?: RobotText;
   /** Radians or meters. */
   joints: Map<string, number>;
   /** Position of the camera and what it looks at. */
@@ -27,8 +33,11 @@ export function shared(view: ViewText): string {
 
 export function write(view: ViewText): string {
   const text = new URLSearchParams({ file: view.file, show: view.show.join(',') });
-  if (view.preset !== undefined) text.append('preset', view.preset);
-  for (const [name, value] of Object.entries(view.args)) text.append(`arg.${name}`, value);
+  append(text, '', view);
+  if (view.beside) {
+    text.append('beside', view.beside.file);
+    append(text, 'beside.', view.beside);
+  }
   for (const [name, value] of view.joints) text.append(`joint.${name}`, rounded(value));
   if (view.camera) text.append('camera', view.camera.map(rounded).join(','));
   if (view.parallel) text.append('parallel', '1');
@@ -36,6 +45,11 @@ export function write(view: ViewText): string {
   for (const [name, share] of view.opacity) text.append(`opacity.${name}`, rounded(share));
   for (const name of view.select) text.append('select', name);
   return text.toString();
+}
+
+function append(text: URLSearchParams, before: string, { preset, args }: RobotText): void {
+  if (preset !== undefined) text.append(`${before}preset`, preset);
+  for (const [name, value] of Object.entries(args)) text.append(`${before}arg.${name}`, value);
 }
 
 /** The view that a text names: one that was copied, or the end of an address. Nothing in other texts. */
@@ -48,11 +62,14 @@ export function read(given: string): ViewText | undefined {
   const numbers = (kind: string): Map<string, number> =>
     new Map(named(kind).map(([name, value]) => [name, Number(value)] as const).filter(([, value]) => Number.isFinite(value)));
   const camera = (text.get('camera') ?? '').split(',').map(Number);
-  const preset = text.get('preset');
+  const robot = (of: string, before: string): RobotText => {
+    const preset = text.get(`${before}preset`);
+    return { file: of, ...(preset === null ? {} : { preset }), args: Object.fromEntries(named(`${before}arg`)) };
+  };
+  const beside = text.get('beside');
   return {
-    file,
-    ...(preset === null ? {} : { preset }),
-    args: Object.fromEntries(named('arg')),
+    ...robot(file, ''),
+    ...(beside ? { beside: robot(beside, 'beside.') } : {}),
     joints: numbers('joint'),
     ...(camera.length === 6 && camera.every(Number.isFinite) ? { camera } : {}),
     parallel: text.get('parallel') === '1',

@@ -18,14 +18,6 @@ export interface Finding extends Spot {
   related: (Spot & { message: string })[];
 }
 
-/** Settings of the editor that the command line knows. */
-export interface CheckSettings {
-  packagePaths: readonly string[];
-  profile: readonly string[];
-  /** Severities by rule. */
-  rules: Readonly<Record<string, string>>;
-}
-
 /** A finding as the language server shows it. */
 export interface Shown {
   rule: string;
@@ -34,19 +26,14 @@ export interface Shown {
   line: number;
 }
 
-export function checkArguments(settings: CheckSettings, more: readonly string[]): string[] {
-  const rules = Object.entries(settings.rules);
-  return [
-    ...["check", "--format", "json"],
-    ...settings.packagePaths.flatMap((folder) => ["--package-path", folder]),
-    ...settings.profile.flatMap((profile) => ["--profile", profile]),
-    ...rules.flatMap(([rule, severity]) => [severity === "off" ? "--ignore" : "--extend-select", rule]),
-    ...more,
-  ];
+/** The command line of a check with the settings that were chosen in the editor. */
+export function checkArguments(settings: Readonly<Record<string, unknown>>, more: readonly string[]): string[] {
+  const chosen = Object.keys(settings).length > 0 ? ["--settings", JSON.stringify(settings)] : [];
+  return ["check", "--format", "json", ...chosen, ...more];
 }
 
 /** The findings in an output; `undefined` when it holds none, not even an empty list. */
-export function findingsOf(output: string, rules: Readonly<Record<string, string>>): Finding[] | undefined {
+export function findingsOf(output: string): Finding[] | undefined {
   let list: unknown;
   try {
     list = JSON.parse(output);
@@ -57,7 +44,7 @@ export function findingsOf(output: string, rules: Readonly<Record<string, string
   return list.map(record).map((one) => ({
     ...spot(one),
     rule: text(one.name),
-    severity: rules[text(one.name)] ?? text(one.severity),
+    severity: text(one.severity),
     message: text(one.message),
     related: (Array.isArray(one.related) ? one.related : [])
       .map(record)

@@ -318,7 +318,7 @@ export class Server implements vscode.Disposable {
   }
 
   /** The settings that somebody chose, for a folder. */
-  private settingsOf(scope: vscode.Uri | undefined): Record<string, unknown> {
+  settingsOf(scope: vscode.Uri | undefined): Record<string, unknown> {
     const configuration = vscode.workspace.getConfiguration(undefined, scope ?? null);
     return chosenSettings(this.keys(), (key) => configuration.inspect(key));
   }

@@ -102,15 +102,8 @@ export class WorkspaceCheck implements vscode.TaskProvider, vscode.Disposable {
     say: (line: string) => void,
     signal: AbortSignal,
   ): Promise<number> {
-    const configured = vscode.workspace.getConfiguration("xacro", folder);
-    const rules = configured.get<Record<string, string>>("diagnostics.rules", {});
-    const settings = {
-      packagePaths: configured.get<string[]>("packagePaths", []),
-      profile: configured.get<string[]>("profile", []),
-      rules,
-    };
     const more = Array.isArray(definition.args) ? definition.args.filter((one) => typeof one === "string") : [];
-    const args = checkArguments(settings, more);
+    const args = checkArguments(this.server.settingsOf(folder.uri), more);
     const program = lintProgram(this.context);
     if (typeof program !== "string") {
       say(program.message);
@@ -120,7 +113,7 @@ export class WorkspaceCheck implements vscode.TaskProvider, vscode.Disposable {
     say(`xacro-lint ${args.join(" ")}`);
     const { code, output, errors } = await run(program, args, folder.uri.fsPath, signal);
     if (errors !== "") say(errors.trimEnd());
-    const found = CHECKED.includes(code) ? findingsOf(output, rules) : undefined;
+    const found = CHECKED.includes(code) ? findingsOf(output) : undefined;
     if (signal.aborted) return code;
     if (!found) {
       this.server.output.error(`check workspace: exit code ${code}: ${errors}`);

@@ -265,27 +265,27 @@ describe("the check of the workspace", () => {
   });
   const call = { filename: "urdf/b.xacro", location: { row: 7, column: 1 }, end_location: { row: 7, column: 5 }, message: "in this call" };
 
-  test("has the settings that the command line knows", () => {
-    const settings = { packagePaths: ["../ws"], profile: ["mobile"], rules: { "zero-mass": "off", "orphan-link": "error" } };
+  test("has the settings that were chosen", () => {
+    const settings = { packagePaths: ["../ws"], diagnostics: { rules: { "zero-mass": "off" } } };
     assert.deepEqual(checkArguments(settings, ["--show", "info"]), [
-      ...["check", "--format", "json", "--package-path", "../ws", "--profile", "mobile"],
-      ...["--ignore", "zero-mass", "--extend-select", "orphan-link", "--show", "info"],
+      ...["check", "--format", "json", "--settings", JSON.stringify(settings), "--show", "info"],
     ]);
+    assert.deepEqual(checkArguments({}, []), ["check", "--format", "json"]);
   });
 
-  test("takes findings from the output, with the severities of the settings", () => {
-    const list = findingsOf(JSON.stringify([one("orphan-link", "info", 2), one("zero-mass", "warning", 4)]), { "orphan-link": "error" });
+  test("takes findings from the output", () => {
+    const list = findingsOf(JSON.stringify([one("orphan-link", "error", 2), one("zero-mass", "warning", 4)]));
     assert.ok(list?.[0] && list[1]);
     assert.equal(lineOf(list[0]), "urdf/a.xacro:2:3: error: about orphan-link [root a.xacro] [orphan-link]");
     assert.deepEqual([list[1].line, list[1].column, list[1].endLine, list[1].endColumn], [3, 2, 3, 8]);
     assert.equal(summary(list), "1 error, 1 warning in 1 file");
     assert.equal(summary([]), "no findings");
-    assert.deepEqual(findingsOf("[]", {}), []);
-    for (const output of ["", "error: no such file", "{}"]) assert.equal(findingsOf(output, {}), undefined, output);
+    assert.deepEqual(findingsOf("[]"), []);
+    for (const output of ["", "error: no such file", "{}"]) assert.equal(findingsOf(output), undefined, output);
   });
 
   test("does not show again what the server shows", () => {
-    const [finding] = findingsOf(JSON.stringify([one("orphan-link", "info", 2, [call])]), {}) ?? [];
+    const [finding] = findingsOf(JSON.stringify([one("orphan-link", "info", 2, [call])])) ?? [];
     assert.ok(finding);
     const shown = { rule: "orphan-link", message: "about orphan-link", file: "urdf/a.xacro", line: 1 };
     assert.ok(isShown(finding, [shown]));
