@@ -18,16 +18,12 @@ pub(super) struct RigidBody {
 
 /// The bodies of a robot.
 pub(super) fn bodies(robot: &Robot, kinematics: &Kinematics) -> Vec<RigidBody> {
-    let moves = |link: usize| match kinematics
-        .up(link)
-        .first()
-        .and_then(|&joint| robot.joints.get(joint))
-    {
-        Some(joint) => !joint.is(&[JointType::Fixed]),
-        None => true,
-    };
     (0..robot.links.len())
-        .filter(|&link| moves(link))
+        .filter(|&link| {
+            let joint = kinematics.up(link).first();
+            let joint = joint.and_then(|&joint| robot.joints.get(joint));
+            joint.is_none_or(|joint| !joint.is(&[JointType::Fixed]))
+        })
         .map(|top| body(robot, kinematics, top))
         .collect()
 }
@@ -57,25 +53,21 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
     }
     placed.truncate(robot.links.len());
     let links: Vec<usize> = placed.iter().map(|&(link, _)| link).collect();
-    let parts = || {
-        placed
-            .iter()
-            .filter_map(|&(link, place)| Some((robot.links.get(link)?, place)))
-    };
     RigidBody {
         is_root: kinematics.up(top).is_empty(),
-        has_mass: parts().any(|(link, _)| has_mass(link)),
-        sum: sum(parts()),
+        has_mass: links
+            .iter()
+            .any(|&link| robot.links.get(link).is_some_and(has_mass)),
+        sum: sum(robot, &placed),
         links,
     }
 }
 
-fn sum<'a>(
-    parts: impl Iterator<Item = (&'a Link, Option<Isometry3<f64>>)>,
-) -> Option<(f64, [f64; 6])> {
+fn sum(robot: &Robot, placed: &[(usize, Option<Isometry3<f64>>)]) -> Option<(f64, [f64; 6])> {
     let (mut mass, mut moment, mut inertia) = (0.0, Vector3::zeros(), Matrix3::zeros());
-    for (link, place) in parts {
-        let Some(inertial) = &link.inertial else {
+    for &(link, place) in placed {
+        let link = robot.links.get(link);
+        let Some(inertial) = link.and_then(|link| link.inertial.as_ref()) else {
             continue;
         };
         let (own_mass, center, own) = at(inertial, &place?)?;
@@ -86,18 +78,9 @@ fn sum<'a>(
     if mass != 0.0 {
         inertia -= shift(moment / mass) * mass;
     }
-    let entry = |row: usize, column: usize| inertia.get((row, column)).copied().unwrap_or_default();
-    Some((
-        mass,
-        [
-            entry(0, 0),
-            entry(0, 1),
-            entry(0, 2),
-            entry(1, 1),
-            entry(1, 2),
-            entry(2, 2),
-        ],
-    ))
+    // by columns
+    let [[xx, ..], [xy, yy, _], [xz, yz, zz]]: [[f64; 3]; 3] = inertia.into();
+    Some((mass, [xx, xy, xz, yy, yz, zz]))
 }
 
 /// Mass, center of mass and inertia about it, in the axes of the body.

@@ -1,8 +1,8 @@
 //! The XML, and elements outside of links and joints.
-use super::facts::{Facts, Found};
-use expand::XId;
+use super::facts::{Facts, Found, Owner};
+use expand::{XId, XTree};
 use model::{Text, decimal};
-use xml::NodeKind;
+use xml::{Document, Node, NodeKind};
 
 /// Elements of `<gazebo>` that hold a number.
 const NUMBERS: [&str; 8] = [
@@ -91,9 +91,7 @@ fn document(facts: &Facts<'_, '_>, out: &mut Found) {
     if root.is_some_and(|root| root.attr("xmlns:xacro").is_some()) {
         return;
     }
-    let header = document.header();
-    let nodes = || header.all_nodes().chain(document.epilog());
-    if nodes().any(|node| node.kind() == NodeKind::Doctype) {
+    if outer_nodes(document).any(|node| node.kind() == NodeKind::Doctype) {
         out.add("doctype", at, "the robot");
     }
     // what is no entity has a row of its own
@@ -106,7 +104,7 @@ fn document(facts: &Facts<'_, '_>, out: &mut Found) {
     {
         out.add("entity", at, "the robot");
     }
-    let declaration = nodes().find(|node| node.kind() == NodeKind::Declaration);
+    let declaration = outer_nodes(document).find(|node| node.kind() == NodeKind::Declaration);
     let declaration = declaration
         .map(|node| document.slice(node.range()).to_ascii_lowercase())
         .unwrap_or_default();
@@ -116,6 +114,11 @@ fn document(facts: &Facts<'_, '_>, out: &mut Found) {
     if !encoding.is_empty() && !encoding.starts_with("utf-8") && !encoding.starts_with("us-ascii") {
         out.add("encoding-latin-1", at, "the robot");
     }
+}
+
+/// What stands in front of the elements and behind them.
+fn outer_nodes(document: &Document) -> impl Iterator<Item = Node<'_>> {
+    document.header().all_nodes().chain(document.epilog())
 }
 
 /// Whether a value holds an entity that XML itself does not know.
@@ -131,28 +134,27 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
     let tree = &facts.cx.expansion.tree;
     for transmission in &facts.robot.transmissions {
         let element = transmission.element;
-        let owner = transmission
-            .name
-            .as_ref()
-            .map_or("a transmission".to_owned(), |name| {
-                format!("transmission `{}`", name.value)
-            });
-        let mut add = |row: &str| out.add(row, facts.at(element), owner.as_str());
-        let has = |name: &'static str| facts.children(element, name).next().is_some();
-        add("transmission");
+        let at = facts.at(element);
+        let owner = Owner {
+            kind: "transmission",
+            name: transmission.name.as_ref().map(|name| name.value.as_str()),
+        };
+        out.add("transmission", at, owner);
         if transmission.name.is_none() {
-            add("transmission-without-name");
+            out.add("transmission-without-name", at, owner);
         }
-        match (has("type"), tree.attr(element, "type").is_some()) {
-            (false, true) => add("transmission-of-pr2"),
-            (false, false) => add("transmission-without-type"),
-            (true, _) => {}
+        if !facts.has_child(element, "type") {
+            let row = match tree.attr(element, "type") {
+                Some(_) => "transmission-of-pr2",
+                None => "transmission-without-type",
+            };
+            out.add(row, at, owner);
         }
-        if !has("actuator") {
-            add("transmission-without-actuator");
+        if !facts.has_child(element, "actuator") {
+            out.add("transmission-without-actuator", at, owner);
         }
-        if !has("joint") {
-            add("transmission-without-joint");
+        if !facts.has_child(element, "joint") {
+            out.add("transmission-without-joint", at, owner);
         }
         let unknown = |name: &Text| {
             name.name()
@@ -164,7 +166,7 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
             .filter_map(|(_, name)| name.as_ref())
             .any(unknown)
         {
-            add("transmission-joint-unknown");
+            out.add("transmission-joint-unknown", at, owner);
         }
     }
 }
@@ -173,10 +175,7 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
     let tree = &facts.cx.expansion.tree;
     let owner = "a `<gazebo>` element";
     for child in tree.elements(gazebo) {
-        let name = tree.get(child).text.as_str();
-        let is_number = |text: &Text| !text.is_known() || decimal(text.value.trim()).is_some();
-        let written = || Text::attr(tree, child, "value").or_else(|| Text::content(tree, child));
-        if NUMBERS.contains(&name) && !written().as_ref().is_some_and(is_number) {
+        if NUMBERS.contains(&tree.get(child).text.as_str()) && !has_number(tree, child) {
             out.add("gazebo-number", facts.at(child), owner);
         }
     }
@@ -200,4 +199,11 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
             out.add("gazebo-pose", facts.at(pose), owner);
         }
     }
+}
+
+/// Whether an element of `<gazebo>` holds a number, or may hold one.
+fn has_number(tree: &XTree, element: XId) -> bool {
+    Text::attr(tree, element, "value")
+        .or_else(|| Text::content(tree, element))
+        .is_some_and(|text| !text.is_known() || decimal(text.value.trim()).is_some())
 }

@@ -25,6 +25,13 @@ pub(super) struct Found {
     pub(super) met: Vec<Met>,
 }
 
+/// The thing that has a construct: "joint `elbow`", or "a joint" when it has no name.
+#[derive(Clone, Copy)]
+pub(super) struct Owner<'a> {
+    pub(super) kind: &'static str,
+    pub(super) name: Option<&'a str>,
+}
+
 impl Found {
     /// The construct `name` is at `origin`.
     pub(super) fn add(&mut self, name: &str, origin: Origin, owner: impl Into<String>) {
@@ -84,6 +91,11 @@ impl<'a, 'e> Facts<'a, 'e> {
             .map_or_else(|| self.at(element), |name| name.origin)
     }
 
+    /// Whether an element has a child element of a name.
+    pub(super) fn has_child(&self, element: XId, name: &'static str) -> bool {
+        self.children(element, name).next().is_some()
+    }
+
     /// The child elements of a name.
     pub(super) fn children(
         &self,
@@ -96,20 +108,24 @@ impl<'a, 'e> Facts<'a, 'e> {
     }
 }
 
+impl From<Owner<'_>> for String {
+    fn from(Owner { kind, name }: Owner<'_>) -> Self {
+        name.map_or_else(|| format!("a {kind}"), |name| format!("{kind} `{name}`"))
+    }
+}
+
 /// "link `arm`"
-pub(super) fn link_owner(link: &Link) -> String {
-    named("link", link.shown())
+pub(super) fn link_owner(link: &Link) -> Owner<'_> {
+    Owner {
+        kind: "link",
+        name: Some(link.shown()).filter(|name| !name.is_empty()),
+    }
 }
 
 /// "joint `elbow`"
-pub(super) fn joint_owner(joint: &Joint) -> String {
-    named("joint", joint.shown())
-}
-
-fn named(kind: &str, name: &str) -> String {
-    if name.is_empty() {
-        format!("a {kind}")
-    } else {
-        format!("{kind} `{name}`")
+pub(super) fn joint_owner(joint: &Joint) -> Owner<'_> {
+    Owner {
+        kind: "joint",
+        name: Some(joint.shown()).filter(|name| !name.is_empty()),
     }
 }

@@ -28,25 +28,6 @@ fn geometry(facts: &Facts<'_, '_>, body: &Body, at: &mut impl FnMut(&str, XId)) 
     let Some(shape) = geometry.shapes.first() else {
         return at("geometry-empty", geometry.element);
     };
-    let numbers = sizes(shape);
-    let is_flat = |text: &Text| {
-        text.words()
-            .any(|range| text.value.get(range).and_then(model::decimal) == Some(0.0))
-    };
-    let is_below = |text: &Text| {
-        text.words().any(|range| {
-            text.value
-                .get(range)
-                .and_then(model::decimal)
-                .is_some_and(|size| size < 0.0)
-        })
-    };
-    let has = |test: &dyn Fn(&Text) -> bool| {
-        numbers
-            .iter()
-            .flatten()
-            .any(|text| text.is_known() && test(text))
-    };
     match &shape.kind {
         ShapeKind::Other => at("shape-unknown", shape.element),
         ShapeKind::Capsule { .. } => {
@@ -59,11 +40,24 @@ fn geometry(facts: &Facts<'_, '_>, body: &Body, at: &mut impl FnMut(&str, XId)) 
             );
         }
         ShapeKind::Mesh { .. } => {}
-        _ if has(&is_below) => at("size-negative", shape.element),
-        ShapeKind::Sphere { .. } if has(&is_flat) => at("sphere-zero", shape.element),
-        _ if has(&is_flat) => at("size-zero", shape.element),
-        _ => {}
+        _ if has_size(shape, |size| size < 0.0) => at("size-negative", shape.element),
+        _ if !has_size(shape, |size| size == 0.0) => {}
+        ShapeKind::Sphere { .. } => at("sphere-zero", shape.element),
+        _ => at("size-zero", shape.element),
     }
+}
+
+/// Whether one of the sizes of a shape that are known is such a number.
+fn has_size(shape: &Shape, is_such: fn(f64) -> bool) -> bool {
+    let mut known = sizes(shape)
+        .into_iter()
+        .flatten()
+        .filter(|text| text.is_known());
+    known.any(|text| {
+        text.words()
+            .filter_map(|range| text.value.get(range).and_then(model::decimal))
+            .any(is_such)
+    })
 }
 
 fn sizes(shape: &Shape) -> [Option<&Text>; 2] {

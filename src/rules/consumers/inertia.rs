@@ -39,16 +39,11 @@ fn missing(
     (body, is_top): (&RigidBody, bool),
     out: &mut Found,
 ) {
-    let links = || {
-        body.links
-            .iter()
-            .filter_map(|&index| facts.robot.links.get(index))
-    };
     let name = match (is_top, body.is_root) {
         (true, true) if facts.robot.joints.is_empty() || body.has_mass => return,
         (true, true) => "massless-root",
-        (true, false) if links().any(|link| link.inertial.is_some()) => return,
-        (true, false) if links().any(|link| !link.collisions.is_empty()) => {
+        (true, false) if links(facts, body).any(|link| link.inertial.is_some()) => return,
+        (true, false) if links(facts, body).any(|link| !link.collisions.is_empty()) => {
             "no-inertial-with-collision"
         }
         (true, false) => "no-inertial",
@@ -61,6 +56,14 @@ fn missing(
     );
 }
 
+/// The links of a body, the one that moves first.
+fn links<'a>(facts: &Facts<'a, '_>, body: &RigidBody) -> impl Iterator<Item = &'a Link> {
+    let robot = facts.robot;
+    body.links
+        .iter()
+        .filter_map(|&index| robot.links.get(index))
+}
+
 fn written(
     facts: &Facts<'_, '_>,
     link: &Link,
@@ -69,27 +72,30 @@ fn written(
     out: &mut Found,
 ) {
     let owner = link_owner(link);
-    let mut add = |name: &str, element| out.add(name, facts.at(element), owner.as_str());
+    let at = facts.at(inertial.element);
     if facts.children(link.element, "inertial").nth(1).is_some() {
-        add("two-inertials", inertial.element);
+        out.add("two-inertials", at, owner);
     }
     if facts.children(inertial.element, "mass").nth(1).is_some() {
-        add("two-masses", inertial.element);
+        out.add("two-masses", at, owner);
     }
     match (inertial.mass_element, inertial.inertia_element) {
-        (None, None) => return add("empty-inertial", inertial.element),
-        (None, Some(_)) => return add("no-mass", inertial.element),
-        (Some(_), None) => return add("no-inertia", inertial.element),
+        (None, None) => return out.add("empty-inertial", at, owner),
+        (None, Some(_)) => return out.add("no-mass", at, owner),
+        (Some(_), None) => return out.add("no-inertia", at, owner),
         (Some(_), Some(_)) => {}
     }
     let (Some(mass), Some(entries)) = (inertial.mass(), inertial.entries()) else {
         return;
     };
     if let Some(name) = mass_row(mass, entries == [0.0; 6], body, is_top) {
-        add(name, inertial.element);
+        out.add(name, at, owner);
     }
     if let Some(name) = inertia_row(entries, body, is_top) {
-        add(name, inertial.inertia_element.unwrap_or(inertial.element));
+        let at = inertial
+            .inertia_element
+            .map_or(at, |element| facts.at(element));
+        out.add(name, at, owner);
     }
 }
 

@@ -1,19 +1,18 @@
 //! Joints: types, limits, axes, dynamics.
 use super::super::context::RootKind;
 use super::facts::{Facts, Found, joint_owner};
-use model::{Joint, JointType, Limit, Text, Version};
+use model::{Dynamics, Joint, JointType, Limit, Text, Version};
 
 /// Shorter axes are zero.
 const TINY_AXIS: f64 = 1e-6;
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     debug_assert_eq!(facts.cx.kind, RootKind::Robot);
-    let fixed = |joint: &Joint| joint.is(&[JointType::Fixed]);
     let last = facts
         .robot
         .joints
         .iter()
-        .rposition(|joint| !fixed(joint))
+        .rposition(|joint| !joint.is(&[JointType::Fixed]))
         .unwrap_or_default();
     for (number, joint) in facts.robot.joints.iter().enumerate() {
         kind(facts, joint, number < last, out);
@@ -35,25 +34,27 @@ fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) 
         return;
     }
     let name = text.value.as_str();
-    let is_root = || {
-        let parent = joint
-            .parent
-            .as_ref()
-            .and_then(|parent| facts.kinematics.link(parent.value.as_str()));
-        parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
-    };
     let row = match JointType::of(name) {
         None if name.is_empty() && is_before => "joint-type-empty-before",
         None if name.is_empty() => "joint-type-empty",
         None if name == "spherical" => "joint-type-spherical",
         None if is_before => "joint-type-unknown-before",
         None => "joint-type-unknown",
-        Some(JointType::Floating) if is_root() => "joint-floating-root",
+        Some(JointType::Floating) if is_below_root(facts, joint) => "joint-floating-root",
         Some(JointType::Floating) => "joint-floating",
         Some(JointType::Planar) => "joint-planar",
         Some(_) => return,
     };
     out.add(row, text.origin, joint_owner(joint));
+}
+
+/// Whether the parent of a joint is a root.
+fn is_below_root(facts: &Facts<'_, '_>, joint: &Joint) -> bool {
+    let parent = joint
+        .parent
+        .as_ref()
+        .and_then(|parent| facts.kinematics.link(parent.value.as_str()));
+    parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
 }
 
 fn limits(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
@@ -154,76 +155,84 @@ fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
         }
         return;
     };
-    let mut add = |row: &str| out.add(row, facts.at(axis.element), joint_owner(joint));
+    let (at, owner) = (facts.at(axis.element), joint_owner(joint));
     if facts.children(joint.element, "axis").nth(1).is_some() {
-        add("two-axes");
+        out.add("two-axes", at, owner);
     }
     let Some(xyz) = &axis.xyz else {
-        return add("axis-empty");
+        return out.add("axis-empty", at, owner);
     };
     let Some(length) = xyz.numbers::<3>().map(|[x, y, z]| x.hypot(y).hypot(z)) else {
         return;
     };
-    match length {
-        0.0 if kind.has_axis() => add("axis-zero"),
-        0.0 => add("axis-zero-fixed"),
-        _ if length < TINY_AXIS && kind.has_axis() => add("axis-tiny"),
-        _ => {}
-    }
+    let row = match length {
+        0.0 if kind.has_axis() => "axis-zero",
+        0.0 => "axis-zero-fixed",
+        _ if length < TINY_AXIS && kind.has_axis() => "axis-tiny",
+        _ => return,
+    };
+    out.add(row, at, owner);
 }
 
 fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
-    let mut add = |row: &str, element| out.add(row, facts.at(element), joint_owner(joint));
-    if let Some(dynamics) = &joint.dynamics {
-        let numbers = [&dynamics.damping, &dynamics.friction]
-            .map(|text| text.as_ref().and_then(Text::number));
-        if dynamics.damping.is_none() && dynamics.friction.is_none() {
-            add("dynamics-empty", dynamics.element);
-        }
-        for (number, row) in numbers
-            .into_iter()
-            .zip(["damping-negative", "friction-negative"])
-        {
-            if number.is_some_and(|number| number < 0.0) {
-                add(row, dynamics.element);
-            }
-        }
-        if facts.children(joint.element, "dynamics").nth(1).is_some() {
-            add("two-dynamics", dynamics.element);
-        }
+    let owner = joint_owner(joint);
+    if let Some(of_joint) = &joint.dynamics {
+        dynamics(facts, joint, of_joint, out);
     }
     if let Some(safety) = joint
         .safety
         .as_ref()
         .filter(|safety| safety.k_velocity.is_none())
     {
-        add("safety-without-velocity", safety.element);
+        out.add("safety-without-velocity", facts.at(safety.element), owner);
     }
     let tree = &facts.cx.expansion.tree;
     for calibration in facts.children(joint.element, "calibration") {
         if tree.attr(calibration, "rising").is_none() && tree.attr(calibration, "falling").is_none()
         {
-            add("calibration-empty", calibration);
+            out.add("calibration-empty", facts.at(calibration), owner);
         }
     }
     if facts.children(joint.element, "origin").nth(1).is_some() {
-        add("two-origins", joint.element);
+        out.add("two-origins", facts.at(joint.element), owner);
     }
     for name in ["parent", "child"] {
         if let Some(second) = facts.children(joint.element, name).nth(1) {
-            add("two-parents-in-joint", second);
+            out.add("two-parents-in-joint", facts.at(second), owner);
         }
     }
     for origin in facts.children(joint.element, "origin") {
-        let has = |name: &str| tree.attr(origin, name).is_some();
+        if tree.attr(origin, "quat_xyzw").is_none() {
+            continue;
+        }
         let is_read = facts
             .version
             .is_some_and(|version| version >= Version::V1_1);
-        match (has("quat_xyzw"), has("rpy")) {
-            (true, true) if is_read => add("origin-with-both-rotations", origin),
-            (true, _) if is_read => add("quaternion", origin),
-            (true, _) => add("quaternion-1.0", origin),
-            _ => {}
+        let row = match tree.attr(origin, "rpy") {
+            _ if !is_read => "quaternion-1.0",
+            Some(_) => "origin-with-both-rotations",
+            None => "quaternion",
+        };
+        out.add(row, facts.at(origin), owner);
+    }
+}
+
+fn dynamics(facts: &Facts<'_, '_>, joint: &Joint, dynamics: &Dynamics, out: &mut Found) {
+    let (at, owner) = (facts.at(dynamics.element), joint_owner(joint));
+    if dynamics.damping.is_none() && dynamics.friction.is_none() {
+        out.add("dynamics-empty", at, owner);
+    }
+    let rows = [
+        (&dynamics.damping, "damping-negative"),
+        (&dynamics.friction, "friction-negative"),
+    ];
+    for (text, row) in rows {
+        let number = text.as_ref().and_then(Text::number);
+        if number.is_some_and(|number| number < 0.0) {
+            out.add(row, at, owner);
         }
+    }
+    if facts.children(joint.element, "dynamics").nth(1).is_some() {
+        out.add("two-dynamics", at, owner);
     }
 }

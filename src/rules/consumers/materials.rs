@@ -1,6 +1,6 @@
 //! Materials of the robot and of visuals.
-use super::super::geometry::{FileTarget, resolve_file};
-use super::facts::{Facts, Found, link_owner};
+use super::super::geometry::{FileTarget, color, is_defined, resolve_file, visual_materials};
+use super::facts::{Facts, Found, Owner, link_owner};
 use base::FastMap;
 use model::{Material, Text};
 
@@ -11,83 +11,69 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     let mut colors: FastMap<&str, Option<Color>> = FastMap::default();
     for material in &facts.robot.materials {
         let owner = owner(material);
-        let mut add = |row: &str| out.add(row, facts.at(material.element), owner.as_str());
+        let at = facts.at(material.element);
         match material.name.as_ref().map(|name| name.value.as_str()) {
-            None => add("material-of-robot-without-name"),
+            None => out.add("material-of-robot-without-name", at, owner),
             Some(name) => {
                 if colors.insert(name, color(material)).is_some() {
-                    add("material-of-robot-defined-twice");
+                    out.add("material-of-robot-defined-twice", at, owner);
                 }
-                if material.color.is_none() && material.texture.is_none() {
-                    add("material-of-robot-without-color");
+                if !is_defined(material) {
+                    out.add("material-of-robot-without-color", at, owner);
                 }
             }
         }
-        look(facts, material, &owner, out);
+        look(facts, material, owner, out);
     }
-    let defined = |material: &&Material| material.color.is_some() || material.texture.is_some();
-    let bodies = || {
-        facts
-            .robot
-            .links
-            .iter()
-            .flat_map(|link| link.visuals.iter().map(move |body| (link, body)))
-    };
-    for (link, body) in bodies() {
-        let Some(material) = body.material.as_deref() else {
-            continue;
-        };
-        let owner = link_owner(link);
-        let mut add = |row: &str| out.add(row, facts.at(material.element), owner.as_str());
+    for (link, material) in visual_materials(facts.robot) {
+        let (at, owner) = (facts.at(material.element), link_owner(link));
         let Some(name) = &material.name else {
-            add("material-without-name");
+            out.add("material-without-name", at, owner);
             continue;
         };
         let rgba = color(material);
         if name.value.is_empty() {
-            look(facts, material, &owner, out);
+            look(facts, material, owner, out);
             continue;
         }
-        match (colors.get(name.value.as_str()), defined(&material)) {
-            (None, false) if name.is_known() => {
-                let elsewhere = bodies()
-                    .filter_map(|(_, body)| body.material.as_deref())
-                    .filter(defined);
-                if !elsewhere.into_iter().any(|other| {
-                    other
-                        .name
-                        .as_ref()
-                        .is_some_and(|own| own.value == name.value)
-                }) {
-                    add("material-undefined");
-                }
+        match (colors.get(name.value.as_str()), is_defined(material)) {
+            (None, false) if name.is_known() && !is_defined_elsewhere(facts, name) => {
+                out.add("material-undefined", at, owner);
             }
             (Some(known), true) if rgba.is_some() && known.is_some() && rgba != *known => {
-                add("material-redefined")
+                out.add("material-redefined", at, owner);
             }
             (None, true) => {
                 colors.insert(name.value.as_str(), rgba);
             }
             _ => {}
         }
-        look(facts, material, &owner, out);
+        look(facts, material, owner, out);
     }
 }
 
-/// The color of a material, when it is four numbers.
-fn color(material: &Material) -> Option<Color> {
-    material.rgba.as_ref()?.numbers()
+/// Whether a visual defines a material.
+fn is_defined_elsewhere(facts: &Facts<'_, '_>, name: &Text) -> bool {
+    let mut materials = visual_materials(facts.robot)
+        .map(|(_, material)| material)
+        .filter(|material| is_defined(material));
+    materials.any(|material| {
+        material
+            .name
+            .as_ref()
+            .is_some_and(|own| own.value == name.value)
+    })
 }
 
-fn owner(material: &Material) -> String {
-    material.name.as_ref().map_or_else(
-        || "a material".to_owned(),
-        |name| format!("material `{}`", name.value),
-    )
+fn owner(material: &Material) -> Owner<'_> {
+    Owner {
+        kind: "material",
+        name: material.name.as_ref().map(|name| name.value.as_str()),
+    }
 }
 
 /// What a material says of its color and texture.
-fn look(facts: &Facts<'_, '_>, material: &Material, owner: &str, out: &mut Found) {
+fn look(facts: &Facts<'_, '_>, material: &Material, owner: Owner<'_>, out: &mut Found) {
     let tree = &facts.cx.expansion.tree;
     if let Some(color) = material
         .color

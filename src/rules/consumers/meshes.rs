@@ -18,8 +18,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     {
         let prefix = if mesh.is_collision { "collision-" } else { "" };
         let owner = link_owner(mesh.link);
-        let mut add =
-            |row: &str| out.add(&format!("{prefix}{row}"), mesh.file.origin, owner.as_str());
+        let mut add = |row: &str| out.add(&format!("{prefix}{row}"), mesh.file.origin, owner);
         let uri = facts.seen(mesh.file);
         let uri = uri.as_str();
         add(scheme(uri));
@@ -151,18 +150,12 @@ fn content(mesh: &Mesh) -> Vec<&'static str> {
             rows.push("mesh-without-triangles")
         }
         (_, Some(_)) => rows.push("mesh-corrupt"),
-        (Some(surface), None) => {
-            let lengths = [0, 1, 2].map(|axis| {
-                let of = |point: [f64; 3]| point.get(axis).copied().unwrap_or_default();
-                of(surface.bounds.max) - of(surface.bounds.min)
-            });
-            match surface.triangles {
-                count if count > HUGE => rows.push("mesh-huge"),
-                count if count < 2 => rows.push("mesh-one-triangle"),
-                _ if lengths.contains(&0.0) => rows.push("mesh-flat"),
-                _ => {}
-            }
-        }
+        (Some(surface), None) => match surface.triangles {
+            count if count > HUGE => rows.push("mesh-huge"),
+            count if count < 2 => rows.push("mesh-one-triangle"),
+            _ if surface.bounds.size().contains(&0.0) => rows.push("mesh-flat"),
+            _ => {}
+        },
         (None, None) => {}
     }
     rows

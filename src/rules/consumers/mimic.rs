@@ -5,25 +5,25 @@ use model::{Joint, JointType, Text};
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     for (number, joint) in facts.robot.joints.iter().enumerate() {
         let Some(mimic) = &joint.mimic else { continue };
-        let mut add = |row: &str| out.add(row, facts.at(mimic.element), joint_owner(joint));
+        let (at, owner) = (facts.at(mimic.element), joint_owner(joint));
         if joint.is(&[JointType::Fixed]) {
-            add("mimic-in-fixed");
+            out.add("mimic-in-fixed", at, owner);
             continue;
         }
         let Some(name) = &mimic.joint else {
-            add("mimic-without-joint");
+            out.add("mimic-without-joint", at, owner);
             continue;
         };
         let Some(name) = name.name() else { continue };
         if mimic.multiplier.as_ref().and_then(Text::number) == Some(0.0) {
-            add("mimic-multiplier-zero");
+            out.add("mimic-multiplier-zero", at, owner);
         }
         let row = match position(facts, name) {
             None => "mimic-unknown",
             Some(other) if other == number => "mimic-self",
             Some(other) => row(facts, number, other),
         };
-        add(row);
+        out.add(row, at, owner);
     }
 }
 
@@ -36,22 +36,23 @@ fn position(facts: &Facts<'_, '_>, name: &str) -> Option<usize> {
 }
 
 fn row(facts: &Facts<'_, '_>, joint: usize, other: usize) -> &'static str {
-    let mimicked = |joint: usize| {
-        let joint: &Joint = facts.robot.joints.get(joint)?;
-        position(facts, joint.mimic.as_ref()?.joint.as_ref()?.name()?)
-    };
-    let is_fixed = facts
-        .robot
-        .joints
+    let joints = &facts.robot.joints;
+    let is_fixed = joints
         .get(other)
         .is_some_and(|joint| joint.is(&[JointType::Fixed]));
-    let kind = |joint: usize| facts.robot.joints.get(joint).and_then(Joint::joint_type);
-    match mimicked(other) {
+    let kind = joints.get(joint).and_then(Joint::joint_type);
+    match mimicked(facts, other) {
         Some(back) if back == joint => "mimic-cycle",
         Some(_) => "mimic-chain",
         None if is_fixed => "mimic-of-fixed",
         None if other > joint => "mimic-before",
-        None if kind(joint) == Some(JointType::Revolute) => "mimic-revolute",
+        None if kind == Some(JointType::Revolute) => "mimic-revolute",
         None => "mimic",
     }
+}
+
+/// The joint that a joint mimics.
+fn mimicked(facts: &Facts<'_, '_>, joint: usize) -> Option<usize> {
+    let mimic = facts.robot.joints.get(joint)?.mimic.as_ref()?;
+    position(facts, mimic.joint.as_ref()?.name()?)
 }

@@ -1,5 +1,5 @@
 //! Names of links and joints that some consumers reserve, change or reject.
-use super::facts::{Facts, Found, joint_owner, link_owner};
+use super::facts::{Facts, Found, Owner, joint_owner, link_owner};
 use base::FastSet;
 use expand::{Origin, XId};
 use model::{JointType, Text};
@@ -16,7 +16,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             facts,
             &link.name,
             link.element,
-            &owner,
+            owner,
             ["link-without-name", "link-name-empty"],
             out,
         ) else {
@@ -24,37 +24,37 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
         };
         let is_top = tops.contains(&index);
         let is_root = facts.kinematics.up(index).is_empty();
-        let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
+        let at = name.origin;
         match name.value.as_str() {
-            "universe" => add("link-universe"),
-            "world" if !is_root && is_top => add("link-world"),
-            "world" if !is_root => add("link-world-fixed"),
+            "universe" => out.add("link-universe", at, owner),
+            "world" if !is_root && is_top => out.add("link-world", at, owner),
+            "world" if !is_root => out.add("link-world-fixed", at, owner),
             "world" if link.inertial.is_some() || link.has_geometry() => {
-                add("root-world-with-body")
+                out.add("root-world-with-body", at, owner)
             }
-            "world" => add("world-above"),
+            "world" => out.add("world-above", at, owner),
             _ if is_root
                 && link.inertial.is_none()
                 && !link.has_geometry()
                 && !facts.robot.joints.is_empty() =>
             {
-                add("root-without-body");
+                out.add("root-without-body", at, owner);
             }
             _ => {}
         }
         let value = name.value.as_str();
         if value.ends_with([' ', '\t']) {
-            add("name-with-space-at-end");
+            out.add("name-with-space-at-end", at, owner);
         } else if value.contains(' ') {
-            add("name-with-space");
+            out.add("name-with-space", at, owner);
         }
         if is_reserved(value) && is_top {
-            add("link-name-reserved-in-sdf");
+            out.add("link-name-reserved-in-sdf", at, owner);
         }
         if value.contains("::") {
-            add("name-with-colons");
+            out.add("name-with-colons", at, owner);
         }
-        common(name, &owner, out);
+        common(name, owner, out);
     }
     for joint in &facts.robot.joints {
         let owner = joint_owner(joint);
@@ -65,21 +65,23 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             "joint-name-empty"
         };
         let rows = ["joint-without-name", empty];
-        let Some(name) = one(facts, &joint.name, joint.element, &owner, rows, out) else {
+        let Some(name) = one(facts, &joint.name, joint.element, owner, rows, out) else {
             continue;
         };
-        let mut add = |row: &str| out.add(row, name.origin, owner.as_str());
+        let at = name.origin;
         match name.value.as_str() {
-            "universe" => add("joint-universe"),
-            "world" if !is_fixed => add("joint-world"),
-            name if is_reserved(name) && !is_fixed => add("joint-name-reserved-in-sdf"),
+            "universe" => out.add("joint-universe", at, owner),
+            "world" if !is_fixed => out.add("joint-world", at, owner),
+            name if is_reserved(name) && !is_fixed => {
+                out.add("joint-name-reserved-in-sdf", at, owner)
+            }
             _ => {}
         }
         if name.value.contains(' ') {
-            add("joint-name-with-space");
+            out.add("joint-name-with-space", at, owner);
         }
         if name.value.contains("::") {
-            add("joint-name-with-colons");
+            out.add("joint-name-with-colons", at, owner);
         }
     }
 }
@@ -89,7 +91,7 @@ fn one<'t>(
     facts: &Facts<'_, '_>,
     name: &'t Option<Text>,
     element: XId,
-    owner: &str,
+    owner: Owner<'_>,
     [missing, empty]: [&str; 2],
     out: &mut Found,
 ) -> Option<&'t Text> {
@@ -104,18 +106,18 @@ fn one<'t>(
 }
 
 /// What holds for a link whatever it is in the robot.
-fn common(name: &Text, owner: &str, out: &mut Found) {
+fn common(name: &Text, owner: Owner<'_>, out: &mut Found) {
     let value = name.value.as_str();
-    let mut add = |row: &str| out.add(row, name.origin, owner);
+    let at = name.origin;
     if value.contains('/') {
-        add("name-with-slash");
+        out.add("name-with-slash", at, owner);
     }
     if value.contains('"') {
-        add("name-with-quote");
+        out.add("name-with-quote", at, owner);
     }
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     if !value.chars().all(is_word) || value.starts_with(|c: char| c.is_ascii_digit()) {
-        add("name-no-identifier");
+        out.add("name-no-identifier", at, owner);
     }
 }
 

@@ -30,11 +30,10 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
                 .into_iter()
                 .find_map(|key| fault(found, &key));
             let origin = text.map_or_else(|| facts.at(id), |text| text.origin);
-            let owner = || described(facts.cx, id);
             out.met.extend(construct.map(|construct| Met {
                 construct,
                 origin,
-                owner: owner(),
+                owner: described(facts.cx, id),
             }));
         }
     }
@@ -91,14 +90,12 @@ fn of_word(word: &str) -> Option<&'static str> {
             (number != 0.0 && number.abs() < f64::MIN_POSITIVE).then_some("subnormal")
         };
     }
-    let begins =
-        |text: &str| text.starts_with(|c: char| c.is_ascii_digit()) || text.starts_with('.');
     Some(match bare.as_str() {
         "nan" => "nan",
         "inf" | "infinity" => "inf",
         bare if bare.starts_with("0x") => "hex",
         _ if is_overflow(word) => "overflow",
-        bare if begins(bare) => "tail",
+        bare if bare.starts_with(|c: char| c.is_ascii_digit() || c == '.') => "tail",
         _ => "text",
     })
 }

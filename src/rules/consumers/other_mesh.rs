@@ -11,7 +11,7 @@ use super::fix::Remedy;
 use super::meshes::rows;
 use super::met::Met;
 use super::table::{Outcome, construct};
-use model::{Mesh, UpAxis};
+use model::{Bounds, Mesh, UpAxis};
 use vfs::{relative, slashed};
 
 /// Formats of meshes, those that most consumers read first.
@@ -142,21 +142,28 @@ fn file_beside(
 
 /// Whether a mesh can be exchanged for another one: not for another shape. Visuals may lose their colors.
 fn exchange(mesh: &MeshUse<'_>, other: &Mesh) -> Option<Safety> {
-    let turned = |mesh: &Mesh| !matches!(mesh.up_axis, None | Some(UpAxis::Z));
     let own = mesh.mesh?;
     let Some(known) = own.surface else {
         return other.surface.map(|_| Safety::Unsafe);
     };
     let surface = other.surface.as_ref()?;
     let size = known.bounds.size().into_iter().fold(0.0, f64::max);
-    let corners = |bounds: model::Bounds| bounds.min.into_iter().chain(bounds.max);
     let mut pairs = corners(known.bounds).zip(corners(surface.bounds));
     let is_same = pairs.all(|(a, b)| (a - b).abs() <= ROUNDING * size)
         && (known.volume - surface.volume).abs() <= 0.01 * known.volume.abs();
-    let is_safe = mesh.is_collision && !turned(own) && !turned(other);
+    let is_safe = mesh.is_collision && !is_turned(own) && !is_turned(other);
     is_same.then_some(if is_safe {
         Safety::Safe
     } else {
         Safety::Unsafe
     })
+}
+
+/// Whether some programs turn a mesh.
+fn is_turned(mesh: &Mesh) -> bool {
+    !matches!(mesh.up_axis, None | Some(UpAxis::Z))
+}
+
+fn corners(bounds: Bounds) -> impl Iterator<Item = f64> {
+    bounds.min.into_iter().chain(bounds.max)
 }

@@ -1,7 +1,6 @@
 //! The constructs of one robot, each once.
 use indexmap::IndexMap;
 
-use super::consumer::CONSUMERS;
 use super::met::Met;
 use super::table::{Construct, Outcome};
 
@@ -26,16 +25,10 @@ pub fn rows(met: &[Met], all: bool) -> Vec<Row<'_>> {
             .met
             .push(met);
     }
-    let worst = |row: &Row<'_>| {
-        CONSUMERS
-            .iter()
-            .map(|consumer| row.construct.outcome(consumer))
-            .max()
-    };
     let mut rows: Vec<Row<'_>> = rows
         .into_values()
-        .filter(|row| all || worst(row) > Some(Outcome::Accepts))
+        .filter(|row| all || row.construct.worst() > Outcome::Accepts)
         .collect();
-    rows.sort_by_key(|row| std::cmp::Reverse(worst(row)));
+    rows.sort_by_key(|row| std::cmp::Reverse(row.construct.worst()));
     rows
 }

@@ -61,10 +61,9 @@ pub struct Construct {
 impl Construct {
     /// What a consumer does with it.
     pub fn outcome(&self, consumer: &Consumer) -> Outcome {
-        let lists = |names: &str| names.split(' ').any(|name| name == consumer.row_name());
         match () {
-            () if lists(&self.rejects) => Outcome::Rejects,
-            () if lists(&self.changes) => Outcome::Changes,
+            () if lists(&self.rejects, consumer) => Outcome::Rejects,
+            () if lists(&self.changes, consumer) => Outcome::Changes,
             () => Outcome::Accepts,
         }
     }
@@ -85,6 +84,11 @@ impl Construct {
             .filter(|consumer| self.outcome(consumer) == outcome);
         who.map(|consumer| consumer.title).collect()
     }
+}
+
+/// Whether a consumer is among names that are separated by spaces.
+fn lists(names: &str, consumer: &Consumer) -> bool {
+    names.split(' ').any(|name| name == consumer.row_name())
 }
 
 #[derive(Deserialize)]

@@ -34,8 +34,9 @@ fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
     if robot.joints.len() > WIDE {
         out.add("wide-tree", at, "the robot");
     }
-    let depth = |link: usize| facts.kinematics.above(link).count();
-    if robot.joints.len() >= DEEP && (0..robot.links.len()).any(|link| depth(link) >= DEEP) {
+    let mut links = 0..robot.links.len();
+    if robot.joints.len() >= DEEP && links.any(|link| facts.kinematics.above(link).count() >= DEEP)
+    {
         out.add("deep-tree", at, "the robot");
     }
 }
@@ -106,47 +107,47 @@ fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
     let has_empty = facts.robot.links.iter().any(is_empty);
     for joint in &facts.robot.joints {
         let at = facts.at_name(joint.name.as_ref(), joint.element);
-        let unknown = |text: &Text| {
-            text.name()
-                .is_some_and(|name| facts.kinematics.link(name).is_none())
-        };
-        // Drake knows this link without being told
-        let row = |text: &Text, world, other| if text.value == "world" { world } else { other };
-        let has = |name| facts.children(joint.element, name).next().is_some();
+        let (owner, element) = (joint_owner(joint), joint.element);
         match &joint.parent {
-            None if has("parent") => out.add("parent-without-link", at, joint_owner(joint)),
-            None => out.add("joint-without-parent", at, joint_owner(joint)),
-            Some(parent) if parent.value.is_empty() && !has_empty => {
-                out.add("parent-empty", parent.origin, joint_owner(joint));
+            None if facts.has_child(element, "parent") => {
+                out.add("parent-without-link", at, owner);
             }
-            Some(parent) if unknown(parent) => {
-                out.add(
-                    row(parent, "parent-world-unknown", "parent-unknown"),
-                    parent.origin,
-                    joint_owner(joint),
-                );
+            None => out.add("joint-without-parent", at, owner),
+            Some(parent) if parent.value.is_empty() && !has_empty => {
+                out.add("parent-empty", parent.origin, owner);
+            }
+            Some(parent) if is_unknown(facts, parent) => {
+                let row = unknown_row(parent, ["parent-world-unknown", "parent-unknown"]);
+                out.add(row, parent.origin, owner);
             }
             Some(_) => {}
         }
         match &joint.child {
-            None if has("child") => out.add("child-without-link", at, joint_owner(joint)),
+            None if facts.has_child(element, "child") => out.add("child-without-link", at, owner),
             Some(child) if child.value.is_empty() && !has_empty => {
-                out.add("child-empty", child.origin, joint_owner(joint));
+                out.add("child-empty", child.origin, owner);
             }
-            None => out.add("joint-without-child", at, joint_owner(joint)),
-            Some(child) if unknown(child) => {
-                out.add(
-                    row(child, "child-world-unknown", "child-unknown"),
-                    child.origin,
-                    joint_owner(joint),
-                );
+            None => out.add("joint-without-child", at, owner),
+            Some(child) if is_unknown(facts, child) => {
+                let row = unknown_row(child, ["child-world-unknown", "child-unknown"]);
+                out.add(row, child.origin, owner);
             }
             Some(_) => {}
         }
         if joint.ends().is_some_and(|(parent, child)| parent == child) {
-            out.add("joint-to-itself", at, joint_owner(joint));
+            out.add("joint-to-itself", at, owner);
         }
     }
+}
+
+fn is_unknown(facts: &Facts<'_, '_>, link: &Text) -> bool {
+    link.name()
+        .is_some_and(|name| facts.kinematics.link(name).is_none())
+}
+
+/// The row of a link that is not there: Drake knows `world` without being told.
+fn unknown_row(link: &Text, [world, other]: [&'static str; 2]) -> &'static str {
+    if link.value == "world" { world } else { other }
 }
 
 fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {

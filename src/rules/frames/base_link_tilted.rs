@@ -60,10 +60,14 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 fn tilt<'a>(cx: &RobotCx<'_>, joint: &'a Joint) -> Option<&'a Text> {
     let text = joint.origin.as_ref()?.rpy.as_ref()?;
     let [roll, pitch, _] = text.numbers::<3>()?;
-    let is_quarter = |angle: f64| (angle.abs() - std::f64::consts::FRAC_PI_2).abs() < NEAR;
     let is_named = text
         .words()
         .take(2)
         .any(|word| comes_from_a_name(cx.expansion, text, word));
     ((is_quarter(roll) || is_quarter(pitch)) && !is_named).then_some(text)
+}
+
+/// Whether an angle is a quarter of a turn, either way.
+fn is_quarter(angle: f64) -> bool {
+    (angle.abs() - std::f64::consts::FRAC_PI_2).abs() < NEAR
 }

@@ -55,9 +55,6 @@ fn is_frame(robot: &Robot, link: &Link) -> bool {
     let Some(name) = link.name.as_ref().and_then(|name| name.name()) else {
         return false;
     };
-    let has = |prefix: &str, other: &str| {
-        other != name && robot.link(other).is_some() && other.starts_with(prefix)
-    };
     let prefix = ["flange", "tool0"]
         .iter()
         .find_map(|frame| prefix_of(name, frame));
@@ -65,6 +62,7 @@ fn is_frame(robot: &Robot, link: &Link) -> bool {
         prefix.is_empty()
             || COMPANY
                 .iter()
-                .any(|other| has(prefix, &format!("{prefix}{other}")))
+                .map(|other| format!("{prefix}{other}"))
+                .any(|other| other != *name && robot.link(&other).is_some())
     })
 }

@@ -46,10 +46,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a `gazebo` element has a sensor of the type IMU.
 fn has_imu(tree: &XTree, gazebo: XId) -> bool {
-    let is_imu = |id: XId| {
-        tree.attr(id, "type")
-            .is_some_and(|kind| ["imu", "imu_sensor"].contains(&kind.value.as_str()))
-    };
     tree.elements(gazebo)
-        .any(|id| tree.get(id).text == "sensor" && is_imu(id))
+        .filter(|&id| tree.get(id).text == "sensor")
+        .filter_map(|sensor| tree.attr(sensor, "type"))
+        .any(|kind| ["imu", "imu_sensor"].contains(&kind.value.as_str()))
 }

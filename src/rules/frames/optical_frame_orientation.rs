@@ -72,15 +72,15 @@ fn is_of_no_pictures(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
     const NAMES: [&str; 7] = ["accel", "gyro", "imu", "laser", "lidar", "radar", "sonar"];
     const SENSORS: [&str; 5] = ["ray", "gpu_ray", "lidar", "gpu_lidar", "sonar"];
     let tree = &cx.expansion.tree;
-    let is_named = || {
-        child
-            .to_lowercase()
-            .split('_')
-            .any(|word| NAMES.contains(&word))
-    };
+    let is_named = child
+        .to_lowercase()
+        .split('_')
+        .any(|word| NAMES.contains(&word));
     let is_ranging = |id| {
-        let kind = || tree.attr(id, "type").map(|kind| kind.value.as_str());
-        tree.get(id).text == "sensor" && kind().is_some_and(|kind| SENSORS.contains(&kind))
+        tree.get(id).text == "sensor"
+            && tree
+                .attr(id, "type")
+                .is_some_and(|kind| SENSORS.contains(&kind.value.as_str()))
     };
     let is_there = |block: &&Gazebo| {
         let reference = block.reference.as_ref().and_then(|text| text.name());
@@ -91,7 +91,7 @@ fn is_of_no_pictures(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
         .into_iter()
         .flat_map(|robot| &robot.gazebo)
         .filter(is_there);
-    is_named() || blocks.any(|block| tree.elements(block.element).any(is_ranging))
+    is_named || blocks.any(|block| tree.elements(block.element).any(is_ranging))
 }
 
 /// How a frame is turned in the links above it that are fixed to it, `turned` in `parent`: a camera may be turned itself,

@@ -94,11 +94,10 @@ fn is_large(joints: &[Joint]) -> bool {
 
 /// Whether a joint places the robot in its surroundings: that may be anywhere.
 fn is_placed(robot: &Robot, joint: &Joint, held: &FastSet<&str>) -> bool {
-    let Some(parent) = &joint.parent else {
+    let Some(parent) = joint.parent.as_ref().map(|parent| parent.value.as_str()) else {
         return false;
     };
-    let empty_root = |parent: &str| {
-        !held.contains(parent) && robot.link(parent).is_some_and(|link| !link.has_geometry())
-    };
-    is_surroundings(&parent.value) || empty_root(&parent.value)
+    is_surroundings(parent)
+        // a root without a body stands for what is around the robot
+        || !held.contains(parent) && robot.link(parent).is_some_and(|link| !link.has_geometry())
 }

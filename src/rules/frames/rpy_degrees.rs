@@ -1,9 +1,12 @@
 //! Angles of an orientation that look like degrees.
+use std::ops::Range;
+
 use super::super::context::DocumentCx;
 use super::super::numbers::{from_degrees, is_made_with, is_part_of_pi};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::poses::{ANGLES, poses};
+use model::Text;
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM001",
@@ -45,6 +48,14 @@ fn is_converted(written: Option<&str>) -> bool {
     digits >= DIGITS && (degrees - degrees.round()).abs() < ROUNDING
 }
 
+/// Whether the part `range` of a value is an angle in radians, by its value or by what it was made with.
+fn is_in_radians(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>, angle: f64) -> bool {
+    is_part_of_pi(angle)
+        || angle.abs() < MOST_COMPUTED
+            && (is_converted(text.value.get(range.clone()))
+                || is_made_with(cx.expansion, text, range, &IN_RADIANS))
+}
+
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for placed in poses(cx) {
         let Some(text) = &placed.pose.rpy else {
@@ -54,13 +65,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         for ((angle, name), range) in angles.into_iter().zip(ANGLES).zip(text.words()) {
-            let is_angle = || {
-                is_part_of_pi(angle)
-                    || angle.abs() < MOST_COMPUTED && is_converted(text.value.get(range.clone()))
-                    || angle.abs() < MOST_COMPUTED
-                        && is_made_with(cx.expansion, text, range.clone(), &IN_RADIANS)
-            };
-            if angle.abs() > MOST && !is_angle() || ROUND.contains(&angle.abs()) {
+            if angle.abs() > MOST && !is_in_radians(cx, text, range.clone(), angle)
+                || ROUND.contains(&angle.abs())
+            {
                 let shown = text.value.get(range.clone()).unwrap_or_default();
                 let message = format!("{name} {shown} of {} looks like degrees", placed.owner());
                 let report = out

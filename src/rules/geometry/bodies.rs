@@ -77,7 +77,6 @@ pub(super) fn bounds(cx: &DocumentCx<'_>, body: &Body) -> Option<Bounds> {
 }
 
 fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
-    let number = |text: &Option<Text>| text.as_ref()?.number();
     Some(match &shape.kind {
         ShapeKind::Box { size } => Bounds::centered(size.as_ref()?.numbers()?),
         ShapeKind::Cylinder { radius, length } => {
@@ -96,18 +95,21 @@ fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
     })
 }
 
+fn number(text: &Option<Text>) -> Option<f64> {
+    text.as_ref()?.number()
+}
+
 /// The box of a mesh before scaling. Some programs turn a mesh whose up axis is not z, others do not: then the
 /// box holds both.
 fn mesh_bounds(mesh: &Mesh) -> Option<Bounds> {
     let bounds = mesh.surface?.bounds;
-    let turn =
-        |turned: fn([f64; 3]) -> [f64; 3]| Bounds::around([turned(bounds.min), turned(bounds.max)]);
+    let corners = [bounds.min, bounds.max];
     let turned = match mesh.up_axis {
-        Some(UpAxis::Y) => turn(|[x, y, z]| [x, -z, y]),
-        Some(UpAxis::X) => turn(|[x, y, z]| [-y, x, z]),
-        Some(UpAxis::Z) | None => None,
+        Some(UpAxis::Y) => corners.map(|[x, y, z]| [x, -z, y]),
+        Some(UpAxis::X) => corners.map(|[x, y, z]| [-y, x, z]),
+        Some(UpAxis::Z) | None => return Some(bounds),
     };
-    Some(turned.map_or(bounds, |turned| bounds.with(turned)))
+    Some(Bounds::around(turned).map_or(bounds, |turned| bounds.with(turned)))
 }
 
 /// The volume of the collisions of a link, or of its visuals when it has no collision, in cubic meters; none
@@ -126,7 +128,6 @@ pub fn volume(cx: &DocumentCx<'_>, link: &Link) -> Option<f64> {
 
 fn shape_volume(cx: &DocumentCx<'_>, shape: &Shape) -> Option<f64> {
     use std::f64::consts::PI;
-    let number = |text: &Option<Text>| text.as_ref()?.number();
     Some(match &shape.kind {
         ShapeKind::Box { size } => size.as_ref()?.numbers::<3>()?.into_iter().product(),
         ShapeKind::Cylinder { radius, length } => PI * number(radius)?.powi(2) * number(length)?,

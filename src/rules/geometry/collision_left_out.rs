@@ -20,13 +20,12 @@ pub(super) static RULE: Rule = Rule {
 const LEAST: usize = 3;
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let is_seen = |link: &&Link| !link.visuals.is_empty() && link.inertial.is_some();
     let bodies = cx
         .robot
         .links
         .iter()
         .enumerate()
-        .filter(|(_, link)| is_seen(link));
+        .filter(|(_, link)| !link.visuals.is_empty() && link.inertial.is_some());
     let (with, without): (Vec<_>, Vec<_>) =
         bodies.partition(|(_, link)| !link.collisions.is_empty());
     let [(index, link)] = without.as_slice() else {

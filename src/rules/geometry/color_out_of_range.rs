@@ -53,7 +53,8 @@ fn from_bytes([red, green, blue, alpha]: [f64; 4]) -> Option<String> {
     let fits = |number: &f64| (0.0..=255.0).contains(number) && number.fract() == 0.0;
     let alpha = if alpha > 1.0 { alpha / 255.0 } else { alpha };
     let meant = colors.iter().all(fits) && (0.0..=1.0).contains(&alpha);
-    let part = |number: f64| format!("{}", (number * 1e4).round() / 1e4);
-    let [red, green, blue] = colors.map(|color| part(color / 255.0));
-    meant.then(|| format!("{red} {green} {blue} {}", part(alpha)))
+    let [red, green, blue] = colors.map(|color| color / 255.0);
+    let rounded = [red, green, blue, alpha].map(|part| (part * 1e4).round() / 1e4);
+    let [red, green, blue, alpha] = rounded;
+    meant.then(|| format!("{red} {green} {blue} {alpha}"))
 }

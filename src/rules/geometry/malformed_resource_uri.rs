@@ -3,7 +3,7 @@ use std::path::Path;
 
 use super::super::context::DocumentCx;
 use super::super::edits::source_text;
-use super::super::geometry::uri::{Readers, UriDefect, defect};
+use super::super::geometry::uri::{Readers, UriDefect, defect, has_space};
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
@@ -90,24 +90,26 @@ fn without_find(cx: &DocumentCx<'_>, name: &Text) -> Option<String> {
 
 fn severity(cx: &DocumentCx<'_>, readers: Readers) -> Severity {
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    let is_ros1 = || root.and_then(|root| cx.world.packages.generation(root)) == Some(Target::Ros1);
-    // Gazebo looks for the files of a model in its folder
-    let is_model = || {
-        let folder = root.and_then(Path::parent);
-        folder.is_some_and(|folder| cx.world.vfs.is_file(&folder.join("model.config")))
-    };
     match readers {
-        Readers::None if is_model() => Severity::Info,
+        Readers::None if root.is_some_and(|root| is_of_model(cx, root)) => Severity::Info,
         Readers::None => Severity::Error,
         Readers::Gazebo => Severity::Info,
-        Readers::OldCurl if is_ros1() => Severity::Info,
+        Readers::OldCurl if root.is_some_and(|root| is_of_ros1(cx, root)) => Severity::Info,
         Readers::OldCurl | Readers::Most => Severity::Warning,
     }
 }
 
+/// Whether a file lies in the folder of a model: Gazebo looks for other files there.
+fn is_of_model(cx: &DocumentCx<'_>, file: &Path) -> bool {
+    cx.world.vfs.is_file(&file.with_file_name("model.config"))
+}
+
+fn is_of_ros1(cx: &DocumentCx<'_>, file: &Path) -> bool {
+    cx.world.packages.generation(file) == Some(Target::Ros1)
+}
+
 /// Whether a URI that is computed has spaces only in the folders above its package: it is installed elsewhere.
 fn is_of_checkout(cx: &DocumentCx<'_>, name: &Text) -> bool {
-    let has_spaces = |text: &str| text.contains(|c: char| c.is_ascii_whitespace());
     let path = name.value.strip_prefix("file://").map(Path::new);
     let Some(path) = path.filter(|_| !name.is_literal()) else {
         return false;
@@ -117,8 +119,8 @@ fn is_of_checkout(cx: &DocumentCx<'_>, name: &Text) -> bool {
         .packages
         .containing(path)
         .and_then(|package| path.strip_prefix(&package.folder).ok());
-    inside.is_some_and(|inside| !has_spaces(&inside.to_string_lossy()))
-        && has_spaces(&path.to_string_lossy())
+    inside.is_some_and(|inside| !has_space(&inside.to_string_lossy()))
+        && has_space(&path.to_string_lossy())
 }
 
 /// Whether the name of a file follows `package:///`, the file lies beside the description, and no package does: programs

@@ -1,8 +1,10 @@
 //! A material with two colors.
+use ecow::EcoString;
+
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::shapes::{is_defined, visual_materials};
+use super::shapes::{color, is_defined, visual_materials};
 use base::FastMap;
 use model::Material;
 
@@ -50,14 +52,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether two materials are known to look different.
 fn differ(a: &Material, b: &Material) -> bool {
-    let colors = |material: &Material| material.rgba.as_ref().and_then(|rgba| rgba.numbers::<4>());
-    let texture = |material: &Material| {
-        material
-            .texture_file
-            .as_ref()
-            .and_then(|file| file.name().cloned())
-    };
-    let different = |x: Option<bool>| x.unwrap_or(false);
-    different(colors(a).zip(colors(b)).map(|(a, b)| a != b))
-        || different(texture(a).zip(texture(b)).map(|(a, b)| a != b))
+    color(a).zip(color(b)).is_some_and(|(a, b)| a != b)
+        || texture(a).zip(texture(b)).is_some_and(|(a, b)| a != b)
+}
+
+/// The name of the texture of a material, when it is known.
+fn texture(material: &Material) -> Option<&EcoString> {
+    material.texture_file.as_ref()?.name()
 }

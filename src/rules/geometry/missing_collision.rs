@@ -2,7 +2,7 @@
 use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::{JointType, ShapeKind};
+use model::{Body, JointType, ShapeKind};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO032",
@@ -23,11 +23,11 @@ const DECORATION: [&str; 9] = [
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for (index, link) in cx.robot.links.iter().enumerate() {
-        let is_mesh = |kind: &ShapeKind| matches!(kind, ShapeKind::Mesh { .. });
         let has_mesh = link
             .visuals
             .iter()
-            .any(|body| body.shape().is_some_and(|shape| is_mesh(&shape.kind)));
+            .filter_map(Body::shape)
+            .any(|shape| matches!(shape.kind, ShapeKind::Mesh { .. }));
         let Some(name) = link
             .name
             .as_ref()

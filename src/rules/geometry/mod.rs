@@ -53,7 +53,9 @@ pub use target::Target as FileTarget;
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;
 pub(super) use resources::MeshUse;
-pub(super) use shapes::{is_read_last, is_replaceable, is_taken_out};
+pub(super) use shapes::{
+    color, is_defined, is_read_last, is_replaceable, is_taken_out, visual_materials,
+};
 pub(super) use target::Resources;
 
 /// The rules.

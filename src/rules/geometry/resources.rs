@@ -9,7 +9,7 @@ use super::super::geometry::target::{Resources, Target};
 use super::super::grouping::Group;
 use super::uri::defect;
 use base::FastMap;
-use expand::{Expansion, FileIdx, XId};
+use expand::{Expansion, FileIdx, XId, XTree};
 use model::{Link, Mesh, Shape, ShapeKind, Text};
 use workspace::{UriKind, UriOutcome};
 
@@ -176,11 +176,13 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
         _ => paths.par_iter().map(get).collect(),
     };
     let read: FastMap<&Path, Arc<Mesh>> = paths.into_iter().zip(read).collect();
-    let mesh = |target: &Target| read.get(target.file()?).cloned();
     Resources {
         meshes: targets
             .iter()
-            .map(|(id, target)| (*id, (target.clone(), mesh(target))))
+            .map(|(id, target)| {
+                let mesh = target.file().and_then(|path| read.get(path).cloned());
+                (*id, (target.clone(), mesh))
+            })
             .collect(),
     }
 }
@@ -192,22 +194,24 @@ fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &Target) -> Option<Ta
         return None;
     }
     let tree = &cx.expansion.tree;
-    let child = |around: XId, tag: &str| {
-        let mut all = tree.elements(around);
-        all.find(|&child| tree.get(child).text == tag)
-    };
-    let compiler = child(child(tree.root()?, "mujoco")?, "compiler")?;
-    let said = |name: &str| tree.attr(compiler, name).map(|attr| attr.value.as_str());
-    let keeps_path = said("strippath") == Some("false");
+    let compiler = child(tree, child(tree, tree.root()?, "mujoco")?, "compiler")?;
+    let keeps_path = tree
+        .attr(compiler, "strippath")
+        .is_some_and(|attr| attr.value == "false");
     let name = if keeps_path {
         name
     } else {
         name.rsplit(['/', '\\']).next()?
     };
     let root = &cx.expansion.files.first()?.source.path;
-    let path = root.parent()?.join(said("meshdir")?).join(name);
-    let path = vfs::without_parents(&path);
+    let folder = tree.attr(compiler, "meshdir")?.value.as_str();
+    let path = vfs::without_parents(&root.parent()?.join(folder).join(name));
     cx.world.vfs.is_file(&path).then_some(Target::File(path))
+}
+
+/// The first child element of a name.
+fn child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
+    tree.elements(element).find(|&id| tree.get(id).text == name)
 }
 
 /// Find the file that an attribute names.

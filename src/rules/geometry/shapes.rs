@@ -36,16 +36,20 @@ pub(in super::super) fn is_read_last(tree: &XTree, body: XId) -> bool {
     let Some(link) = tree.parent(body) else {
         return false;
     };
-    let last = |name: &str| {
-        tree.elements(link)
-            .filter(|&child| tree.get(child).text == name)
-            .last()
-    };
-    last("collision").or_else(|| last("visual")) == Some(body)
+    last_child(tree, link, "collision").or_else(|| last_child(tree, link, "visual")) == Some(body)
+}
+
+/// The last child element of a name.
+fn last_child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
+    tree.elements(element)
+        .filter(|&child| tree.get(child).text == name)
+        .last()
 }
 
 /// The materials inside visuals, with their link.
-pub(super) fn visual_materials(robot: &Robot) -> impl Iterator<Item = (&Link, &Material)> {
+pub(in super::super) fn visual_materials(
+    robot: &Robot,
+) -> impl Iterator<Item = (&Link, &Material)> {
     let visuals = robot
         .links
         .iter()
@@ -64,8 +68,13 @@ pub(super) fn materials<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = &'a 
 }
 
 /// Whether a material says how it looks.
-pub(super) fn is_defined(material: &Material) -> bool {
+pub(in super::super) fn is_defined(material: &Material) -> bool {
     material.color.is_some() || material.texture.is_some()
+}
+
+/// Red, green, blue and opacity of a material, when they are four numbers.
+pub(in super::super) fn color(material: &Material) -> Option<[f64; 4]> {
+    material.rgba.as_ref()?.numbers()
 }
 
 /// The file of a mesh.
@@ -88,6 +97,9 @@ pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
 
 /// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.
 pub(in super::super) fn is_replaceable(text: &Text, content: &str) -> bool {
-    let is_plain = |text: &str| !text.contains(['&', '<', '"', '\'', '$']);
     text.is_literal() && is_plain(&text.value) && is_plain(content)
+}
+
+fn is_plain(text: &str) -> bool {
+    !text.contains(['&', '<', '"', '\'', '$'])
 }

@@ -22,8 +22,7 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
-    let visuals = || visual_materials(cx.robot);
-    let inline = visuals()
+    let inline = visual_materials(cx.robot)
         .map(|(_, material)| material)
         .filter(|material| is_defined(material));
     let names = cx
@@ -34,7 +33,8 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .filter_map(|material| material.name.as_ref());
     let defined: Vec<&str> = names.map(|name| name.value.as_str()).collect();
     let known: FastSet<&str> = defined.iter().copied().collect();
-    for (link, material) in visuals().filter(|(_, material)| !is_defined(material)) {
+    for (link, material) in visual_materials(cx.robot).filter(|(_, material)| !is_defined(material))
+    {
         let Some(text) = &material.name else { continue };
         let Some(name) = text.name().filter(|name| !known.contains(name.as_str())) else {
             continue;

@@ -63,8 +63,10 @@ fn is_mentioned(cx: &RobotCx<'_>, name: &str) -> bool {
         .flat_map(|file| file.source.document.parts());
     let nodes = items.flat_map(|(_, item)| item.all_nodes());
     let attrs = nodes.flat_map(|node| node.attrs().map(move |attr| (node, attr)));
-    let mentions = attrs.filter(|(_, attr)| attr.raw() == name);
-    let is_definition =
-        |node: Node<'_>| node.name() == "material" && node.child_elements().next().is_some();
-    mentions.filter(|(node, _)| !is_definition(*node)).count() > 0
+    let mut mentions = attrs.filter(|(_, attr)| attr.raw() == name);
+    mentions.any(|(node, _)| !is_definition(node))
+}
+
+fn is_definition(node: Node<'_>) -> bool {
+    node.name() == "material" && node.child_elements().next().is_some()
 }

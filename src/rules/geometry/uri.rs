@@ -22,20 +22,6 @@ pub(super) enum Readers {
 
 /// What is wrong with a URI or path.
 pub(super) fn defect(value: &str) -> Option<UriDefect> {
-    let found = |message, meant| {
-        Some(UriDefect {
-            message,
-            readers: Readers::None,
-            meant,
-        })
-    };
-    let spaces = |readers| {
-        Some(UriDefect {
-            message: "URI contains spaces",
-            readers,
-            meant: None,
-        })
-    };
     let slashed = value.replace('\\', "/");
     if let Some(rest) = slashed.strip_prefix("package:") {
         let path = rest.trim_start_matches('/');
@@ -75,10 +61,27 @@ pub(super) fn defect(value: &str) -> Option<UriDefect> {
     }
 }
 
+/// What is wrong with a URI that nobody reads.
+fn found(message: &'static str, meant: Option<String>) -> Option<UriDefect> {
+    Some(UriDefect {
+        message,
+        readers: Readers::None,
+        meant,
+    })
+}
+
+fn spaces(readers: Readers) -> Option<UriDefect> {
+    Some(UriDefect {
+        message: "URI contains spaces",
+        readers,
+        meant: None,
+    })
+}
+
 fn is_of_web(value: &str) -> bool {
     value.starts_with("https://") || value.starts_with("http://")
 }
 
-fn has_space(value: &str) -> bool {
+pub(super) fn has_space(value: &str) -> bool {
     value.contains(|c: char| c.is_ascii_whitespace())
 }

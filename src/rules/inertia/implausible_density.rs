@@ -89,15 +89,17 @@ fn is_mass_of_all(cx: &DocumentCx<'_>, mass: f64) -> bool {
         .filter(|(_, own)| *own == mass)
         .map(|(link, _)| *link)
         .collect();
-    let volumes = || {
-        same.iter()
-            .filter_map(|link| volume(cx, link))
-            .filter(|&volume| volume > 0.0)
-    };
-    let least = || volumes().fold(f64::INFINITY, f64::min);
-    same.len() >= LEAST_LINKS
-        && same.len() * 2 >= all.len()
-        && volumes().fold(0.0, f64::max) > SPREAD * least()
+    if same.len() < LEAST_LINKS || same.len() * 2 < all.len() {
+        return false;
+    }
+    let volumes = same
+        .iter()
+        .filter_map(|link| volume(cx, link))
+        .filter(|&volume| volume > 0.0);
+    let (least, most) = volumes.fold((f64::INFINITY, 0.0), |(least, most), volume| {
+        (volume.min(least), volume.max(most))
+    });
+    most > SPREAD * least
 }
 
 /// Whether a mass is possible in the box around visuals and collisions, or that box is not known: the collision alone may

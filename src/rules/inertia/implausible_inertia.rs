@@ -95,14 +95,17 @@ fn misfit(cx: &DocumentCx<'_>, link: &Link, radius: f64) -> Option<Misfit> {
         Extent::Known(bounds) => {
             let half = bounds.diagonal() / 2.0;
             let wrong = half > 0.0 && (radius > 2.0 * half || radius < half / 50.0);
-            // moments go with the square of the radius; a rough collision says less than the shape with the visuals
-            let ratio = |half: f64| (radius / half).powi(2);
+            // a rough collision says less than the shape with the visuals
             let is_gross = shape(cx, link).is_some_and(|shape| {
-                let misfits = |half: f64| !(1.0 / GROSS..GROSS).contains(&ratio(half));
-                misfits(half) && misfits(shape.diagonal() / 2.0)
+                is_far_off(radius, half) && is_far_off(radius, shape.diagonal() / 2.0)
             });
             let beside = format!("geometry radius {} m", short(half));
             wrong.then_some(Misfit { is_gross, beside })
         }
     }
+}
+
+/// Whether a moment is far from what half the diagonal of a shape admits: moments go with the square of the radius.
+fn is_far_off(radius: f64, half: f64) -> bool {
+    !(1.0 / GROSS..GROSS).contains(&(radius / half).powi(2))
 }

@@ -64,14 +64,12 @@ fn moments(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) -> Option<([f6
     }
     let mass = inertial.mass().filter(|&mass| mass > 0.0)?;
     let [x, y, z] = shape(cx, link)?.size();
-    let moment = |a: f64, b: f64| mass * (a * a + b * b) / 12.0;
-    Some(([xx, yy, zz], [moment(y, z), moment(x, z), moment(x, y)]))
+    let expected = [(y, z), (x, z), (x, y)].map(|(a, b)| mass * (a * a + b * b) / 12.0);
+    Some(([xx, yy, zz], expected))
 }
 
 /// The two axes whose moments are right when they are exchanged, and wrong as they are.
 fn swapped(found: [f64; 3], expected: [f64; 3]) -> Option<(usize, usize)> {
-    let fits = |found: f64, expected: f64| (found - expected).abs() <= FIT * expected;
-    let is_other = |found: f64, expected: f64| found > OTHER * expected || found * OTHER < expected;
     [(0, 1), (0, 2), (1, 2)].into_iter().find(|&(a, b)| {
         let mut exchanged = found;
         exchanged.swap(a, b);
@@ -86,4 +84,14 @@ fn swapped(found: [f64; 3], expected: [f64; 3]) -> Option<(usize, usize)> {
                 .flatten()
                 .all(|(&found, &expected)| is_other(found, expected))
     })
+}
+
+/// Whether a moment is that of a box, but for rounded edges.
+fn fits(found: f64, expected: f64) -> bool {
+    (found - expected).abs() <= FIT * expected
+}
+
+/// Whether a moment is not that of a box.
+fn is_other(found: f64, expected: f64) -> bool {
+    found > OTHER * expected || found * OTHER < expected
 }

@@ -37,8 +37,9 @@ fn is_for_none(limit: &Limit) -> bool {
     let (Some(lower), Some(upper)) = (number(&limit.lower), number(&limit.upper)) else {
         return false;
     };
-    let is_nines = |value: f64| (value + 1.0).log10().fract() == 0.0;
-    lower == -upper && upper >= LEAST && (is_nines(upper) || upper.log10().fract() == 0.0)
+    // 999 or 1000
+    let is_power = |value: f64| value.log10().fract() == 0.0;
+    lower == -upper && upper >= LEAST && [upper + 1.0, upper].into_iter().any(is_power)
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {

@@ -4,7 +4,7 @@ use super::super::edits::{is_called, source_text};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::{Reported, Sink};
 use model::JointType::{Continuous, Fixed, Floating};
-use model::{Limit, Text, tag_start};
+use model::{Limit, tag_start};
 
 /// What to do, unless more is known.
 const SWAP: &str = "swap the limits, or correct a sign";
@@ -51,8 +51,10 @@ fn swapped<'s, 'a>(
     let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper) else {
         return report.help("add the missing limit; its default is 0");
     };
-    let given = |text: &Text| !text.is_literal() && is_called(cx.expansion, text.origin);
-    if given(lower) || given(upper) {
+    if [lower, upper]
+        .into_iter()
+        .any(|text| !text.is_literal() && is_called(cx.expansion, text.origin))
+    {
         return report.help("swap the values in the macro calls");
     }
     let texts = (

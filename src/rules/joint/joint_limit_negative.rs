@@ -63,14 +63,16 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether a plugin of Gazebo for drives moves a joint, and nothing else does: there, `-1` means what it says.
 fn is_only_driven(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
     let Some(robot) = cx.robot else { return false };
-    let is_it = |name: &str| name == joint.shown();
-    let is_controlled = |robot: &Robot| {
-        let hardware = robot.controls.iter().flat_map(|control| &control.joints);
-        let mut listed = hardware.filter_map(|joint| joint.name.as_ref());
-        let transmitted = robot.transmissions.iter().flat_map(|one| &one.joints);
-        let mut transmitted = transmitted.filter_map(|(_, name)| name.as_ref());
-        listed.any(|name| is_it(&name.value)) || transmitted.any(|name| is_it(&name.value))
-    };
+    let joint = joint.shown();
     let mut driven = driven(&cx.expansion.tree, robot).into_iter();
-    driven.any(|name| is_it(name.value.trim())) && !is_controlled(robot)
+    driven.any(|name| name.value.trim() == joint) && !is_controlled(robot, joint)
+}
+
+/// Whether hardware of ros2_control or a transmission moves a joint.
+fn is_controlled(robot: &Robot, joint: &str) -> bool {
+    let hardware = robot.controls.iter().flat_map(|control| &control.joints);
+    let listed = hardware.filter_map(|joint| joint.name.as_ref());
+    let transmitted = robot.transmissions.iter().flat_map(|one| &one.joints);
+    let transmitted = transmitted.filter_map(|(_, name)| name.as_ref());
+    listed.chain(transmitted).any(|name| name.value == joint)
 }

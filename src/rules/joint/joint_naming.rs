@@ -44,14 +44,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         if joints.len() < 2 {
             continue;
         }
-        let numbered = |i: usize, name: &str| {
-            name.strip_suffix(&format!("joint_{}", i + 1))
-                .map(str::to_owned)
-        };
         let prefix = joints
             .iter()
             .enumerate()
-            .find_map(|(i, joint)| numbered(i, joint.shown()))
+            .find_map(|(i, joint)| joint.shown().strip_suffix(&format!("joint_{}", i + 1)))
             .unwrap_or_default();
         for (i, joint) in joints.iter().enumerate() {
             let Some(name) = joint.name.as_ref().filter(|name| name.is_known()) else {

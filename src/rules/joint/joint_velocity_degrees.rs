@@ -71,9 +71,8 @@ fn is_everywhere(joints: &[&Joint], value: f64) -> bool {
 
 /// Whether effort and velocity are round numbers that only mean "enough", such as 1000 and 100.
 fn is_made_up(limit: &Limit) -> bool {
-    let is_round = |text: &Option<Text>| {
+    [&limit.effort, &limit.velocity].into_iter().all(|text| {
         let value = text.as_ref().and_then(Text::number);
         value.is_some_and(|value| [1.0, 10.0, 100.0].contains(&value) || value >= UNLIMITED)
-    };
-    is_round(&limit.effort) && is_round(&limit.velocity)
+    })
 }

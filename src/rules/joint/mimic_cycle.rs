@@ -4,6 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::targets;
 use base::{FastMap, FastSet};
+use model::{Joint, Robot, Text};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "JNT022",
@@ -22,9 +23,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let Some(&last) = circle.iter().max() else {
             continue;
         };
-        let joint = |i: usize| cx.robot.joints.get(i);
-        let value = |i: usize| joint(i)?.mimic.as_ref()?.joint.as_ref();
-        let (Some(at), Some(own)) = (value(last), joint(last)) else {
+        let Some((own, at)) = mimicking(cx.robot, last) else {
             continue;
         };
         let message = match circle.len() {
@@ -39,7 +38,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
             .report(at.origin, message)
             .help("remove one <mimic> of the cycle");
         for &other in circle.iter().filter(|&&other| other != last) {
-            if let (Some(at), Some(other)) = (value(other), joint(other)) {
+            if let Some((other, at)) = mimicking(cx.robot, other) {
                 report = report.also(
                     at.origin,
                     format!("joint `{}` mimics `{}`", other.shown(), at.value),
@@ -48,6 +47,12 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         report.done();
     }
+}
+
+/// A joint that mimics another one, and the name it gives.
+fn mimicking(robot: &Robot, joint: usize) -> Option<(&Joint, &Text)> {
+    let joint = robot.joints.get(joint)?;
+    Some((joint, joint.mimic.as_ref()?.joint.as_ref()?))
 }
 
 /// The circles among joints that each mimic one other at most.

@@ -33,9 +33,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             kind.value
         );
         let report = out.report(kind.origin, message);
-        let names = || JointType::ALL.iter().map(|(name, _)| *name);
-        let same = names().find(|name| name.eq_ignore_ascii_case(kind.value.trim()));
-        match (same, nearest(&kind.value, names())) {
+        let names = JointType::ALL.map(|(name, _)| name);
+        let same = names
+            .into_iter()
+            .find(|name| name.eq_ignore_ascii_case(kind.value.trim()));
+        match (same, nearest(&kind.value, names)) {
             (Some(name), _) => {
                 rewrite(
                     report.help(format!("write `{name}`; joint types are lower case")),

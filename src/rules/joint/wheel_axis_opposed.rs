@@ -5,6 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::wheels::{axis_in_parent, other_side};
 use base::FastMap;
+use expand::Origin;
 use model::{Joint, JointType, Robot, tag_start};
 
 pub(super) static RULE: Rule = Rule {
@@ -36,21 +37,14 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if a.dot(&b) > -0.9 {
             continue;
         }
-        let at = |joint: &Joint| {
-            let xyz = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-            xyz.map_or_else(
-                || tag_start(cx.expansion, joint.element),
-                |text| text.origin,
-            )
-        };
         let message = format!(
             "wheel joints `{}` and `{}` have opposite axes",
             first.shown(),
             joint.shown()
         );
         let mut report = out
-            .report(at(joint), message)
-            .also(at(first), format!("axis of joint `{}`", first.shown()))
+            .report(axis_place(cx, joint), message)
+            .also(axis_place(cx, first), format!("axis of joint `{}`", first.shown()))
             .help("make both axes point in the same direction; drive controllers use the same sign for both sides");
         if let Some(text) = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref())
             && let Some(axis) = text.numbers::<3>()
@@ -64,6 +58,15 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         }
         report.done();
     }
+}
+
+/// Where the axis of a joint is written, or where a joint without one begins.
+fn axis_place(cx: &DocumentCx<'_>, joint: &Joint) -> Origin {
+    let xyz = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
+    xyz.map_or_else(
+        || tag_start(cx.expansion, joint.element),
+        |text| text.origin,
+    )
 }
 
 /// Whether a joint turns freely, by itself, and carries nothing that moves: an arm may well be mirrored.

@@ -9,12 +9,6 @@ const SIDES: [(&str, &str); 4] = [("left", "right"), ("l", "r"), ("lf", "rf"), (
 /// The name of the joint on the other side, in small letters; none when the name tells no side.
 pub(super) fn other_side(name: &str) -> Option<String> {
     let name = name.to_lowercase();
-    let swapped = |word: &str| {
-        let pair = SIDES
-            .iter()
-            .find(|(left, right)| *left == word || *right == word);
-        pair.map(|&(left, right)| if left == word { right } else { left })
-    };
     let mut other = String::new();
     let mut found = false;
     for part in name.split_inclusive(|c: char| !c.is_alphanumeric()) {
@@ -35,6 +29,14 @@ pub(super) fn other_side(name: &str) -> Option<String> {
     long.into_iter()
         .find(|(from, _)| name.contains(from))
         .map(|(from, to)| name.replacen(from, to, 1))
+}
+
+/// The word for the other side.
+fn swapped(word: &str) -> Option<&'static str> {
+    let &(left, right) = SIDES
+        .iter()
+        .find(|(left, right)| *left == word || *right == word)?;
+    Some(if left == word { right } else { left })
 }
 
 /// The axis of a joint in the frame of its parent; none when a value is not known or there is no direction.

@@ -80,12 +80,11 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
             }
         }
     }
-    // looking for near names takes time; nobody reads that many suggestions
-    let near = |i: usize, name: &EcoString| if i < 50 { near_link(cx, name) } else { None };
     let missing = missing.into_iter().enumerate();
     missing
         .map(|(i, (name, uses))| Missing {
-            nearest: near(i, &name),
+            // looking for near names takes time; nobody reads that many suggestions
+            nearest: if i < 50 { near_link(cx, &name) } else { None },
             name,
             uses,
         })
@@ -103,20 +102,26 @@ fn may_be_there(cx: &RobotCx<'_>, name: &str) -> bool {
 /// The names of links that are there but for something else that is reported: a tag that is misspelled, spaces in the name.
 fn almost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     let tree = &cx.expansion.tree;
-    let is_misspelled = |tag: &str| tag != "link" && nearest(tag, ["link"]).is_some();
     let elements = tree
         .elements(cx.robot.element)
-        .filter(|&id| is_misspelled(&tree.get(id).text));
+        .filter(|&id| is_misspelled_link(&tree.get(id).text));
     let named = elements.filter_map(|id| Some(Text::attr(tree, id, "name")?.name()?.clone()));
-    let links = cx
-        .robot
-        .links
-        .iter()
-        .filter_map(|link| link.name.as_ref()?.name());
-    let trimmed = links
-        .filter(|name| name.trim() != name.as_str())
+    let trimmed = link_names(cx)
+        .filter(|name| name.trim() != *name)
         .map(|name| name.trim().into());
     named.chain(trimmed).collect()
+}
+
+fn is_misspelled_link(tag: &str) -> bool {
+    tag != "link" && nearest(tag, ["link"]).is_some()
+}
+
+/// The names of links that are known.
+fn link_names<'a>(cx: &RobotCx<'a>) -> impl Iterator<Item = &'a str> {
+    cx.robot
+        .links
+        .iter()
+        .filter_map(|link| Some(link.name.as_ref()?.name()?.as_str()))
 }
 
 /// Links that a misspelled joint lost: what is wrong with them is said at the joint.
@@ -137,32 +142,29 @@ pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint>
 
 /// The link that was perhaps meant: a near name, or the only one that differs by a prefix.
 fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
-    let names = || {
-        cx.robot
-            .links
-            .iter()
-            .filter_map(|link| Some(link.name.as_ref()?.name()?.as_str()))
-    };
     let is_loose = |name: &&str| {
         cx.kinematics.link(name).is_some_and(|link| {
             cx.kinematics.up(link).is_empty() && cx.kinematics.down(link).is_empty()
         })
     };
-    if let Some(near) = nearest(name, names().filter(is_loose)) {
+    if let Some(near) = nearest(name, link_names(cx).filter(is_loose)) {
         return Some(near.into());
     }
-    if let Some(near) = nearest(name, names()) {
+    if let Some(near) = nearest(name, link_names(cx)) {
         return Some(near.into());
     }
-    let extends = |long: &str, short: &str| {
-        long.strip_suffix(short)
-            .is_some_and(|prefix| prefix.ends_with('_'))
-    };
-    let mut prefixed = names().filter(|other| extends(other, name) || extends(name, other));
+    let mut prefixed =
+        link_names(cx).filter(|other| is_prefixed(other, name) || is_prefixed(name, other));
     match (prefixed.next(), prefixed.next()) {
         (Some(only), None) => Some(only.into()),
         _ => None,
     }
+}
+
+/// Whether a name is another one with a prefix.
+fn is_prefixed(long: &str, short: &str) -> bool {
+    long.strip_suffix(short)
+        .is_some_and(|prefix| prefix.ends_with('_'))
 }
 
 /// The links that joints somewhere in the files, with other arguments, have as one of these ends: `parent`, `child`.

@@ -36,10 +36,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let mut roots: Vec<&Text> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {
         let name = cx.robot.links.get(root).and_then(|link| link.name.as_ref());
-        let is_reported =
-            |name: &Text| lost.contains(&name.value) || is_end_of_reversed_joint(cx, root);
-        roots
-            .extend(name.filter(|name| !cx.kinematics.down(root).is_empty() && !is_reported(name)));
+        roots.extend(name.filter(|name| {
+            !cx.kinematics.down(root).is_empty()
+                && !lost.contains(&name.value)
+                && !is_end_of_reversed_joint(cx, root)
+        }));
     }
     let usual = USUAL_ROOTS
         .iter()

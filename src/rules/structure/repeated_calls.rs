@@ -91,8 +91,7 @@ impl RepeatedCalls {
 
 /// Whether two names are equal only as long as arguments are empty that are there to be given: each is made from another one.
 pub(super) fn differ_when_given(expansion: &Expansion, one: &Text, other: &Text) -> bool {
-    let argument = |name: &Text| expansion.empty_argument(&name.pieces);
-    argument(one) != argument(other)
+    expansion.empty_argument(&one.pieces) != expansion.empty_argument(&other.pieces)
 }
 
 /// The calls and blocks around a text, outermost first.

@@ -72,11 +72,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a document may be given to urdf-rs.
 fn is_sane(document: &Document<'_>) -> bool {
-    let few = |node: Node<'_, '_>| node.attributes().len() <= MOST_ATTRIBUTES;
-    let flat =
-        |node: Node<'_, '_>| node.ancestors().take(MOST_LEVELS + 2).count() <= MOST_LEVELS + 1;
     document.input_text().len() <= MOST_BYTES
-        && document.descendants().all(|node| few(node) && flat(node))
+        && document.descendants().all(|node| {
+            node.attributes().len() <= MOST_ATTRIBUTES
+                && node.ancestors().take(MOST_LEVELS + 2).count() <= MOST_LEVELS + 1
+        })
 }
 
 /// What urdf-rs has against a document, in one line.
