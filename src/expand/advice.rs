@@ -3,6 +3,74 @@ use super::kind::ProblemKind;
 use super::problem::Problem;
 use expr::{ErrorKind, EvalError};
 
+/// What to do about errors whose messages have some words; the first row that fits counts.
+const ADVICE: [(&[&str], &str); 16] = [
+    (
+        &["YAML tag", "constructor for the tag"],
+        "use a tag that xacro supports, such as `!degrees`, or remove it",
+    ),
+    (
+        &["division by zero", "modulo"],
+        "check the divisor; it is 0",
+    ),
+    (
+        &["is a single string and outside"],
+        "move the file into the package, or write a mapping or a list",
+    ),
+    (
+        &["so its text is not shown"],
+        "move the file into the package to see the error",
+    ),
+    (
+        &["has no key", "unknown key"],
+        "use a key that exists in the mapping",
+    ),
+    (
+        &["index out of range"],
+        "use an index from 0 to the number of items minus 1",
+    ),
+    (
+        &[
+            "could not convert string to float",
+            "invalid literal for int()",
+        ],
+        "use a value that is a number",
+    ),
+    (
+        &["is not set"],
+        "set the environment variable, or write $(optenv NAME DEFAULT)",
+    ),
+    (
+        &["math domain error", "math range error"],
+        "check the arguments of the function; the result is not a real number",
+    ),
+    (
+        &["has no attribute"],
+        "check the spelling; the value has no such attribute or key",
+    ),
+    (
+        &["No such file or directory", "Is a directory"],
+        "correct the path, or add the file",
+    ),
+    (
+        &["substitution args", "$("],
+        "use $(find PACKAGE), $(arg NAME), $(env NAME), $(optenv NAME DEFAULT) or $(eval EXPRESSION)",
+    ),
+    (
+        &["argument"],
+        "check the number and the types of the arguments of the function",
+    ),
+    (
+        &["must be str", "only concatenate"],
+        "convert the number to a string with `str(...)`",
+    ),
+    (&["the limit"], "simplify the expression"),
+    (
+        &["xacro:element", "xacro:attribute"],
+        "write an expression whose value is a name",
+    ),
+];
+
 /// Python's words for a failed evaluation, where they say enough; what they leave out is added.
 pub(super) fn headline(error: &EvalError) -> String {
     let message = error.message.as_str();
@@ -130,46 +198,18 @@ fn of_failure(problem: &Problem) -> String {
 
 /// Python's words, translated for those who do not know Python.
 fn of_evaluation(message: &str) -> String {
-    let has = |text: &str| message.contains(text);
     if let Some(advice) = of_operands(message) {
         return advice;
     }
-    let advice = if has("YAML tag") || has("constructor for the tag") {
-        "use a tag that xacro supports, such as `!degrees`, or remove it"
-    } else if has("division by zero") || has("modulo") {
-        "check the divisor; it is 0"
-    } else if has("is a single string and outside") {
-        "move the file into the package, or write a mapping or a list"
-    } else if has("so its text is not shown") {
-        "move the file into the package to see the error"
-    } else if has("has no key") || has("unknown key") {
-        "use a key that exists in the mapping"
-    } else if has("index out of range") {
-        "use an index from 0 to the number of items minus 1"
-    } else if has("could not convert string to float") || has("invalid literal for int()") {
-        "use a value that is a number"
-    } else if has("is not set") {
-        "set the environment variable, or write $(optenv NAME DEFAULT)"
-    } else if has("math domain error") || has("math range error") {
-        "check the arguments of the function; the result is not a real number"
-    } else if has("has no attribute") {
-        "check the spelling; the value has no such attribute or key"
-    } else if has("No such file or directory") || has("Is a directory") {
-        "correct the path, or add the file"
-    } else if has("substitution args") || has("$(") {
-        "use $(find PACKAGE), $(arg NAME), $(env NAME), $(optenv NAME DEFAULT) or $(eval EXPRESSION)"
-    } else if has("argument") {
-        "check the number and the types of the arguments of the function"
-    } else if has("must be str") || has("only concatenate") {
-        "convert the number to a string with `str(...)`"
-    } else if has("the limit") {
-        "simplify the expression"
-    } else if has("xacro:element") || has("xacro:attribute") {
-        "write an expression whose value is a name"
-    } else {
-        "check the types of the values in the expression; xacro evaluates it as Python"
-    };
-    advice.to_owned()
+    let advice = ADVICE
+        .iter()
+        .find(|(words, _)| words.iter().any(|part| message.contains(part)));
+    advice
+        .map_or(
+            "check the types of the values in the expression; xacro evaluates it as Python",
+            |(_, advice)| advice,
+        )
+        .to_owned()
 }
 
 /// "unsupported operand type(s) for /: 'str' and 'float'": which side is no number.

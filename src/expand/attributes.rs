@@ -77,10 +77,10 @@ impl Expander<'_> {
 
     /// Warn about attributes that mean nothing on this tag.
     pub fn check_attrs(&mut self, tag: Tag<'_>, allowed: &[&str], cx: EvalContext) {
-        let unknown = |name: &str| {
-            !allowed.contains(&name) && !name.starts_with("xmlns:") && name != "xmlns:xacro"
-        };
-        let extra: Vec<_> = tag.attrs().filter(|a| unknown(a.name())).collect();
+        let extra: Vec<_> = tag
+            .attrs()
+            .filter(|attr| !allowed.contains(&attr.name()) && !attr.name().starts_with("xmlns:"))
+            .collect();
         let names: Vec<&str> = extra.iter().map(|a| a.name()).collect();
         for (i, attr) in extra.iter().enumerate() {
             let at = Origin {

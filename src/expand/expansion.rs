@@ -124,10 +124,9 @@ impl Expansion {
 
     /// The frame of an origin and all frames around it, innermost first, without the root.
     pub fn frames_of(&self, origin: Origin) -> impl Iterator<Item = &Frame> {
-        let frame = |origin: Origin| self.frames.get(origin.frame);
         let not_root = |frame: &&Frame| frame.kind != FrameKind::Root;
-        std::iter::successors(frame(origin).filter(not_root), move |f| {
-            frame(f.call).filter(not_root)
+        std::iter::successors(self.frames.get(origin.frame).filter(not_root), move |f| {
+            self.frames.get(f.call.frame).filter(not_root)
         })
     }
 

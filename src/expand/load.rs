@@ -319,7 +319,6 @@ impl Expander<'_> {
     }
 
     fn syntax_problem(&self, error: &SyntaxError, at: Origin, file: FileIdx) -> super::Problem {
-        let place = |range| super::Place { file, range };
         let xacro = error.kind == SyntaxErrorKind::UnboundPrefix && error.message.contains("xacro");
         let kind = if xacro {
             ProblemKind::MissingXacroNamespace
@@ -327,14 +326,17 @@ impl Expander<'_> {
             ProblemKind::XmlSyntaxError
         };
         let mut problem = self.problem(kind, at, error.headline());
-        problem.place = place(error.range);
+        problem.place = super::Place {
+            file,
+            range: error.range,
+        };
         problem = problem.help(match xacro {
             true => "add xmlns:xacro=\"http://www.ros.org/wiki/xacro\" to the root element",
             false => error.help(),
         });
         if let Some((range, what)) = error.related {
             problem.trace.push(super::Step {
-                place: place(range),
+                place: super::Place { file, range },
                 message: what.to_owned(),
             });
         }

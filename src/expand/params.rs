@@ -2,7 +2,6 @@
 //!
 //! The reference reads it with one regular expression; its backtracking is observable (a `${...}`
 //! default may stretch to a later brace), so it is followed step by step here.
-use ecow::EcoString;
 
 use super::macro_table::Param;
 use base::TextRange;
@@ -89,14 +88,16 @@ fn param(
     forward: bool,
     default: Option<(usize, usize)>,
 ) -> Param {
-    let range = |start: usize, end: usize| TextRange::new(start as u32, end as u32);
-    let slice = |start: usize, end: usize| EcoString::from(text.get(start..end).unwrap_or(""));
+    let range = TextRange::new(start as u32, end as u32);
     Param {
-        name: slice(start, end),
-        range: range(start, end),
+        name: range.slice(text).into(),
+        range,
         definition: None,
         forward,
-        default: default.map(|(start, end)| (slice(start, end), range(start, end))),
+        default: default.map(|(start, end)| {
+            let range = TextRange::new(start as u32, end as u32);
+            (range.slice(text).into(), range)
+        }),
         default_at: None,
     }
 }

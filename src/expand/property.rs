@@ -279,10 +279,9 @@ impl Expander<'_> {
 
     /// A property without a name: `<xacro:property width="0.1"/>` was meant to define `width`.
     fn nameless_property(&mut self, tag: Tag<'_>, cx: EvalContext) {
-        let is_name = |name: &str| is_identifier(name) && !PROPERTY_ATTRS.contains(&name);
         let names: Vec<_> = tag
             .attrs()
-            .filter(|attr| is_name(attr.name()))
+            .filter(|attr| is_identifier(attr.name()) && !PROPERTY_ATTRS.contains(&attr.name()))
             .take(MOST_WORDS)
             .collect();
         for attr in names {
@@ -297,10 +296,11 @@ impl Expander<'_> {
 
     /// Whether an attribute that was reported was meant to be `value`, and nothing else gives one.
     fn has_misspelled_value(&self, tag: Tag<'_>) -> bool {
-        let is_value = |name: &str| {
-            !PROPERTY_ATTRS.contains(&name) && meant::by_attribute(name, &["value"]).is_some()
-        };
-        tag.node.child_elements().next().is_none() && tag.attrs().any(|attr| is_value(attr.name()))
+        tag.node.child_elements().next().is_none()
+            && tag.attrs().any(|attr| {
+                !PROPERTY_ATTRS.contains(&attr.name())
+                    && meant::by_attribute(attr.name(), &["value"]).is_some()
+            })
     }
 
     /// Define a name whose definition was reported as wrong: that its value is unknown is no further finding.

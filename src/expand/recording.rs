@@ -275,19 +275,16 @@ impl Expander<'_> {
             .into_iter()
             .flat_map(|root| tree.elements(root))
             .collect();
-        let place = |kept: Kept, &ordinal: &usize| {
+        let steps = std::mem::take(&mut self.steps.done);
+        let steps = steps.into_iter().zip(ordinals);
+        let steps = steps.filter_map(|(kept, &ordinal)| {
             let first = *elements.get(ordinal)?;
             let last = *elements.get(ordinal + kept.step.elements - 1)?;
             Some(Kept {
                 content: (first, tree.behind(last)),
                 ..kept
             })
-        };
-        let steps = std::mem::take(&mut self.steps.done);
-        let steps = steps
-            .into_iter()
-            .zip(ordinals)
-            .filter_map(|(kept, ordinal)| place(kept, ordinal));
+        });
         let request = Request {
             cancel: CancelFlag::default(),
             ..self.request.clone()

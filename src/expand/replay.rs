@@ -1,5 +1,6 @@
 //! Taking over the steps of the last expansion that still hold.
 use std::ops::Range;
+use std::path::Path;
 use std::sync::Arc;
 
 use super::before::Before;
@@ -10,10 +11,11 @@ use super::origin::{Frame, SrcId};
 use super::plain::is_same_value;
 use super::scope::{Binding, Block, Scopes, State};
 use super::state::EvalContext;
-use super::symbols::{Definition, DefinitionId};
+use super::symbols::{Definition, DefinitionId, Symbols};
 use super::tag::Tag;
 use super::tree::{XId, XKind};
 use base::Id;
+use xml::Item;
 
 impl Expander<'_> {
     /// Take over what a call gave in the last expansion; `false`: it has to be evaluated.
@@ -144,11 +146,6 @@ impl Expander<'_> {
     /// Whether the definitions that the step gives and names have the same numbers.
     fn refers_alike(&self, before: &Expansion, step: &StepMemo) -> bool {
         let (now, then) = (&self.result.index.symbols, &before.index.symbols);
-        let is_same = |id: DefinitionId| {
-            now.get(id)
-                .zip(then.get(id))
-                .is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
-        };
         let given = &step.symbols.definitions;
         let mut next = now.definitions.len();
         let mut is_given_alike =
@@ -162,7 +159,8 @@ impl Expander<'_> {
                     id.index() + 1 == next
                 }
             };
-        let is_named_alike = |id| is_same(id) || given.iter().any(|(_, given)| *given == id);
+        let is_named_alike =
+            |id| is_same_definition(now, then, id) || given.iter().any(|(_, given)| *given == id);
         let bindings = part(before.index.bindings.as_slice(), &step.bindings);
         given.iter().all(&mut is_given_alike)
             && step
@@ -184,17 +182,12 @@ impl Expander<'_> {
 
     /// Whether an item is the same object in the same file, with the same header in front.
     fn is_same_source(&self, before: &Expansion, src: SrcId) -> bool {
-        let seen = |expansion: &Expansion| {
-            let source = expansion.sources.get(src)?;
-            let file = expansion.files.get(source.file)?;
-            let header = expansion.sources.get(file.first_source)?;
-            Some((
-                Arc::as_ptr(&source.item),
-                Arc::as_ptr(&header.item),
-                file.source.path.clone(),
-            ))
+        let Some((item, header, path)) = seen(&self.result, src) else {
+            return false;
         };
-        seen(&self.result).is_some_and(|now| seen(before) == Some(now))
+        seen(before, src).is_some_and(|(old_item, old_header, old_path)| {
+            Arc::ptr_eq(item, old_item) && Arc::ptr_eq(header, old_header) && path == old_path
+        })
     }
 
     fn is_same_binding(&self, before: &Expansion, then: &Binding, now: &Binding) -> bool {
@@ -269,6 +262,21 @@ impl Expander<'_> {
 
 fn part<'l, T>(list: &'l [T], range: &Range<usize>) -> &'l [T] {
     list.get(range.clone()).unwrap_or_default()
+}
+
+/// Whether a number means the same definition in both lists.
+fn is_same_definition(now: &Symbols, then: &Symbols, id: DefinitionId) -> bool {
+    now.get(id)
+        .zip(then.get(id))
+        .is_some_and(|(a, b)| a.place == b.place && a.name == b.name)
+}
+
+/// An item, the header of its file, and the path of the file.
+fn seen(expansion: &Expansion, src: SrcId) -> Option<(&Arc<Item>, &Arc<Item>, &Path)> {
+    let source = expansion.sources.get(src)?;
+    let file = expansion.files.get(source.file)?;
+    let header = expansion.sources.get(file.first_source)?;
+    Some((&source.item, &header.item, &file.source.path))
 }
 
 fn is_same_frame(a: &Frame, b: &Frame) -> bool {

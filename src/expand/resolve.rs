@@ -131,13 +131,12 @@ impl Expander<'_> {
             })
             .collect();
         // the first property of the cycle is to blame, wherever the cycle was entered
-        let place = |origin: Origin| {
-            self.result
-                .place(origin)
-                .map(|place| (place.file, place.range.start))
-        };
-        let first =
-            (0..cycle.len()).min_by_key(|&i| cycle.get(i).and_then(|&(_, origin)| place(origin)));
+        let first = (0..cycle.len()).min_by_key(|&i| {
+            let place = cycle
+                .get(i)
+                .and_then(|(_, origin)| self.result.place(*origin));
+            place.map(|place| (place.file, place.range.start))
+        });
         cycle.rotate_left(first.unwrap_or(0));
         let names: Vec<&str> = cycle
             .iter()

@@ -364,9 +364,9 @@ impl Scopes {
 
     /// Whether a property is left that nothing has evaluated, in a scope from the one of this number on.
     pub fn has_lazy_from(&self, start: usize) -> bool {
-        let is_lazy = |binding: &Binding| matches!(binding.state, State::Lazy(..));
-        let mut scopes = self.list.iter().skip(start);
-        scopes.any(|scope| scope.vars.iter().any(|(_, binding)| is_lazy(binding)))
+        let scopes = self.list.iter().skip(start);
+        let mut bindings = scopes.flat_map(|scope| scope.vars.iter());
+        bindings.any(|(_, binding)| matches!(binding.state, State::Lazy(..)))
     }
 
     pub fn note_lookup(

@@ -26,13 +26,6 @@ const MOST_SHOWN: usize = 20;
 /// A number as it was meant, and what is wrong with it.
 pub fn meant_number(text: &str) -> Option<(String, &'static str)> {
     let text = text.trim();
-    let is_number = |text: &str| {
-        text.bytes().any(|byte| byte.is_ascii_digit())
-            && text
-                .bytes()
-                .all(|byte| byte.is_ascii_digit() || b".+-eE".contains(&byte))
-            && text.parse::<f64>().is_ok_and(f64::is_finite)
-    };
     if is_number(text) {
         return None;
     }
@@ -50,6 +43,27 @@ pub fn meant_number(text: &str) -> Option<(String, &'static str)> {
     let number = number.trim_end();
     (is_number(number) && !unit.is_empty() && unit.chars().count() <= 6)
         .then(|| (number.to_owned(), "remove the unit"))
+}
+
+/// Whether a text is a finite number in decimal digits.
+fn is_number(text: &str) -> bool {
+    text.bytes().any(|byte| byte.is_ascii_digit())
+        && text
+            .bytes()
+            .all(|byte| byte.is_ascii_digit() || b".+-eE".contains(&byte))
+        && text.parse::<f64>().is_ok_and(f64::is_finite)
+}
+
+/// Whether an expression in a text has this word.
+fn is_read(text: &str, name: &str) -> bool {
+    let mut codes = text
+        .split("${")
+        .skip(1)
+        .filter_map(|rest| rest.split('}').next());
+    codes.any(|code| {
+        code.split(|c: char| !c.is_alphanumeric() && c != '_')
+            .any(|word| word == name)
+    })
 }
 
 impl Expander<'_> {
@@ -195,16 +209,6 @@ impl Expander<'_> {
             range: tag.node.range(),
             frame: cx.frame,
         });
-        let is_read = |name: &str| {
-            let mut codes = body
-                .split("${")
-                .skip(1)
-                .filter_map(|rest| rest.split('}').next());
-            codes.any(|code| {
-                code.split(|c: char| !c.is_alphanumeric() && c != '_')
-                    .any(|word| word == name)
-            })
-        };
         let others: Vec<_> = tag
             .attrs()
             .filter(|attr| !["name", "params"].contains(&attr.name()))
@@ -212,7 +216,7 @@ impl Expander<'_> {
         if others.is_empty()
             || !others
                 .iter()
-                .all(|attr| is_identifier(attr.name()) && is_read(attr.name()))
+                .all(|attr| is_identifier(attr.name()) && is_read(body, attr.name()))
         {
             return Vec::new();
         }

@@ -95,26 +95,20 @@ impl MapBuilder {
     pub fn attribute(&mut self, start: usize, node: XId, attr: &XAttr, out: &mut String) {
         self.attribute = self.entries.len();
         self.add(start, start, node, MapKind::Attribute, attr.origin);
-        let slice = |from: u32, to: u32| attr.value.get(from as usize..to as usize).unwrap_or("");
         // text between expressions: what is written between them in the source
         let (mut at, mut source) = (0, attr.origin.range.start);
         for piece in &attr.pieces {
             let range = TextRange::new(source, piece.source.range.start.max(source));
             self.part(
                 node,
-                slice(at, piece.out.start),
+                TextRange::new(at, piece.out.start).slice(&attr.value),
                 Origin {
                     range,
                     ..attr.origin
                 },
                 out,
             );
-            self.part(
-                node,
-                slice(piece.out.start, piece.out.end),
-                piece.source,
-                out,
-            );
+            self.part(node, piece.out.slice(&attr.value), piece.source, out);
             if let Some(last) = self
                 .entries
                 .last_mut()
@@ -127,7 +121,7 @@ impl MapBuilder {
         let range = TextRange::new(source, attr.origin.range.end.max(source));
         self.part(
             node,
-            slice(at, attr.value.len() as u32),
+            TextRange::new(at, attr.value.len() as u32).slice(&attr.value),
             Origin {
                 range,
                 ..attr.origin

@@ -79,20 +79,25 @@ fn on_large_stack<T: Send, W: FnOnce() -> T + Send>(work: W) -> T {
 /// When the system starts no thread at all.
 pub fn spawn_on_large_stack(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     let work = Arc::new(Mutex::new(Some(work)));
-    let start = |size: Option<usize>| {
-        let work = work.clone();
-        let builder = std::thread::Builder::new().name(name.to_owned());
-        let builder = size
-            .into_iter()
-            .fold(builder, std::thread::Builder::stack_size);
-        let run = move || {
-            FLOOR.set(if size.is_some() { 0 } else { usize::MAX });
-            let work = work.lock().unwrap_or_else(PoisonError::into_inner).take();
-            work.into_iter().for_each(|work| work());
-        };
-        builder.spawn(run).map(drop)
+    spawn(name, work.clone(), Some(SIZE)).or_else(|_| spawn(name, work, None))
+}
+
+/// Start a thread with a stack of `size`, or an ordinary one, that does the work unless it is taken.
+fn spawn(
+    name: &str,
+    work: Arc<Mutex<Option<impl FnOnce() + Send + 'static>>>,
+    size: Option<usize>,
+) -> io::Result<()> {
+    let builder = std::thread::Builder::new().name(name.to_owned());
+    let builder = size
+        .into_iter()
+        .fold(builder, std::thread::Builder::stack_size);
+    let run = move || {
+        FLOOR.set(if size.is_some() { 0 } else { usize::MAX });
+        let work = work.lock().unwrap_or_else(PoisonError::into_inner).take();
+        work.into_iter().for_each(|work| work());
     };
-    start(Some(SIZE)).or_else(|_| start(None))
+    builder.spawn(run).map(drop)
 }
 
 /// Threads with large stacks, as many as there are processors; none where the system gives none.

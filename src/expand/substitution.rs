@@ -349,15 +349,11 @@ impl ArgHost<'_, '_, '_> {
         args: &[Value],
         keywords: &[(EcoString, Value)],
     ) -> Result<Result<Value, Failure>, EvalError> {
-        let word = |text: EcoString| SubstArg {
-            text,
-            range: TextRange::default(),
-        };
         Ok(match function {
             HostFn::Arg => {
                 let name = text_argument("_eval_arg_context", "name", args, keywords)?;
                 self.expander
-                    .argument(&word(name), self.here)
+                    .argument(&unplaced(name), self.here)
                     .map(|text| converted(&text))
             }
             HostFn::Env => {
@@ -388,7 +384,7 @@ impl ArgHost<'_, '_, '_> {
             HostFn::Find => {
                 let name = text_argument("_eval_find", "pkg", args, keywords)?;
                 self.expander
-                    .package(&word(name), self.here)
+                    .package(&unplaced(name), self.here)
                     .map(Value::Str)
             }
             HostFn::Dirname => return Err(EvalError::new(ErrorKind::Key, "'filename'")),
@@ -446,6 +442,14 @@ impl Host for ArgHost<'_, '_, '_> {
 
     fn undefined(&mut self, name: &str, _: TextRange) {
         self.undefined.get_or_insert_with(|| name.to_owned());
+    }
+}
+
+/// A word of a substitution that stands nowhere in the text.
+fn unplaced(text: EcoString) -> SubstArg {
+    SubstArg {
+        text,
+        range: TextRange::default(),
     }
 }
 

@@ -3,7 +3,7 @@
 //! Expansion splices finished subtrees (macro bodies, blocks, includes) into place, so siblings
 //! are linked lists and moving a subtree costs nothing.
 #![allow(clippy::indexing_slicing)] // ids are made by this arena only and never outlive it
-use std::ops::Deref;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 
 use ecow::EcoString;
@@ -255,18 +255,22 @@ impl XTree {
 
     /// All nodes below a node, in document order.
     pub fn below(&self, id: XId) -> impl Iterator<Item = XId> + '_ {
-        let behind = move |mut node: XId| {
-            while node != id {
-                if let Some(next) = self.next_sibling(node) {
-                    return Some(next);
-                }
-                node = self.parent(node)?;
-            }
-            None
-        };
         std::iter::successors(self.first_child(id), move |&node| {
-            self.first_child(node).or_else(|| behind(node))
+            self.first_child(node)
+                .or_else(|| self.behind_inside(node, id))
         })
+    }
+
+    /// The node behind a node and all below it, when it is below `around`.
+    #[inline]
+    fn behind_inside(&self, mut node: XId, around: XId) -> Option<XId> {
+        while node != around {
+            if let Some(next) = self.next_sibling(node) {
+                return Some(next);
+            }
+            node = self.parent(node)?;
+        }
+        None
     }
 
     /// The root element.
@@ -287,12 +291,8 @@ impl XTree {
         if let Some(old) = all.iter_mut().find(|a| a.name == attr.name) {
             *old = attr;
         } else {
-            let has_namespace = |name: &EcoString| match name.contains(':') {
-                true => !self.set_with_prefix.contains(&(id, name.clone())),
-                false => name == "xmlns",
-            };
             all.retain(|old| {
-                local_name(&old.name) != local_name(&attr.name) || has_namespace(&old.name)
+                local_name(&old.name) != local_name(&attr.name) || self.has_namespace(id, &old.name)
             });
             if attr.name.contains(':') {
                 self.set_with_prefix.insert((id, attr.name.clone()));
@@ -300,6 +300,14 @@ impl XTree {
             all.push(attr);
         }
         self.get_mut(id).attrs = all.into_iter().collect();
+    }
+
+    /// Whether an attribute is in a namespace: it has a prefix, and was not set.
+    fn has_namespace(&self, id: XId, name: &EcoString) -> bool {
+        match name.contains(':') {
+            true => !self.set_with_prefix.contains(&(id, name.clone())),
+            false => name == "xmlns",
+        }
     }
 
     /// Put a node without parent behind the last child of `parent`.
@@ -322,29 +330,22 @@ impl XTree {
     /// `parent`.
     pub(super) fn graft(&mut self, from: &Self, (first, end): (XId, XId), parent: XId) {
         let start = self.nodes.len() as u32;
-        let inside = |id: XId| (first.0..end.0).contains(&id.0);
-        let moved = |id: XId| {
-            if inside(id) {
-                XId(id.0 - first.0 + start)
-            } else {
-                XId::NIL
-            }
-        };
+        let old = first.0..end.0;
         let range = first.index()..end.index();
         self.nodes.extend(
             from.nodes.as_slice()[range.clone()]
                 .iter()
                 .map(|node| XNode {
-                    parent: moved(node.parent),
-                    first: moved(node.first),
-                    last: moved(node.last),
-                    prev: moved(node.prev),
-                    next: moved(node.next),
+                    parent: moved(node.parent, &old, start),
+                    first: moved(node.first, &old, start),
+                    last: moved(node.last, &old, start),
+                    prev: moved(node.prev, &old, start),
+                    next: moved(node.next, &old, start),
                     ..node.clone()
                 }),
         );
         for (id, node) in (start..).map(XId).zip(&from.nodes.as_slice()[range]) {
-            if !inside(node.parent) {
+            if !old.contains(&node.parent.0) {
                 self.append(parent, id);
             }
         }
@@ -398,6 +399,15 @@ impl XTree {
         let from = self.get_mut(from);
         from.first = XId::NIL;
         from.last = XId::NIL;
+    }
+}
+
+/// The new number of a node whose old one is in a range that begins anew at `start`; none of a node outside of it.
+fn moved(id: XId, old: &Range<u32>, start: u32) -> XId {
+    if old.contains(&id.0) {
+        XId(id.0 - old.start + start)
+    } else {
+        XId::NIL
     }
 }
 

@@ -18,19 +18,6 @@ pub fn file_value(node: &Node, budget: &mut Budget) -> Result<Value, EvalError> 
 }
 
 fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalError> {
-    let list = |items: &[Node], budget: &mut Budget| -> Result<Vec<Value>, EvalError> {
-        items
-            .iter()
-            .map(|item| convert(item, false, budget))
-            .collect()
-    };
-    let pairs =
-        |items: &[(Node, Node)], budget: &mut Budget| -> Result<Vec<(Value, Value)>, EvalError> {
-            let pair = |(key, value): &(Node, Node)| {
-                Ok((convert(key, false, budget)?, convert(value, false, budget)?))
-            };
-            items.iter().map(pair).collect()
-        };
     Ok(match &node.kind {
         Kind::Null => Value::None,
         Kind::Bool(value) => Value::Bool(*value),
@@ -53,6 +40,20 @@ fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalErr
         }
         Kind::Tagged { unit, text } => Value::Float(measure(text, budget)? * factor(*unit)),
     })
+}
+
+fn list(items: &[Node], budget: &mut Budget) -> Result<Vec<Value>, EvalError> {
+    items
+        .iter()
+        .map(|item| convert(item, false, budget))
+        .collect()
+}
+
+fn pairs(items: &[(Node, Node)], budget: &mut Budget) -> Result<Vec<(Value, Value)>, EvalError> {
+    let pair = |(key, value): &(Node, Node)| {
+        Ok((convert(key, false, budget)?, convert(value, false, budget)?))
+    };
+    items.iter().map(pair).collect()
 }
 
 fn factor(unit: Unit) -> f64 {
@@ -91,8 +92,9 @@ fn date(text: &str) -> Value {
     let mut numbers = text
         .split(|c: char| !c.is_ascii_digit())
         .map(|part| part.parse::<u32>().unwrap_or(0));
-    let mut next = || numbers.next().unwrap_or(0);
-    let date = (next() as i32, next(), next());
+    let [year, month, day, hour, minute, second, behind] =
+        std::array::from_fn(|_| numbers.next().unwrap_or(0));
+    let date = (year as i32, month, day);
     let Some((_, clock)) = text.split_once(' ') else {
         return Value::Date(Arc::new(DateValue {
             date,
@@ -100,17 +102,18 @@ fn date(text: &str) -> Value {
             utc_offset: None,
         }));
     };
-    let (hour, minute, second) = (next(), next(), next());
-    let micro = if clock.contains('.') { next() } else { 0 };
+    let micro = if clock.contains('.') { behind } else { 0 };
     let zone = clock.rfind(['+', '-']).and_then(|at| clock.get(at..));
     let utc_offset = zone.map(|zone| {
-        let mut parts = zone
+        let parts = zone
             .get(1..)
             .unwrap_or("")
             .split(':')
             .map(|part| part.parse::<i32>().unwrap_or(0));
-        let mut part = || parts.next().unwrap_or(0);
-        let seconds = part() * 3600 + part() * 60 + part();
+        let seconds: i32 = parts
+            .zip([3600, 60, 1])
+            .map(|(part, unit)| part * unit)
+            .sum();
         if zone.starts_with('-') {
             -seconds
         } else {

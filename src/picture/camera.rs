@@ -63,10 +63,7 @@ impl Camera {
     ) -> Self {
         let bounds =
             Bounds::around(points.clone().copied()).unwrap_or_else(|| Bounds::centered([0.0; 3]));
-        let center: [f64; 3] = std::array::from_fn(|i| {
-            let at = |side: [f64; 3]| side.get(i).copied().unwrap_or_default();
-            at(bounds.min) / 2.0 + at(bounds.max) / 2.0
-        });
+        let center = Vector3::from(bounds.min) / 2.0 + Vector3::from(bounds.max) / 2.0;
         let (back, up) = shot.view.directions();
         let back = back.normalize();
         let right = up.cross(&back).normalize();
@@ -93,8 +90,9 @@ impl Camera {
         let seen = Bounds::around(seen).unwrap_or_else(|| Bounds::centered([0.0; 3]));
         let [width, height] = size.map(f64::from);
         let [wide, high, _] = seen.size();
-        let free = |side: f64| (side - 2.0 * (side * MARGIN).max(room)).max(side / 2.0);
-        let scale = (free(width) / wide.max(SMALLEST)).min(free(height) / high.max(SMALLEST));
+        let free =
+            [width, height].map(|side| (side - 2.0 * (side * MARGIN).max(room)).max(side / 2.0));
+        let scale = (free[0] / wide.max(SMALLEST)).min(free[1] / high.max(SMALLEST));
         let ([x0, y0, _], [x1, y1, _]) = (seen.min, seen.max);
         self.middle = [
             width / 2.0 - scale * (x0 + x1) / 2.0,

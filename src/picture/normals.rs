@@ -17,27 +17,25 @@ pub(super) fn normals(solid: &Solid) -> Vec<[Vector3<f64>; 3]> {
         .map(|corners| face(solid, *corners))
         .collect();
     let around = Around::of(solid);
-    let at = |own: usize, point: u32| -> Vector3<f64> {
-        let Some(own) = faces.get(own) else {
-            return Vector3::z();
-        };
-        let direction = own.try_normalize(0.0).unwrap_or_else(Vector3::z);
-        let near = around.triangles(point);
-        if near.len() > MOST_AROUND {
-            return direction;
-        }
-        let others = near.iter().filter_map(|&other| faces.get(other as usize));
-        // a triangle counts by its area
-        let smooth = others.filter(|other| other.dot(&direction) >= ROUND * other.norm());
-        smooth
-            .sum::<Vector3<f64>>()
-            .try_normalize(0.0)
-            .unwrap_or(direction)
-    };
-    let corners = solid.triangles.iter().enumerate();
+    let corners = solid.triangles.iter().zip(&faces);
     corners
-        .map(|(own, corners)| corners.map(|point| at(own, point)))
+        .map(|(corners, own)| corners.map(|point| normal(own, around.triangles(point), &faces)))
         .collect()
+}
+
+/// The direction at a corner of a triangle, from its own and those of the triangles that are near.
+fn normal(own: &Vector3<f64>, near: &[u32], faces: &[Vector3<f64>]) -> Vector3<f64> {
+    let direction = own.try_normalize(0.0).unwrap_or_else(Vector3::z);
+    if near.len() > MOST_AROUND {
+        return direction;
+    }
+    let others = near.iter().filter_map(|&other| faces.get(other as usize));
+    // a triangle counts by its area
+    let smooth = others.filter(|other| other.dot(&direction) >= ROUND * other.norm());
+    smooth
+        .sum::<Vector3<f64>>()
+        .try_normalize(0.0)
+        .unwrap_or(direction)
 }
 
 /// The direction of a triangle; its length is twice the area.
@@ -56,8 +54,7 @@ struct Around {
 impl Around {
     fn of(solid: &Solid) -> Self {
         let mut starts = vec![0u32; solid.points.len() + 1];
-        let corners = || solid.triangles.iter().flatten();
-        for &point in corners() {
+        for &point in solid.triangles.iter().flatten() {
             starts
                 .get_mut(point as usize + 1)
                 .into_iter()
@@ -85,9 +82,9 @@ impl Around {
     }
 
     fn triangles(&self, point: u32) -> &[u32] {
-        let at = |index: usize| self.starts.get(index).map_or(0, |&start| start as usize);
-        self.list
-            .get(at(point as usize)..at(point as usize + 1))
-            .unwrap_or_default()
+        let point = point as usize;
+        let [start, end] = [point, point + 1]
+            .map(|index| self.starts.get(index).map_or(0, |&start| start as usize));
+        self.list.get(start..end).unwrap_or_default()
     }
 }

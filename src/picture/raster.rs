@@ -1,5 +1,7 @@
 //! Triangles as pixels: each sample keeps the nearest surface, and a pixel is the mean of its samples.
 
+use std::ops::Range;
+
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::Viewport;
@@ -29,11 +31,33 @@ impl Facet {
     /// The samples of the part of a picture with these sides that the triangle may lie in.
     fn covered_pixels(&self, [width, height]: [f64; 2]) -> f64 {
         let [a, b, c] = self.corners;
-        let side = |a: f64, b: f64, c: f64, end: f64| {
-            (a.max(b).max(c).min(end) - a.min(b).min(c).max(0.0)).max(0.0) + 1.0
-        };
-        side(a[0], b[0], c[0], width) * side(a[1], b[1], c[1], height)
+        covered([a[0], b[0], c[0]], width) * covered([a[1], b[1], c[1]], height)
     }
+
+    fn nearness(&self) -> f64 {
+        self.corners.iter().map(|[_, _, key]| key).sum()
+    }
+}
+
+/// The samples between the lowest and the highest of three numbers, inside of a side.
+fn covered([a, b, c]: [f64; 3], side: f64) -> f64 {
+    (a.max(b).max(c).min(side) - a.min(b).min(c).max(0.0)).max(0.0) + 1.0
+}
+
+/// The samples whose middles are between two places, inside of a side.
+fn samples(from: f64, to: f64, side: usize) -> Range<usize> {
+    let first = (from - 0.5).ceil().max(0.0) as usize;
+    let end = ((to - 0.5).floor() + 1.0).clamp(0.0, side as f64) as usize;
+    first..end
+}
+
+/// The light at a place inside of a triangle, from that at its corners and their weights.
+fn mixed([p, q, r]: [[f32; 3]; 3], [i, j, k]: [f32; 3]) -> [f32; 3] {
+    let mut light = p;
+    for ((light, q), r) in light.iter_mut().zip(q).zip(r) {
+        *light = *light * i + q * j + r * k;
+    }
+    light
 }
 
 /// The rows of the picture, one after the other, as red, green, blue and opacity.
@@ -64,8 +88,7 @@ pub(super) fn pixels(scene: &Scene, shot: &Viewport) -> Result<Vec<u8>, String> 
         });
     }
     // what can be seen through is drawn from the back to the front
-    let nearness = |facet: &Facet| facet.corners.iter().map(|[_, _, key]| key).sum::<f64>();
-    translucent.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    translucent.sort_by(|a, b| a.nearness().total_cmp(&b.nearness()));
     let sides = shot.size.map(|side| f64::from(side) * SAMPLES as f64);
     if solid
         .iter()
@@ -172,12 +195,8 @@ impl Band {
         if area == 0.0 || y1 < 0.0 || y0 > self.height as f64 {
             return;
         }
-        // samples are in the middle of their squares
-        let first = |at: f64| (at - 0.5).ceil().max(0.0) as usize;
-        let behind =
-            |at: f64, end: usize| ((at - 0.5).floor() + 1.0).clamp(0.0, end as f64) as usize;
-        for y in first(y0)..behind(y1, self.height) {
-            for x in first(x0)..behind(x1, self.width) {
+        for y in samples(y0, y1, self.height) {
+            for x in samples(x0, x1, self.width) {
                 let at = [x as f64 + 0.5, y as f64 + 0.5, 0.0];
                 let weights = [
                     cross(b, c, at) / area,
@@ -196,13 +215,8 @@ impl Band {
                 if key <= *near {
                     continue;
                 }
-                let [p, q, r] = facet.light;
-                let [i, j, k] = weights.map(|weight| weight as f32);
-                let mix = |n: usize| {
-                    let at = |corner: [f32; 3]| corner.get(n).copied().unwrap_or_default();
-                    at(p) * i + at(q) * j + at(r) * k
-                };
-                let over = [mix(0), mix(1), mix(2), 1.0];
+                let [red, green, blue] = mixed(facet.light, weights.map(|weight| weight as f32));
+                let over = [red, green, blue, 1.0];
                 if SOLID {
                     *near = key;
                     *light = over;

@@ -235,13 +235,12 @@ struct Solids<'a> {
 impl Solids<'_> {
     /// A shape and the factors along its axes.
     fn solid(&mut self, shape: &Shape) -> Result<(Arc<Solid>, [f64; 3]), String> {
-        let one = |solid: Solid| Ok((Arc::new(solid), [1.0; 3]));
-        match shape {
-            Shape::Box { size } => one(Solid::cuboid(*size)),
-            Shape::Cylinder { radius, length } => one(Solid::cylinder(*radius, *length)),
-            Shape::Capsule { radius, length } => one(Solid::capsule(*radius, *length)),
-            Shape::Sphere { radius } => one(Solid::sphere(*radius)),
-            Shape::Unknown { problem } => Err(problem.clone()),
+        let solid = match shape {
+            Shape::Box { size } => Solid::cuboid(*size),
+            Shape::Cylinder { radius, length } => Solid::cylinder(*radius, *length),
+            Shape::Capsule { radius, length } => Solid::capsule(*radius, *length),
+            Shape::Sphere { radius } => Solid::sphere(*radius),
+            Shape::Unknown { problem } => return Err(problem.clone()),
             Shape::Mesh {
                 uri,
                 scale,
@@ -262,8 +261,9 @@ impl Solids<'_> {
                     None => Err(format!("mesh `{uri}`: not found")),
                 };
                 let solid = self.meshes.entry(id.clone()).or_insert_with(read).clone()?;
-                Ok((solid, *scale))
+                return Ok((solid, *scale));
             }
-        }
+        };
+        Ok((Arc::new(solid), [1.0; 3]))
     }
 }

@@ -54,14 +54,13 @@ impl Solid {
     /// A box of full lengths `size` around the origin.
     pub fn cuboid([x, y, z]: [f64; 3]) -> Self {
         let corner = |i: u32| {
-            let side = |bit: u32, length: f64| {
+            [(0, x), (1, y), (2, z)].map(|(bit, length)| {
                 if i >> bit & 1 == 0 {
                     -length / 2.0
                 } else {
                     length / 2.0
                 }
-            };
-            [side(0, x), side(1, y), side(2, z)]
+            })
         };
         let sides = [
             [0, 2, 3, 1],
@@ -122,19 +121,18 @@ impl Solid {
                 let (sin, cos) = libm::sincos(TAU * f64::from(i) / f64::from(SIDES));
                 points.push([radius * out * cos, radius * out * sin, z]);
                 let next = (i + 1) % SIDES;
-                let at = |ring: u32, i: u32| 2 + (ring - 1) * SIDES + i;
                 if number == 1 {
-                    triangles.push([0, at(1, i), at(1, next)]);
+                    triangles.push([0, ring_point(1, i), ring_point(1, next)]);
                 } else {
                     triangles.extend(quad([
-                        at(number - 1, i),
-                        at(number, i),
-                        at(number, next),
-                        at(number - 1, next),
+                        ring_point(number - 1, i),
+                        ring_point(number, i),
+                        ring_point(number, next),
+                        ring_point(number - 1, next),
                     ]));
                 }
                 if number == count {
-                    triangles.push([1, at(number, next), at(number, i)]);
+                    triangles.push([1, ring_point(number, next), ring_point(number, i)]);
                 }
             }
         }
@@ -162,6 +160,11 @@ impl Solid {
             *point = (at * Point3::new(x * sx, y * sy, z * sz)).coords.into();
         }
     }
+}
+
+/// The number of a corner of a round shape, counted from 1 by rings from the upper one on.
+fn ring_point(ring: u32, i: u32) -> u32 {
+    2 + (ring - 1) * SIDES + i
 }
 
 fn quad([a, b, c, d]: [u32; 4]) -> [[u32; 3]; 2] {

@@ -104,27 +104,29 @@ fn outline(part: &Part, seen: &[[f64; 3]]) -> String {
 fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.sort_by(|[a, b], [c, d]| a.total_cmp(c).then(b.total_cmp(d)));
     points.dedup();
-    let side = |points: &mut dyn Iterator<Item = [f64; 2]>| {
-        let mut chain: Vec<[f64; 2]> = Vec::new();
-        for point in points {
-            while let [.., a, b] = *chain.as_slice() {
-                let turn = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
-                if turn > 0.0 {
-                    break;
-                }
-                chain.pop();
-            }
-            chain.push(point);
-        }
-        chain.pop();
-        chain
-    };
     if points.len() < 3 {
         return points;
     }
-    let mut whole = side(&mut points.iter().copied());
-    whole.extend(side(&mut points.iter().rev().copied()));
+    let mut whole = hull_side(points.iter().copied());
+    whole.extend(hull_side(points.iter().rev().copied()));
     whole
+}
+
+/// One side of a convex hull, from sorted points, without the last one.
+fn hull_side(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut chain: Vec<[f64; 2]> = Vec::new();
+    for point in points {
+        while let [.., a, b] = *chain.as_slice() {
+            let turn = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
+            if turn > 0.0 {
+                break;
+            }
+            chain.pop();
+        }
+        chain.push(point);
+    }
+    chain.pop();
+    chain
 }
 
 /// Lines from each frame to the one it hangs on.
@@ -171,8 +173,10 @@ fn names(scene: &Scene, camera: &Camera, shot: &Viewport, out: &mut String) {
     let mut points: Vec<([f64; 2], Vec<&str>)> = Vec::new();
     for frame in &scene.frames {
         let at = origin(frame, camera);
-        let near = |point: &[f64; 2]| (point[0] - at[0]).hypot(point[1] - at[1]) < TOGETHER;
-        match points.iter_mut().find(|(point, _)| near(point)) {
+        let known = points
+            .iter_mut()
+            .find(|(point, _)| (point[0] - at[0]).hypot(point[1] - at[1]) < TOGETHER);
+        match known {
             Some((_, names)) => names.push(&frame.name),
             None => points.push((at, vec![&frame.name])),
         }

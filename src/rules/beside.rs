@@ -147,20 +147,21 @@ impl<'a> BesideCx<'a> {
     /// Whether a link or joint is in none of the robots, or a group in none of their SRDFs, however they are expanded. What
     /// other arguments give counts, unless the robots themselves are meant to have it.
     pub(super) fn lacks(&self, kind: Kind, name: &str) -> bool {
-        let is_in = |names: &Names| names.of(kind).is_none_or(|names| names.contains(name));
-        !is_in(&self.names)
+        !self.names.may_have(kind, name)
             && !self.is_virtual(kind, name)
-            && (!is_in(self.known.get_or_init(|| (self.further)()))
+            && (!self
+                .known
+                .get_or_init(|| (self.further)())
+                .may_have(kind, name)
                 || self.is_torn(kind, name)
                 || self.is_renamed(kind, name))
     }
 
     /// Whether a joint of the robots hangs on a link that they do not have.
     fn is_torn(&self, kind: Kind, name: &str) -> bool {
-        let is_it = |text: &Option<Text>| text.as_ref().is_some_and(|text| text.value == name);
         let joints = self.robots.iter().flat_map(|paired| &paired.robot.joints);
         let mut joints = joints.filter(|_| kind == Kind::Link);
-        joints.any(|joint| is_it(&joint.parent) || is_it(&joint.child))
+        joints.any(|joint| is_text(&joint.parent, name) || is_text(&joint.child, name))
     }
 
     /// Whether the robots have something in the place of a link or joint that other arguments give, with a name that no file
@@ -168,35 +169,36 @@ impl<'a> BesideCx<'a> {
     /// the same joint that moves.
     fn is_renamed(&self, kind: Kind, name: &str) -> bool {
         let further = self.known.get_or_init(|| (self.further)());
-        let own = &self.names.places;
-        let is_in_place = |place: &Place| {
-            let is_same = |own: &&Place| own.child == place.child && own.kind == place.kind;
-            let mut same = own.iter().filter(is_same);
-            same.any(|own| !self.is_named(kind, &own.joint)) || self.is_loose(&place.child)
-        };
-        let is_moved = |place: &Place| {
-            let is_same = |own: &&Place| own.joint == place.joint && own.kind == place.kind;
-            let mut same = own.iter().filter(is_same);
-            place.kind != "fixed" && same.any(|own| !self.is_named(kind, &own.child))
-        };
         let mut places = further.places.iter();
         match kind {
-            Kind::Joint => places.any(|place| place.joint == name && is_in_place(place)),
-            Kind::Link => places.any(|place| place.child == name && is_moved(place)),
+            Kind::Joint => places.any(|place| place.joint == name && self.is_taken(place)),
+            Kind::Link => places.any(|place| place.child == name && self.is_moved(place)),
             Kind::Group => false,
         }
+    }
+
+    /// Whether the robots have another joint where a joint is with other arguments.
+    fn is_taken(&self, place: &Place) -> bool {
+        let is_same = |own: &&Place| own.child == place.child && own.kind == place.kind;
+        let mut same = self.names.places.iter().filter(is_same);
+        same.any(|own| !self.is_named(Kind::Joint, &own.joint)) || self.is_loose(&place.child)
+    }
+
+    /// Whether a joint moves another link of the robots than with other arguments.
+    fn is_moved(&self, place: &Place) -> bool {
+        let is_same = |own: &&Place| own.joint == place.joint && own.kind == place.kind;
+        let mut same = self.names.places.iter().filter(is_same);
+        place.kind != "fixed" && same.any(|own| !self.is_named(Kind::Link, &own.child))
     }
 
     /// Whether no joint leads to a link of a robot that has another root.
     fn is_loose(&self, link: &str) -> bool {
         let is_link = |paired: &&PairedRobot<'_>| paired.robot.link(link).is_some();
-        let has_child = |paired: &&PairedRobot<'_>| {
-            let child = |joint: &Joint| joint.child.as_ref().is_some_and(|text| text.value == link);
-            paired.robot.joints.iter().any(child)
-        };
-        let mut robots = self.robots.iter().filter(is_link);
-        robots.any(|paired| {
-            !has_child(&paired) && paired.robot.links.len() > 1 + paired.robot.joints.len()
+        let robots = self.robots.iter().filter(is_link);
+        let mut robots = robots.map(|paired| paired.robot);
+        robots.any(|robot| {
+            let is_child = |joint: &Joint| is_text(&joint.child, link);
+            !robot.joints.iter().any(is_child) && robot.links.len() > 1 + robot.joints.len()
         })
     }
 
@@ -232,11 +234,8 @@ impl<'a> BesideCx<'a> {
 
     /// Whether a joint is a virtual joint of an SRDF.
     fn is_virtual(&self, kind: Kind, name: &str) -> bool {
-        let is_it = |text: &Option<Text>| text.as_ref().is_some_and(|text| text.value == name);
-        kind == Kind::Joint
-            && self
-                .srdfs()
-                .any(|srdf| srdf.virtual_joints.iter().any(|one| is_it(&one.name)))
+        let mut joints = self.srdfs().flat_map(|srdf| &srdf.virtual_joints);
+        kind == Kind::Joint && joints.any(|joint| is_text(&joint.name, name))
     }
 
     /// The SRDFs of the robots.
@@ -308,6 +307,11 @@ impl PairedRobot<'_> {
     pub(super) fn span(&self, origin: Origin) -> Option<Span> {
         span_of(self.expansion, origin)
     }
+}
+
+/// Whether a text is there and is this name.
+fn is_text(text: &Option<Text>, name: &str) -> bool {
+    text.as_ref().is_some_and(|text| text.value == name)
 }
 
 /// A name in an SRDF that is not there.

@@ -141,8 +141,6 @@ fn without_placeholders(message: String) -> String {
         "ros2_control",
         "transmission",
     ];
-    let is_open =
-        |name: &str| name.is_empty() || name.contains('?') && !name.contains([' ', '$', '{', '(']);
     if !message.contains('?') && !message.contains("``") {
         return message;
     }
@@ -152,7 +150,7 @@ fn without_placeholders(message: String) -> String {
             text.strip_suffix(' ')
                 .is_some_and(|before| before.rsplit(' ').next() == Some(**kind))
         });
-        match kind.filter(|_| number % 2 == 1 && is_open(part)) {
+        match kind.filter(|_| number % 2 == 1 && is_placeholder(part)) {
             Some(kind) => {
                 text.truncate(text.len() - kind.len() - 1);
                 text.push_str("this ");
@@ -172,6 +170,10 @@ fn without_placeholders(message: String) -> String {
     } else {
         message
     }
+}
+
+fn is_placeholder(name: &str) -> bool {
+    name.is_empty() || name.contains('?') && !name.contains([' ', '$', '{', '('])
 }
 
 /// A further place of a finding.

@@ -2,7 +2,7 @@
 use ecow::EcoString;
 
 use base::FastSet;
-use model::{Robot, Text};
+use model::Robot;
 use project::Kind;
 
 /// Names of links and joints.
@@ -60,11 +60,11 @@ impl Names {
                 .filter_map(|joint| joint.name.as_ref()?.name().cloned()),
         );
         for joint in &robot.joints {
-            let text = |text: &Option<Text>| Some(text.as_ref()?.name()?.clone());
-            let rest = text(&joint.child).zip(text(&joint.kind));
-            let place = text(&joint.name).zip(rest);
-            self.places
-                .extend(place.map(|(joint, (child, kind))| Place { joint, child, kind }));
+            let texts = [&joint.name, &joint.child, &joint.kind];
+            let names = texts.map(|text| Some(text.as_ref()?.name()?.clone()));
+            if let [Some(joint), Some(child), Some(kind)] = names {
+                self.places.insert(Place { joint, child, kind });
+            }
         }
     }
 
@@ -84,6 +84,11 @@ impl Names {
             Kind::Joint => Some(&self.joints),
             Kind::Group => Some(&self.groups),
         }
+    }
+
+    /// Whether a name is there, or nobody knows.
+    pub(super) fn may_have(&self, kind: Kind, name: &str) -> bool {
+        self.of(kind).is_none_or(|names| names.contains(name))
     }
 }
 

@@ -51,12 +51,13 @@ pub(super) fn whole(text: &Text) -> Range<usize> {
 pub(super) fn is_part_of_pi(angle: f64) -> bool {
     /// From here on, numbers in degrees come too close to multiples.
     const MOST: f64 = 100.0;
-    let is_multiple = |step: f64, tolerance: f64| {
-        let steps = angle / step;
-        (steps - steps.round()).abs() < tolerance
-    };
-    (angle.abs() < MOST && is_multiple(std::f64::consts::PI / 12.0, 1e-4))
-        || is_multiple(std::f64::consts::PI, 1e-9)
+    (angle.abs() < MOST && is_multiple(angle, std::f64::consts::PI / 12.0, 1e-4))
+        || is_multiple(angle, std::f64::consts::PI, 1e-9)
+}
+
+fn is_multiple(angle: f64, step: f64, tolerance: f64) -> bool {
+    let steps = angle / step;
+    (steps - steps.round()).abs() < tolerance
 }
 
 /// With the fix to take the part `range` of a value, the reported text, for degrees.

@@ -7,27 +7,25 @@ use xml::{Document, Node, SyntaxErrorKind};
 pub(super) fn syntax(document: &Document, file: FileId) -> Option<(TextRange, Option<Related>)> {
     let errors = document.errors();
     let error = errors.iter().min_by_key(|error| error.expat_offset)?;
-    let related = |range, message: &str| {
-        Some(Related {
-            span: Span { file, range },
-            message: message.to_owned(),
-            is_call: false,
-        })
-    };
-    match (error.kind, error.related) {
+    let (at, related) = match (error.kind, error.related) {
         // the end tag that comes too early is in the way, not the element that lacks one
         (SyntaxErrorKind::UnclosedElement, Some((range, _))) => {
-            Some((range, related(error.range, "this element is not closed")))
+            (range, Some((error.range, "this element is not closed")))
         }
         (SyntaxErrorKind::BadDeclaration, _)
             if document.slice(error.range).starts_with("<?xml") =>
         {
             let end = error.range.start + "<?xml".len() as u32;
-            Some((TextRange::new(error.range.start, end), None))
+            (TextRange::new(error.range.start, end), None)
         }
-        (_, Some((range, message))) => Some((error.range, related(range, message))),
-        _ => Some((error.range, None)),
-    }
+        (_, related) => (error.range, related),
+    };
+    let related = related.map(|(range, message)| Related {
+        span: Span { file, range },
+        message: message.to_owned(),
+        is_call: false,
+    });
+    Some((at, related))
 }
 
 /// The tag start or attribute name that begins with the prefix at `range`.

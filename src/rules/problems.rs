@@ -157,9 +157,12 @@ pub(super) fn findings(
     let mut found: Vec<Finding> = problems
         .filter_map(|problem| {
             let mut found = finding(expansion, problem, world.vfs)?;
-            let generation = || root.and_then(|root| world.packages.generation(root));
             if problem.kind == ProblemKind::ShadowedBuiltin
-                && shadowed_builtin::is_harmless(expansion, problem, generation())
+                && shadowed_builtin::is_harmless(
+                    expansion,
+                    problem,
+                    root.and_then(|root| world.packages.generation(root)),
+                )
             {
                 found.severity = Severity::Info;
             }

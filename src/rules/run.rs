@@ -318,11 +318,11 @@ fn has_other_prefix(expansion: &Expansion) -> bool {
             .filter_map(|attr| attr.name().strip_prefix("xmlns:"))
             .filter(|&prefix| prefix != "xacro");
         let has = |prefix: &str| {
-            let is_it = |name: &str| {
+            let mut names = elements(document).map(|(_, node)| node.name());
+            names.any(|name| {
                 name.strip_prefix(prefix)
                     .is_some_and(|rest| rest.starts_with(':'))
-            };
-            elements(document).any(|(_, node)| is_it(node.name()))
+            })
         };
         prefixes.any(has)
     })
@@ -330,14 +330,19 @@ fn has_other_prefix(expansion: &Expansion) -> bool {
 
 /// Whether a macro is called without its prefix: what it gives is missing.
 fn lacks_calls(expansion: &Expansion) -> bool {
-    let documents = || expansion.files.iter().map(|file| &file.source.document);
-    let unknown = |name: &str| !name.contains(':') && !is_urdf_element(name);
-    let mut tags = documents().flat_map(|document| outside_free_zones(elements(document)));
     // most robots have no such tag
-    if !tags.any(|(_, node)| unknown(node.name())) {
+    if unknown_tags(expansion).next().is_none() {
         return false;
     }
     let macros = named_macros(expansion);
-    let mut tags = documents().flat_map(|document| outside_free_zones(elements(document)));
-    tags.any(|(_, node)| unknown(node.name()) && macros.contains(node.name()))
+    unknown_tags(expansion).any(|name| macros.contains(name))
+}
+
+/// The names of tags without a prefix that URDF does not know.
+fn unknown_tags(expansion: &Expansion) -> impl Iterator<Item = &str> {
+    let documents = expansion.files.iter().map(|file| &file.source.document);
+    documents
+        .flat_map(|document| outside_free_zones(elements(document)))
+        .map(|(_, node)| node.name())
+        .filter(|name| !name.contains(':') && !is_urdf_element(name))
 }

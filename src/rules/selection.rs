@@ -40,14 +40,11 @@ impl Selection {
     pub fn new(options: &SelectionOptions) -> Self {
         let mut rules = FastMap::with_capacity_and_hasher(all().count(), Default::default());
         rules.extend(all().filter_map(|rule| Some((rule.code, setting(rule, options)?))));
-        let select = || {
-            options
-                .select
-                .iter()
-                .flatten()
-                .chain(&options.extend_select)
+        let is_named = |rule: &&Rule| {
+            let selectors = options.select.iter().flatten();
+            let mut selectors = selectors.chain(&options.extend_select);
+            selectors.any(|selector| weight(rule, selector).is_some())
         };
-        let is_named = |rule: &&Rule| select().any(|selector| weight(rule, selector).is_some());
         let named = all().filter(is_named).map(|rule| rule.code).collect();
         Self { rules, named }
     }

@@ -98,11 +98,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         };
         let is_started = |one: &&Controller| paired.started.contains(&one.name.name);
         let started: Vec<&Controller> = of_ros2(cx).filter(is_started).collect();
-        let is_served = |joint: &str| started.iter().any(|one| fits(&own, one, joint));
         let lacks = |joint: &str, interface: &str, is_command| {
             own.lacks(joint, interface, is_command)
                 && !all.lacks(joint, interface, is_command)
-                && !is_served(joint)
+                && !started.iter().any(|one| fits(&own, one, joint))
         };
         check_with(cx, out, (&own, &lacks), &started, Severity::Warning);
     }
@@ -120,11 +119,10 @@ fn of_ros2<'a>(cx: &BesideCx<'a>) -> impl Iterator<Item = &'a Controller> + use<
 /// Whether a controller can command a joint with what the hardware offers.
 fn fits(hardware: &Hardware<'_>, controller: &Controller, joint: &str) -> bool {
     let mut named = controller.joints.iter().map(|(_, own)| &own.name);
-    let commands = || controller.commands.iter().chain(&controller.interface);
     let offers =
         |(name, is_command): (&Named, bool)| !hardware.lacks(joint, &name.name, is_command);
     named.any(|own| own == joint)
-        && commands().next().is_some()
+        && (!controller.commands.is_empty() || controller.interface.is_some())
         && interfaces(controller).all(offers)
 }
 
@@ -140,9 +138,13 @@ fn check_with(
 ) {
     for controller in controllers {
         for (interface, is_command) in interfaces(controller) {
-            let of = |key: &str| controller.joints.iter().any(|(own, _)| own == key);
             // with joints of their own, commands are not for `joints`
-            let key = if is_command && of("command_joints") {
+            let key = if is_command
+                && controller
+                    .joints
+                    .iter()
+                    .any(|(key, _)| key == "command_joints")
+            {
                 "command_joints"
             } else {
                 "joints"
@@ -169,12 +171,11 @@ fn check_with(
 /// Whether a controller commands the joints of its parameter `joints`.
 pub(super) fn is_commanding(cx: &BesideCx<'_>, controller: &Controller) -> bool {
     let class = class_of(cx, controller);
-    let is_by_class = || {
-        COMMANDED
+    !controller.commands.is_empty()
+        || controller.interface.is_some()
+        || COMMANDED
             .iter()
             .any(|(of, key, _)| Some(*of) == class && *key == "joints")
-    };
-    !controller.commands.is_empty() || controller.interface.is_some() || is_by_class()
 }
 
 /// The joints of a parameter.

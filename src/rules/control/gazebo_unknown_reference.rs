@@ -92,20 +92,22 @@ fn holds_device(cx: &RobotCx<'_>, block: &Gazebo) -> bool {
 
 /// Whether a link or joint shares a word with a name, one that says which part is meant.
 fn shares_word(cx: &RobotCx<'_>, name: &str) -> bool {
-    const OF_ALL: [&str; 4] = ["link", "joint", "frame", "base"];
-    const LEAST_LETTERS: usize = 3;
-    let words = |name: &str| -> Vec<String> {
-        let words = name
-            .split(|c: char| !c.is_alphabetic())
-            .map(str::to_lowercase);
-        words
-            .filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str()))
-            .collect()
-    };
     let own = words(name);
     let links = cx.robot.links.iter().map(|link| link.shown());
     let mut names = links.chain(cx.robot.joints.iter().map(|joint| joint.shown()));
     names.any(|other| words(other).iter().any(|word| own.contains(word)))
+}
+
+/// The words of a name that say which part is meant.
+fn words(name: &str) -> Vec<String> {
+    const OF_ALL: [&str; 4] = ["link", "joint", "frame", "base"];
+    const LEAST_LETTERS: usize = 3;
+    let words = name
+        .split(|c: char| !c.is_alphabetic())
+        .map(str::to_lowercase);
+    words
+        .filter(|word| word.len() >= LEAST_LETTERS && !OF_ALL.contains(&word.as_str()))
+        .collect()
 }
 
 /// Whether a text that the robot is made of names a link or joint so, in a branch that is not taken this time.

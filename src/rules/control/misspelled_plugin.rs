@@ -77,14 +77,17 @@ fn report(text: &Text, known: &[&'static str], out: &mut Sink<'_>) {
     let Some(name) = text.name().filter(|name| !known.contains(&name.as_str())) else {
         return;
     };
-    let letters = |name: &str| -> String { name.chars().filter(|c| !c.is_ascii_digit()).collect() };
-    let Some(near) =
-        misspelled(name, known.iter().copied()).filter(|near| letters(near) != letters(name))
-    else {
+    let near = misspelled(name, known.iter().copied());
+    let Some(near) = near.filter(|near| !letters(near).eq(letters(name))) else {
         return;
     };
     let report = out
         .report(text.origin, format!("unknown plugin `{name}`"))
         .help(Help::did_you_mean(near));
     rewrite(report, Safety::Unsafe, text, near.to_owned()).done();
+}
+
+/// A name without its digits.
+fn letters(name: &str) -> impl Iterator<Item = char> {
+    name.chars().filter(|c| !c.is_ascii_digit())
 }

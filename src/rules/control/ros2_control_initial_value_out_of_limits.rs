@@ -86,10 +86,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// The joints of hardware whose plugin is none of those that read initial values.
 fn joints_of_real_hardware<'a>(cx: &DocumentCx<'a>) -> FastSet<&'a str> {
     let tree = &cx.expansion.tree;
-    let is_real = |class: &Text| {
-        let name = class.value.to_ascii_lowercase();
-        class.is_known() && !READERS.iter().any(|part| name.contains(part))
-    };
     let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls);
     let real = controls.filter(|control| {
         let class = control
@@ -100,4 +96,10 @@ fn joints_of_real_hardware<'a>(cx: &DocumentCx<'a>) -> FastSet<&'a str> {
     real.flat_map(|control| &control.joints)
         .filter_map(|joint| Some(joint.name.as_ref()?.value.as_str()))
         .collect()
+}
+
+/// Whether a plugin is none of those that read initial values.
+fn is_real(class: &Text) -> bool {
+    let name = class.value.to_ascii_lowercase();
+    class.is_known() && !READERS.iter().any(|part| name.contains(part))
 }

@@ -31,8 +31,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 fn severity(cx: &RobotCx<'_>) -> Severity {
     let is_bare = cx.robot.joints.is_empty() && cx.robot.links.len() == 1;
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
-    let is_old = || root.is_some_and(|root| cx.world.packages.is_before_jazzy(root));
-    if is_bare && is_old() {
+    if is_bare && root.is_some_and(|root| cx.world.packages.is_before_jazzy(root)) {
         Severity::Info
     } else {
         RULE.severity

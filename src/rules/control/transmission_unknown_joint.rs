@@ -32,10 +32,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
         // nothing in ROS 2 reads these elements: what resembles no joint is left over from ROS 1
         Some(Target::Ros2) => {
-            let joints = || cx.robot.joints.iter().map(|joint| joint.shown());
             let is_slip = |text: &&Text| {
+                let joints = cx.robot.joints.iter().map(|joint| joint.shown());
                 text.name()
-                    .is_some_and(|name| misspelled(name, joints()).is_some())
+                    .is_some_and(|name| misspelled(name, joints).is_some())
             };
             let (slips, others): (Vec<&Text>, Vec<&Text>) = names.into_iter().partition(is_slip);
             unknown_joints(cx, out, slips.into_iter(), BLOCK, Severity::Warning);

@@ -85,14 +85,17 @@ fn is_duplicate(cx: &FileCx<'_>, name: &str) -> bool {
     let Some(root) = tree.root() else {
         return false;
     };
-    let count = |kind: &str| {
-        let named = |&id: &XId| {
-            tree.get(id).text == kind
-                && tree.attr(id, "name").is_some_and(|attr| attr.value == name)
-        };
-        tree.elements(root).filter(named).count()
+    let is_named = |id: &XId| {
+        tree.attr(*id, "name")
+            .is_some_and(|attr| attr.value == name)
     };
-    count("link") > 1 || count("joint") > 1
+    ["link", "joint"].into_iter().any(|kind| {
+        let same = tree
+            .elements(root)
+            .filter(|&id| tree.get(id).text == kind)
+            .filter(is_named);
+        same.count() > 1
+    })
 }
 
 /// Whether an expression in a text reads a name.

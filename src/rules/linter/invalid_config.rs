@@ -31,12 +31,11 @@ pub fn invalid_config(file: FileId, warning: &ConfigWarning) -> Finding {
 
 /// What to do about a setting that resembles no valid one.
 fn advice(message: &str) -> &'static str {
-    let has = |words: &str| message.contains(words);
-    if has("is not a folder") || has("no file matches") {
+    if message.contains("is not a folder") || message.contains("no file matches") {
         "correct the path; paths are relative to the folder of the configuration file"
-    } else if has("unknown argument") {
+    } else if message.contains("unknown argument") {
         "remove it, or declare it with <xacro:arg> in a file of the root"
-    } else if has("unknown rule") {
+    } else if message.contains("unknown rule") {
         "run `xacro-lint rules` to list all rules"
     } else {
         "run `xacro-lint config --schema` to list all settings and their values"

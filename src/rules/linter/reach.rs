@@ -75,16 +75,23 @@ impl Reach {
 
     /// The number of the suppression that hides a finding of `rule` at `offset`, the nearest one first.
     pub fn hiding(&self, rule: &Rule, offset: u32) -> Option<usize> {
-        let words = || rule.selectors().filter_map(|word| self.words.get(word));
         // what is disabled was disabled last
-        let switch = words()
+        let switch = self
+            .words_of(rule)
             .filter_map(|word| word.last_switch(offset))
             .max_by_key(|(number, _)| *number);
         let disabled = switch
             .filter(|(_, directive)| *directive == Directive::Disable)
             .map(|(number, _)| number);
-        let others = words().filter_map(|word| word.element(offset).max(word.file));
+        let others = self
+            .words_of(rule)
+            .filter_map(|word| word.element(offset).max(word.file));
         others.chain(disabled).max()
+    }
+
+    /// Those that name a rule.
+    fn words_of<'a>(&'a self, rule: &'a Rule) -> impl Iterator<Item = &'a OfWord> {
+        rule.selectors().filter_map(|word| self.words.get(word))
     }
 }
 

@@ -41,11 +41,10 @@ impl Suppressions {
     pub fn of(document: &Document) -> Self {
         let mut found = Self::default();
         let marks = ["lint", "Lint", "LINT"].map(memchr::memmem::Finder::new);
-        let is_marked = |text: &[u8]| marks.iter().any(|mark| mark.find(text).is_some());
-        if !document
-            .parts()
-            .any(|(_, item)| is_marked(item.text().as_bytes()))
-        {
+        if !document.parts().any(|(_, item)| {
+            let text = item.text().as_bytes();
+            marks.iter().any(|mark| mark.find(text).is_some())
+        }) {
             return found;
         }
         let end = document.len();
@@ -91,8 +90,9 @@ impl Suppressions {
             Directive::Disable | Directive::Enable => TextRange::new(comment.end, end),
             Directive::DisableFile => TextRange::new(0, end),
         };
-        let is_late = || document.line_col(comment.start, Encoding::Utf8).line >= HEAD_LINES;
-        if suppression.directive == Directive::DisableFile && is_late() {
+        if suppression.directive == Directive::DisableFile
+            && document.line_col(comment.start, Encoding::Utf8).line >= HEAD_LINES
+        {
             return self.malformed.push(Malformed {
                 comment,
                 message: format!(
@@ -156,9 +156,9 @@ fn misspelled(text: &str) -> Option<(String, String)> {
     let (own, rest) = text.split_at_checked(name.len())?;
     let rest = rest.trim_start();
     let said = rest.strip_prefix(':').unwrap_or(rest);
-    let is_word = |word: &str| WORDS.iter().any(|known| known.eq_ignore_ascii_case(word));
     let word = said.split_whitespace().next()?;
-    if !own.eq_ignore_ascii_case(name) || !is_word(word) {
+    let is_word = WORDS.iter().any(|known| known.eq_ignore_ascii_case(word));
+    if !own.eq_ignore_ascii_case(name) || !is_word {
         return None;
     }
     let begins = &text[..text.len() - said.len()];

@@ -36,11 +36,10 @@ pub fn unused_suppression(
         Directive::Enable => format!("`enable` of {names} has no matching `disable`"),
         _ => format!("unused suppression of {names}"),
     };
-    let span = |range| Span { file, range };
     let starts: FastSet<u32> = unused.iter().map(|selector| selector.range.start).collect();
     let is_used = |selector: &&Selector| !starts.contains(&selector.range.start);
     let used: Vec<&Selector> = suppression.rules.iter().filter(is_used).collect();
-    let (message_of_fix, edit) = match (
+    let (message_of_fix, range, content) = match (
         used.is_empty(),
         suppression.rules.first(),
         suppression.rules.last(),
@@ -48,24 +47,16 @@ pub fn unused_suppression(
         (false, Some(first), Some(last)) => {
             let range = TextRange::new(first.range.start, last.range.end);
             let kept: Vec<&str> = used.iter().map(|selector| selector.text.as_str()).collect();
-            (
-                format!("remove {names}"),
-                Edit {
-                    span: span(range),
-                    content: kept.join(", "),
-                },
-            )
+            (format!("remove {names}"), range, kept.join(", "))
         }
         _ => {
             let range = with_its_line(document, suppression.comment);
-            (
-                "remove the comment".to_owned(),
-                Edit {
-                    span: span(range),
-                    content: String::new(),
-                },
-            )
+            ("remove the comment".to_owned(), range, String::new())
         }
+    };
+    let edit = Edit {
+        span: Span { file, range },
+        content,
     };
     let help = Some(format!("{message_of_fix}; it suppresses nothing"));
     let fix = Fix {
@@ -73,10 +64,14 @@ pub fn unused_suppression(
         message: message_of_fix,
         edits: vec![edit],
     };
+    let span = Span {
+        file,
+        range: suppression.comment,
+    };
     Finding {
         fix: Some(fix),
         help,
-        ..Finding::new(&RULE, span(suppression.comment), message)
+        ..Finding::new(&RULE, span, message)
     }
 }
 

@@ -43,12 +43,17 @@ pub fn reads_as_it_stands(cx: &FileCx<'_>) -> bool {
         .iter()
         .filter_map(|path| Some((path.file_name()?, cx.world.vfs.text(path).ok()?)))
         .collect();
-    let expands = |text: &str| EXPANDERS.iter().any(|expander| text.contains(expander));
-    let hands_on = |text: &str| {
-        let mut others = texts.iter().filter(|(_, other)| expands(&other.text));
-        others.any(|(other, _)| other.to_str().is_some_and(|other| text.contains(other)))
-    };
-    texts
-        .iter()
-        .any(|(_, file)| file.text.contains(name) && !expands(&file.text) && !hands_on(&file.text))
+    let texts = texts.iter().map(|(name, file)| (*name, &*file.text));
+    let mut plain = texts
+        .clone()
+        .filter(|(_, text)| text.contains(name) && !expands(text));
+    plain.any(|(_, text)| {
+        let mut others = texts.clone().filter(|(_, other)| expands(other));
+        !others.any(|(other, _)| other.to_str().is_some_and(|other| text.contains(other)))
+    })
+}
+
+/// Whether a launch file runs xacro.
+fn expands(text: &str) -> bool {
+    EXPANDERS.iter().any(|expander| text.contains(expander))
 }

@@ -67,15 +67,15 @@ impl Manifest {
         };
         let document = Document::parse_with_options(text, options).ok()?;
         let root = document.root_element();
-        let of = |names: &'static [&'static str]| {
-            let elements = root.children().filter(Node::is_element);
-            elements.filter(move |node| names.contains(&node.tag_name().name()))
-        };
-        let runtime = of(&RUNTIME)
+        let runtime = root
+            .children()
+            .filter(|node| node.is_element() && RUNTIME.contains(&node.tag_name().name()))
             .filter_map(|node| Some(node.text()?.trim().to_owned()))
             .collect();
         let start = root.range().start as u32;
-        let name_node = of(&["name"]).next();
+        let name_node = root
+            .children()
+            .find(|node| node.is_element() && node.tag_name().name() == "name");
         let name_text = name_node
             .and_then(|node| node.first_child())
             .map_or(0..0, |text| text.range());

@@ -61,8 +61,9 @@ fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
             let rest = text.get(at + lead_len..).unwrap_or_default();
             let blanks = rest.len() - rest.trim_start_matches(' ').len();
             let (start, rest) = (at + lead_len + blanks, rest.trim_start_matches(' '));
-            let is_part = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-' | '.');
-            let end = rest.find(|c: char| !is_part(c)).unwrap_or(rest.len());
+            let end = rest
+                .find(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '-' | '.'))
+                .unwrap_or(rest.len());
             let behind = rest.get(end..).unwrap_or_default();
             let closed = if is_uri {
                 behind.starts_with('/')
@@ -72,8 +73,6 @@ fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
             if end == 0 || !closed || (is_uri && blanks > 0) {
                 continue;
             }
-            let range =
-                |start: usize, end: usize| TextRange::new(base + start as u32, base + end as u32);
             let path = behind.strip_prefix('/').filter(|_| is_uri).map(|path| {
                 let length = path
                     .find(['$', '<', '&', ' ', '"', '\''])
@@ -81,18 +80,22 @@ fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
                 let from = start + end + 1;
                 (
                     path.get(..length).unwrap_or_default().to_owned(),
-                    range(from, from + length),
+                    range(from, from + length).shift(base),
                 )
             });
             let name = rest.get(..end).unwrap_or_default().to_owned();
             found.push(Mention {
                 name,
-                range: range(start, start + end),
+                range: range(start, start + end).shift(base),
                 is_conditional: false,
                 path,
             });
         }
     }
+}
+
+fn range(start: usize, end: usize) -> TextRange {
+    TextRange::new(start as u32, end as u32)
 }
 
 #[cfg(test)]

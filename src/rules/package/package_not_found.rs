@@ -72,12 +72,7 @@ pub(in super::super) fn warn_once(
         }
     }
     let from = expansion.files.first().map(|file| file.source.path.clone());
-    for attr in expansion
-        .tree
-        .root()
-        .into_iter()
-        .flat_map(|root| file_names(expansion, root))
-    {
+    for attr in all_file_names(expansion) {
         let Some(name) = package(attr).filter(|name| !missing.contains(name)) else {
             continue;
         };
@@ -91,25 +86,11 @@ pub(in super::super) fn warn_once(
     }
     // where the own package is found, packages are looked for in the right places, and this one is of others: unless what
     // it should hold is here
-    let uris = || {
-        expansion
-            .tree
-            .root()
-            .into_iter()
-            .flat_map(|root| file_names(expansion, root))
-    };
-    let is_at_hand = || {
-        from.as_ref()
-            .is_some_and(|from| uris().any(|attr| has_file_of(world, attr, from)))
-    };
-    let is_owned = from
-        .as_ref()
-        .is_some_and(|from| world.packages.containing(from).is_some());
-    if is_owned && !is_at_hand()
-        || from
-            .as_ref()
-            .is_some_and(|from| is_fetched(world, expansion, from))
-    {
+    if from.as_ref().is_some_and(|from| {
+        world.packages.containing(from).is_some()
+            && !all_file_names(expansion).any(|attr| has_file_of(world, attr, from))
+            || is_fetched(world, expansion, from)
+    }) {
         return;
     }
     // what the package declares is installed along with it, and only not here; a folder around the file with the name of
@@ -147,11 +128,7 @@ pub fn missing_packages(expansion: &Expansion, world: RuleEnv<'_>) -> BTreeSet<S
         _ => None,
     });
     let from = expansion.files.first().map(|file| file.source.path.clone());
-    let uris = expansion
-        .tree
-        .root()
-        .into_iter()
-        .flat_map(|root| file_names(expansion, root));
+    let uris = all_file_names(expansion);
     let is_missing = |name: &&str| {
         from.as_ref()
             .is_some_and(|from| world.packages.find(name, from).is_err())
@@ -178,9 +155,6 @@ fn is_fetched(world: RuleEnv<'_>, expansion: &Expansion, from: &Path) -> bool {
     let top = world.packages.sources_around(from);
     let inside = |folder: &&Path| top.as_ref().is_some_and(|top| folder.starts_with(top));
     let folders: Vec<&Path> = from.ancestors().skip(1).take_while(inside).collect();
-    let is_list = |name: &str| {
-        name.ends_with(".repos") || name.ends_with(".rosinstall") || name == ".gitmodules"
-    };
     let has_list = |folder: &&Path| {
         world
             .vfs
@@ -196,12 +170,19 @@ fn is_fetched(world: RuleEnv<'_>, expansion: &Expansion, from: &Path) -> bool {
         };
         path_in_package(attr).is_some_and(is_there)
     };
-    let mut uris = expansion
-        .tree
-        .root()
-        .into_iter()
-        .flat_map(|root| file_names(expansion, root));
-    folders.iter().any(has_list) || uris.any(lies_around)
+    folders.iter().any(has_list) || all_file_names(expansion).any(lies_around)
+}
+
+/// Whether a file of this name lists the sources that a workspace fetches.
+fn is_list(name: &str) -> bool {
+    name.ends_with(".repos") || name.ends_with(".rosinstall") || name == ".gitmodules"
+}
+
+/// The `filename` attributes of meshes and textures of the whole robot, in document order.
+fn all_file_names(expansion: &Expansion) -> impl Iterator<Item = &XAttr> {
+    let root = expansion.tree.root();
+    root.into_iter()
+        .flat_map(|root| file_names(expansion, root))
 }
 
 /// The `filename` attributes of meshes and textures, in document order.

@@ -67,8 +67,9 @@ pub fn robot() -> &'static ElementSpec {
 
 /// Whether an element of this name may stand somewhere outside of the blocks that are meant for other tools.
 pub(super) fn is_urdf(name: &str) -> bool {
-    let of_urdf = || urdf::ELEMENTS.iter().any(|element| element.name == name);
-    name == robot().name || of_urdf() || robot().child(name).is_some()
+    name == robot().name
+        || urdf::ELEMENTS.iter().any(|element| element.name == name)
+        || robot().child(name).is_some()
 }
 
 /// Elements of one name outside of those blocks, wherever they may stand.

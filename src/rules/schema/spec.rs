@@ -127,6 +127,12 @@ impl ElementSpec {
             .iter()
             .find(|attribute| attribute.name == name)
     }
+
+    /// Whether it has to have the attribute of a name.
+    pub fn requires(&self, name: &str) -> bool {
+        self.attribute(name)
+            .is_some_and(|attribute| attribute.required)
+    }
 }
 
 impl AttributeSpec {

@@ -2,7 +2,7 @@
 //! Source: `computeConnectionGraph` of the MoveIt setup assistant.
 use super::super::beside::PairedRobot;
 use base::FastSet;
-use model::{Joint, Link};
+use model::{Joint, Robot};
 
 /// Links without geometry that are looked through, one behind the other.
 const MOST_STEPS: usize = 64;
@@ -55,20 +55,19 @@ fn has_body(paired: &PairedRobot<'_>, link: usize) -> bool {
 
 /// The joints between two links that both have collision geometry, with these links, the lesser name first.
 pub(super) fn touching<'a>(paired: &PairedRobot<'a>) -> Vec<(&'a Joint, (&'a str, &'a str))> {
-    let link = |index: usize| {
-        let link: &'a Link = paired.robot.links.get(index)?;
-        (!link.collisions.is_empty()).then(|| link.name.as_ref()?.name())?
-    };
+    let robot = paired.robot;
     let pair = |(number, joint): (usize, &'a Joint)| {
         let (parent, child) = paired.kinematics.ends(number)?;
-        let (one, two) = (link(parent)?.as_str(), link(child)?.as_str());
+        let (one, two) = (colliding(robot, parent)?, colliding(robot, child)?);
         Some((joint, (one.min(two), one.max(two))))
     };
-    paired
-        .robot
-        .joints
-        .iter()
-        .enumerate()
-        .filter_map(pair)
-        .collect()
+    let joints = robot.joints.iter().enumerate();
+    joints.filter_map(pair).collect()
+}
+
+/// The name of a link that has collision geometry.
+fn colliding(robot: &Robot, index: usize) -> Option<&str> {
+    let link = robot.links.get(index)?;
+    let name = link.name.as_ref().filter(|_| !link.collisions.is_empty())?;
+    Some(name.name()?.as_str())
 }

@@ -51,7 +51,7 @@ pub(super) fn is_planned(cx: &BesideCx<'_>, srdf: &Srdf, name: &str) -> bool {
             JointType::Revolute | JointType::Continuous | JointType::Prismatic
         )
     };
-    let is_driven =
-        |joint: &model::Joint| joint.mimic.is_none() && joint.joint_type().is_some_and(has_value);
-    !is_passive && cx.joints(name).all(|(_, joint)| is_driven(joint))
+    let mut joints = cx.joints(name).map(|(_, joint)| joint);
+    !is_passive
+        && joints.all(|joint| joint.mimic.is_none() && joint.joint_type().is_some_and(has_value))
 }

@@ -4,6 +4,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
+use expand::FileIdx;
 use model::tag_start;
 use project::Pair;
 
@@ -33,13 +34,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .report(tag_start(cx.expansion, pair.element), message)
             .group(Group::File);
         // a full matrix has each pair both ways
-        let reason = |pair: &Pair| pair.reason.as_ref().map(|reason| reason.value.clone());
+        let [own_reason, known_reason] =
+            [pair, known].map(|pair| pair.reason.as_ref().map(|reason| &reason.value));
         // nobody looks through the lists of a file that is included
-        let file = |pair: &Pair| {
-            let place = cx.expansion.place(tag_start(cx.expansion, pair.element));
-            place.map(|place| place.file)
-        };
-        let is_same = reason(pair) == reason(known) || file(pair) != file(known);
+        let is_same = own_reason == known_reason || file(cx, pair) != file(cx, known);
         let report = report.severity(if is_same {
             Severity::Info
         } else {
@@ -51,4 +49,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .help("remove this element")
             .done();
     }
+}
+
+/// The file that a pair stands in.
+fn file(cx: &BesideCx<'_>, pair: &Pair) -> Option<FileIdx> {
+    let place = cx.expansion.place(tag_start(cx.expansion, pair.element));
+    place.map(|place| place.file)
 }

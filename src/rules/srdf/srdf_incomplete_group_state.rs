@@ -22,21 +22,19 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let Some(group) = state.group.as_ref().and_then(Text::name) else {
             continue;
         };
-        let is_set = |name: &str| state.joints.iter().any(|(joint, _)| joint.value == name);
         // an unknown joint most likely is the one that is missing
-        let is_one = |joint: &Text| {
+        let is_known = state.joints.iter().all(|(joint, _)| {
             joint
                 .name()
                 .is_some_and(|name| !cx.lacks(Kind::Joint, name))
-        };
-        let is_known = state.joints.iter().all(|(joint, _)| is_one(joint));
+        });
         let Some(joints) = members.of(group).filter(|_| is_known) else {
             continue;
         };
         let mut missing: Vec<&str> = joints
             .iter()
             .copied()
-            .filter(|name| !is_set(name))
+            .filter(|name| !state.joints.iter().any(|(joint, _)| joint.value == *name))
             .collect();
         missing.retain(|name| is_planned(cx, srdf, name));
         missing.sort_unstable();

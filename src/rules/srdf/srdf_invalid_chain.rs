@@ -2,6 +2,7 @@
 use super::super::beside::{BesideCx, PairedRobot};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
+use model::Text;
 use project::Chain;
 
 pub(super) static RULE: Rule = Rule::beside(
@@ -53,14 +54,15 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether both links are there, and the base is the tip or below it.
 fn is_reversed(paired: &PairedRobot<'_>, chain: &Chain) -> bool {
-    let link = |text: &Option<model::Text>| paired.kinematics.link(text.as_ref()?.name()?);
-    let (Some(base), Some(tip)) = (link(&chain.base), link(&chain.tip)) else {
+    let kinematics = paired.kinematics;
+    let links =
+        [&chain.base, &chain.tip].map(|text| kinematics.link(text.as_ref().and_then(Text::name)?));
+    let [Some(base), Some(tip)] = links else {
         return false;
     };
-    let parent = |joint: usize| paired.kinematics.ends(joint).map(|(parent, _)| parent);
     base == tip
-        || paired
-            .kinematics
+        || kinematics
             .above(base)
-            .any(|joint| parent(joint) == Some(tip))
+            .filter_map(|joint| kinematics.ends(joint))
+            .any(|(parent, _)| parent == tip)
 }

@@ -24,8 +24,8 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         for (joint, _) in &state.joints {
-            let is_other = |name: &str| !joints.contains(name) && cx.joints(name).next().is_some();
-            let Some(name) = joint.name().filter(|name| is_other(name)) else {
+            let name = joint.name().filter(|name| !joints.contains(name.as_str()));
+            let Some(name) = name.filter(|name| cx.joints(name).next().is_some()) else {
                 continue;
             };
             let message = format!("joint `{name}` is not in group `{group}`");

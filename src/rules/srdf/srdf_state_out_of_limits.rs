@@ -25,10 +25,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         for (paired, joint) in cx.joints(name) {
             limits.push((limits_of(joint), paired, joint));
         }
-        let is_outside = |range: &Option<(f64, f64)>| {
+        let is_outside = limits.iter().all(|(range, ..)| {
             range.is_some_and(|(lower, upper)| value < lower - SLACK || value > upper + SLACK)
-        };
-        if limits.is_empty() || !limits.iter().all(|(range, ..)| is_outside(range)) {
+        });
+        if limits.is_empty() || !is_outside {
             continue;
         }
         let Some((Some((lower, upper)), paired, joint)) = limits.into_iter().next() else {

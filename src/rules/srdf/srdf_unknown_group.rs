@@ -19,9 +19,8 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         return;
     };
     for (text, kind, is_given) in srdf.names() {
-        let is_unknown =
-            |name: &str| kind == Kind::Group && !is_given && srdf.group(name).is_none();
-        let Some(name) = text.name().filter(|name| is_unknown(name)) else {
+        let name = text.name().filter(|_| kind == Kind::Group && !is_given);
+        let Some(name) = name.filter(|name| srdf.group(name).is_none()) else {
             continue;
         };
         unknown(

@@ -44,12 +44,10 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether an origin moves nothing; one without attributes does not either.
 fn is_identity(node: Node<'_>) -> bool {
-    let zero = |text: &str| {
-        text.split_whitespace()
-            .all(|word| decimal(word) == Some(0.0))
-    };
-    node.attrs()
-        .all(|attr| matches!(attr.name(), "xyz" | "rpy") && zero(attr.raw()))
+    node.attrs().all(|attr| {
+        let mut words = attr.raw().split_whitespace();
+        matches!(attr.name(), "xyz" | "rpy") && words.all(|word| decimal(word) == Some(0.0))
+    })
 }
 
 /// The element with the blanks in front of it.

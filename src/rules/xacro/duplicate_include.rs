@@ -57,18 +57,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 /// Whether two tags name one file only because of the arguments that are given now.
 fn depends_on_arguments(first: &Inclusion<'_>, later: &Inclusion<'_>) -> bool {
     const ARGUMENTS: [&str; 4] = ["$(arg ", "$(optenv ", "$(env ", "xacro.arg("];
-    let name = |inclusion: &Inclusion<'_>| {
-        inclusion
-            .node
-            .attr("filename")
-            .map(|name| name.raw().to_owned())
-    };
-    let (first, later) = (name(first), name(later));
-    let is_given = |name: &Option<String>| {
-        name.as_ref()
-            .is_some_and(|name| ARGUMENTS.iter().any(|word| name.contains(word)))
-    };
-    first != later && (is_given(&first) || is_given(&later))
+    let [first, later] =
+        [first, later].map(|inclusion| inclusion.node.attr("filename").map(|name| name.raw()));
+    let mut names = [first, later].into_iter().flatten();
+    first != later && names.any(|name| ARGUMENTS.iter().any(|word| name.contains(word)))
 }
 
 /// The frames of includes that give elements.

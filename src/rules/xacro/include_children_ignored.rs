@@ -24,13 +24,11 @@ pub(in super::super) fn severity(problem: &Problem, document: &Document) -> Seve
         .all_nodes()
         .find(at)
         .and_then(|node| node.parent());
-    let text = |child: &Node<'_>, name: &str| child.attr(name).map(|value| value.raw().to_owned());
     let is_itself = |child: Node<'_>| {
-        let (name, value) = (text(&child, "name"), text(&child, "value"));
-        let name = name.unwrap_or_default();
+        let name = child.attr("name").map_or("", |name| name.raw());
         child.name() == "xacro:arg"
-            && value.is_some_and(|value| {
-                value == format!("$(arg {name})") || value == format!("${{{name}}}")
+            && child.attr("value").is_some_and(|value| {
+                value.raw() == format!("$(arg {name})") || value.raw() == format!("${{{name}}}")
             })
     };
     if include.is_some_and(|include| include.child_elements().all(is_itself)) {

@@ -8,7 +8,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, Span, TextRange};
-use expand::{Detail, FileIdx, Place, SymbolKind, UseKind};
+use expand::{DefinitionId, Detail, FileIdx, Place, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -29,13 +29,6 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
-    let is_called = |id| {
-        cx.expansion
-            .index
-            .symbols
-            .uses_of(id)
-            .any(|used| used.kind == UseKind::Call)
-    };
     let mut first: FastMap<(&str, &str), (Place, Node<'_>, bool)> = FastMap::default();
     for (id, definition) in cx
         .expansion
@@ -56,12 +49,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let name = definition.name.as_str();
-        let earlier = first.insert((space.as_str(), name), (place, node, is_called(id)));
+        let earlier = first.insert((space.as_str(), name), (place, node, is_called(cx, id)));
         if let Some((earlier, _, was_called)) =
             earlier.filter(|(_, earlier, _)| !is_same(*earlier, node))
         {
             // calls of both, each before the next is defined, take turns on purpose
-            let is_meant = was_called || !is_called(id);
+            let is_meant = was_called || !is_called(cx, id);
             out.report_in(place.file, place.range, format!("macro `{name}` is redefined"))
                 .severity(if is_meant { Severity::Info } else { RULE.severity })
                 .also_at(earlier, "first defined here")
@@ -69,6 +62,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .done();
         }
     }
+}
+
+fn is_called(cx: &DocumentCx<'_>, id: DefinitionId) -> bool {
+    let mut uses = cx.expansion.index.symbols.uses_of(id);
+    uses.any(|used| used.kind == UseKind::Call)
 }
 
 /// Whether two macros are written with the same words, whatever the blanks, comments and XML style.
@@ -153,13 +151,13 @@ pub(in super::super) fn fix(cx: &ProblemCx<'_>) -> Option<Fix> {
     let name = node.attrs().next().filter(|attr| attr.name() == "name")?;
     let tag = TextRange::new(node.name_range().start, name.range().end).shift(place.start);
     let end = node.end_name_range()?.shift(place.start);
-    let edit = |range| Edit {
+    let edits = [tag, end].map(|range| Edit {
         span: Span { range, ..span },
         content: call.clone(),
-    };
+    });
     Some(Fix {
         safety: Safety::Unsafe,
         message: format!("call macro `{called}`"),
-        edits: vec![edit(tag), edit(end)],
+        edits: edits.into(),
     })
 }

@@ -109,13 +109,11 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: RuleEnv<'_>) -> Ve
         .iter_ids()
         .filter(|(_, frame)| frame.kind == FrameKind::Include);
     for (id, frame) in frames.take(MOST) {
-        let load = || {
+        let target = *by_name.entry(&frame.name).or_insert_with(|| {
             let path = world.vfs.absolute(Path::new(frame.name.as_str()));
-            world.vfs.document(&world.packages.present(&path)).ok()
-        };
-        let target = *by_name
-            .entry(&frame.name)
-            .or_insert_with(|| by_id.get(&load()?.id).copied());
+            let file = world.vfs.document(&world.packages.present(&path)).ok()?;
+            by_id.get(&file.id).copied()
+        });
         let node = tag(expansion, frame.call.into()).map(|(_, node)| node);
         let (Some(target), Some(node), Some(tag)) = (target, node, expansion.place(frame.call))
         else {
@@ -142,13 +140,13 @@ pub(super) fn inclusions<'a>(expansion: &'a Expansion, world: RuleEnv<'_>) -> Ve
 
 /// The files that an expansion included, each with the tag that did.
 pub fn include_tags(expansion: &Expansion, world: RuleEnv<'_>) -> Vec<(FileId, Span)> {
-    let id = |file: FileIdx| Some(expansion.files.get(file)?.source.id);
+    let files = &expansion.files;
     let tag = |found: Inclusion<'_>| {
         let span = Span {
-            file: id(found.tag.file)?,
+            file: files.get(found.tag.file)?.source.id,
             range: found.tag.range,
         };
-        Some((id(found.target)?, span))
+        Some((files.get(found.target)?.source.id, span))
     };
     inclusions(expansion, world)
         .into_iter()

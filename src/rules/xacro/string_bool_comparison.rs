@@ -37,12 +37,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let uses = LazyCell::new(|| uses(cx));
     for (src, read) in cx.expansion.sources.iter_ids() {
         let attrs = read.item.all_nodes().flat_map(|node| node.attrs());
-        // references such as &quot; shift the text against the source
-        let compares = |text: &str| {
-            let has = |byte| memchr(byte, text.as_bytes()).is_some();
-            has(b'=') && !has(b'&') && (text.contains("rue") || text.contains("alse"))
-        };
-        for attr in attrs.filter(|attr| attr.has_dollar() && compares(attr.raw())) {
+        for attr in attrs.filter(|attr| attr.has_dollar() && may_compare(attr.raw())) {
             let start = attr.value_range().start;
             for (found, offset) in comparisons(attr.raw()) {
                 let at = SourceRange {
@@ -65,6 +60,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// Whether a text may compare something with a truth value. References such as &quot; shift the text against the source.
+fn may_compare(text: &str) -> bool {
+    memchr(b'=', text.as_bytes()).is_some()
+        && memchr(b'&', text.as_bytes()).is_none()
+        && (text.contains("rue") || text.contains("alse"))
 }
 
 fn uses(cx: &DocumentCx<'_>) -> Uses {
@@ -131,15 +133,18 @@ fn compared_with_truth(expr: &Expr) -> Option<String> {
     let [(CmpOp::Eq | CmpOp::Ne | CmpOp::Is | CmpOp::IsNot, right)] = rest.as_slice() else {
         return None;
     };
-    let is_truth = |expr: &Expr| match &expr.kind {
-        ExprKind::Const(Const::Bool(_)) => true,
-        ExprKind::Name(name) => matches!(name.as_str(), "True" | "False"),
-        _ => false,
-    };
     match (&left.kind, &right.kind) {
         (ExprKind::Name(name), _) if is_truth(right) => Some(name.to_string()),
         (_, ExprKind::Name(name)) if is_truth(left) => Some(name.to_string()),
         _ => None,
+    }
+}
+
+fn is_truth(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Const(Const::Bool(_)) => true,
+        ExprKind::Name(name) => matches!(name.as_str(), "True" | "False"),
+        _ => false,
     }
 }
 
@@ -208,22 +213,26 @@ fn is_converted_param(
         .uses_of(id)
         .filter(|used| used.kind == UseKind::Given)
         .collect();
-    let converted = |at: SourceRange| {
-        let attr = source::tag(cx.expansion, at)
-            .and_then(|(_, node)| node.attrs().find(|attr| attr.name_range() == at.range));
-        attr.is_some_and(|attr| {
-            let value = SourceRange {
-                src: at.src,
-                range: attr.value_range(),
-            };
-            is_converted_text(cx, attr.raw(), value, uses, steps)
-        })
-    };
     let default = default_of(cx, param);
     let plain = |text: &str| !text.contains(['\'', '"', '^', '{']);
     default.as_deref().is_none_or(plain)
         && (default.is_some() || !given.is_empty())
-        && given.iter().all(|used| converted(used.place))
+        && given
+            .iter()
+            .all(|used| is_converted_use(cx, used.place, uses, steps))
+}
+
+/// The value that a call gives at a place.
+fn is_converted_use(cx: &DocumentCx<'_>, at: SourceRange, uses: &Uses, steps: u32) -> bool {
+    let attr = source::tag(cx.expansion, at)
+        .and_then(|(_, node)| node.attrs().find(|attr| attr.name_range() == at.range));
+    attr.is_some_and(|attr| {
+        let value = SourceRange {
+            src: at.src,
+            range: attr.value_range(),
+        };
+        is_converted_text(cx, attr.raw(), value, uses, steps)
+    })
 }
 
 /// What stands behind the `=` of a parameter, up to the next blank.
@@ -249,22 +258,20 @@ fn is_converted_text(
         return false;
     }
     let tokens = split(text).tokens;
-    let is_name = |token: &Token| match token {
-        Token::Expr {
-            inner,
-            code: Code::Static(parsed),
-            ..
-        } => {
+    match tokens.as_slice() {
+        [
+            Token::Expr {
+                inner,
+                code: Code::Static(parsed),
+                ..
+            },
+        ] => {
             let range = parsed.expr.range.shift(at.range.start + inner.start);
             let definitions = uses.get(&SourceRange { src: at.src, range });
             matches!(parsed.expr.kind, ExprKind::Name(_))
                 && definitions
                     .is_some_and(|ids| ids.iter().all(|&id| is_converted(cx, id, uses, steps - 1)))
         }
-        _ => false,
-    };
-    match tokens.as_slice() {
-        [only @ Token::Expr { .. }] => is_name(only),
         tokens => tokens
             .iter()
             .all(|token| matches!(token, Token::Text(_) | Token::Subst { .. })),

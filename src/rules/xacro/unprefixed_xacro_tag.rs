@@ -39,21 +39,23 @@ pub(in super::super) fn is_unprefixed(
     document: &Document,
     node: Node<'_>,
 ) -> bool {
-    let is_in_xacro = || {
-        expansion.files.first().is_some_and(|root| {
-            let named = root
-                .source
-                .path
-                .extension()
-                .is_some_and(|ending| ending == "xacro");
-            named || declares(&root.source.document)
-        })
-    };
-    let includes = || node.name() == "include" && node.attr("filename").is_some();
     TAGS.contains(&node.name()) && declares(document)
-        || (OWN_TAGS.contains(&node.name()) || includes())
+        || (OWN_TAGS.contains(&node.name())
+            || node.name() == "include" && node.attr("filename").is_some())
             && document.root().is_some_and(|root| root.name() == "robot")
-            && is_in_xacro()
+            && is_in_xacro(expansion)
+}
+
+/// Whether the robot is in xacro by the name of its file or the prefix that it declares.
+fn is_in_xacro(expansion: &Expansion) -> bool {
+    expansion.files.first().is_some_and(|root| {
+        let named = root
+            .source
+            .path
+            .extension()
+            .is_some_and(|ending| ending == "xacro");
+        named || declares(&root.source.document)
+    })
 }
 
 fn declares(document: &Document) -> bool {
@@ -99,12 +101,11 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a property has its own name as its value: nothing is missing without it.
 fn is_of_itself(node: Node<'_>) -> bool {
-    let text = |name: &str| node.attr(name).map(|value| value.raw().to_owned());
-    let value = text("value").unwrap_or_default();
+    let [name, value] = ["name", "value"].map(|name| node.attr(name).map(|value| value.raw()));
     let inner = value
+        .unwrap_or_default()
         .trim()
         .strip_prefix("${")
         .and_then(|value| value.strip_suffix('}'));
-    node.name() == "property"
-        && inner.is_some_and(|inner| Some(inner.trim()) == text("name").as_deref())
+    node.name() == "property" && inner.is_some_and(|inner| Some(inner.trim()) == name)
 }

@@ -26,11 +26,12 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     for (idx, file) in cx.expansion.files.iter_ids() {
         for (range, filename) in includes(&file.source) {
             let place = Place { file: idx, range };
-            let brought_in = || load(cx, &filename, &file.source.path);
             match taken.contains(&place) {
-                false => open.extend(brought_in()?),
+                false => open.extend(load(cx, &filename, &file.source.path)?),
                 // a folder that a property holds is often the same with all arguments: what was read has to do then
-                true if is_computed(&filename) => open.extend(brought_in().unwrap_or_default()),
+                true if is_computed(&filename) => {
+                    open.extend(load(cx, &filename, &file.source.path).unwrap_or_default())
+                }
                 true => {}
             }
         }

@@ -25,10 +25,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(mentions) = mentions::everywhere(cx) else {
         return;
     };
-    let is_read = |name: &str| mentions.iter().any(|file| file.word(name));
     for (_, definition, place) in found
         .into_iter()
-        .filter(|(_, found, _)| !is_read(&found.name))
+        .filter(|(_, found, _)| !mentions.iter().any(|file| file.word(&found.name)))
     {
         let message = format!("unused argument `{}`", definition.name);
         let help = "remove it here and in launch files that pass it";

@@ -42,9 +42,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .filter(|other| other.target == inclusion.target)
             .count()
             == 1;
-        let gives_nodes =
-            || giving.get(inclusion.frame) != Some(&false) || may_give_nodes(cx, inclusion);
-        if once && !gives_nodes() && !is_used(cx, &files) {
+        if once
+            && giving.get(inclusion.frame) == Some(&false)
+            && !may_give_nodes(cx, inclusion)
+            && !is_used(cx, &files)
+        {
             report(cx, inclusion, out);
         }
     }
@@ -67,14 +69,14 @@ fn subtree(inclusion: &Inclusion<'_>, all: &[Inclusion<'_>]) -> FastSet<FileIdx>
 fn giving(cx: &DocumentCx<'_>) -> IdVec<FrameId, bool> {
     let (tree, frames) = (&cx.expansion.tree, &cx.expansion.frames);
     let mut giving = IdVec::from(vec![false; frames.len()]);
-    let mut give = |frame: FrameId| giving.get_mut(frame).map(|gives| *gives = true);
-    give(tree.get(cx.element).origin.frame);
-    for node in tree
+    let below = tree
         .below(cx.element)
         .map(|id| tree.get(id))
-        .filter(|node| node.kind == XKind::Element)
-    {
-        give(node.origin.frame);
+        .filter(|node| node.kind == XKind::Element);
+    for node in std::iter::once(tree.get(cx.element)).chain(below) {
+        if let Some(gives) = giving.get_mut(node.origin.frame) {
+            *gives = true;
+        }
     }
     // a step comes behind the one around it
     for (id, frame) in frames.iter_ids().rev() {
@@ -97,28 +99,24 @@ fn may_give_nodes(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>) -> bool {
         .document
         .items()
         .filter_map(|(_, item)| item.element());
-    let only_defines = |name: &str| {
-        matches!(
-            name,
+    elements.any(|element| {
+        !matches!(
+            element.name(),
             "xacro:macro" | "xacro:property" | "xacro:arg" | "xacro:include"
         )
-    };
-    elements.any(|element| !only_defines(element.name()))
+    })
 }
 
 /// Whether other files use what some files define.
 fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
     let symbols = &cx.expansion.index.symbols;
-    let inside = |at: SourceRange| {
-        source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file))
-    };
     let Some(mentions) = mentions::outside(cx, files) else {
         return true;
     };
     let mut any = false;
     for (id, definition) in symbols
         .iter()
-        .filter(|(_, definition)| inside(definition.place))
+        .filter(|(_, definition)| is_inside(cx, files, definition.place))
     {
         any = true;
         let named = match definition.kind {
@@ -127,12 +125,20 @@ fn is_used(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>) -> bool {
             SymbolKind::Parameter | SymbolKind::BlockParameter => continue,
             _ => mentions.clone().any(|file| file.word(&definition.name)),
         };
-        if named || symbols.uses_of(id).any(|used| !inside(used.place)) {
+        if named
+            || symbols
+                .uses_of(id)
+                .any(|used| !is_inside(cx, files, used.place))
+        {
             return true;
         }
     }
     // a file that defines nothing at all is a place to fill in later
     !any
+}
+
+fn is_inside(cx: &DocumentCx<'_>, files: &FastSet<FileIdx>, at: SourceRange) -> bool {
+    source::place(cx.expansion, at).is_some_and(|place| files.contains(&place.file))
 }
 
 fn report(cx: &DocumentCx<'_>, inclusion: &Inclusion<'_>, out: &mut Sink<'_>) {

@@ -114,22 +114,24 @@ fn is_keyword(tag: &str) -> bool {
 
 fn is_mentioned(body: &Mentions, param: &Definition, forwards: &Forwards) -> bool {
     let name = param.name.as_str();
-    let forwarded = || {
-        let mut tags = body
-            .tags
-            .iter()
-            .map(|tag| tag.rsplit('.').next().unwrap_or(tag));
-        body.computed
-            || tags.any(|tag| {
-                forwards
-                    .forwards
-                    .contains(&(tag.to_owned(), name.to_owned()))
-            })
-    };
     match param.kind {
         SymbolKind::BlockParameter => body.computed || body.blocks.contains(name),
-        _ => body.word(name) || forwarded(),
+        _ => body.word(name) || is_forwarded(body, name, forwards),
     }
+}
+
+/// Whether the body calls a macro that takes a parameter of this name from its caller.
+fn is_forwarded(body: &Mentions, name: &str, forwards: &Forwards) -> bool {
+    let mut tags = body
+        .tags
+        .iter()
+        .map(|tag| tag.rsplit('.').next().unwrap_or(tag));
+    body.computed
+        || tags.any(|tag| {
+            forwards
+                .forwards
+                .contains(&(tag.to_owned(), name.to_owned()))
+        })
 }
 
 /// The macros of all files, and the parameters that they take from their callers.
@@ -204,11 +206,13 @@ fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
 /// Whether something is lost with a block: the calls write more than poses that move nothing, or there are none yet.
 fn is_missed(cx: &DocumentCx<'_>, of: DefinitionId, param: &Definition) -> bool {
     let symbols = &cx.expansion.index.symbols;
-    let is_before = |other: &Definition| {
-        let is_block = other.kind == SymbolKind::BlockParameter && other.of == Some(of);
-        is_block && other.place.range.start < param.place.range.start
-    };
-    let index = symbols.iter().filter(|(_, other)| is_before(other)).count();
+    let blocks = symbols
+        .iter()
+        .map(|(_, other)| other)
+        .filter(|other| other.kind == SymbolKind::BlockParameter && other.of == Some(of));
+    let index = blocks
+        .filter(|other| other.place.range.start < param.place.range.start)
+        .count();
     let calls = symbols
         .uses_of(of)
         .filter(|used| used.kind == UseKind::Call);

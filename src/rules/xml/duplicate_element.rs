@@ -69,9 +69,9 @@ fn words(tree: &XTree, element: XId) -> impl Iterator<Item = (&str, Vec<(&str, &
     let nodes = std::iter::once(element)
         .chain(tree.below(element))
         .map(|id| tree.get(id));
-    let says = |kind| matches!(kind, XKind::Element | XKind::Text | XKind::CData);
     nodes
-        .filter(move |node| says(node.kind) && !node.text.trim().is_empty())
+        .filter(|node| matches!(node.kind, XKind::Element | XKind::Text | XKind::CData))
+        .filter(|node| !node.text.trim().is_empty())
         .map(|node| {
             let mut attrs: Vec<_> = node
                 .attrs

@@ -9,7 +9,7 @@ use super::super::sink::Sink;
 use super::super::xml::seen::Numeric;
 use super::meant::{self, Meant};
 use super::walk;
-use expand::{BindingId, Origin, Place, XId, meant_number};
+use expand::{BindingId, Origin, XId, meant_number};
 use model::{Text, decimal, is_decimal};
 use xml::Document;
 
@@ -58,15 +58,14 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
             let text = attribute
                 .numbers()
                 .zip(Text::attr(&cx.expansion.tree, id, attribute.name));
-            let judged = |text: &Text| {
+            let text = text.filter(|(_, text)| {
                 let open = text.value.contains("${") || text.value.contains("$(");
                 // readers pass over what is newer than the robot
                 text.is_known()
                     && !open
                     && !is_reported(cx, text.origin)
                     && !cx.is_older_than(attribute.since)
-            };
-            let text = text.filter(|(_, text)| judged(text));
+            });
             found.extend(text.map(|(count, text)| Numeric {
                 id,
                 name: attribute.name,
@@ -157,15 +156,11 @@ fn has_blanks(document: &Document) -> bool {
 /// The tab or line break that makes urdfdom refuse a vector. It cuts the text at spaces, and of each part reads a
 /// number, which blanks may precede and not follow.
 fn blank_in_vector(value: &str) -> Option<&'static str> {
-    let last = |part: &str| {
-        part.chars()
-            .next_back()
-            .filter(|last| last.is_ascii_whitespace())
-    };
-    let inner = |part: &str| part.trim().chars().find(|c| c.is_ascii_whitespace());
-    let blank = value
-        .split(' ')
-        .find_map(|part| last(part).or_else(|| inner(part)))?;
+    let blank = value.split(' ').find_map(|part| {
+        let last = part.chars().next_back();
+        last.filter(|last| last.is_ascii_whitespace())
+            .or_else(|| part.trim().chars().find(|c| c.is_ascii_whitespace()))
+    })?;
     Some(if blank == '\t' {
         "a tab"
     } else {
@@ -178,11 +173,8 @@ pub(super) fn is_reported(cx: &DocumentCx<'_>, origin: Origin) -> bool {
     let Some(place) = cx.expansion.place(origin) else {
         return false;
     };
-    let inside = |at: Place| at.file == place.file && place.range.contains_range(at.range);
-    cx.expansion
-        .problems
-        .iter()
-        .any(|problem| inside(problem.place))
+    let mut places = cx.expansion.problems.iter().map(|problem| problem.place);
+    places.any(|at| at.file == place.file && place.range.contains_range(at.range))
 }
 
 /// The words that are no numbers. Of a single number also what follows it; an empty range when there is none.

@@ -17,14 +17,11 @@ pub(super) struct Meant {
 /// Of an attribute that holds so many numbers; none when it does, or when it cannot be told.
 pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Option<Meant> {
     let value = text.value.as_str();
-    let holds_numbers = |value: &str| {
-        value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal)
-    };
-    if holds_numbers(value) {
+    if holds_numbers(value, count) {
         return None;
     }
     let plain = value.replace(['\u{2212}', '\u{2013}'], "-");
-    if plain != value && holds_numbers(&plain) {
+    if plain != value && holds_numbers(&plain, count) {
         return Some(Meant {
             help: "write an ASCII minus sign `-`",
             value: plain,
@@ -35,7 +32,7 @@ pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Opti
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
-    if count > 1 && spaced != value && holds_numbers(&spaced) {
+    if count > 1 && spaced != value && holds_numbers(&spaced, count) {
         return Some(Meant {
             help: "separate the numbers with spaces, not commas",
             value: spaced,
@@ -51,6 +48,10 @@ pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Opti
         help: "write the expression in `${...}`",
         value: bracketed,
     })
+}
+
+fn holds_numbers(value: &str, count: usize) -> bool {
+    value.split_whitespace().count() == count && value.split_whitespace().all(is_decimal)
 }
 
 /// The words of a value with `${...}` around those that are expressions of known names.

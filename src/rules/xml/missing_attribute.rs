@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::{meant, walk};
-use expand::XId;
+use expand::{XId, XTree};
 use model::{Text, element_range, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -63,9 +63,6 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     const PARTS: [&str; 3] = ["joint", "sensor", "gpio"];
     const INTERFACES: [&str; 2] = ["command_interface", "state_interface"];
     let tree = &cx.expansion.tree;
-    let nameless = |id: XId, kinds: &[&str]| {
-        kinds.contains(&tree.get(id).text.as_str()) && tree.attr(id, "name").is_none()
-    };
     for control in cx.robot.into_iter().flat_map(|robot| &robot.controls) {
         if control.name.is_none() {
             let message = "missing attribute `name` in `ros2_control`".to_owned();
@@ -75,8 +72,10 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .done();
         }
         for part in tree.elements(control.element) {
-            let inner = tree.elements(part).filter(|&id| nameless(id, &INTERFACES));
-            for id in inner.chain(Some(part).filter(|&part| nameless(part, &PARTS))) {
+            let inner = tree
+                .elements(part)
+                .filter(|&id| is_nameless(tree, id, &INTERFACES));
+            for id in inner.chain(Some(part).filter(|&part| is_nameless(tree, part, &PARTS))) {
                 let message = format!("missing attribute `name` in {}", walk::described(cx, id));
                 let kind = tree.get(id).text.as_str();
                 let is_word = |text: &Text| {
@@ -94,43 +93,45 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
+/// Whether an element of one of these kinds has no name.
+fn is_nameless(tree: &XTree, id: XId, kinds: &[&str]) -> bool {
+    kinds.contains(&tree.get(id).text.as_str()) && tree.attr(id, "name").is_none()
+}
+
 /// The required attributes that are absent and not misspelled either.
 fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str> {
-    let is_there = |name: &str| cx.expansion.tree.attr(id, name).is_some();
+    let tree = &cx.expansion.tree;
     if spec
         .attributes
         .iter()
-        .all(|attribute| !attribute.required || is_there(attribute.name))
+        .all(|attribute| !attribute.required || tree.attr(id, attribute.name).is_some())
     {
         return Vec::new();
     }
     let absent = walk::absent(cx, id, spec);
-    let required = |name: &&str| {
-        spec.attribute(name)
-            .is_some_and(|attribute| attribute.required)
-    };
     let misspelled = meant::attributes(cx, id, spec);
     absent
         .into_iter()
-        .filter(|name| required(name) && !misspelled.contains(name))
+        .filter(|name| spec.requires(name) && !misspelled.contains(name))
         .collect()
 }
 
 /// Whether an element is an empty `material` behind another one, which parsers do not look at.
 fn is_second_material(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> bool {
     let tree = &cx.expansion.tree;
-    let is_empty = || tree.get(id).attrs.is_empty() && tree.elements(id).next().is_none();
-    let is_first = |around: XId| {
+    if spec.name != "material"
+        || !tree.get(id).attrs.is_empty()
+        || tree.elements(id).next().is_some()
+    {
+        return false;
+    }
+    let around = tree.parent(id);
+    around.is_some_and(|around| {
         let mut materials = tree
             .elements(around)
             .filter(|&child| tree.get(child).text == "material");
-        materials.next() == Some(id)
-    };
-    spec.name == "material"
-        && is_empty()
-        && tree
-            .parent(id)
-            .is_some_and(|around| tree.get(around).text == "visual" && !is_first(around))
+        tree.get(around).text == "visual" && materials.next() != Some(id)
+    })
 }
 
 /// The text of an element that holds nothing but a number.

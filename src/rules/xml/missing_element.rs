@@ -40,8 +40,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let tree = &cx.expansion.tree;
-        let is_blank = || is_empty_collision(tree, id) && is_read_last(tree, id);
-        let is_meant = missing == ["geometry"] && (is_taken_out(tree, id, id) || is_blank());
+        let is_meant = missing == ["geometry"]
+            && (is_taken_out(tree, id, id)
+                || is_empty_collision(tree, id) && is_read_last(tree, id));
         let severity = if is_meant {
             Severity::Info
         } else {
@@ -91,10 +92,11 @@ fn missing(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> Vec<&'static str
 /// The shape that stands in a visual or collision without a geometry around it.
 pub(super) fn bare_shape<'a>(cx: &'a DocumentCx<'_>, id: XId) -> Option<&'a str> {
     let tree = &cx.expansion.tree;
-    let names = || tree.elements(id).map(|child| tree.get(child).text.as_str());
     let is_body = matches!(tree.get(id).text.as_str(), "visual" | "collision");
-    if !is_body || names().any(|name| name == "geometry") {
+    let is_geometry = |child: XId| tree.get(child).text == "geometry";
+    if !is_body || tree.elements(id).any(is_geometry) {
         return None;
     }
-    names().find(|name| ["box", "cylinder", "sphere", "capsule", "mesh"].contains(name))
+    let mut names = tree.elements(id).map(|child| tree.get(child).text.as_str());
+    names.find(|name| ["box", "cylinder", "sphere", "capsule", "mesh"].contains(name))
 }

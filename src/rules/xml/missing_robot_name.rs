@@ -45,27 +45,23 @@ const FIX: &str = "use the file name as robot name";
 
 /// The same of a file that is a robot, as its surroundings say.
 pub fn missing_robot_name(expansion: &Expansion, robot: &Robot) -> Option<Finding> {
-    let place = |range| {
-        Some(Span {
-            file: expansion.files.first()?.source.id,
-            range,
-        })
-    };
+    let file = expansion.files.first()?.source.id;
     let tag = expansion
         .place(tag_start(expansion, robot.element))
         .filter(|place| place.file == FileIdx(0))?;
-    let fix = named_like_file(expansion, robot).and_then(|(range, content)| {
-        let edits = vec![Edit {
-            span: place(range)?,
+    let fix = named_like_file(expansion, robot).map(|(range, content)| Fix {
+        safety: Safety::Unsafe,
+        message: FIX.to_owned(),
+        edits: vec![Edit {
+            span: Span { file, range },
             content,
-        }];
-        Some(Fix {
-            safety: Safety::Unsafe,
-            message: FIX.to_owned(),
-            edits,
-        })
+        }],
     });
-    let finding = Finding::new(&RULE, place(tag.range)?, "robot has no name");
+    let span = Span {
+        file,
+        range: tag.range,
+    };
+    let finding = Finding::new(&RULE, span, "robot has no name");
     Some(Finding {
         help: Some(HELP.to_owned()),
         fix,

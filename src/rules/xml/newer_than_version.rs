@@ -21,13 +21,13 @@ pub(super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for (id, spec) in walk::known(cx) {
-        let written = |name: &str| tree.attr(id, name).is_some();
         let newer = spec
             .attributes
             .iter()
             .filter(|attribute| attribute.since > Version::V1_0);
-        let newer =
-            newer.filter(|attribute| written(attribute.name) && cx.is_older_than(attribute.since));
+        let newer = newer.filter(|attribute| {
+            tree.attr(id, attribute.name).is_some() && cx.is_older_than(attribute.since)
+        });
         for attribute in newer {
             let Some(text) = Text::attr(tree, id, attribute.name) else {
                 continue;

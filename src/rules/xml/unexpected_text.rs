@@ -76,12 +76,11 @@ fn is_left_over(cx: &DocumentCx<'_>, parent: XId, text: XId) -> bool {
         return shown.chars().all(|c| matches!(c, '<' | '>' | '/' | '-'));
     }
     let before = tree.children(parent).take_while(|&child| child != text);
-    let is_blank = |id: &XId| {
-        let node = tree.get(*id);
-        node.kind == XKind::Text && node.text.trim().is_empty()
-    };
-    let last = before.filter(|id| !is_blank(id)).last();
-    last.is_some_and(|last| tree.get(last).kind == XKind::Comment)
+    let last = before
+        .map(|id| tree.get(id))
+        .filter(|node| node.kind != XKind::Text || !node.text.trim().is_empty())
+        .last();
+    last.is_some_and(|last| last.kind == XKind::Comment)
 }
 
 /// A place without the blanks around its text.

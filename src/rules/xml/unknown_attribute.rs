@@ -60,8 +60,8 @@ fn report_parts<'a>(
     for (vector, parts) in PARTS {
         let is_meant =
             spec.attribute(vector).is_some() && cx.expansion.tree.attr(id, vector).is_none();
-        let own = |attr: &&XAttr| parts.contains(&attr.name.as_str());
-        let Some(&first) = unknown.iter().find(|attr| is_meant && own(attr)) else {
+        let is_first = |attr: &&&XAttr| is_meant && is_part(attr, &parts);
+        let Some(&first) = unknown.iter().find(is_first) else {
             continue;
         };
         let number = |part: &str| {
@@ -74,7 +74,7 @@ fn report_parts<'a>(
         let numbers: Option<Vec<String>> = parts.into_iter().map(number).collect();
         let names: Vec<&str> = unknown
             .iter()
-            .filter(|attr| own(attr))
+            .filter(|attr| is_part(attr, &parts))
             .map(|attr| attr.name.as_str())
             .collect();
         let plural = if names.len() == 1 {
@@ -96,9 +96,14 @@ fn report_parts<'a>(
             .severity(Severity::Warning)
             .help(help)
             .done();
-        unknown.retain(|attr| !own(attr));
+        unknown.retain(|attr| !is_part(attr, &parts));
     }
     unknown
+}
+
+/// Whether an attribute is one of the parts of a vector.
+fn is_part(attr: &XAttr, parts: &[&str]) -> bool {
+    parts.contains(&attr.name.as_str())
 }
 
 /// Report several attributes that are meant to be others (`min` and `max` of a limit) as one; the attributes that are left.
@@ -110,17 +115,18 @@ fn report_several<'a>(
     unknown: Vec<&'a XAttr>,
     out: &mut Sink<'_>,
 ) -> Vec<&'a XAttr> {
-    let meant_by =
-        |attr: &XAttr| meant::of_attribute(spec.name, &attr.name, absent.iter().copied());
     let meant: Vec<(&XAttr, &str)> = unknown
         .iter()
-        .filter_map(|attr| Some((*attr, meant_by(attr)?.0)))
+        .filter_map(|attr| Some((*attr, meant_by(attr, spec, absent)?)))
         .collect();
     let ([(first, _), _, ..], true) = (meant.as_slice(), are_different(&meant)) else {
         return unknown;
     };
-    let list = |names: Vec<&str>| names.join("`, `");
-    let names = list(meant.iter().map(|(attr, _)| attr.name.as_str()).collect());
+    let (names, near): (Vec<&str>, Vec<&str>) = meant
+        .iter()
+        .map(|(attr, near)| (attr.name.as_str(), near))
+        .unzip();
+    let names = names.join("`, `");
     let message = format!(
         "unknown attributes `{names}` in {}",
         walk::described(cx, id)
@@ -128,7 +134,7 @@ fn report_several<'a>(
     let is_needed = meant.iter().any(|(_, near)| is_needed(cx, id, spec, near));
     let help = format!(
         "did you mean `{}`? Parsers silently ignore `{names}`",
-        list(meant.iter().map(|(_, near)| *near).collect())
+        near.join("`, `")
     );
     let report = out
         .report(name_of(cx, first), message)
@@ -156,8 +162,13 @@ fn report_several<'a>(
     }
     unknown
         .into_iter()
-        .filter(|attr| meant_by(attr).is_none())
+        .filter(|attr| meant_by(attr, spec, absent).is_none())
         .collect()
+}
+
+/// Which of the attributes that are absent an unknown one is meant to be.
+fn meant_by<'a>(attr: &XAttr, spec: &ElementSpec, absent: &[&'a str]) -> Option<&'a str> {
+    Some(meant::of_attribute(spec.name, &attr.name, absent.iter().copied())?.0)
 }
 
 /// Whether no two attributes are meant to be the same one.
@@ -236,18 +247,17 @@ fn report(
 /// Whether parsers reject the element without this attribute, which no other finding says then.
 fn is_needed(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec, name: &str) -> bool {
     let tree = &cx.expansion.tree;
-    let is_required = spec
-        .attribute(name)
-        .is_some_and(|attribute| attribute.required);
     let is_strength = spec.name == "limit" && matches!(name, "effort" | "velocity");
-    let is_fixed = || {
-        tree.parent(id)
-            .and_then(|joint| tree.attr(joint, "type"))
-            .is_some_and(|kind| kind.value == "fixed")
-    };
     // urdfdom rejects dynamics without any of its attributes
     let is_only = spec.name == "dynamics" && tree.get(id).attrs.len() == 1;
-    is_required || is_only || is_strength && !Version::V1_2.is_in(tree) && !is_fixed()
+    spec.requires(name)
+        || is_only
+        || is_strength
+            && !Version::V1_2.is_in(tree)
+            && tree
+                .parent(id)
+                .and_then(|joint| tree.attr(joint, "type"))
+                .is_none_or(|kind| kind.value != "fixed")
 }
 
 /// Whether an attribute would scale nothing if it were read.
@@ -258,9 +268,12 @@ fn is_scale_of_ones(attr: &XAttr) -> bool {
 
 /// Whether another shape has an attribute of this name.
 fn is_of_other_shape(spec: &ElementSpec, name: &str) -> bool {
-    let is_shape = |spec: &ElementSpec| spec.parents.contains(&"geometry");
     is_shape(spec)
         && schema::elements().any(|other| is_shape(other) && other.attribute(name).is_some())
+}
+
+fn is_shape(spec: &ElementSpec) -> bool {
+    spec.parents.contains(&"geometry")
 }
 
 /// The name of an attribute in the source; its value, where the name stands somewhere else.

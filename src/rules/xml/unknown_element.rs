@@ -107,15 +107,15 @@ fn report(
 /// Whether parsers reject the element around without the one that is meant, which no other finding says then.
 fn is_needed(cx: &DocumentCx<'_>, id: XId, parent: &ElementSpec, near: &str) -> bool {
     let tree = &cx.expansion.tree;
-    let has_range = |joint| {
-        tree.attr(joint, "type")
-            .is_some_and(|kind| matches!(kind.value.as_str(), "revolute" | "prismatic"))
-    };
     let Some(around) = tree.parent(id) else {
         return false;
     };
     let is_required = parent.required.contains(&near)
-        || parent.name == "joint" && near == "limit" && has_range(around);
+        || parent.name == "joint"
+            && near == "limit"
+            && tree
+                .attr(around, "type")
+                .is_some_and(|kind| matches!(kind.value.as_str(), "revolute" | "prismatic"));
     is_required
         && !tree
             .elements(around)
@@ -188,14 +188,9 @@ fn is_zero_pose(cx: &DocumentCx<'_>, id: XId, name: &str) -> bool {
 
 /// Whether an element is meant as an `origin` that moves nothing: without it, all is the same.
 fn is_identity(cx: &DocumentCx<'_>, id: XId, meant: &str) -> bool {
-    let is_zero = |name| {
-        let text = Text::attr(&cx.expansion.tree, id, name);
-        text.is_none_or(|text| {
-            text.numbers::<3>()
-                .is_some_and(|numbers| numbers == [0.0; 3])
-        })
-    };
-    meant == "origin" && is_zero("xyz") && is_zero("rpy")
+    let vectors = ["xyz", "rpy"].into_iter();
+    let mut vectors = vectors.filter_map(|name| Text::attr(&cx.expansion.tree, id, name));
+    meant == "origin" && vectors.all(|text| text.numbers() == Some([0.0; 3]))
 }
 
 /// Where the name stands in the start tag and in the end tag, when the source spells it.

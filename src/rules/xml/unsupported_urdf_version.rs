@@ -46,11 +46,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// What there is to say about a version that is not admitted, and how bad it is.
 fn judged(value: &str, read: Option<Version>, admitted: &[String]) -> (Severity, String) {
-    let needs =
-        |reader| format!("URDF version `{value}` needs {reader}; older parsers reject the robot");
     match read {
-        Some(Version::V1_1) => (Severity::Warning, needs("urdfdom 5.1")),
-        Some(Version::V1_2) => (Severity::Warning, needs("urdfdom 6.0")),
+        Some(Version::V1_1) => (Severity::Warning, needs(value, "urdfdom 5.1")),
+        Some(Version::V1_2) => (Severity::Warning, needs(value, "urdfdom 6.0")),
         Some(_) => {
             let admitted = admitted.join("`, `");
             (
@@ -63,4 +61,8 @@ fn judged(value: &str, read: Option<Version>, admitted: &[String]) -> (Severity,
             format!("invalid URDF version `{value}`; expected a version such as `1.0`"),
         ),
     }
+}
+
+fn needs(value: &str, reader: &str) -> String {
+    format!("URDF version `{value}` needs {reader}; older parsers reject the robot")
 }

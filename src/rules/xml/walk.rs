@@ -80,8 +80,8 @@ pub(in super::super) fn known(
     let known = elements(cx)
         .iter()
         .filter_map(|seen| Some((seen.id, seen.spec?)));
-    let is_element = |id: XId| cx.expansion.tree.get(id).kind == XKind::Element;
-    known.filter(move |&(id, spec)| is_element(id) && !is_free_zone(spec.name))
+    let tree = &cx.expansion.tree;
+    known.filter(|&(id, spec)| tree.get(id).kind == XKind::Element && !is_free_zone(spec.name))
 }
 
 /// What an element belongs to, for messages: "joint `elbow`".
@@ -187,13 +187,16 @@ pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
         "unless",
     ];
     let node = cx.expansion.tree.get(element);
-    let declares = || {
-        let place = cx.expansion.place(node.origin)?;
-        let file = cx.expansion.files.get(place.file)?;
-        file.source.document.root()?.attr("xmlns:xacro")
-    };
     let name = node.text.as_str();
-    macros(cx).contains(name) || TAGS.contains(&name) && declares().is_some()
+    macros(cx).contains(name) || TAGS.contains(&name) && is_in_xacro(cx.expansion, node.origin)
+}
+
+/// Whether the file of an element declares the prefix of xacro.
+fn is_in_xacro(expansion: &Expansion, origin: Origin) -> bool {
+    let place = expansion.place(origin);
+    let file = place.and_then(|place| expansion.files.get(place.file));
+    let root = file.and_then(|file| file.source.document.root());
+    root.is_some_and(|root| root.attr("xmlns:xacro").is_some())
 }
 
 /// The attributes that an element could have and does not.

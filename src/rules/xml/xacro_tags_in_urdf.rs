@@ -5,7 +5,6 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::schema;
 use super::super::sink::Sink;
 use base::TextRange;
-use xml::Node;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML017",
@@ -52,18 +51,12 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     {
         return;
     }
-    let numbers = |node: Node<'_>| {
-        let spec = schema::urdf_element(node.name());
-        spec.into_iter()
-            .flat_map(|spec| spec.attributes)
-            .filter(|attribute| attribute.numbers().is_some())
-    };
     let written = cx.elements().find_map(|(base, node)| {
-        let attrs = numbers(node).filter_map(|attribute| node.attr(attribute.name));
-        attrs
-            .into_iter()
-            .find(|attr| attr.raw().contains("${"))
-            .map(|attr| (base, attr))
+        let attributes = schema::urdf_element(node.name())?.attributes.iter();
+        let numbers = attributes.filter(|attribute| attribute.numbers().is_some());
+        let mut attrs = numbers.filter_map(|attribute| node.attr(attribute.name));
+        let attr = attrs.find(|attr| attr.raw().contains("${"))?;
+        Some((base, attr))
     });
     let Some((base, attr)) = written.filter(|_| is_robot(cx)) else {
         return;
