@@ -97,6 +97,11 @@ pub(crate) fn bind(function: &Function, receiver: &Value, args: Args) -> Eval<Ar
     Ok(args)
 }
 
+/// What follows a noun after a number.
+pub(crate) fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
 /// `pow expected 2 arguments, got 1`
 pub(crate) fn check_count(name: &str, given: usize, min: usize, max: usize) -> Eval<()> {
     if (min..=max).contains(&given) {
@@ -107,7 +112,7 @@ pub(crate) fn check_count(name: &str, given: usize, min: usize, max: usize) -> E
         () if given < min => (min, "at least "),
         () => (max, "at most "),
     };
-    let plural = if bound == 1 { "" } else { "s" };
+    let plural = plural(bound);
     Err(Stop::typ(format!(
         "{name} expected {how}{bound} argument{plural}, got {given}"
     )))
@@ -173,7 +178,6 @@ fn check_counts(
     positional: usize,
     args: &Args,
 ) -> Eval<()> {
-    let plural = |count: usize| if count == 1 { "" } else { "s" };
     let (by_position, given) = (args.len(), args.len() + args.named.len());
     if given > names.len() {
         let how = if required == names.len() {

@@ -151,19 +151,23 @@ fn data(value: &Value, name: &str) -> Option<Value> {
 }
 
 fn number_part(number: Num<'_>, value: &Value, name: &str) -> Option<Value> {
-    let whole = || match value {
-        Value::Bool(b) => Value::Int(i64::from(*b)),
-        other => other.clone(),
-    };
     match (number, name) {
         (Num::Complex(re, _), "real") => Some(Value::Float(re)),
         (Num::Complex(_, im), "imag") => Some(Value::Float(im)),
-        (_, "real") => Some(whole()),
+        (_, "real") => Some(without_bool(value)),
         (Num::Float(_), "imag") => Some(Value::Float(0.0)),
         (Num::Int(_) | Num::Big(_), "imag") => Some(Value::Int(0)),
-        (Num::Int(_) | Num::Big(_), "numerator") => Some(whole()),
+        (Num::Int(_) | Num::Big(_), "numerator") => Some(without_bool(value)),
         (Num::Int(_) | Num::Big(_), "denominator") => Some(Value::Int(1)),
         _ => None,
+    }
+}
+
+/// A number, with a truth value as the number that it is.
+fn without_bool(value: &Value) -> Value {
+    match value {
+        Value::Bool(b) => Value::Int(i64::from(*b)),
+        other => other.clone(),
     }
 }
 

@@ -242,20 +242,21 @@ pub(crate) fn push(out: &mut String, text: std::fmt::Arguments<'_>) {
 /// Decimal digits of a big integer, unless there are too many.
 pub(crate) fn big_text(big: &num_bigint::BigInt) -> Eval<String> {
     // 3.33 bits make a digit: this many bits are surely too long without converting them.
-    let too_long = || {
-        Stop::value(format!(
-            "Exceeds the limit ({INTEGER_DIGITS} digits) for integer string conversion; use sys.set_int_max_str_digits() to increase the limit"
-        ))
-    };
     if big.bits() > (INTEGER_DIGITS as u64) * 10 / 3 {
-        return Err(too_long());
+        return Err(too_many_digits());
     }
     let text = big.to_string();
     if text.trim_start_matches('-').len() > INTEGER_DIGITS {
-        Err(too_long())
+        Err(too_many_digits())
     } else {
         Ok(text)
     }
+}
+
+fn too_many_digits() -> Stop {
+    Stop::value(format!(
+        "Exceeds the limit ({INTEGER_DIGITS} digits) for integer string conversion; use sys.set_int_max_str_digits() to increase the limit"
+    ))
 }
 
 /// The qualified name of a function written in Python.

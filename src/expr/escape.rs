@@ -195,8 +195,8 @@ pub(super) fn decode_bytes(source: &str) -> (Vec<u8>, Option<EscapeError>) {
 
 fn hex_pair(bytes: &[u8]) -> Option<u8> {
     let [high, low, ..] = bytes else { return None };
-    let digit = |b: u8| char::from(b).to_digit(16);
-    u8::try_from(digit(*high)? << 4 | digit(*low)?).ok()
+    let (high, low) = (char::from(*high), char::from(*low));
+    u8::try_from(high.to_digit(16)? << 4 | low.to_digit(16)?).ok()
 }
 
 /// Up to three octal digits: value and count.

@@ -234,16 +234,19 @@ impl Interp<'_> {
         upper: &Option<Box<Expr>>,
         step: &Option<Box<Expr>>,
     ) -> Eval {
-        let mut part = |expr: &Option<Box<Expr>>| match expr {
-            Some(expr) => self.eval(expr)?.known(),
-            None => Ok(Value::None),
-        };
         let slice = Slice {
-            start: part(lower)?,
-            stop: part(upper)?,
-            step: part(step)?,
+            start: self.slice_part(lower)?,
+            stop: self.slice_part(upper)?,
+            step: self.slice_part(step)?,
         };
         Ok(Value::Slice(Arc::new(slice)))
+    }
+
+    fn slice_part(&mut self, expr: &Option<Box<Expr>>) -> Eval {
+        match expr {
+            Some(expr) => self.eval(expr)?.known(),
+            None => Ok(Value::None),
+        }
     }
 
     fn lambda(&mut self, lambda: &Arc<Lambda>) -> Eval {

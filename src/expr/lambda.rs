@@ -1,6 +1,6 @@
 //! How the arguments of a call fit a lambda.
 
-use super::args::Args;
+use super::args::{Args, plural};
 use super::ast::{Param, ParamKind};
 use super::stop::{Eval, Stop};
 use super::value::{Closure, Dict, DictMap, Key, Str, Tuple, Value};
@@ -150,28 +150,30 @@ impl Binder<'_> {
         ))
     }
 
+    /// The parameters without a value, in quotes: those by keyword, or those by position.
+    fn missing(&self, closure: &Closure, keyword: bool) -> Vec<String> {
+        let slots = self.params.iter().zip(&self.slots).zip(&closure.defaults);
+        slots
+            .filter(|((param, slot), default)| {
+                let kind = if keyword {
+                    param.kind == ParamKind::KeywordOnly
+                } else {
+                    Self::is_positional(param)
+                };
+                kind && slot.is_none() && default.is_none()
+            })
+            .map(|((param, _), _)| format!("'{}'", param.name))
+            .collect()
+    }
+
     fn check_missing(&self, closure: &Closure) -> Eval<()> {
-        let missing = |keyword: bool| {
-            let slots = self.params.iter().zip(&self.slots).zip(&closure.defaults);
-            slots
-                .filter(|((param, slot), default)| {
-                    let kind = if keyword {
-                        param.kind == ParamKind::KeywordOnly
-                    } else {
-                        Self::is_positional(param)
-                    };
-                    kind && slot.is_none() && default.is_none()
-                })
-                .map(|((param, _), _)| format!("'{}'", param.name))
-                .collect::<Vec<_>>()
-        };
         for (names, kind) in [
-            (missing(false), "positional"),
-            (missing(true), "keyword-only"),
+            (self.missing(closure, false), "positional"),
+            (self.missing(closure, true), "keyword-only"),
         ] {
             if !names.is_empty() {
-                let plural = if names.len() == 1 { "" } else { "s" };
                 let (count, names) = (names.len(), enumeration(&names));
+                let plural = plural(count);
                 return Err(Stop::typ(format!(
                     "<lambda>() missing {count} required {kind} argument{plural}: {names}"
                 )));

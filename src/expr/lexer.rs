@@ -158,8 +158,11 @@ impl Lexer<'_, '_, '_> {
     fn word(&mut self) {
         let start = self.pos;
         let bytes = self.text.as_bytes();
-        let word = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_' || *b >= 0x80;
-        self.pos += bytes.iter().skip(start).take_while(|b| word(b)).count();
+        self.pos += bytes
+            .iter()
+            .skip(start)
+            .take_while(|&&b| b.is_ascii_alphanumeric() || b == b'_' || b >= 0x80)
+            .count();
         let range = self.range_from(start);
         let name = range.slice(self.text);
         if matches!(self.byte(0), Some(b'"' | b'\'')) && is_string_prefix(name) {

@@ -23,11 +23,10 @@ pub(super) fn scan(bytes: &[u8]) -> Scanned {
             error: None,
         },
         Err(error) => {
-            let glued = |b: &u8| b.is_ascii_alphanumeric() || *b == b'_';
             cursor.pos += bytes
                 .iter()
                 .skip(cursor.pos)
-                .take_while(|b| glued(b))
+                .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
                 .count();
             Scanned {
                 len: cursor.pos,

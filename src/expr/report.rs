@@ -61,12 +61,10 @@ impl<'t> Report<'t> {
     /// Line of an offset in the stripped expression, from 1.
     pub(super) fn line(&self, at: u32) -> usize {
         let before = TextRange::new(self.start, at).slice(self.text).as_bytes();
-        let newline =
-            |(i, &b): (usize, &u8)| b == b'\n' || (b == b'\r' && before.get(i + 1) != Some(&b'\n'));
         1 + before
             .iter()
             .enumerate()
-            .filter(|&pair| newline(pair))
+            .filter(|&(i, &b)| b == b'\n' || (b == b'\r' && before.get(i + 1) != Some(&b'\n')))
             .count()
     }
 

@@ -106,17 +106,12 @@ impl Ros2Control {
 
 impl ControlJoint {
     fn of(tree: &XTree, element: XId) -> Self {
-        let interfaces = |name| {
-            children(tree, element, name)
-                .map(|interface| Interface::of(tree, interface))
-                .collect()
-        };
         Self {
             element,
             name: Text::attr(tree, element, "name"),
             mimic: Text::attr(tree, element, "mimic"),
-            commands: interfaces("command_interface"),
-            states: interfaces("state_interface"),
+            commands: Interface::all(tree, element, "command_interface"),
+            states: Interface::all(tree, element, "state_interface"),
         }
     }
 }
@@ -134,6 +129,13 @@ impl ControlJoint {
 }
 
 impl Interface {
+    /// The interfaces of a joint whose elements have the name `tag`.
+    fn all(tree: &XTree, joint: XId, tag: &str) -> Vec<Self> {
+        children(tree, joint, tag)
+            .map(|interface| Self::of(tree, interface))
+            .collect()
+    }
+
     fn of(tree: &XTree, element: XId) -> Self {
         let params = children(tree, element, "param").map(|param| Param::of(tree, param));
         Self {

@@ -4,7 +4,7 @@
 //! that are the defaults of urdfdom, and elements that have no effect on the joint they stand in. The same form serves
 //! the source: where its values are computed, nothing is assumed about them.
 
-use roxmltree::{Attribute, Node, NodeType, ParsingOptions};
+use roxmltree::{Attribute, Document, Node, NodeType, ParsingOptions};
 
 /// Attributes whose values are numbers, or several numbers with blanks between.
 const NUMERIC: [&str; 24] = [
@@ -43,6 +43,8 @@ const FOREIGN: [&str; 7] = [
     "ros2_control",
     "transmission",
 ];
+/// The place and the angles of an origin that moves nothing.
+const ZERO: &str = "0.0 0.0 0.0";
 /// Elements deeper than this are not compared.
 const DEPTH: usize = 200;
 
@@ -74,24 +76,29 @@ pub fn same_robot(one: &str, other: &str) -> Option<bool> {
 
 /// The same, whatever the formats of collision meshes are: their file names may differ by what follows the last dot.
 pub fn same_but_for_mesh_formats(one: &str, other: &str) -> Option<bool> {
-    let of = |text: &str| {
-        let mut root = canonical(text)?;
-        drop_mesh_formats(&mut root, false);
-        Some(root)
-    };
-    Some(of(one)? == of(other)?)
+    Some(without_mesh_formats(one)? == without_mesh_formats(other)?)
+}
+
+fn without_mesh_formats(text: &str) -> Option<Element> {
+    let mut root = canonical(text)?;
+    drop_mesh_formats(&mut root, false);
+    Some(root)
 }
 
 /// The root element of a text; none when the text cannot be compared.
 pub(super) fn canonical(text: &str) -> Option<Element> {
+    let mut element = read(parsed(text)?.root_element(), text, 0)?;
+    reduce(&mut element, false);
+    Some(element)
+}
+
+/// The document of a text; none when it is not well-formed or has a document type.
+pub(super) fn parsed(text: &str) -> Option<Document<'_>> {
     let options = ParsingOptions {
         allow_dtd: false,
         ..ParsingOptions::default()
     };
-    let document = roxmltree::Document::parse_with_options(text, options).ok()?;
-    let mut element = read(document.root_element(), text, 0)?;
-    reduce(&mut element, false);
-    Some(element)
+    Document::parse_with_options(text, options).ok()
 }
 
 fn read(node: Node<'_, '_>, text: &str, depth: usize) -> Option<Element> {
@@ -186,7 +193,6 @@ fn prints_as_written(number: &str) -> bool {
     let (whole, fraction) = digits
         .split_once('.')
         .map_or((digits, None), |(whole, rest)| (whole, Some(rest)));
-    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let is_whole = is_digits(whole) && (whole == "0" || !whole.starts_with('0'));
     let is_short = digits.len() <= 15 && !digits.starts_with("0.0000");
     is_whole
@@ -196,6 +202,10 @@ fn prints_as_written(number: &str) -> bool {
             Some("0") => whole != "0",
             Some(fraction) => is_digits(fraction) && !fraction.ends_with('0'),
         }
+}
+
+fn is_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// A number in decimal digits, as it is or as a whole expression.
@@ -230,10 +240,9 @@ fn reduce(element: &mut Element, foreign: bool) {
 
 fn reduce_joint(joint: &mut Element) {
     drop_identity(joint);
-    let is_empty = |child: &Element| child.attrs.is_empty() && child.children.is_empty();
     joint
         .children
-        .retain(|child| child.name != "dynamics" || !is_empty(child));
+        .retain(|child| child.name != "dynamics" || !child.is_empty());
     let kind = joint.attr("type").unwrap_or_default().to_owned();
     // conditions, calls and blocks may give any of the children
     let is_plain = joint.children.iter().all(|child| !child.name.contains(':'));
@@ -274,7 +283,6 @@ fn reduce_joint(joint: &mut Element) {
 
 /// Without an origin that moves nothing; of others, what they leave out is zero.
 fn drop_identity(element: &mut Element) {
-    const ZERO: &str = "0.0 0.0 0.0";
     for origin in element
         .children
         .iter_mut()
@@ -287,15 +295,9 @@ fn drop_identity(element: &mut Element) {
         }
         origin.attrs.sort();
     }
-    let moves = |child: &Element| {
-        let is_zero = |(name, value): &(String, String)| {
-            matches!(name.as_str(), "rpy" | "xyz") && value == ZERO
-        };
-        !child.children.is_empty() || !child.attrs.iter().all(is_zero)
-    };
     element
         .children
-        .retain(|child| child.name != "origin" || moves(child));
+        .retain(|child| child.name != "origin" || child.moves());
 }
 
 /// Leave out how the file names of collision meshes end.
@@ -327,6 +329,19 @@ impl Element {
 
     fn has(&self, name: &str) -> bool {
         self.children.iter().any(|child| child.name == name)
+    }
+
+    /// Whether it has neither attributes nor children.
+    fn is_empty(&self) -> bool {
+        self.attrs.is_empty() && self.children.is_empty()
+    }
+
+    /// Whether an origin is more than one that moves nothing.
+    fn moves(&self) -> bool {
+        let is_zero = |(name, value): &(String, String)| {
+            matches!(name.as_str(), "rpy" | "xyz") && value == ZERO
+        };
+        !self.children.is_empty() || !self.attrs.iter().all(is_zero)
     }
 }
 

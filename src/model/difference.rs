@@ -98,11 +98,10 @@ impl Comparer<'_> {
             "" => "text".to_owned(),
             _ => format!("`{name}` of {}", shown(a)),
         };
-        let text = |element: &Element| element.attr(name).map(str::to_owned);
         let what = What::Value {
             of,
-            one: text(a),
-            other: text(b),
+            one: a.attr(name).map(str::to_owned),
+            other: b.attr(name).map(str::to_owned),
         };
         Some(self.difference(a, b, Some(name), what))
     }
@@ -256,10 +255,19 @@ fn is_same_number(one: &str, other: &str) -> bool {
 
 /// Whether two words are paths to files of one name. Folders of packages differ from machine to machine.
 fn is_same_file(one: &str, other: &str) -> bool {
-    let is_path = |text: &str| text.starts_with('/') || text.contains(":/");
-    let name = |text: &str| text.rsplit('/').next().unwrap_or_default().to_owned();
-    let is_file = |text: &str| name(text).contains('.');
-    is_path(one) && is_path(other) && is_file(one) && name(one) == name(other)
+    is_path(one)
+        && is_path(other)
+        && last_name(one).contains('.')
+        && last_name(one) == last_name(other)
+}
+
+fn is_path(text: &str) -> bool {
+    text.starts_with('/') || text.contains(":/")
+}
+
+/// What follows the last slash.
+fn last_name(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -103,9 +103,26 @@ impl Limit {
 
     /// `lower` and `upper`, zero where absent as in urdfdom; none when one is not known.
     pub fn range(&self) -> Option<(f64, f64)> {
-        let bound = |text: &Option<Text>| text.as_ref().map_or(Some(0.0), Text::number);
         Some((bound(&self.lower)?, bound(&self.upper)?))
     }
+
+    fn of(tree: &XTree, element: XId) -> Self {
+        let dynamic = Self::DYNAMIC
+            .map(|name| Text::attr(tree, element, name).filter(|_| Version::V1_2.is_in(tree)));
+        Self {
+            element,
+            lower: Text::attr(tree, element, "lower"),
+            upper: Text::attr(tree, element, "upper"),
+            effort: Text::attr(tree, element, "effort"),
+            velocity: Text::attr(tree, element, "velocity"),
+            dynamic,
+        }
+    }
+}
+
+/// A bound of a range, zero where absent; none when it is not known.
+fn bound(text: &Option<Text>) -> Option<f64> {
+    text.as_ref().map_or(Some(0.0), Text::number)
 }
 
 /// A `dynamics`: N m s/rad or N s/m, N m or N.
@@ -138,66 +155,59 @@ pub struct Safety {
     pub k_velocity: Option<Text>,
 }
 
+impl Dynamics {
+    fn of(tree: &XTree, element: XId) -> Self {
+        Self {
+            element,
+            damping: Text::attr(tree, element, "damping"),
+            friction: Text::attr(tree, element, "friction"),
+        }
+    }
+}
+
+impl Mimic {
+    fn of(tree: &XTree, element: XId) -> Self {
+        Self {
+            element,
+            joint: Text::attr(tree, element, "joint"),
+            multiplier: Text::attr(tree, element, "multiplier"),
+            offset: Text::attr(tree, element, "offset"),
+        }
+    }
+}
+
+impl Safety {
+    fn of(tree: &XTree, element: XId) -> Self {
+        Self {
+            element,
+            soft_lower_limit: Text::attr(tree, element, "soft_lower_limit"),
+            soft_upper_limit: Text::attr(tree, element, "soft_upper_limit"),
+            k_position: Text::attr(tree, element, "k_position"),
+            k_velocity: Text::attr(tree, element, "k_velocity"),
+        }
+    }
+}
+
 impl Joint {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         // urdfdom reads the first element of each name
-        let first = |name: &str| child(tree, element, name);
-        let end = |name: &str| Text::attr(tree, first(name)?, "link");
-        let text = |element: XId| move |name: &str| Text::attr(tree, element, name);
         Self {
             element,
             name: Text::attr(tree, element, "name"),
             kind: Text::attr(tree, element, "type"),
-            parent: end("parent"),
-            child: end("child"),
-            origin: first("origin").map(|origin| Pose::of(tree, origin)),
-            axis: first("axis").map(|element| Axis {
-                element,
-                xyz: text(element)("xyz"),
+            parent: end(tree, element, "parent"),
+            child: end(tree, element, "child"),
+            origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
+            axis: child(tree, element, "axis").map(|axis| Axis {
+                element: axis,
+                xyz: Text::attr(tree, axis, "xyz"),
             }),
-            limit: first("limit").map(|element| {
-                let text = text(element);
-                let (lower, upper) = (text("lower"), text("upper"));
-                let (effort, velocity) = (text("effort"), text("velocity"));
-                let dynamic =
-                    Limit::DYNAMIC.map(|name| text(name).filter(|_| Version::V1_2.is_in(tree)));
-                Limit {
-                    element,
-                    lower,
-                    upper,
-                    effort,
-                    velocity,
-                    dynamic,
-                }
-            }),
-            dynamics: first("dynamics").map(|element| {
-                let text = text(element);
-                Box::new(Dynamics {
-                    element,
-                    damping: text("damping"),
-                    friction: text("friction"),
-                })
-            }),
-            mimic: first("mimic").map(|element| {
-                let text = text(element);
-                let (multiplier, offset) = (text("multiplier"), text("offset"));
-                Box::new(Mimic {
-                    element,
-                    joint: text("joint"),
-                    multiplier,
-                    offset,
-                })
-            }),
-            safety: first("safety_controller").map(|element| {
-                let text = text(element);
-                Box::new(Safety {
-                    element,
-                    soft_lower_limit: text("soft_lower_limit"),
-                    soft_upper_limit: text("soft_upper_limit"),
-                    k_position: text("k_position"),
-                    k_velocity: text("k_velocity"),
-                })
-            }),
+            limit: child(tree, element, "limit").map(|limit| Limit::of(tree, limit)),
+            dynamics: child(tree, element, "dynamics")
+                .map(|dynamics| Box::new(Dynamics::of(tree, dynamics))),
+            mimic: child(tree, element, "mimic").map(|mimic| Box::new(Mimic::of(tree, mimic))),
+            safety: child(tree, element, "safety_controller")
+                .map(|safety| Box::new(Safety::of(tree, safety))),
         }
     }
 
@@ -231,4 +241,9 @@ impl Joint {
         let text = self.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
         text.map_or(Some([1.0, 0.0, 0.0]), Text::numbers)
     }
+}
+
+/// The link that the `parent` or `child` element of a joint names.
+fn end(tree: &XTree, joint: XId, name: &str) -> Option<Text> {
+    Text::attr(tree, child(tree, joint, name)?, "link")
 }

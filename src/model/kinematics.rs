@@ -86,9 +86,13 @@ impl Kinematics {
 
     /// The joints above a link, the nearest first; of several parents the first counts. A circle ends it.
     pub fn above(&self, link: usize) -> impl Iterator<Item = usize> + '_ {
-        let up = |link: usize| self.up(link).first().copied();
-        let next = move |&joint: &usize| up(self.ends(joint)?.0);
-        std::iter::successors(up(link), next).take(self.down.len())
+        let next = move |&joint: &usize| self.first_up(self.ends(joint)?.0);
+        std::iter::successors(self.first_up(link), next).take(self.down.len())
+    }
+
+    /// The first joint whose child is `link`.
+    fn first_up(&self, link: usize) -> Option<usize> {
+        self.up(link).first().copied()
     }
 
     /// The joints between two links, those above `from` first; none when they hang on nothing in common.
@@ -105,11 +109,7 @@ impl Kinematics {
             .into_iter()
             .rev()
             .collect();
-        let root = |link: usize, way: &[usize]| {
-            way.first()
-                .map_or(Some(link), |&joint| Some(self.ends(joint)?.0))
-        };
-        if root(from, &from_root)? != root(to, &to_root)? {
+        if self.way_start(from, &from_root)? != self.way_start(to, &to_root)? {
             return None;
         }
         let common = from_root
@@ -119,6 +119,12 @@ impl Kinematics {
             .count();
         let up = from_root.into_iter().skip(common).rev();
         Some(up.chain(to_root.into_iter().skip(common)).collect())
+    }
+
+    /// The link where a way of joints to `link` begins: `link` itself when there are none.
+    fn way_start(&self, link: usize, way: &[usize]) -> Option<usize> {
+        way.first()
+            .map_or(Some(link), |&joint| Some(self.ends(joint)?.0))
     }
 
     /// The links that are no child of any joint, in document order; links of a name that an earlier link has

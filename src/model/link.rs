@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use super::pose::Pose;
-use super::source::child;
+use super::source::{child, children};
 use super::text::Text;
 use expand::{XId, XTree};
 
@@ -103,6 +103,13 @@ impl Body {
         }
     }
 
+    /// The bodies of a link whose elements have the name `tag`.
+    fn all(tree: &XTree, link: XId, tag: &str) -> Vec<Self> {
+        children(tree, link, tag)
+            .map(|body| Self::of(tree, body))
+            .collect()
+    }
+
     /// The shape that parsers take: the first one.
     pub fn shape(&self) -> Option<&Shape> {
         self.geometry.as_ref()?.shapes.first()
@@ -179,23 +186,24 @@ pub enum ShapeKind {
 
 impl Shape {
     fn of(tree: &XTree, element: XId) -> Self {
-        let text = |name| Text::attr(tree, element, name);
         let kind = match tree.get(element).text.as_str() {
-            "box" => ShapeKind::Box { size: text("size") },
+            "box" => ShapeKind::Box {
+                size: Text::attr(tree, element, "size"),
+            },
             "cylinder" => ShapeKind::Cylinder {
-                radius: text("radius"),
-                length: text("length"),
+                radius: Text::attr(tree, element, "radius"),
+                length: Text::attr(tree, element, "length"),
             },
             "capsule" => ShapeKind::Capsule {
-                radius: text("radius"),
-                length: text("length"),
+                radius: Text::attr(tree, element, "radius"),
+                length: Text::attr(tree, element, "length"),
             },
             "sphere" => ShapeKind::Sphere {
-                radius: text("radius"),
+                radius: Text::attr(tree, element, "radius"),
             },
             "mesh" => ShapeKind::Mesh {
-                filename: text("filename"),
-                scale: text("scale"),
+                filename: Text::attr(tree, element, "filename"),
+                scale: Text::attr(tree, element, "scale"),
             },
             _ => ShapeKind::Other,
         };
@@ -239,18 +247,12 @@ impl Material {
 
 impl Link {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let bodies = |name: &'static str| {
-            let elements = tree
-                .elements(element)
-                .filter(move |&id| tree.get(id).text == name);
-            elements.map(|body| Body::of(tree, body)).collect()
-        };
         Self {
             element,
             name: Text::attr(tree, element, "name"),
             inertial: child(tree, element, "inertial").map(|inertial| Inertial::of(tree, inertial)),
-            visuals: bodies("visual"),
-            collisions: bodies("collision"),
+            visuals: Body::all(tree, element, "visual"),
+            collisions: Body::all(tree, element, "collision"),
         }
     }
 

@@ -22,14 +22,13 @@ pub struct Pose {
 
 impl Pose {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let text = |name| Text::attr(tree, element, name);
-        let quaternion = text("quat_xyzw")
+        let quaternion = Text::attr(tree, element, "quat_xyzw")
             .filter(|_| Version::V1_1.is_in(tree))
             .map(Box::new);
         Self {
             element,
-            xyz: text("xyz"),
-            rpy: text("rpy"),
+            xyz: Text::attr(tree, element, "xyz"),
+            rpy: Text::attr(tree, element, "rpy"),
             quaternion,
         }
     }

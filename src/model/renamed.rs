@@ -2,7 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use roxmltree::{Attribute, Document, Node, ParsingOptions};
+use roxmltree::Node;
+
+use super::canonical::parsed;
 
 /// The attributes that name a link, joint, material or planning group: element, attribute, what it names.
 const SLOTS: [(&str, &str, &[Kind]); 22] = [
@@ -43,11 +45,6 @@ enum Kind {
 /// those that follow them, as that of a transmission. None: nothing is. Every use of a name has to follow it, and no two names may
 /// become one.
 pub fn other_difference(before: &str, after: &str, old: &str, new: &str) -> Option<String> {
-    let options = || ParsingOptions {
-        allow_dtd: false,
-        ..ParsingOptions::default()
-    };
-    let parsed = |text| Document::parse_with_options(text, options()).ok();
     let (Some(one), Some(other)) = (parsed(before), parsed(after)) else {
         return (before != after).then(|| "the robot cannot be compared".to_owned());
     };
@@ -72,14 +69,17 @@ pub fn other_difference(before: &str, after: &str, old: &str, new: &str) -> Opti
 
 /// Whether two elements have the same tag, the same attributes and as many elements inside.
 fn is_alike(a: &Node<'_, '_>, b: &Node<'_, '_>) -> bool {
-    let inside = |node: &Node<'_, '_>| node.children().filter(Node::is_element).count();
-    let given = |a: &Attribute<'_, '_>, b: &Attribute<'_, '_>| a.name() == b.name();
     a.tag_name() == b.tag_name()
-        && inside(a) == inside(b)
+        && element_count(a) == element_count(b)
         && a.attributes().len() == b.attributes().len()
         && a.attributes()
             .zip(b.attributes())
-            .all(|(a, b)| given(&a, &b))
+            .all(|(a, b)| a.name() == b.name())
+}
+
+/// How many elements stand directly in a node.
+fn element_count(node: &Node<'_, '_>) -> usize {
+    node.children().filter(Node::is_element).count()
 }
 
 /// What names became.
@@ -161,29 +161,35 @@ impl<'a> Names<'a> {
                 return Some(format!("`{is}` would be the name of two"));
             }
         }
-        let of = |was: &str| {
-            let of_kind = |kind| {
-                self.became
-                    .get(&(kind, was))
-                    .and_then(|became| became.first().copied())
-            };
-            [of_kind(Kind::Link), of_kind(Kind::Joint)]
-        };
-        let fits =
-            |was: &str, is: &str| of(was).contains(&Some(is)) || was == is && of(was) == [None; 2];
-        if let Some((was, _)) = self.either.iter().find(|(was, is)| !fits(was, is)) {
+        if let Some((was, _)) = self.either.iter().find(|(was, is)| !self.fits(was, is)) {
             return Some(format!("`{was}` would keep its name in places"));
         }
         // whoever reads such an element looks for what has another name now
-        let is_left = |was: &&&str| of(was).into_iter().flatten().any(|is| is != **was);
+        let is_left = |was: &&&str| {
+            self.link_and_joint(was)
+                .into_iter()
+                .flatten()
+                .any(|is| is != **was)
+        };
         if let Some(was) = self.kept.iter().find(is_left) {
             return Some(format!("`{was}` would keep its name in places"));
         }
         let (_, is) = self
             .contents
             .iter()
-            .find(|(was, is)| !of(was).contains(&Some(is)))?;
+            .find(|(was, is)| !self.link_and_joint(was).contains(&Some(is)))?;
         Some(format!("an element would hold `{is}`"))
+    }
+
+    /// Whether a reference to a link or a joint that was `was` may be `is`.
+    fn fits(&self, was: &str, is: &str) -> bool {
+        let became = self.link_and_joint(was);
+        became.contains(&Some(is)) || was == is && became == [None; 2]
+    }
+
+    /// What the link and the joint of a name are called now.
+    fn link_and_joint(&self, was: &str) -> [Option<&'a str>; 2] {
+        [Kind::Link, Kind::Joint].map(|kind| self.became.get(&(kind, was))?.first().copied())
     }
 }
 

@@ -167,19 +167,12 @@ impl Text {
     /// Where the part `range` of the value stands in the source: that text itself when it is written there,
     /// the expression that made it, or the whole value when it comes from several places.
     pub fn part(&self, range: Range<usize>) -> Origin {
-        let at = |start: u32, end: u32| {
-            let base = self.origin.range.start;
-            Origin {
-                range: TextRange::new(base + start, base + end),
-                ..self.origin
-            }
-        };
         let (start, end) = (range.start as u32, range.end as u32);
         let same_length = self.origin.range.len() as usize == self.value.len();
         if self.is_literal() {
             // entities make the text in the source longer than the value
             return if same_length {
-                at(start, end)
+                self.in_origin(start, end)
             } else {
                 self.origin
             };
@@ -189,9 +182,18 @@ impl Text {
         match (touching.next(), touching.next()) {
             (Some(piece), None) if piece.out.start <= start && end <= piece.out.end => piece.source,
             (None, _) => self.written(start, end).map_or(self.origin, |start| {
-                at(start, start + (end - range.start as u32))
+                self.in_origin(start, start + (end - range.start as u32))
             }),
             _ => self.origin,
+        }
+    }
+
+    /// The place in the source that is `start` to `end` bytes behind the beginning of the value.
+    fn in_origin(&self, start: u32, end: u32) -> Origin {
+        let base = self.origin.range.start;
+        Origin {
+            range: TextRange::new(base + start, base + end),
+            ..self.origin
         }
     }
 

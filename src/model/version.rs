@@ -17,13 +17,8 @@ impl Version {
 
     /// The version that a text names as urdfdom reads it: two numbers with a point between, nothing behind them.
     pub fn parse(text: &str) -> Option<Self> {
-        let number = |text: &str| {
-            text.bytes()
-                .all(|byte| byte.is_ascii_digit())
-                .then(|| text.parse().ok())?
-        };
         let (major, minor) = text.trim_start().split_once('.')?;
-        Some(Self(number(major)?, number(minor)?))
+        Some(Self(whole_number(major)?, whole_number(minor)?))
     }
 
     /// The version of a document; none when it cannot be told.
@@ -39,6 +34,13 @@ impl Version {
     pub fn is_in(self, tree: &XTree) -> bool {
         Self::of(tree).is_some_and(|version| version >= self)
     }
+}
+
+/// The number that a text of digits alone is.
+fn whole_number(text: &str) -> Option<u32> {
+    text.bytes()
+        .all(|byte| byte.is_ascii_digit())
+        .then(|| text.parse().ok())?
 }
 
 impl std::fmt::Display for Version {

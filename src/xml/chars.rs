@@ -67,15 +67,14 @@ pub(super) fn name_char(text: &str, at: usize, first: bool) -> usize {
 /// Offset behind the run of ASCII name characters at `at`; where no name may begin, `at` itself.
 #[inline]
 pub(super) fn skip_ascii_name(bytes: &[u8], at: usize) -> usize {
-    let class = |b: u8| CLASS[b as usize];
     match bytes.get(at) {
-        Some(&b) if class(b) & START != 0 => {}
+        Some(&b) if CLASS[b as usize] & START != 0 => {}
         _ => return at,
     }
     let rest = bytes.get(at..).unwrap_or(&[]);
     at + rest
         .iter()
-        .position(|&b| class(b) & NAME == 0)
+        .position(|&b| CLASS[b as usize] & NAME == 0)
         .unwrap_or(rest.len())
 }
 

@@ -175,13 +175,13 @@ pub fn source_offset(
 
 /// The same for many offsets: one pass, as long as each is behind the one before.
 pub fn source_offsets(raw: &str, entities: &Entities, is_attr: bool) -> impl FnMut(usize) -> usize {
-    let from_start = move || pieces(raw, Place::new(is_attr));
-    let (mut rest, mut out) = (from_start(), String::new());
+    let place = Place::new(is_attr);
+    let (mut rest, mut out) = (pieces(raw, place), String::new());
     // the piece reached: where it stands, whether it stands for itself, and where its value begins and ends
     let (mut start, mut is_text, mut begin, mut end) = (0, false, 0, 0);
     move |offset| {
         if offset < begin {
-            (rest, begin, end) = (from_start(), 0, 0);
+            (rest, begin, end) = (pieces(raw, place), 0, 0);
         }
         while offset >= end {
             let Some((piece, range)) = rest.next() else {

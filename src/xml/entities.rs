@@ -106,8 +106,8 @@ impl Entities {
         depth: u32,
     ) -> Result<Cow<'_, str>, EntityFault> {
         let place = usize::from(is_attr);
-        let known = |entry: &Declared| entry.values.get(place).is_some_and(Option::is_some);
-        if self.declared.get(name).is_some_and(|entry| !known(entry)) {
+        let declared = self.declared.get(name);
+        if declared.is_some_and(|entry| entry.values.get(place).is_none_or(Option::is_none)) {
             // Seen again while its own value is under way, the entity is recursive.
             self.store(name, place, Err(EntityFault::Recursive));
             let value = self.compute(name, is_attr, depth);
@@ -171,16 +171,10 @@ impl Entities {
         let name = "e".repeat(longest + 1);
         let start = name.len() + 2;
         let document = Document::parse(&format!("<{name}>{text}</{name}>"));
-        let depends = |kind| {
-            matches!(
-                kind,
-                SyntaxErrorKind::UndefinedEntity | SyntaxErrorKind::UnboundPrefix
-            )
-        };
         if let Some(error) = document
             .errors()
             .into_iter()
-            .find(|error| !depends(error.kind))
+            .find(|error| !depends_on_place(error.kind))
         {
             let is_left_open = error.expat_offset as usize >= start + text.len();
             let is_wrapper_hit = error.expat == expat::MISMATCH && is_left_open;
@@ -240,6 +234,14 @@ impl Entities {
         let [text, attribute] = &entry.values;
         matches!((text, attribute), (Some(Ok(text)), Some(Err(EntityFault::Malformed))) if text.contains('<'))
     }
+}
+
+/// Whether an error in the text of an entity may be none where the entity is used.
+fn depends_on_place(kind: SyntaxErrorKind) -> bool {
+    matches!(
+        kind,
+        SyntaxErrorKind::UndefinedEntity | SyntaxErrorKind::UnboundPrefix
+    )
 }
 
 /// Whether the replacement text can stand where a reference to it does.

@@ -126,6 +126,14 @@ impl Document {
 }
 
 impl Context {
+    /// The address that a prefix inside an item stands for; none when it is not bound.
+    fn uri<'a>(&'a self, namespace: &'a Namespace) -> Option<&'a str> {
+        match namespace {
+            Namespace::Uri(uri) => Some(uri),
+            Namespace::Outer(prefix) => self.namespaces.get(prefix).map(|uri| &**uri),
+        }
+    }
+
     /// The error, if it is one.
     fn judge(&self, stored: &ItemError, item: &Item) -> Option<SyntaxError> {
         let error = || stored.error.clone();
@@ -136,17 +144,8 @@ impl Context {
                 (!self.namespaces.contains_key(prefix)).then(error)
             }
             Condition::SameNamespace(one, two) => {
-                #[allow(
-                    clippy::pattern_type_mismatch,
-                    clippy::toplevel_ref_arg,
-                    clippy::needless_borrowed_reference
-                )]
-                let uri = |of| match of {
-                    &Namespace::Uri(ref uri) => Some(uri),
-                    Namespace::Outer(prefix) => self.namespaces.get(prefix),
-                };
-                let one = uri(one)?;
-                (Some(one) == uri(two)).then(error)
+                let one = self.uri(one)?;
+                (Some(one) == self.uri(two)).then(error)
             }
             Condition::Entity { name, in_attribute } => {
                 let fault = self.entities.value(name, *in_attribute).err()?;

@@ -263,18 +263,24 @@ impl<'a> Node<'a> {
     /// Where [`raw`](Self::raw) stands.
     pub fn raw_range(self) -> TextRange {
         let data = self.data();
-        let closer = |len| if data.flags & CLOSED != 0 { len } else { 0 };
         match data.kind {
-            NodeKind::Comment => TextRange::new(data.start + 4, data.end - closer(3)),
-            NodeKind::CData => TextRange::new(data.start + 9, data.end - closer(3)),
+            NodeKind::Comment => TextRange::new(data.start + 4, self.end_before(3)),
+            NodeKind::CData => TextRange::new(data.start + 9, self.end_before(3)),
             NodeKind::Pi | NodeKind::Declaration => {
-                let (start, end) = (data.start + 2 + data.name_len, data.end - closer(2));
+                let (start, end) = (data.start + 2 + data.name_len, self.end_before(2));
                 let text = self.slice(start, end);
                 let blank = text.len() - text.trim_start_matches([' ', '\t', '\r', '\n']).len();
                 TextRange::new(start + blank as u32, end)
             }
             _ => self.range(),
         }
+    }
+
+    /// The end without a closing delimiter of `len` bytes, which is missing in a node that is not closed.
+    #[inline]
+    fn end_before(self, len: u32) -> u32 {
+        let data = self.data();
+        data.end - if data.flags & CLOSED != 0 { len } else { 0 }
     }
 
     /// What the parser of the reference hands on: text with references resolved, and for text, comments,

@@ -51,21 +51,15 @@ impl Composer<'_> {
 
     pub(super) fn block_mapping(&mut self) -> Result<Filled, Failure> {
         let start = self.scanner.next()?.start;
-        let is_none = |kind: &TokenKind| {
-            matches!(
-                kind,
-                TokenKind::Key | TokenKind::Value | TokenKind::BlockEnd
-            )
-        };
         let mut items = Vec::new();
         while let Some(mark) = self.take(&TokenKind::Key)? {
-            let key = if is_none(self.peek()?) {
+            let key = if ends_part(self.peek()?) {
                 self.empty(mark)
             } else {
                 self.node(Place::BlockValue)?
             };
             let value = match self.take(&TokenKind::Value)? {
-                Some(_) if !is_none(self.peek()?) => self.node(Place::BlockValue)?,
+                Some(_) if !ends_part(self.peek()?) => self.node(Place::BlockValue)?,
                 Some(colon) => self.empty(colon),
                 None => {
                     let here = self.here()?;
@@ -113,16 +107,15 @@ impl Composer<'_> {
     /// Key and value in brackets that `close` ends; the next token is the `Key`.
     fn flow_item(&mut self, close: &TokenKind) -> Result<(Id, Id), Failure> {
         let mark = self.scanner.next()?.end;
-        let ends = |kind: &TokenKind| *kind == TokenKind::FlowEntry || kind == close;
         let next = self.peek()?;
-        let none = *next == TokenKind::Value || ends(next);
+        let none = *next == TokenKind::Value || ends_flow_item(next, close);
         let key = if none {
             self.empty(mark)
         } else {
             self.node(Place::Flow)?
         };
         let value = match self.take(&TokenKind::Value)? {
-            Some(_) if !ends(self.peek()?) => self.node(Place::Flow)?,
+            Some(_) if !ends_flow_item(self.peek()?, close) => self.node(Place::Flow)?,
             Some(colon) => self.empty(colon),
             None => {
                 let here = self.here()?;
@@ -152,4 +145,17 @@ impl Composer<'_> {
         let end = self.scanner.next()?.end.offset;
         Ok((Content::Mapping(items), Some(end)))
     }
+}
+
+/// Whether a key or a value of a mapping in a block ends before a token.
+fn ends_part(next: &TokenKind) -> bool {
+    matches!(
+        next,
+        TokenKind::Key | TokenKind::Value | TokenKind::BlockEnd
+    )
+}
+
+/// Whether an item in brackets that `close` ends does so before a token.
+fn ends_flow_item(next: &TokenKind, close: &TokenKind) -> bool {
+    *next == TokenKind::FlowEntry || next == close
 }

@@ -8,6 +8,7 @@ use num_traits::FromPrimitive;
 
 use super::compose::{Content, Id, Raw, Tree};
 use super::error::{Failure, repr};
+use super::reader::Mark;
 use super::resolve::{BOOL, FLOAT, INT, MAP, MERGE, NULL, SEQ, STR, TIMESTAMP, VALUE, YAML};
 use super::{Kind, Node, Unit, numbers, timestamp};
 use base::limits::{YAML_MERGES, YAML_NODES};
@@ -71,10 +72,18 @@ impl Constructor {
         self.raw(id).map_or_else(TextRange::default, Raw::range)
     }
 
+    fn start(&self, id: Id) -> Mark {
+        self.raw(id).map(|node| node.start).unwrap_or_default()
+    }
+
+    fn is_mapping(&self, id: Id) -> bool {
+        let content = self.raw(id).map(|node| &node.content);
+        matches!(content, Some(Content::Mapping(_)))
+    }
+
     /// A failure at the beginning of a node.
     fn problem(&self, id: Id, problem: impl Into<String>) -> Failure {
-        let start = self.raw(id).map(|node| node.start).unwrap_or_default();
-        Failure::new(problem, start).blaming(self.range(id))
+        Failure::new(problem, self.start(id)).blaming(self.range(id))
     }
 
     /// A failure at the beginning of a node, found while `outer` is made.
@@ -85,8 +94,7 @@ impl Constructor {
         id: Id,
         problem: impl Into<String>,
     ) -> Failure {
-        let start = |id| self.raw(id).map(|node| node.start).unwrap_or_default();
-        Failure::within(context, start(outer), problem, start(id)).blaming(self.range(id))
+        Failure::within(context, self.start(outer), problem, self.start(id)).blaming(self.range(id))
     }
 
     fn node(&mut self, id: Id, level: u32) -> Node {
@@ -119,16 +127,11 @@ impl Constructor {
             .raw(id)
             .map(|node| node.tag.clone())
             .unwrap_or_default();
-        let unit = |tag: &str| {
-            Unit::ALL
-                .into_iter()
-                .find(|unit| tag.strip_prefix('!') == Some(unit.name()))
-        };
         match tag.as_ref() {
             SEQ => self.list(id, level),
             MAP => Kind::Map(self.mapping(id, level)),
             NULL | BOOL | INT | FLOAT | STR | TIMESTAMP => self.scalar(id, level, &tag),
-            _ => match (tag.strip_prefix(YAML), unit(&tag)) {
+            _ => match (tag.strip_prefix(YAML), unit_of(&tag)) {
                 (Some("binary"), _) => self.scalar(id, level, &tag),
                 (Some("set"), _) => {
                     let keys = self.mapping(id, level).into_iter().map(|(key, _)| key);
@@ -337,31 +340,19 @@ impl Constructor {
 
     /// The mappings a merge key names, in the order in which they are written over each other.
     fn merge_sources(&self, id: Id, value: Id) -> Result<Vec<Id>, Failure> {
-        let context = "while constructing a mapping";
-        let wrong = |problem: &str, at: Id| {
-            let found = self.raw(at).map_or("", |node| node.content.name());
-            self.problem_within(context, id, at, format!("{problem}, but found {found}"))
+        let (problem, at) = match self.raw(value).map(|node| &node.content) {
+            Some(Content::Mapping(_)) => return Ok(vec![value]),
+            Some(Content::Sequence(items)) => {
+                match items.iter().find(|&&item| !self.is_mapping(item)) {
+                    Some(&item) => ("expected a mapping for merging", item),
+                    None => return Ok(items.iter().rev().copied().collect()),
+                }
+            }
+            _ => ("expected a mapping or list of mappings for merging", value),
         };
-        let is_mapping = |id: Id| {
-            matches!(
-                self.raw(id),
-                Some(Raw {
-                    content: Content::Mapping(_),
-                    ..
-                })
-            )
-        };
-        match self.raw(value).map(|node| &node.content) {
-            Some(Content::Mapping(_)) => Ok(vec![value]),
-            Some(Content::Sequence(items)) => match items.iter().find(|&&item| !is_mapping(item)) {
-                Some(&item) => Err(wrong("expected a mapping for merging", item)),
-                None => Ok(items.iter().rev().copied().collect()),
-            },
-            _ => Err(wrong(
-                "expected a mapping or list of mappings for merging",
-                value,
-            )),
-        }
+        let found = self.raw(at).map_or("", |node| node.content.name());
+        let problem = format!("{problem}, but found {found}");
+        Err(self.problem_within("while constructing a mapping", id, at, problem))
     }
 
     /// A list of mappings of one item each.
@@ -478,4 +469,11 @@ impl Key {
             Kind::List(_) | Kind::Map(_) | Kind::Set(_) | Kind::Pairs(_) => return None,
         })
     }
+}
+
+/// The unit that a tag of one stands for.
+fn unit_of(tag: &str) -> Option<Unit> {
+    Unit::ALL
+        .into_iter()
+        .find(|unit| tag.strip_prefix('!') == Some(unit.name()))
 }

@@ -14,7 +14,7 @@ fn is_uri(c: char) -> bool {
     c.is_ascii_alphanumeric() || "-;/?:@&=+$,_.!~*'()[]".contains(c)
 }
 
-impl Scanner<'_> {
+impl<'t> Scanner<'t> {
     /// `&name` or `*name`
     pub(super) fn scan_anchor(&mut self) -> Result<Token, Failure> {
         let start = self.reader.mark();
@@ -169,20 +169,23 @@ impl Scanner<'_> {
     fn scan_version(&mut self, start: Mark) -> Result<Directive, Failure> {
         let context = "while scanning a directive";
         self.reader.take_while(|c| c == ' ');
-        let digits = |scanner: &mut Self| match scanner.reader.take_while(|c| c.is_ascii_digit()) {
-            "" => Err(scanner.unexpected(context, start, "a digit")),
-            digits => Ok(digits.to_owned()),
-        };
-        let major = digits(self)?;
+        let major = self.scan_digits(context, start)?.to_owned();
         if self.reader.peek() != '.' {
             return Err(self.unexpected(context, start, "a digit or '.'"));
         }
         self.reader.advance();
-        digits(self)?;
+        self.scan_digits(context, start)?;
         if !is_space_or_end(self.reader.peek()) {
             return Err(self.unexpected(context, start, "a digit or ' '"));
         }
         Ok(Directive::Yaml(major))
+    }
+
+    fn scan_digits(&mut self, context: &str, start: Mark) -> Result<&'t str, Failure> {
+        match self.reader.take_while(|c| c.is_ascii_digit()) {
+            "" => Err(self.unexpected(context, start, "a digit")),
+            digits => Ok(digits),
+        }
     }
 
     fn scan_tag_directive(&mut self, start: Mark) -> Result<Directive, Failure> {

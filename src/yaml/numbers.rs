@@ -40,7 +40,6 @@ pub(super) fn int(text: &str) -> Result<BigInt, String> {
 
 /// `int(text, base)`
 fn python_int(text: &str, base: u32) -> Result<BigInt, String> {
-    let invalid = || format!("invalid literal for int() with base {base}: {}", repr(text));
     let trimmed = text.trim();
     let (negative, digits) = match trimmed.strip_prefix('-') {
         Some(digits) => (true, digits),
@@ -57,7 +56,7 @@ fn python_int(text: &str, base: u32) -> Result<BigInt, String> {
         .find_map(|prefix| digits.strip_prefix(prefix))
         .unwrap_or(digits);
     if digits.is_empty() || !digits.chars().all(|c| c.is_digit(base)) {
-        return Err(invalid());
+        return Err(invalid_literal(text, base));
     }
     if base == 10 && digits.len() > INTEGER_DIGITS {
         return Err(format!(
@@ -65,8 +64,12 @@ fn python_int(text: &str, base: u32) -> Result<BigInt, String> {
             digits.len()
         ));
     }
-    let value = BigInt::from_str_radix(digits, base).map_err(|_| invalid())?;
+    let value = BigInt::from_str_radix(digits, base).map_err(|_| invalid_literal(text, base))?;
     Ok(if negative { -value } else { value })
+}
+
+fn invalid_literal(text: &str, base: u32) -> String {
+    format!("invalid literal for int() with base {base}: {}", repr(text))
 }
 
 /// `float` of a scalar.

@@ -34,9 +34,14 @@ pub(super) fn is_break_or_end(c: char) -> bool {
     c == END || is_break(c)
 }
 
+/// Whether a character stands between words of a line.
+pub(super) fn is_blank(c: char) -> bool {
+    matches!(c, ' ' | '\t')
+}
+
 /// Whether a word ends here.
 pub(super) fn is_blank_or_end(c: char) -> bool {
-    matches!(c, ' ' | '\t') || is_break_or_end(c)
+    is_blank(c) || is_break_or_end(c)
 }
 
 impl<'t> Reader<'t> {

@@ -58,12 +58,11 @@ fn is_digit_or_bar(c: char) -> bool {
 
 fn is_int(text: &str) -> bool {
     let text = unsigned(text);
-    let all = |text: &str, wanted: fn(char) -> bool| !text.is_empty() && text.chars().all(wanted);
     if let Some(bits) = text.strip_prefix("0b") {
-        return all(bits, |c| matches!(c, '0' | '1' | '_'));
+        return !bits.is_empty() && bits.chars().all(|c| matches!(c, '0' | '1' | '_'));
     }
     if let Some(digits) = text.strip_prefix("0x") {
-        return all(digits, |c| c.is_ascii_hexdigit() || c == '_');
+        return !digits.is_empty() && digits.chars().all(|c| c.is_ascii_hexdigit() || c == '_');
     }
     if let Some(octal) = text.strip_prefix('0') {
         return octal.chars().all(|c| matches!(c, '0'..='7' | '_'));

@@ -23,6 +23,13 @@ struct Candidate {
     mark: Mark,
 }
 
+impl Candidate {
+    /// Whether a colon at `here` comes too late for it.
+    fn is_stale(&self, here: Mark) -> bool {
+        self.mark.line != here.line || here.index - self.mark.index > KEY_REACH
+    }
+}
+
 /// A source of tokens.
 pub(super) struct Scanner<'t> {
     /// The text.
@@ -221,17 +228,15 @@ impl<'t> Scanner<'t> {
 
     fn drop_stale_candidates(&mut self) -> Result<(), Failure> {
         let here = self.reader.mark();
-        let is_stale = |candidate: &Candidate| {
-            candidate.mark.line != here.line || here.index - candidate.mark.index > KEY_REACH
-        };
         let lost = self
             .candidates
             .iter()
-            .find(|candidate| candidate.required && is_stale(candidate));
+            .find(|candidate| candidate.required && candidate.is_stale(here));
         if let Some(lost) = lost {
             return Err(self.missing_colon(lost));
         }
-        self.candidates.retain(|candidate| !is_stale(candidate));
+        self.candidates
+            .retain(|candidate| !candidate.is_stale(here));
         Ok(())
     }
 

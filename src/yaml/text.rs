@@ -1,7 +1,7 @@
 //! Scalars: plain, quoted, block.
 
 use super::error::{Failure, repr};
-use super::reader::{END, Mark, is_blank_or_end, is_break, is_break_or_end};
+use super::reader::{END, Mark, is_blank, is_blank_or_end, is_break, is_break_or_end};
 use super::scanner::Scanner;
 use super::token::{Token, TokenKind};
 use base::TextRange;
@@ -198,7 +198,7 @@ impl Scanner<'_> {
     }
 
     fn scan_quoted_blanks(&mut self, start: Mark, text: &mut String) -> Result<(), Failure> {
-        let blanks = self.reader.take_while(|c| matches!(c, ' ' | '\t'));
+        let blanks = self.reader.take_while(is_blank);
         if self.reader.peek() == END {
             let problem = "found unexpected end of stream";
             return Err(Failure::within(
@@ -227,7 +227,7 @@ impl Scanner<'_> {
                 let context = "while scanning a quoted scalar";
                 return Err(Failure::within(context, start, problem, self.reader.mark()));
             }
-            self.reader.take_while(|c| matches!(c, ' ' | '\t'));
+            self.reader.take_while(is_blank);
             match self.reader.take_break() {
                 Some(c) => breaks.push(c),
                 None => return Ok(breaks),
@@ -254,8 +254,7 @@ impl Scanner<'_> {
         let mut last_break = None;
         while i64::from(self.reader.mark().column) == indent && self.reader.peek() != END {
             text.push_str(&breaks);
-            let is_more_indented = |c: char| matches!(c, ' ' | '\t');
-            let was_flush = !is_more_indented(self.reader.peek());
+            let was_flush = !is_blank(self.reader.peek());
             text.push_str(self.reader.take_while(|c| !is_break_or_end(c)));
             end = self.reader.mark();
             last_break = self.reader.take_break();
@@ -265,7 +264,7 @@ impl Scanner<'_> {
                 break;
             }
             match last_break {
-                Some('\n') if is_folded && was_flush && !is_more_indented(next) => {
+                Some('\n') if is_folded && was_flush && !is_blank(next) => {
                     text.push_str(if breaks.is_empty() { " " } else { "" });
                 }
                 Some(c) => text.push(c),

@@ -22,26 +22,9 @@ pub(super) fn construct(args: &Args) -> Eval {
     if let Some(Value::Str(_)) = second {
         return Err(Stop::typ("complex() second arg can't be a string"));
     }
-    let part = |value: Option<&Value>, place: &str| match value {
-        None => Ok((0.0, 0.0)),
-        Some(value) => match Num::of(value) {
-            Some(number) => number.complex(),
-            None => {
-                let kind = value.type_name();
-                let a = if place == "first" {
-                    "a string or a number"
-                } else {
-                    "a number"
-                };
-                Err(Stop::typ(format!(
-                    "complex() {place} argument must be {a}, not '{kind}'"
-                )))
-            }
-        },
-    };
-    let (re, im) = (part(first, "first")?, part(second, "second")?);
+    let re = argument(first, "first", "a string or a number")?;
+    let im = argument(second, "second", "a number")?;
     // A complex argument brings along a part for the other side: x + (a + bj)j.
-    let is_complex = |value| matches!(value, Some(&Value::Complex(..)));
     let real = if is_complex(second) {
         re.0 - im.1
     } else {
@@ -49,6 +32,26 @@ pub(super) fn construct(args: &Args) -> Eval {
     };
     let imaginary = if is_complex(first) { re.1 + im.0 } else { im.0 };
     Ok(Value::Complex(real, imaginary))
+}
+
+/// Both parts of an argument, which has to be `wanted`; zero when there is none.
+fn argument(value: Option<&Value>, place: &str, wanted: &str) -> Eval<(f64, f64)> {
+    let Some(value) = value else {
+        return Ok((0.0, 0.0));
+    };
+    match Num::of(value) {
+        Some(number) => number.complex(),
+        None => {
+            let kind = value.type_name();
+            Err(Stop::typ(format!(
+                "complex() {place} argument must be {wanted}, not '{kind}'"
+            )))
+        }
+    }
+}
+
+fn is_complex(value: Option<&Value>) -> bool {
+    matches!(value, Some(Value::Complex(..)))
 }
 
 fn parse_complex(text: &str) -> Option<(f64, f64)> {
@@ -60,11 +63,6 @@ fn parse_complex(text: &str) -> Option<(f64, f64)> {
     let Some(body) = text.strip_suffix(['j', 'J']) else {
         return parse_float(text).map(|re| (re, 0.0));
     };
-    let imaginary = |part: &str| match part {
-        "" | "+" => Some(1.0),
-        "-" => Some(-1.0),
-        part => parse_float(part),
-    };
     // The last sign that does not belong to an exponent separates the parts.
     let sign = body.char_indices().rev().find(|&(i, c)| {
         let exponent = body
@@ -73,7 +71,19 @@ fn parse_complex(text: &str) -> Option<(f64, f64)> {
         i > 0 && (c == '+' || c == '-') && !exponent
     });
     match sign {
-        Some((at, _)) => Some((parse_float(body.get(..at)?)?, imaginary(body.get(at..)?)?)),
-        None => Some((0.0, imaginary(body)?)),
+        Some((at, _)) => Some((
+            parse_float(body.get(..at)?)?,
+            imaginary_part(body.get(at..)?)?,
+        )),
+        None => Some((0.0, imaginary_part(body)?)),
+    }
+}
+
+/// What stands in front of the `j`; a sign alone, or nothing, is a one.
+fn imaginary_part(text: &str) -> Option<f64> {
+    match text {
+        "" | "+" => Some(1.0),
+        "-" => Some(-1.0),
+        number => parse_float(number),
     }
 }

@@ -12,20 +12,10 @@ use crate::stop::{Eval, Stop};
 use crate::value::{Range, Slice, Value};
 
 pub(super) fn range(args: &Args) -> Eval {
-    let number = |place: usize| -> Eval<i128> {
-        let value = args.at(place);
-        let limit = || Stop::budget("range bounds of more than 120 bits are not supported");
-        let number = integer(value)?;
-        if number.unsigned_abs() >> 120 == 0 {
-            Ok(number)
-        } else {
-            Err(limit())
-        }
-    };
     let (start, stop, step) = match args.len() {
-        1 => (0, number(0)?, 1),
-        2 => (number(0)?, number(1)?, 1),
-        _ => (number(0)?, number(1)?, number(2)?),
+        1 => (0, bound(args, 0)?, 1),
+        2 => (bound(args, 0)?, bound(args, 1)?, 1),
+        _ => (bound(args, 0)?, bound(args, 1)?, bound(args, 2)?),
     };
     if step == 0 {
         return Err(Stop::value("range() arg 3 must not be zero"));
@@ -33,18 +23,27 @@ pub(super) fn range(args: &Args) -> Eval {
     Ok(Value::Range(Arc::new(Range { start, stop, step })))
 }
 
+fn bound(args: &Args, place: usize) -> Eval<i128> {
+    let number = integer(args.at(place))?;
+    if number.unsigned_abs() >> 120 != 0 {
+        return Err(Stop::budget(
+            "range bounds of more than 120 bits are not supported",
+        ));
+    }
+    Ok(number)
+}
+
 pub(super) fn slice(args: &Args) -> Value {
-    let part = |place: usize| args.at(place).clone();
     let slice = match args.len() {
         1 => Slice {
             start: Value::None,
-            stop: part(0),
+            stop: args.at(0).clone(),
             step: Value::None,
         },
         _ => Slice {
-            start: part(0),
-            stop: part(1),
-            step: part(2),
+            start: args.at(0).clone(),
+            stop: args.at(1).clone(),
+            step: args.at(2).clone(),
         },
     };
     Value::Slice(Arc::new(slice))

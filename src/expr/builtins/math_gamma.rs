@@ -104,16 +104,12 @@ fn sin_pi(x: f64) -> f64 {
 }
 
 pub(super) fn gamma(x: f64) -> Eval {
-    let domain = || Stop::value("math domain error");
-    if !x.is_finite() {
-        return if x.is_nan() || x > 0.0 {
-            Ok(Value::Float(x))
-        } else {
-            Err(domain())
-        };
+    if x.is_nan() || x == f64::INFINITY {
+        return Ok(Value::Float(x));
     }
+    // also minus infinity
     if x == 0.0 || (x < 0.0 && x == x.floor()) {
-        return Err(domain());
+        return Err(Stop::value("math domain error"));
     }
     if x == x.floor()
         && let Some(&exact) = FACTORIALS.get(x as usize - 1)
@@ -147,27 +143,21 @@ fn gamma_of(x: f64) -> f64 {
         (y - G_MINUS_HALF) - magnitude
     };
     let correction = lost * G / y;
-    let by_halves = |result: f64, divide: bool| {
-        // The power is taken in two steps where it would overflow.
-        let root = magnitude < 140.0;
-        let power = if root {
-            elementary::pow(y, magnitude - 0.5)
-        } else {
-            elementary::pow(y, magnitude / 2.0 - 0.25)
-        };
-        match (divide, root) {
-            (true, true) => result / power,
-            (true, false) => result / power / power,
-            (false, true) => result * power,
-            (false, false) => result * power * power,
-        }
+    // The power is taken in two steps where it would overflow.
+    let root = magnitude < 140.0;
+    let power = if root {
+        elementary::pow(y, magnitude - 0.5)
+    } else {
+        elementary::pow(y, magnitude / 2.0 - 0.25)
     };
     if x < 0.0 {
         let base = -PI / sin_pi(magnitude) / magnitude * elementary::exp(y) / lanczos(magnitude);
-        by_halves(base - correction * base, true)
+        let result = (base - correction * base) / power;
+        if root { result } else { result / power }
     } else {
         let base = lanczos(magnitude) / elementary::exp(y);
-        by_halves(base + correction * base, false)
+        let result = (base + correction * base) * power;
+        if root { result } else { result * power }
     }
 }
 

@@ -256,9 +256,8 @@ fn holds_for_all(interp: &mut Interp, iterable: &Value, expected: bool) -> Eval 
 
 fn divmod(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
     let (a, b) = (args.at(0), args.at(1));
-    let unsupported = || ops::unsupported_as("divmod()", a, b);
     let (Some(x), Some(y)) = (Num::of(a), Num::of(b)) else {
-        return Err(unsupported());
+        return Err(ops::unsupported_as("divmod()", a, b));
     };
     if let (Some(x), Some(y)) = (x.big(), y.big()) {
         if *y == num_bigint::BigInt::ZERO {
@@ -269,7 +268,7 @@ fn divmod(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
         return Ok(Value::tuple_from([Value::int(quotient), Value::int(rest)]));
     }
     let (Some(x), Some(y)) = (x.float()?, y.float()?) else {
-        return Err(unsupported());
+        return Err(ops::unsupported_as("divmod()", a, b));
     };
     if y == 0.0 {
         return Err(Stop::zero("float divmod()"));

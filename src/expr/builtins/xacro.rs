@@ -169,34 +169,36 @@ impl Member {
 
     /// The member that begins with `c`.
     fn read(c: char, rest: &mut Chars<'_>) -> Eval<Self> {
-        let character = |c| Ok(Self::Range(c, c));
         if c != '\\' {
-            return character(c);
+            return Ok(Self::Range(c, c));
         }
         let c = rest.next().ok_or_else(unterminated)?;
-        match c {
-            'd' | 'D' | 's' | 'S' | 'w' | 'W' => Ok(Self::Class(c)),
-            'a' => character('\x07'),
-            'b' => character('\x08'),
-            't' => character('\t'),
-            'n' => character('\n'),
-            'v' => character('\x0b'),
-            'f' => character('\x0c'),
-            'r' => character('\r'),
-            'x' => character(by_code(c, 16, 2, 2, rest)?),
-            'u' => character(by_code(c, 16, 4, 4, rest)?),
-            'U' => character(by_code(c, 16, 8, 8, rest)?),
+        let character = match c {
+            'd' | 'D' | 's' | 'S' | 'w' | 'W' => return Ok(Self::Class(c)),
+            'a' => '\x07',
+            'b' => '\x08',
+            't' => '\t',
+            'n' => '\n',
+            'v' => '\x0b',
+            'f' => '\x0c',
+            'r' => '\r',
+            'x' => by_code(c, 16, 2, 2, rest)?,
+            'u' => by_code(c, 16, 4, 4, rest)?,
+            'U' => by_code(c, 16, 8, 8, rest)?,
             '0'..='7' => {
                 let digits = format!("{c}{}", rest.as_str());
                 let mut all = digits.chars();
                 let found = by_code(c, 8, 1, 3, &mut all)?;
                 let used = digits.len() - all.as_str().len() - 1;
                 *rest = rest.as_str().get(used..).unwrap_or("").chars();
-                character(found)
+                found
             }
-            _ if c.is_ascii_alphanumeric() => Err(Stop::value(format!("bad escape \\{c}"))),
-            _ => character(c),
-        }
+            _ if c.is_ascii_alphanumeric() => {
+                return Err(Stop::value(format!("bad escape \\{c}")));
+            }
+            _ => c,
+        };
+        Ok(Self::Range(character, character))
     }
 
     /// `self-last`

@@ -197,34 +197,17 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
         ..spec.clone()
     };
     let own = spec.kind.is_none();
-    let mut part = |value: f64, sign: Option<char>| -> Eval<String> {
-        let spec = Spec {
-            sign,
-            ..bare.clone()
-        };
-        if own && spec.precision.is_none() {
-            let text = float_repr::repr(value.abs());
-            let point = if spec.alternate { "." } else { "" };
-            let text = text
-                .strip_suffix(".0")
-                .map_or(text.clone(), |whole| format!("{whole}{point}"));
-            let parts = Parts {
-                negative: value.is_sign_negative(),
-                whole: text,
-                is_number: false,
-                ..Parts::default()
-            };
-            return lay_out(interp, &parts, &spec, 3);
-        }
-        format(interp, value, &spec, "complex")
+    let signed = Spec {
+        sign: Some('+'),
+        ..bare.clone()
     };
-    let imaginary = part(im, Some('+'));
+    let imaginary = complex_part(interp, im, &signed, own);
     let text = if own && re == 0.0 && re.is_sign_positive() {
-        format!("{}j", part(im, spec.sign)?)
+        format!("{}j", complex_part(interp, im, &bare, own)?)
     } else if own {
-        format!("({}{}j)", part(re, spec.sign)?, imaginary?)
+        format!("({}{}j)", complex_part(interp, re, &bare, own)?, imaginary?)
     } else {
-        format!("{}{}j", part(re, spec.sign)?, imaginary?)
+        format!("{}{}j", complex_part(interp, re, &bare, own)?, imaginary?)
     };
     lay_out(
         interp,
@@ -239,4 +222,23 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
         },
         3,
     )
+}
+
+/// A part of a complex number; without a precision in a style of its own where the specification names none.
+fn complex_part(interp: &mut Interp, value: f64, spec: &Spec, own: bool) -> Eval<String> {
+    if !own || spec.precision.is_some() {
+        return format(interp, value, spec, "complex");
+    }
+    let text = float_repr::repr(value.abs());
+    let point = if spec.alternate { "." } else { "" };
+    let text = text
+        .strip_suffix(".0")
+        .map_or(text.clone(), |whole| format!("{whole}{point}"));
+    let parts = Parts {
+        negative: value.is_sign_negative(),
+        whole: text,
+        is_number: false,
+        ..Parts::default()
+    };
+    lay_out(interp, &parts, spec, 3)
 }

@@ -154,13 +154,12 @@ pub(super) fn lay_out(
         _ => (missing, 0, 0),
     };
     let mut out = String::new();
-    let pad = |out: &mut String, count: usize| out.extend(std::iter::repeat_n(spec.fill, count));
-    pad(&mut out, left);
+    out.extend(std::iter::repeat_n(spec.fill, left));
     out.push_str(sign);
     out.push_str(parts.prefix);
-    pad(&mut out, inner);
+    out.extend(std::iter::repeat_n(spec.fill, inner));
     out.push_str(&whole);
     out.push_str(&parts.rest);
-    pad(&mut out, right);
+    out.extend(std::iter::repeat_n(spec.fill, right));
     Ok(out)
 }

@@ -268,7 +268,6 @@ fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<Strin
 }
 
 fn character(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
-    let wrong = || Stop::typ("%c requires int or char");
     let text = match value {
         Value::Str(text) if text.chars().count() == 1 => text.to_string(),
         Value::Int(_) | Value::Big(_) | Value::Bool(_) => {
@@ -278,7 +277,7 @@ fn character(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<
             let code = code.ok_or_else(|| Stop::overflow("%c arg not in range(0x110000)"))?;
             char::from_u32(code).unwrap_or('\u{fffd}').to_string()
         }
-        _ => return Err(wrong()),
+        _ => return Err(Stop::typ("%c requires int or char")),
     };
     padded(interp, text, directive)
 }

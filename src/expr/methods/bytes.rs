@@ -191,7 +191,6 @@ pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>)
                 .collect::<String>(),
         ));
     }
-    let lossy = || String::from_utf8_lossy(bytes);
     let error = match encoding {
         Encoding::Ascii => bytes.iter().position(|byte| !byte.is_ascii()).map(|place| {
             undecodable(
@@ -207,8 +206,12 @@ pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>)
             .map(|error| not_utf8(bytes, &error)),
     };
     match (error, mode) {
-        (None, _) | (Some(_), "replace") => Ok(Value::from(lossy().into_owned())),
-        (Some(_), "ignore") => Ok(Value::from(lossy().replace('\u{fffd}', ""))),
+        (None, _) | (Some(_), "replace") => {
+            Ok(Value::from(String::from_utf8_lossy(bytes).into_owned()))
+        }
+        (Some(_), "ignore") => Ok(Value::from(
+            String::from_utf8_lossy(bytes).replace('\u{fffd}', ""),
+        )),
         (Some(error), _) => Err(error),
     }
 }

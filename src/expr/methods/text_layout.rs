@@ -135,7 +135,6 @@ pub(super) fn expand_tabs(interp: &mut Interp, text: &Value, args: &Args) -> Eva
 
 /// `str.maketrans`
 pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
-    let code = |c: char| Key::new(Value::Int(i64::from(u32::from(c))));
     let mut map = DictMap::default();
     if args.len() == 1 {
         let Value::Dict(dict) = args.at(0) else {
@@ -148,7 +147,7 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
                 Value::Str(text) => {
                     let mut chars = text.chars();
                     match (chars.next(), chars.next()) {
-                        (Some(c), None) => code(c)?,
+                        (Some(c), None) => code_key(c)?,
                         _ => {
                             return Err(Stop::value(
                                 "string keys in translate table must be of length 1",
@@ -182,12 +181,17 @@ pub(super) fn make_translation(_: &mut Interp, _: &Value, args: &Args) -> Eval {
         ));
     }
     for (a, b) in from.chars().zip(to.chars()) {
-        map.insert(code(a)?, Value::Int(i64::from(u32::from(b))));
+        map.insert(code_key(a)?, Value::Int(i64::from(u32::from(b))));
     }
     for c in gone.chars() {
-        map.insert(code(c)?, Value::None);
+        map.insert(code_key(c)?, Value::None);
     }
     Ok(Value::Dict(Dict::new(map, false)))
+}
+
+/// The number of a character, as the tables of `translate` have it.
+fn code_key(c: char) -> Eval<Key> {
+    Key::new(Value::Int(i64::from(u32::from(c))))
 }
 
 pub(super) fn translate(interp: &mut Interp, text: &Value, args: &Args) -> Eval {

@@ -104,17 +104,9 @@ pub(super) fn at_end(text: &Value, args: &Args, start: bool) -> Eval {
     let name = if start { "startswith" } else { "endswith" };
     check_args(args, name)?;
     let window = window(text, args.get(1), args.get(2))?;
-    let matches = |part: &str| {
-        window.as_ref().is_some_and(|w| {
-            if start {
-                w.text.starts_with(part)
-            } else {
-                w.text.ends_with(part)
-            }
-        })
-    };
+    let text = window.map(|window| window.text);
     match args.at(0) {
-        Value::Str(part) => Ok(Value::Bool(matches(part))),
+        Value::Str(part) => Ok(Value::Bool(is_at_end(text, part, start))),
         Value::Tuple(parts) => {
             for part in parts.items() {
                 let Value::Str(part) = part.clone().known()? else {
@@ -123,7 +115,7 @@ pub(super) fn at_end(text: &Value, args: &Args, start: bool) -> Eval {
                         "tuple for {name} must only contain str, not {kind}"
                     )));
                 };
-                if matches(&part) {
+                if is_at_end(text, &part, start) {
                     return Ok(Value::Bool(true));
                 }
             }
@@ -136,6 +128,16 @@ pub(super) fn at_end(text: &Value, args: &Args, start: bool) -> Eval {
             )))
         }
     }
+}
+
+fn is_at_end(text: Option<&str>, part: &str, start: bool) -> bool {
+    text.is_some_and(|text| {
+        if start {
+            text.starts_with(part)
+        } else {
+            text.ends_with(part)
+        }
+    })
 }
 
 pub(super) fn replace(interp: &mut Interp, text: &Value, args: &Args) -> Eval {

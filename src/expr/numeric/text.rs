@@ -118,15 +118,17 @@ fn without_underscores(text: &str, is_digit: impl Fn(u8) -> bool) -> Option<Cow<
         return Some(Cow::Borrowed(text));
     }
     let bytes = text.as_bytes();
-    let between = |i: usize| {
-        let before = i.checked_sub(1).and_then(|i| bytes.get(i));
-        before.is_some_and(|&b| is_digit(b)) && bytes.get(i + 1).is_some_and(|&b| is_digit(b))
-    };
     let fine = bytes
         .iter()
         .enumerate()
-        .all(|(i, &b)| b != b'_' || between(i));
+        .all(|(at, &b)| b != b'_' || is_between_digits(bytes, at, &is_digit));
     fine.then(|| Cow::Owned(text.replace('_', "")))
+}
+
+/// Whether a digit stands before the byte `at` and one behind it.
+fn is_between_digits(bytes: &[u8], at: usize, is_digit: impl Fn(u8) -> bool) -> bool {
+    let before = at.checked_sub(1).and_then(|before| bytes.get(before));
+    before.is_some_and(|&b| is_digit(b)) && bytes.get(at + 1).is_some_and(|&b| is_digit(b))
 }
 
 /// What became of a text given to `int()`.

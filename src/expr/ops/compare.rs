@@ -7,7 +7,7 @@ use crate::ast::CmpOp;
 use crate::interp::Interp;
 use crate::numeric::Num;
 use crate::stop::{Eval, Stop};
-use crate::value::{Key, Value};
+use crate::value::{Key, SetMap, Slice, Value};
 
 /// `a op b`
 pub(crate) fn compare(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
@@ -61,16 +61,17 @@ pub(crate) fn equal(interp: &mut Interp, a: &Value, b: &Value) -> Eval<bool> {
             };
             equal(interp, &Value::Dict(x), &Value::Dict(y))
         }
-        (Value::Slice(x), Value::Slice(y)) => {
-            let parts = |s: &crate::value::Slice| [s.start.clone(), s.stop.clone(), s.step.clone()];
-            equal_items(interp, &parts(x), &parts(y))
-        }
+        (Value::Slice(x), Value::Slice(y)) => equal_items(interp, &slice_parts(x), &slice_parts(y)),
         _ => match (Num::of(a), Num::of(b)) {
             (Some(x), Some(y)) => Ok(x.equals(y)),
             (None, None) => equal_others(a, b),
             _ => Ok(false),
         },
     }
+}
+
+fn slice_parts(slice: &Slice) -> [Value; 3] {
+    [slice.start.clone(), slice.stop.clone(), slice.step.clone()]
 }
 
 /// Sets and hashable objects.
@@ -138,15 +139,9 @@ fn holds(op: CmpOp, order: Option<Ordering>) -> bool {
 /// `<`, `<=`, `>`, `>=`
 fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
     interp.budget.step()?;
-    let unordered = || {
-        let (symbol, a, b) = (symbol(op), a.type_name(), b.type_name());
-        Stop::typ(format!(
-            "'{symbol}' not supported between instances of '{a}' and '{b}'"
-        ))
-    };
     let order = match (a, b) {
         (Value::Unknown, _) | (_, Value::Unknown) => return Err(Stop::Unknown),
-        (Value::Complex(..), _) | (_, Value::Complex(..)) => return Err(unordered()),
+        (Value::Complex(..), _) | (_, Value::Complex(..)) => return Err(unordered(op, a, b)),
         (Value::Str(x), Value::Str(y)) => Some(x.cmp(y)),
         (Value::Bytes(x), Value::Bytes(y)) => Some(x.cmp(y)),
         // The more special type is asked first.
@@ -162,10 +157,17 @@ fn ordered(interp: &mut Interp, op: CmpOp, a: &Value, b: &Value) -> Eval<bool> {
         (Value::Date(x), Value::Date(y)) => return ordered_dates(op, x, y),
         _ => match (Num::of(a), Num::of(b)) {
             (Some(x), Some(y)) => x.compare(y),
-            _ => return subset(op, a, b).unwrap_or_else(|| Err(unordered())),
+            _ => return subset(op, a, b).unwrap_or_else(|| Err(unordered(op, a, b))),
         },
     };
     Ok(holds(op, order))
+}
+
+fn unordered(op: CmpOp, a: &Value, b: &Value) -> Stop {
+    let (symbol, a, b) = (symbol(op), a.type_name(), b.type_name());
+    Stop::typ(format!(
+        "'{symbol}' not supported between instances of '{a}' and '{b}'"
+    ))
 }
 
 /// The operator with its sides exchanged.
@@ -215,13 +217,16 @@ fn ordered_items(interp: &mut Interp, op: CmpOp, x: &[Value], y: &[Value]) -> Ev
 /// Order of sets is inclusion.
 fn subset(op: CmpOp, a: &Value, b: &Value) -> Option<Eval<bool>> {
     let (x, y) = (elements(a)?, elements(b)?);
-    let decide = |x: &crate::value::SetMap, y: &crate::value::SetMap| match op {
+    Some(x.and_then(|x| y.map(|y| holds_for_sets(op, &x, &y))))
+}
+
+fn holds_for_sets(op: CmpOp, x: &SetMap, y: &SetMap) -> bool {
+    match op {
         CmpOp::Lt => x.len() < y.len() && x.is_subset(y),
         CmpOp::Le => x.is_subset(y),
         CmpOp::Gt => x.len() > y.len() && x.is_superset(y),
         _ => x.is_superset(y),
-    };
-    Some(x.and_then(|x| y.map(|y| decide(&x, &y))))
+    }
 }
 
 /// `a < b`, as sorting and `min` need it.

@@ -175,19 +175,17 @@ pub(crate) fn true_divide(interp: &mut Interp, a: &BigInt, b: &BigInt) -> Eval<f
         return Ok(if b.is_negative() { -0.0 } else { 0.0 });
     }
     charge_division(interp, a, b)?;
-    let too_large = || Stop::overflow("integer division result too large for a float");
     let scale =
         i64::try_from(a.bits()).unwrap_or(i64::MAX) - i64::try_from(b.bits()).unwrap_or(i64::MAX);
-    if scale > 1025 {
-        return Err(too_large());
-    }
-    let magnitude = if scale < -1100 {
-        0.0
-    } else {
-        quotient(a, b, scale)
+    let magnitude = match scale {
+        1026.. => f64::INFINITY,
+        ..-1100 => 0.0,
+        _ => quotient(a, b, scale),
     };
     if magnitude.is_infinite() {
-        return Err(too_large());
+        return Err(Stop::overflow(
+            "integer division result too large for a float",
+        ));
     }
     let negative = (a.sign() == Sign::Minus) != (b.sign() == Sign::Minus);
     Ok(if negative { -magnitude } else { magnitude })

@@ -33,14 +33,22 @@ pub(crate) fn elements(value: &Value) -> Option<Eval<Arc<SetMap>>> {
 /// A set operator; none if neither operand takes part in one. A dict view combines with anything iterable.
 pub(super) fn binary(interp: &mut Interp, op: BinOp, a: &Value, b: &Value) -> Option<Eval> {
     let frozen = matches!(a, Value::Set(set) if set.is_frozen());
-    let view = |value: &Value| matches!(value, Value::View(_)) && elements(value).is_some();
-    let with_view = view(a) || view(b);
-    let mut side = |value: &Value| match elements(value) {
+    let with_view = is_set_view(a) || is_set_view(b);
+    let x = operand(interp, a, with_view)?;
+    let y = operand(interp, b, with_view)?;
+    Some(x.and_then(|x| y.map(|y| Value::Set(Set::new(combine(op, &x, &y), frozen)))))
+}
+
+fn is_set_view(value: &Value) -> bool {
+    matches!(value, Value::View(view) if view.kind != ViewKind::Values)
+}
+
+/// The elements of an operand; beside a view, which `with_view` says there is, anything iterable has some.
+fn operand(interp: &mut Interp, value: &Value, with_view: bool) -> Option<Eval<Arc<SetMap>>> {
+    match elements(value) {
         None if with_view => Some(collected(interp, value)),
         found => found,
-    };
-    let (x, y) = (side(a)?, side(b)?);
-    Some(x.and_then(|x| y.map(|y| Value::Set(Set::new(combine(op, &x, &y), frozen)))))
+    }
 }
 
 fn collected(interp: &mut Interp, value: &Value) -> Eval<Arc<SetMap>> {

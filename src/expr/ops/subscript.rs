@@ -197,11 +197,10 @@ fn range_item(range: &Range, key: &Value) -> Eval {
     let len = range.len();
     if let Value::Slice(slice) = key {
         let bounds = slice_bounds(slice, usize::try_from(len).unwrap_or(usize::MAX))?;
-        let at = |place: i128| range.start.saturating_add(range.step.saturating_mul(place));
         let step = range.step.saturating_mul(bounds.step);
         return Ok(Value::Range(Arc::new(Range {
-            start: at(bounds.start),
-            stop: at(bounds.stop),
+            start: range.at(bounds.start),
+            stop: range.at(bounds.stop),
             step,
         })));
     }
@@ -265,14 +264,7 @@ impl SliceBounds {
 
 /// Fit a slice to a sequence of `len` items.
 pub(crate) fn slice_bounds(slice: &Slice, len: usize) -> Eval<SliceBounds> {
-    let part = |value: &Value| match value {
-        Value::None => Ok(None),
-        Value::Unknown => Err(Stop::Unknown),
-        other => as_index(other).map(Some).ok_or_else(|| {
-            Stop::typ("slice indices must be integers or None or have an __index__ method")
-        }),
-    };
-    let step = part(&slice.step)?.unwrap_or(1);
+    let step = slice_index(&slice.step)?.unwrap_or(1);
     if step == 0 {
         return Err(Stop::value("slice step cannot be zero"));
     }
@@ -288,8 +280,8 @@ pub(crate) fn slice_bounds(slice: &Slice, len: usize) -> Eval<SliceBounds> {
         };
         index.clamp(lowest, highest)
     };
-    let start = part(&slice.start)?.map_or(if step < 0 { highest } else { lowest }, fit);
-    let stop = part(&slice.stop)?.map_or(if step < 0 { lowest } else { highest }, fit);
+    let start = slice_index(&slice.start)?.map_or(if step < 0 { highest } else { lowest }, fit);
+    let stop = slice_index(&slice.stop)?.map_or(if step < 0 { lowest } else { highest }, fit);
     let distance = if step < 0 { start - stop } else { stop - start };
     let count = if distance <= 0 {
         0
@@ -302,6 +294,17 @@ pub(crate) fn slice_bounds(slice: &Slice, len: usize) -> Eval<SliceBounds> {
         step,
         count: usize::try_from(count).unwrap_or(0),
     })
+}
+
+/// A part of a slice as a number; none when it is left out.
+fn slice_index(value: &Value) -> Eval<Option<i128>> {
+    match value {
+        Value::None => Ok(None),
+        Value::Unknown => Err(Stop::Unknown),
+        other => as_index(other).map(Some).ok_or_else(|| {
+            Stop::typ("slice indices must be integers or None or have an __index__ method")
+        }),
+    }
 }
 
 /// An optional start or end argument as in `s.find(x, start, end)`.

@@ -26,7 +26,6 @@ impl Literal {
         let token = range.slice(text);
         let prefix_len = token.find(['"', '\'']).unwrap_or(0);
         let (prefix, quoted) = token.split_at(prefix_len);
-        let has = |c: char| prefix.contains(c) || prefix.contains(c.to_ascii_uppercase());
         let triple = quoted.starts_with("'''") || quoted.starts_with("\"\"\"");
         let quotes = if triple { 3 } else { 1 };
         let start = range.start + prefix_len as u32 + quotes;
@@ -36,9 +35,9 @@ impl Literal {
             range.end
         };
         Self {
-            raw: has('r'),
-            bytes: has('b'),
-            formatted: has('f'),
+            raw: prefix.contains(['r', 'R']),
+            bytes: prefix.contains(['b', 'B']),
+            formatted: prefix.contains(['f', 'F']),
             body: TextRange::new(start, end),
         }
     }

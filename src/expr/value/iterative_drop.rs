@@ -58,13 +58,7 @@ fn put_aside(contents: Contents) {
 }
 
 fn work_off() {
-    let next = || {
-        QUEUE
-            .try_with(|queue| queue.borrow_mut().waiting.pop())
-            .ok()
-            .flatten()
-    };
-    while let Some(contents) = next() {
+    while let Ok(Some(contents)) = QUEUE.try_with(|queue| queue.borrow_mut().waiting.pop()) {
         // Counts as nested, so that drops inside it queue up here instead of starting another loop.
         let _ = QUEUE.try_with(|queue| queue.borrow_mut().depth += 1);
         drop(contents);

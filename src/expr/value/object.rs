@@ -40,8 +40,12 @@ impl Range {
 
     /// The number at `index`; the caller has checked that it exists.
     pub(crate) fn nth(&self, index: u128) -> i128 {
-        let index = i128::try_from(index).unwrap_or(i128::MAX);
-        self.start.saturating_add(self.step.saturating_mul(index))
+        self.at(i128::try_from(index).unwrap_or(i128::MAX))
+    }
+
+    /// The number `place` steps behind the start, which may lie outside.
+    pub(crate) fn at(&self, place: i128) -> i128 {
+        self.start.saturating_add(self.step.saturating_mul(place))
     }
 
     /// Place of `number`, if it is one of the range's.

@@ -15,18 +15,19 @@ impl Bounds {
     /// The box around points; none when there are none.
     pub fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Option<Self> {
         let mut points = points.into_iter();
-        let first = points.next()?;
-        let mut bounds = Self {
-            min: first,
-            max: first,
-        };
+        let mut bounds = Self::at(points.next()?);
         for point in points {
-            bounds = bounds.with(Self {
-                min: point,
-                max: point,
-            });
+            bounds = bounds.with(Self::at(point));
         }
         Some(bounds)
+    }
+
+    /// The box that is one point.
+    fn at(point: [f64; 3]) -> Self {
+        Self {
+            min: point,
+            max: point,
+        }
     }
 
     /// The box of full lengths `size` around the origin.
@@ -40,25 +41,17 @@ impl Bounds {
     /// The box around both.
     #[must_use]
     pub fn with(self, other: Self) -> Self {
-        let pick = |a: [f64; 3], b: [f64; 3], choose: fn(f64, f64) -> f64| {
-            let ([ax, ay, az], [bx, by, bz]) = (a, b);
-            [choose(ax, bx), choose(ay, by), choose(az, bz)]
-        };
         Self {
-            min: pick(self.min, other.min, f64::min),
-            max: pick(self.max, other.max, f64::max),
+            min: each(self.min, other.min, f64::min),
+            max: each(self.max, other.max, f64::max),
         }
     }
 
     /// The box made larger along each axis; a negative factor mirrors it.
     #[must_use]
     pub fn scaled(self, [x, y, z]: [f64; 3]) -> Self {
-        let by = |[px, py, pz]: [f64; 3]| [px * x, py * y, pz * z];
-        let corner = |point| Self {
-            min: point,
-            max: point,
-        };
-        corner(by(self.min)).with(corner(by(self.max)))
+        let [one, other] = [self.min, self.max].map(|[px, py, pz]| [px * x, py * y, pz * z]);
+        Self::at(one).with(Self::at(other))
     }
 
     /// The box around this box moved.
@@ -109,4 +102,9 @@ impl Bounds {
             .map(|((min, max), at)| (min - at).max(at - max))
             .fold(f64::NEG_INFINITY, f64::max)
     }
+}
+
+/// What `choose` takes from two points along each axis.
+fn each([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3], choose: fn(f64, f64) -> f64) -> [f64; 3] {
+    [choose(ax, bx), choose(ay, by), choose(az, bz)]
 }

@@ -160,33 +160,12 @@ fn primitive(
     points: &[Point],
     found: &mut Triangles,
 ) -> Result<(), Defect> {
-    let corners = |list: Node<'_, '_>| -> Result<Vec<Point>, Defect> {
-        let indices: Vec<i64> = numbers(list)?;
-        let vertices = indices
-            .chunks_exact(layout.stride)
-            .filter_map(|chunk| chunk.get(layout.offset));
-        let point = |index: &i64| {
-            usize::try_from(*index)
-                .ok()
-                .and_then(|index| points.get(index))
-                .copied()
-        };
-        let missing = |index| {
-            Defect::corrupt(format!(
-                "vertex index {index} is out of range ({} vertices)",
-                points.len()
-            ))
-        };
-        vertices
-            .map(|index| point(index).ok_or_else(|| missing(*index)))
-            .collect()
-    };
     let lists =
         children(part, "p").chain(children(part, "ph").filter_map(|holes| child(holes, "p")));
     match part.tag_name().name() {
         "triangles" => {
             for list in lists {
-                found.extend_from_slice(corners(list)?.as_chunks::<3>().0);
+                found.extend_from_slice(corners(list, layout, points)?.as_chunks::<3>().0);
             }
         }
         "polylist" => {
@@ -194,7 +173,8 @@ fn primitive(
                 .map(numbers)
                 .transpose()?
                 .unwrap_or_default();
-            let all = lists.map(corners).next().transpose()?.unwrap_or_default();
+            let mut lists = lists.map(|list| corners(list, layout, points));
+            let all = lists.next().transpose()?.unwrap_or_default();
             let mut rest = all.as_slice();
             for count in counts {
                 let Some((polygon, behind)) = rest.split_at_checked(count) else {
@@ -208,16 +188,31 @@ fn primitive(
         }
         "tristrips" => {
             for list in lists {
-                strip(&corners(list)?, found);
+                strip(&corners(list, layout, points)?, found);
             }
         }
         _ => {
             for list in lists {
-                fan(&corners(list)?, found);
+                fan(&corners(list, layout, points)?, found);
             }
         }
     }
     Ok(())
+}
+
+/// The corners that a list of indices names.
+fn corners(list: Node<'_, '_>, layout: &Layout, points: &[Point]) -> Result<Vec<Point>, Defect> {
+    let indices: Vec<i64> = numbers(list)?;
+    let vertices = indices
+        .chunks_exact(layout.stride)
+        .filter_map(|chunk| chunk.get(layout.offset));
+    vertices
+        .map(|&index| {
+            let place = usize::try_from(index).ok();
+            let found = place.and_then(|place| points.get(place)).copied();
+            found.ok_or_else(|| Defect::no_vertex(index, points.len()))
+        })
+        .collect()
 }
 
 /// A polygon, or a fan, as triangles around its first corner.

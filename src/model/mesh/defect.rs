@@ -34,6 +34,13 @@ impl Defect {
         }
     }
 
+    /// A triangle has a corner that is none of the `count` vertices.
+    pub(super) fn no_vertex(index: impl std::fmt::Display, count: usize) -> Self {
+        Self::corrupt(format!(
+            "vertex index {index} is out of range ({count} vertices)"
+        ))
+    }
+
     pub(super) fn untidy(message: impl Into<String>) -> Self {
         Self {
             kind: DefectKind::Untidy,

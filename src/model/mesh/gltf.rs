@@ -80,14 +80,16 @@ fn changes_geometry(extension: &str) -> Option<&'static str> {
         .find(|word| extension.contains(word))
 }
 
+/// The number in the four bytes from `at` on.
+fn number(bytes: &[u8], at: usize) -> Option<usize> {
+    let bytes = bytes.get(at..at.checked_add(4)?)?;
+    Some(u32::from_le_bytes(bytes.try_into().ok()?) as usize)
+}
+
 /// JSON and binary part of a GLB file.
 fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
-    let number = |at: usize| {
-        let bytes = bytes.get(at..at.checked_add(4)?)?;
-        Some(u32::from_le_bytes(bytes.try_into().ok()?) as usize)
-    };
     let cut = || Defect::corrupt("it is truncated: a chunk is longer than the file");
-    let length = number(8).ok_or_else(cut)?;
+    let length = number(bytes, 8).ok_or_else(cut)?;
     if length > bytes.len() {
         let size = bytes.len();
         return Err(Defect::corrupt(format!(
@@ -96,7 +98,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
     }
     let (mut json, mut binary, mut at) = (None, None, 12);
     while at < length {
-        let size = number(at).ok_or_else(cut)?;
+        let size = number(bytes, at).ok_or_else(cut)?;
         let kind = bytes.get(at + 4..at + 8).ok_or_else(cut)?;
         let content = bytes
             .get(at + 8..)

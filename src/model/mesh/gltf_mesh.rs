@@ -70,14 +70,11 @@ fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect>
             .rev()
             .fold(0usize, |number, &byte| number << 8 | usize::from(byte))
     });
-    let missing = |index| {
-        Defect::corrupt(format!(
-            "vertex index {index} is out of range ({} vertices)",
-            points.len()
-        ))
-    };
     indices
-        .map(|index| points.get(index).copied().ok_or_else(|| missing(index)))
+        .map(|index| {
+            let found = points.get(index).copied();
+            found.ok_or_else(|| Defect::no_vertex(index, points.len()))
+        })
         .collect()
 }
 

@@ -123,27 +123,18 @@ impl Meshes {
     /// The files that the mesh at `path` needs and that are there, by the names they have in it, with the textures of
     /// its material libraries.
     pub fn files(&self, vfs: &Vfs, path: &Path, mesh: &Mesh) -> Vec<(String, PathBuf)> {
-        let there = |from: &Path, name: &str| {
-            let found = candidates(from, name)
-                .into_iter()
-                .find(|path| vfs.is_file(path));
-            found.map(|path| (name.to_owned(), path))
-        };
         let mut files = Vec::new();
         for Dependency {
             name,
             is_material_library,
         } in &mesh.dependencies
         {
-            let whole = there(path, name);
-            let words = || {
-                name.split_whitespace()
-                    .filter_map(|word| there(path, word))
-                    .collect()
-            };
-            let found = match whole {
-                None if *is_material_library => words(),
-                found => found.into_iter().collect::<Vec<_>>(),
+            let found: Vec<_> = match named_file(vfs, path, name) {
+                None if *is_material_library => name
+                    .split_whitespace()
+                    .filter_map(|word| named_file(vfs, path, word))
+                    .collect(),
+                whole => whole.into_iter().collect(),
             };
             for (_, library) in found.iter().filter(|_| *is_material_library) {
                 let make = |bytes: Vec<u8>| obj::textures(&bytes);
@@ -151,7 +142,7 @@ impl Meshes {
                 files.extend(
                     read.unwrap_or_default()
                         .iter()
-                        .filter_map(|name| there(library, name)),
+                        .filter_map(|name| named_file(vfs, library, name)),
                 );
             }
             files.extend(found);
@@ -197,9 +188,7 @@ fn ending(path: &Path) -> String {
 
 /// The bytes of a file that the mesh at `path` names; none when it is not there.
 fn beside(vfs: &Vfs, path: &Path, name: &str) -> Option<Vec<u8>> {
-    let path = candidates(path, name)
-        .into_iter()
-        .find(|path| vfs.is_file(path))?;
+    let path = first_file(vfs, path, name)?;
     vfs.bytes(&path, MESH_BYTES).ok()
 }
 
@@ -223,6 +212,16 @@ fn find(vfs: &Vfs, path: &Path, name: &str) -> Option<PathBuf> {
     if elsewhere {
         return Some(PathBuf::from(name));
     }
+    first_file(vfs, path, name)
+}
+
+/// The file that `name` means in the file at `path`, with that name.
+fn named_file(vfs: &Vfs, path: &Path, name: &str) -> Option<(String, PathBuf)> {
+    first_file(vfs, path, name).map(|found| (name.to_owned(), found))
+}
+
+/// The first of the places of a file where there is one.
+fn first_file(vfs: &Vfs, path: &Path, name: &str) -> Option<PathBuf> {
     candidates(path, name)
         .into_iter()
         .find(|path| vfs.is_file(path))

@@ -122,11 +122,10 @@ fn corner(word: &str, points: &[Point]) -> Result<Point, Defect> {
             .checked_sub(usize::try_from(number.unsigned_abs()).ok()?),
     });
     let found = place.and_then(|place| points.get(place));
-    let message = || {
-        format!(
+    found.copied().ok_or_else(|| {
+        Defect::corrupt(format!(
             "vertex index `{index:.20}` is out of range ({} vertices so far)",
             points.len()
-        )
-    };
-    found.copied().ok_or_else(|| Defect::corrupt(message()))
+        ))
+    })
 }

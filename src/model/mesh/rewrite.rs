@@ -31,16 +31,6 @@ fn binary(text: &[u8]) -> Option<Vec<u8>> {
     let mut corners: Vec<[f32; 3]> = Vec::new();
     for line in text.lines() {
         let words = line.split_ascii_whitespace();
-        let numbers = |skip: usize| {
-            let mut rest = words.clone().skip(skip);
-            let mut next = || {
-                rest.next()?
-                    .parse::<f32>()
-                    .ok()
-                    .filter(|number| number.is_finite())
-            };
-            Some([next()?, next()?, next()?])
-        };
         match words
             .clone()
             .next()
@@ -49,8 +39,8 @@ fn binary(text: &[u8]) -> Option<Vec<u8>> {
             .as_str()
         {
             // a normal that was not computed counts as none
-            "facet" => normal = numbers(2).unwrap_or([0.0; 3]),
-            "vertex" => corners.push(numbers(1)?),
+            "facet" => normal = three_numbers(words.clone().skip(2)).unwrap_or([0.0; 3]),
+            "vertex" => corners.push(three_numbers(words.clone().skip(1))?),
             "endfacet" => {
                 let [a, b, c] = <[[f32; 3]; 3]>::try_from(std::mem::take(&mut corners)).ok()?;
                 let floats = [normal, a, b, c].into_iter().flatten();
@@ -69,6 +59,12 @@ fn binary(text: &[u8]) -> Option<Vec<u8>> {
     header.extend(count.to_le_bytes());
     header.extend(body);
     Some(header)
+}
+
+/// The finite numbers that three words are.
+fn three_numbers<'a>(words: impl Iterator<Item = &'a str>) -> Option<[f32; 3]> {
+    let mut numbers = words.map(|word| word.parse().ok().filter(|number: &f32| number.is_finite()));
+    Some([numbers.next()??, numbers.next()??, numbers.next()??])
 }
 
 #[cfg(test)]

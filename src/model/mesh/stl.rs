@@ -8,6 +8,8 @@ use super::soup::Point;
 const HEADER: usize = 80;
 /// Bytes of a triangle: normal, three corners, two unused bytes.
 const TRIANGLE: usize = 50;
+/// Numbers of the normal, which come first in a triangle.
+const NORMAL: usize = 3;
 
 /// Read a file that is called STL.
 ///
@@ -17,9 +19,7 @@ pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
     let count = count(bytes);
     let solid = starts_with_solid(bytes);
     let fits = count.is_some_and(|count| size_for(count) == bytes.len() as u64);
-    let has_facets =
-        || memchr::memmem::find(bytes, b"facet").is_some() || has_word(bytes, b"facet");
-    if !fits && solid && (has_facets() || has_word(bytes, b"endsolid")) {
+    if !fits && solid && has_text_words(bytes) {
         draft.format = MeshFormat::StlAscii;
         return text(bytes, draft);
     }
@@ -47,6 +47,13 @@ fn starts_with_solid(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
     text.get(..5)
         .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+}
+
+/// Whether a file has one of the words that follow `solid` in text.
+fn has_text_words(bytes: &[u8]) -> bool {
+    memchr::memmem::find(bytes, b"facet").is_some()
+        || has_word(bytes, b"facet")
+        || has_word(bytes, b"endsolid")
 }
 
 /// Whether a short file has a word in any case.
@@ -79,10 +86,11 @@ fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
             .as_chunks::<4>()
             .0
             .iter()
+            .skip(NORMAL)
             .map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
-        let mut point = || -> Point { std::array::from_fn(|_| numbers.next().unwrap_or(f64::NAN)) };
-        point();
-        draft.soup.push([point(), point(), point()])?;
+        let corners: [Point; 3] =
+            std::array::from_fn(|_| std::array::from_fn(|_| numbers.next().unwrap_or(f64::NAN)));
+        draft.soup.push(corners)?;
     }
     Ok(())
 }
@@ -94,21 +102,19 @@ fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
             .split(u8::is_ascii_whitespace)
             .filter(|word| !word.is_empty());
         while let Some(word) = words.next() {
-            let is = |name: &str| word.eq_ignore_ascii_case(name.as_bytes());
-            if is("solid") || is("endsolid") {
+            if word.eq_ignore_ascii_case(b"solid") || word.eq_ignore_ascii_case(b"endsolid") {
                 break; // a name follows
             }
-            if is("vertex") {
-                let mut coordinate = || std::str::from_utf8(words.next()?).ok()?.parse().ok();
-                let point = (coordinate(), coordinate(), coordinate());
-                let (Some(x), Some(y), Some(z)) = point else {
+            if word.eq_ignore_ascii_case(b"vertex") {
+                let point = [(); 3].map(|()| words.next().and_then(coordinate));
+                let [Some(x), Some(y), Some(z)] = point else {
                     return Err(Defect::corrupt(format!(
                         "line {number}: `vertex` needs three numbers"
                     )));
                 };
                 corners.push([x, y, z]);
             }
-            if is("endloop") {
+            if word.eq_ignore_ascii_case(b"endloop") {
                 let Ok(triangle) = <[Point; 3]>::try_from(corners.as_slice()) else {
                     let count = corners.len();
                     return Err(Defect::corrupt(format!(
@@ -125,4 +131,8 @@ fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
     } else {
         Err(Defect::corrupt("it ends in the middle of a facet"))
     }
+}
+
+fn coordinate(word: &[u8]) -> Option<f64> {
+    std::str::from_utf8(word).ok()?.parse().ok()
 }

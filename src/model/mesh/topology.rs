@@ -90,19 +90,26 @@ fn weld(points: &[Point], bounds: Bounds) -> Vec<u32> {
 
 /// The cell of a point, and along each axis the side on which the next cell is nearer.
 fn place([x, y, z]: Point, [ox, oy, oz]: Point, cell: f64) -> ([i64; 3], [i64; 3]) {
-    let along = |at: f64, from: f64| {
-        let steps = (at - from) / cell;
-        let side = if steps - steps.floor() < 0.5 { -1 } else { 1 };
-        (steps.floor() as i64, side)
-    };
-    let ((x, i), (y, j), (z, k)) = (along(x, ox), along(y, oy), along(z, oz));
+    let (x, i) = place_along(x - ox, cell);
+    let (y, j) = place_along(y - oy, cell);
+    let (z, k) = place_along(z - oz, cell);
     ([x, y, z], [i, j, k])
+}
+
+/// The same along one axis.
+fn place_along(distance: f64, cell: f64) -> (i64, i64) {
+    let steps = distance / cell;
+    let side = if steps - steps.floor() < 0.5 { -1 } else { 1 };
+    (steps.floor() as i64, side)
 }
 
 fn cells([x, y, z]: [i64; 3], [i, j, k]: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
     (0..8i64).map(move |bits| {
-        let step = |at: i64, side: i64, bit: i64| at.saturating_add(side * (bits >> bit & 1));
-        [step(x, i, 0), step(y, j, 1), step(z, k, 2)]
+        [
+            x.saturating_add(i * (bits & 1)),
+            y.saturating_add(j * (bits >> 1 & 1)),
+            z.saturating_add(k * (bits >> 2 & 1)),
+        ]
     })
 }
 

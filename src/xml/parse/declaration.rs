@@ -37,40 +37,37 @@ pub(super) fn check_declaration(text: &str, at: usize) -> Result<bool, usize> {
 
 /// The next pair and the offset behind it; no pair at the end.
 fn pair(text: &str, start: usize) -> Result<(Option<Pair<'_>>, usize), usize> {
-    let byte = |at: usize| text.as_bytes().get(at).copied();
-    let skip = |mut at: usize| {
-        while byte(at).is_some_and(is_space) {
-            at += 1;
-        }
-        at
-    };
-    let name = skip(start);
+    let bytes = text.as_bytes();
+    let name = skip_space(bytes, start);
     if name == text.len() {
         return Ok((None, name));
     }
     if name == start {
         return Err(start);
     }
-    let name_end = (name..text.len())
-        .find(|&at| byte(at).is_none_or(|b| b == b'=' || is_space(b) || b >= 0x80));
+    let name_end = (name..text.len()).find(|&at| {
+        bytes
+            .get(at)
+            .is_none_or(|&b| b == b'=' || is_space(b) || b >= 0x80)
+    });
     let name_end = name_end.unwrap_or(text.len());
-    let equals = skip(name_end);
-    if byte(equals) != Some(b'=') {
+    let equals = skip_space(bytes, name_end);
+    if bytes.get(equals) != Some(&b'=') {
         return Err(equals);
     }
     if name_end == name {
         return Err(name);
     }
-    let quote = skip(equals + 1);
-    let Some(open @ (b'"' | b'\'')) = byte(quote) else {
+    let quote = skip_space(bytes, equals + 1);
+    let Some(open @ (b'"' | b'\'')) = bytes.get(quote) else {
         return Err(quote);
     };
-    let allowed = |b: u8| b.is_ascii_alphanumeric() || b".-_".contains(&b);
+    let allowed = |b: &u8| b.is_ascii_alphanumeric() || b".-_".contains(b);
     let mut end = quote + 1;
-    while byte(end).is_some_and(allowed) {
+    while bytes.get(end).is_some_and(allowed) {
         end += 1;
     }
-    if byte(end) != Some(open) {
+    if bytes.get(end) != Some(open) {
         return Err(end);
     }
     let (name_text, value) = (text.get(name..name_end), text.get(quote + 1..end));
@@ -78,6 +75,14 @@ fn pair(text: &str, start: usize) -> Result<(Option<Pair<'_>>, usize), usize> {
         name_text.zip(value).map(|(n, v)| (n, name, v, quote + 1)),
         end + 1,
     ))
+}
+
+/// The offset behind the white space at `at`.
+fn skip_space(bytes: &[u8], mut at: usize) -> usize {
+    while bytes.get(at).is_some_and(|&b| is_space(b)) {
+        at += 1;
+    }
+    at
 }
 
 #[cfg(test)]

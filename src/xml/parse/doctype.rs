@@ -425,11 +425,14 @@ fn check_public_id(start: usize, literal: &str) -> Checked {
     let inner = literal
         .get(1..literal.len().saturating_sub(1))
         .unwrap_or("");
-    let allowed = |c: char| c.is_ascii_alphanumeric() || " \r\n-'()+,./:=?;!*#@$_%".contains(c);
-    match inner.char_indices().find(|&(_, c)| !allowed(c)) {
+    match inner.char_indices().find(|&(_, c)| !is_public_id(c)) {
         Some((at, _)) => Err((expat::PUBLIC_ID, start + 1 + at)),
         None => Ok(()),
     }
+}
+
+fn is_public_id(c: char) -> bool {
+    c.is_ascii_alphanumeric() || " \r\n-'()+,./:=?;!*#@$_%".contains(c)
 }
 
 /// Resolve the character references of an entity's literal and its line ends; leave other references.

@@ -89,11 +89,10 @@ impl Parser<'_> {
 
     fn declaration_open(&self, at: usize) -> (Token, usize) {
         let mut end = at + 2;
-        let letter = |b: u8| b.is_ascii_alphabetic() || b == b'_';
         match self.bytes.get(end) {
             None => return (Token::Unfinished, end),
             Some(b'[') => return (Token::SectionOpen, end + 1),
-            Some(&b) if letter(b) => {}
+            Some(&b) if is_letter(b) => {}
             // `<!-` of something that is no comment.
             Some(b'-') => {
                 return match self.bytes.get(end + 1) {
@@ -103,7 +102,7 @@ impl Parser<'_> {
             }
             Some(_) => return (Token::Invalid(end), end),
         }
-        while self.bytes.get(end).is_some_and(|&b| letter(b)) {
+        while self.bytes.get(end).is_some_and(|&b| is_letter(b)) {
             end += 1;
         }
         match (self.bytes.get(end), self.bytes.get(end + 1)) {
@@ -182,4 +181,9 @@ impl Parser<'_> {
             }
         }
     }
+}
+
+/// Whether the word of a declaration may hold a byte, as in `<!ELEMENT`.
+fn is_letter(b: u8) -> bool {
+    b.is_ascii_alphabetic() || b == b'_'
 }
