@@ -250,9 +250,11 @@ impl Run<'_> {
             .iter()
             .map(|path| self.session.vfs.absolute(path));
         let folders: Vec<PathBuf> = paths.filter(|path| self.session.vfs.is_dir(path)).collect();
-        let is_below = |path: &Path| folders.iter().any(|folder| path.starts_with(folder));
         // of a change, only some findings are reported
-        let checked = |path: &Path| !self.args.changed && (files.contains(path) || is_below(path));
+        let checked = |path: &Path| {
+            !self.args.changed
+                && (files.contains(path) || folders.iter().any(|folder| path.starts_with(folder)))
+        };
         let (known, gone) = baseline.subtract(report, folder, checked);
         if known > 0 {
             io.line(&format!(

@@ -169,16 +169,17 @@ fn toml(value: &Value) -> String {
 }
 
 fn as_json(config: &Config, settings: &[Setting], cwd: &Path) -> Value {
-    let names = |paths: &[PathBuf]| {
-        paths
-            .iter()
-            .map(|path| json!(shown_path(path, cwd)))
-            .collect::<Value>()
-    };
     let entry = |setting: &Setting| {
-        let value = json!({"value": setting.value, "origins": names(&setting.origins)});
+        let value = json!({"value": setting.value, "origins": names(&setting.origins, cwd)});
         (setting.key.clone(), value)
     };
     let settings: Map<String, Value> = settings.iter().map(entry).collect();
-    json!({"files": names(&config.files), "settings": settings})
+    json!({"files": names(&config.files, cwd), "settings": settings})
+}
+
+fn names(paths: &[PathBuf], cwd: &Path) -> Value {
+    paths
+        .iter()
+        .map(|path| json!(shown_path(path, cwd)))
+        .collect()
 }

@@ -106,15 +106,10 @@ impl Matrix<'_> {
         }
         let judged = |consumer: &&&Consumer| self.verdict(consumer) > Outcome::Accepts;
         let columns: Vec<&&Consumer> = self.consumers.iter().filter(judged).collect();
-        let is_judged = |row: &Row<'_>| {
-            columns
-                .iter()
-                .any(|consumer| row.construct.outcome(consumer) > Outcome::Accepts)
-        };
         let rows: Vec<_> = self
             .rows
             .iter()
-            .filter(|row| self.all || is_judged(row))
+            .filter(|row| self.all || is_judged(row, &columns))
             .collect();
         if !columns.is_empty() && !rows.is_empty() {
             let names: Vec<&str> = columns.iter().map(|consumer| consumer.name).collect();
@@ -129,14 +124,10 @@ impl Matrix<'_> {
 
     /// A row: a mark below each consumer, the construct, and where it is.
     fn line(&self, row: &Row<'_>, columns: &[&&Consumer]) -> String {
-        let mark = |consumer: &Consumer| match row.construct.outcome(consumer) {
-            Outcome::Rejects => "x",
-            Outcome::Changes => "~",
-            Outcome::Accepts => "-",
-        };
         let marks = columns
             .iter()
-            .map(|consumer| format!("{:1$}", mark(consumer), consumer.name.len()));
+            .map(|consumer| (mark(row.construct.outcome(consumer)), consumer.name.len()))
+            .map(|(mark, width)| format!("{mark:width$}"));
         let marks: Vec<String> = marks.collect();
         let places: Vec<String> = row
             .met
@@ -222,13 +213,15 @@ pub(super) fn counted_line(
 ) -> Option<String> {
     let (first, _) = report.consumers.first_key_value()?;
     let constructs: BTreeMap<_, _> = report.consumers.values().flatten().collect();
-    let count = |wanted: Outcome| {
-        constructs
-            .values()
-            .filter(|worst| ***worst == wanted)
-            .count()
-    };
-    let what = match (count(Outcome::Rejects), count(Outcome::Changes)) {
+    let (mut rejected, mut changed) = (0, 0);
+    for worst in constructs.values() {
+        match worst {
+            Outcome::Rejects => rejected += 1,
+            Outcome::Changes => changed += 1,
+            Outcome::Accepts => {}
+        }
+    }
+    let what = match (rejected, changed) {
         (rejected, 0) => format!("reject {}", counted(rejected, "construct")),
         (0, changed) => format!("change or ignore {}", counted(changed, "construct")),
         (rejected, changed) => {
@@ -257,6 +250,22 @@ pub(super) fn counted_line(
     Some(visible(&format!(
         "some programs {what}{of}: run `xacro-lint consumers {command}`"
     )))
+}
+
+/// Whether one of the consumers does not take what a row is about.
+fn is_judged(row: &Row<'_>, consumers: &[&&Consumer]) -> bool {
+    consumers
+        .iter()
+        .any(|consumer| row.construct.outcome(consumer) > Outcome::Accepts)
+}
+
+/// How an outcome is shown in the table.
+fn mark(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Rejects => "x",
+        Outcome::Changes => "~",
+        Outcome::Accepts => "-",
+    }
 }
 
 fn past(outcome: Outcome) -> &'static str {

@@ -370,19 +370,6 @@ fn located(problem: &Problem, files: &ShownFiles<'_>) -> String {
 
 /// A problem as it is drawn; none when nothing of the text that led to it may be shown.
 fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<'a>> {
-    let shown = |place: &Place| {
-        files
-            .get(place.file)
-            .filter(|(_, is_drawn)| *is_drawn)
-            .map(|(file, _)| file)
-    };
-    let mark = |place: Place, label: String| {
-        Some(Mark {
-            file: shown(&place)?,
-            range: place.range,
-            label,
-        })
-    };
     let level = match problem.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -390,13 +377,13 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
-    let (place, message) = match shown(&problem.place) {
+    let (place, message) = match drawn(problem.place, files) {
         Some(_) => (problem.place, problem.message.clone()),
         None => {
             let caller = problem
                 .trace
                 .iter()
-                .find(|step| shown(&step.place).is_some())?;
+                .find(|step| drawn(step.place, files).is_some())?;
             (caller.place, located(problem, files))
         }
     };
@@ -405,13 +392,30 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
         id: None,
         url: None,
         title: title.trim_end().to_owned(),
-        primary: mark(place, message.replace('\n', " "))?,
+        primary: mark(place, &message, files)?,
         trace: trace
-            .filter_map(|step| mark(step.place, step.message.replace('\n', " ")))
+            .filter_map(|step| mark(step.place, &step.message, files))
             .collect(),
         places: Vec::new(),
         help: problem.help.as_ref().map(|help| help.replace('\n', " ")),
     })
+}
+
+/// A place with a message in one line; none when its file may not be shown.
+fn mark<'a>(place: Place, message: &str, files: &'a ShownFiles<'a>) -> Option<Mark<'a>> {
+    Some(Mark {
+        file: drawn(place, files)?,
+        range: place.range,
+        label: message.replace('\n', " "),
+    })
+}
+
+/// The file of a place, when its text may be shown.
+fn drawn<'a>(place: Place, files: &'a ShownFiles<'a>) -> Option<&'a ShownFile<'a>> {
+    files
+        .get(place.file)
+        .filter(|(_, is_drawn)| *is_drawn)
+        .map(|(file, _)| file)
 }
 
 /// Write the map of an expansion; files are named by path, columns count characters.

@@ -50,11 +50,10 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         );
     }
     let mut done = Done::default();
-    let excluded = |path: &Path| session.settings(path).excludes(path);
     for path in session
         .files(&options)
         .into_iter()
-        .filter(|path| !excluded(path))
+        .filter(|path| !session.settings(path).excludes(path))
     {
         one(args, &session, &path, env, io, &mut done);
     }

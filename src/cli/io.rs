@@ -47,11 +47,13 @@ impl<'a> Io<'a> {
 /// Whether a stream gets colors: a terminal does, unless the environment says otherwise.
 pub fn has_colors(env: &Environment, is_terminal: bool) -> bool {
     let value = |name: &str| env.var(name).filter(|value| !value.is_empty());
-    let is_forced = |name: &str| value(name).is_some_and(|value| value != "0");
     if value("NO_COLOR").is_some() {
         return false;
     }
-    if is_forced("CLICOLOR_FORCE") || is_forced("FORCE_COLOR") {
+    let mut forcing = ["CLICOLOR_FORCE", "FORCE_COLOR"]
+        .into_iter()
+        .filter_map(value);
+    if forcing.any(|value| value != "0") {
         return true;
     }
     is_terminal && value("TERM") != Some("dumb") && value("CLICOLOR") != Some("0")

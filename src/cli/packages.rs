@@ -60,15 +60,11 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
 }
 
 fn table(entries: &[Entry], cwd: &Path, io: &mut Io<'_>) {
-    let width = |text: &dyn Fn(&Entry) -> String| {
-        entries
-            .iter()
-            .map(|e| text(e).chars().count())
-            .max()
-            .unwrap_or(0)
-    };
-    let names = width(&|entry| entry.name.clone());
-    let steps = width(&|entry| entry.step.to_string());
+    let (mut names, mut steps) = (0, 0);
+    for entry in entries {
+        names = names.max(entry.name.chars().count());
+        steps = steps.max(entry.step.to_string().chars().count());
+    }
     for entry in entries {
         let path = shown_path(&entry.path, cwd);
         let path = if path.is_empty() { "." } else { &path };

@@ -113,12 +113,12 @@ pub(super) fn prepare(
 }
 
 fn read_baseline(path: &Path, session: &Session) -> Result<(Baseline, PathBuf), String> {
-    let named = |why: &str| format!("{}: {why}", vfs::slashed(path));
+    let shown = vfs::slashed(path);
     let file = session
         .vfs
         .text(path)
-        .map_err(|error| named(&error.reason()))?;
-    let baseline = Baseline::from_json(&file.text).map_err(|why| named(&why))?;
+        .map_err(|error| format!("{shown}: {}", error.reason()))?;
+    let baseline = Baseline::from_json(&file.text).map_err(|why| format!("{shown}: {why}"))?;
     let folder = file.path.parent().map(Path::to_owned).unwrap_or_default();
     Ok((baseline, folder))
 }
@@ -204,14 +204,13 @@ fn contradictions(args: &CheckArgs) -> Result<(), String> {
 }
 
 fn overrides(args: &CheckArgs) -> Overrides {
-    let given = |list: &Vec<String>| (!list.is_empty()).then(|| list.clone());
     Overrides {
         config: args.config.clone(),
-        select: given(&args.select),
-        extend_select: given(&args.extend_select),
-        ignore: given(&args.ignore),
-        profiles: given(&args.profile),
-        consumers: given(&args.consumers),
+        select: named(&args.select),
+        extend_select: named(&args.extend_select),
+        ignore: named(&args.ignore),
+        profiles: named(&args.profile),
+        consumers: named(&args.consumers),
         ..Overrides::default()
     }
 }
@@ -234,4 +233,9 @@ fn settings_without_effect(settings: &Value, folder: &Path) -> Vec<String> {
     let mut warnings: Vec<String> = wrong.iter().map(ToString::to_string).collect();
     warnings.extend(unknown_settings(settings));
     warnings
+}
+
+/// What a repeatable option names; none when it is not given.
+fn named(list: &[String]) -> Option<Vec<String>> {
+    (!list.is_empty()).then(|| list.to_vec())
 }

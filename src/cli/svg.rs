@@ -36,12 +36,10 @@ struct Placed {
 pub(super) fn draw(tree: &Tree<'_>) -> String {
     let placed = place(tree);
     let columns = columns(tree, &placed);
-    let left = |depth: usize| columns.get(depth).map_or(0.0, |column| column.left);
-    let width = |placed: &Placed| length(tree.link(placed.link)) * CHAR + 2.0 * PADDING;
     let rows = placed.iter().map(|p| p.row).fold(0.0, f64::max) + 1.0;
     let total_width = placed
         .iter()
-        .map(|p| left(p.depth) + width(p))
+        .map(|p| left(&columns, p) + width(tree, p))
         .fold(0.0, f64::max)
         + MARGIN;
     let total_height = rows * ROW + 2.0 * MARGIN - (ROW - BOX);
@@ -55,7 +53,6 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
                 .map_or("", |name| name.value.as_str())
         )
     );
-    let middle = |placed: &Placed| MARGIN + placed.row * ROW + BOX / 2.0;
     for child in &placed {
         let Some((parent, (joint, kind))) = child
             .parent
@@ -64,8 +61,8 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
         else {
             continue;
         };
-        let (x0, y0) = (left(parent.depth) + width(parent), middle(parent));
-        let (x1, y1) = (left(child.depth), middle(child));
+        let (x0, y0) = (left(&columns, parent) + width(tree, parent), middle(parent));
+        let (x1, y1) = (left(&columns, child), middle(child));
         let bend = columns.get(child.depth).map_or(x1, |column| column.bend);
         let class = if kind == "fixed" {
             "joint fixed"
@@ -83,7 +80,8 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
         );
     }
     for link in &placed {
-        let (x, y, w) = (left(link.depth), middle(link) - BOX / 2.0, width(link));
+        let (x, w) = (left(&columns, link), width(tree, link));
+        let y = middle(link) - BOX / 2.0;
         let _ = writeln!(
             out,
             "<g class=\"link\"><rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{w:.1}\" height=\"{BOX}\" rx=\"5\"/>\
@@ -95,6 +93,21 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
     }
     out.push_str("</svg>\n");
     out
+}
+
+/// The left edge of the box of a link.
+fn left(columns: &[Column], placed: &Placed) -> f64 {
+    columns.get(placed.depth).map_or(0.0, |column| column.left)
+}
+
+/// The width of the box of a link.
+fn width(tree: &Tree<'_>, placed: &Placed) -> f64 {
+    length(tree.link(placed.link)) * CHAR + 2.0 * PADDING
+}
+
+/// The height at which the joints of a link begin and end.
+fn middle(placed: &Placed) -> f64 {
+    MARGIN + placed.row * ROW + BOX / 2.0
 }
 
 /// Give each link a row: leaves one after the other, every other link halfway between its first and last child.
@@ -143,15 +156,16 @@ fn place(tree: &Tree<'_>) -> Vec<Placed> {
         let Some(list) = children.get(at).filter(|list| !list.is_empty()) else {
             continue;
         };
-        let row = |child: Option<&usize>| {
-            child
-                .and_then(|&child| placed.get(child))
-                .map_or(0.0, |p| p.row)
-        };
-        let middle = (row(list.first()) + row(list.last())) / 2.0;
+        let middle = (row(&placed, list.first()) + row(&placed, list.last())) / 2.0;
         placed.get_mut(at).into_iter().for_each(|p| p.row = middle);
     }
     placed
+}
+
+fn row(placed: &[Placed], number: Option<&usize>) -> f64 {
+    number
+        .and_then(|&number| placed.get(number))
+        .map_or(0.0, |p| p.row)
 }
 
 /// Where the boxes of a depth begin, and where the lines to them bend.

@@ -259,12 +259,6 @@ impl Runner<'_> {
                 .or_default()
                 .push(case);
         }
-        let failing = |cases: &[&TestCase]| {
-            cases
-                .iter()
-                .filter(|case| !case.failures.is_empty())
-                .count()
-        };
         let all: Vec<&TestCase> = self.tests.cases.iter().collect();
         let mut out = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
@@ -335,4 +329,11 @@ impl Runner<'_> {
         }
         code
     }
+}
+
+fn failing(cases: &[&TestCase]) -> usize {
+    cases
+        .iter()
+        .filter(|case| !case.failures.is_empty())
+        .count()
 }

@@ -114,14 +114,7 @@ fn drawing(
     cwd: &Path,
     color: bool,
 ) -> String {
-    let mark = |span: Span, label: &str| {
-        Some(Mark {
-            file: files.get(&span.file)?,
-            range: span.range,
-            label: label.to_owned(),
-        })
-    };
-    let Some(primary) = mark(finding.span, "") else {
+    let Some(primary) = mark(files, finding.span, "") else {
         let path = shown_path(report.path(finding.span.file), cwd);
         let Finding {
             severity,
@@ -156,16 +149,29 @@ fn drawing(
         trace: finding
             .related
             .iter()
-            .filter_map(|related| mark(related.span, &related.message))
+            .filter_map(|related| mark(files, related.span, &related.message))
             .collect(),
         places: finding
             .places
             .iter()
-            .filter_map(|place| mark(place.span, &place.message))
+            .filter_map(|place| mark(files, place.span, &place.message))
             .collect(),
         help: finding.help.clone(),
     };
     render(&drawing, color)
+}
+
+/// A place with a label; none when its text may not be shown.
+fn mark<'f>(
+    files: &'f FastMap<FileId, ShownFile<'f>>,
+    span: Span,
+    label: &str,
+) -> Option<Mark<'f>> {
+    Some(Mark {
+        file: files.get(&span.file)?,
+        range: span.range,
+        label: label.to_owned(),
+    })
 }
 
 /// Whether the text of a file may be shown. What is no description by its name, or belongs to no robot, may be anything:

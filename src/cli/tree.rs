@@ -244,14 +244,7 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
     ));
     // links still to be printed: level, number among its siblings, joint
     let mut open: Vec<(usize, usize, &Joint, usize)> = Vec::new();
-    let below = |link: usize, level: usize| {
-        let children: Vec<_> = tree.children(link).enumerate().collect();
-        children
-            .into_iter()
-            .rev()
-            .map(move |(i, (joint, child))| (level, i + 1, joint, child))
-    };
-    open.extend(below(tree.root, 1));
+    open.extend(below(tree, tree.root, 1));
     while let Some((level, number, joint, link)) = open.pop() {
         let by = if joints {
             format!("  [{}: {}]", joint.shown(), kind(joint))
@@ -263,9 +256,22 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
             visible_name(&format!("{}{by}", tree.link(link))),
         );
         out.push_str(&format!("{indent}child({number}):  {shown}\n"));
-        open.extend(below(link, level + 1));
+        open.extend(below(tree, link, level + 1));
     }
     out
+}
+
+/// The joints below a link, the last one first: level, number among its siblings, joint, link.
+fn below<'t>(
+    tree: &'t Tree<'_>,
+    link: usize,
+    level: usize,
+) -> impl Iterator<Item = (usize, usize, &'t Joint, usize)> {
+    let children: Vec<_> = tree.children(link).enumerate().collect();
+    children
+        .into_iter()
+        .rev()
+        .map(move |(i, (joint, child))| (level, i + 1, joint, child))
 }
 
 /// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
@@ -298,14 +304,6 @@ fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
 
 /// For Graphviz: boxes for links, ellipses for joints.
 fn dot(tree: &Tree<'_>) -> String {
-    let quoted = |text: &str| {
-        format!(
-            "\"{}\"",
-            visible_name(text)
-                .replace('\\', "\\\\")
-                .replace('"', "\\\"")
-        )
-    };
     let name = tree
         .robot
         .name
@@ -333,4 +331,12 @@ fn dot(tree: &Tree<'_>) -> String {
     }
     out.push_str("}\n");
     out
+}
+
+/// A text as Graphviz takes it.
+fn quoted(text: &str) -> String {
+    let shown = visible_name(text)
+        .replace('\\', "\\\\")
+        .replace('"', "\\\"");
+    format!("\"{shown}\"")
 }

@@ -53,13 +53,14 @@ pub(super) fn site(raw: &str, range: TextRange, is_attr: bool) -> Option<Site> {
     let mut found = Vec::new();
     collect(&template, &text, &mut found);
     let same = text == raw;
-    let at = |offset: u32| match same {
-        true => offset,
-        false => source_offset(raw, &entities, is_attr, offset as usize) as u32,
-    };
     for mention in &mut found {
-        let own = mention.range;
-        mention.range = TextRange::new(at(own.start), at(own.end)).shift(range.start);
+        let mut own = mention.range;
+        if !same {
+            let [start, end] = [own.start, own.end]
+                .map(|offset| source_offset(raw, &entities, is_attr, offset as usize) as u32);
+            own = TextRange::new(start, end);
+        }
+        mention.range = own.shift(range.start);
     }
     Some(Site {
         range,

@@ -187,19 +187,25 @@ fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) ->
             inertia: inertial.entries(),
         })
     });
-    let mut bodies = |list: &[model::Body], seen: bool| {
-        list.iter()
-            .map(|body| one_body(body, seen, places, shapes))
-            .collect::<Vec<_>>()
-    };
     Some(Link {
         name: link.name.as_ref()?.name()?.to_string(),
         inertial,
-        visuals: bodies(&link.visuals, true),
-        collisions: bodies(&link.collisions, false),
+        visuals: bodies(&link.visuals, true, places, shapes),
+        collisions: bodies(&link.collisions, false, places, shapes),
         origin: start(places, link.element),
         call: call(places, link.element),
     })
+}
+
+fn bodies(
+    list: &[model::Body],
+    seen: bool,
+    places: &Places<'_>,
+    shapes: &mut Shapes<'_>,
+) -> Vec<Body> {
+    list.iter()
+        .map(|body| one_body(body, seen, places, shapes))
+        .collect()
 }
 
 fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Body {
@@ -223,7 +229,6 @@ fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Sh
 
 fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
     let (parent, child) = joint.ends()?;
-    let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
     let limit = joint.limit.as_ref().and_then(|limit| {
         let (lower, upper) = limit.range()?;
         Some(Limit {
@@ -235,11 +240,10 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
     });
     let mimic = joint.mimic.as_ref().and_then(|mimic| {
         let leader = mimic.joint.as_ref()?.name()?.to_string();
-        let or = |text: &Option<model::Text>, default| number(text).unwrap_or(default);
         Some(Mimic {
             joint: leader,
-            multiplier: or(&mimic.multiplier, 1.0),
-            offset: or(&mimic.offset, 0.0),
+            multiplier: number(&mimic.multiplier).unwrap_or(1.0),
+            offset: number(&mimic.offset).unwrap_or(0.0),
         })
     });
     let kind = joint.joint_type().and_then(|kind| {
@@ -258,4 +262,8 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
         origin: start(places, joint.element),
         call: call(places, joint.element),
     })
+}
+
+fn number(text: &Option<model::Text>) -> Option<f64> {
+    text.as_ref().and_then(model::Text::number)
 }

@@ -109,16 +109,13 @@ impl Places<'_> {
         let mut files = self.expansion.files.iter_ids();
         let (file, used) = files.find(|(_, used)| *used.source.path == *path)?;
         let document = &used.source.document;
-        let offset = |point: Point| {
-            document.offset(
-                LineCol {
-                    line: point.line,
-                    col: point.character,
-                },
-                self.names.encoding,
-            )
-        };
-        let (start, end) = (offset(location.range.start), offset(location.range.end));
+        let [start, end] = [location.range.start, location.range.end].map(|point| {
+            let at = LineCol {
+                line: point.line,
+                col: point.character,
+            };
+            document.offset(at, self.names.encoding)
+        });
         let range = TextRange::new(start.min(end), start.max(end));
         Some((file, range))
     }

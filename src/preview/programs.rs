@@ -78,13 +78,6 @@ pub(super) fn programs(
 }
 
 fn construct(row: &Row<'_>, consumers: &[&Consumer], places: &Places<'_>) -> Construct {
-    let who = |outcome: Outcome| {
-        consumers
-            .iter()
-            .filter(|consumer| row.construct.outcome(consumer) == outcome)
-            .map(|consumer| consumer.title)
-            .collect()
-    };
     let owners = row.met.iter().filter_map(|met| {
         Some(Owner {
             of: met.owner.clone(),
@@ -94,9 +87,18 @@ fn construct(row: &Row<'_>, consumers: &[&Consumer], places: &Places<'_>) -> Con
     Construct {
         title: &row.construct.title,
         help: row.construct.help.as_deref(),
-        rejected: who(Outcome::Rejects),
-        changed: who(Outcome::Changes),
+        rejected: who(row, consumers, Outcome::Rejects),
+        changed: who(row, consumers, Outcome::Changes),
         count: row.met.len(),
         places: owners.take(MOST_PLACES).collect(),
     }
+}
+
+/// The programs for which a construct has an outcome.
+fn who(row: &Row<'_>, consumers: &[&Consumer], outcome: Outcome) -> Vec<&'static str> {
+    consumers
+        .iter()
+        .filter(|consumer| row.construct.outcome(consumer) == outcome)
+        .map(|consumer| consumer.title)
+        .collect()
 }

@@ -12,8 +12,9 @@ pub(super) fn made_by(robot: &Robot, places: &Places<'_>, location: &Location) -
     let Some((file, at)) = places.range(location) else {
         return Selection::default();
     };
-    let inside = |element: XId| covers(places, element_range(places.expansion, element), file, at);
-    let direct = pick(robot, &|element| inside(element).map(|_| 0));
+    let direct = pick(robot, &|element| {
+        covers(places, element_range(places.expansion, element), file, at).map(|_| 0)
+    });
     if !direct.links.is_empty() || !direct.joints.is_empty() {
         return direct;
     }

@@ -37,20 +37,23 @@ fn add<'r>(
     for joint in &group.joints {
         joints.insert(robot.joint(joint.name()?)?.name.as_ref()?.value.as_str());
     }
-    let link = |text: &Text| kinematics.link(text.name()?);
-    let name = |joint: usize| Some(robot.joints.get(joint)?.name.as_ref()?.value.as_str());
     for text in &group.links {
-        if let Some(&joint) = kinematics.up(link(text)?).first() {
-            joints.insert(name(joint)?);
+        if let Some(&joint) = kinematics.up(kinematics.link(text.name()?)?).first() {
+            joints.insert(joint_name(robot, joint)?);
         }
     }
     for chain in &group.chains {
-        let (base, tip) = (link(chain.base.as_ref()?)?, link(chain.tip.as_ref()?)?);
+        let base = kinematics.link(chain.base.as_ref()?.name()?)?;
+        let tip = kinematics.link(chain.tip.as_ref()?.name()?)?;
         for joint in kinematics.path(base, tip)? {
-            joints.insert(name(joint)?);
+            joints.insert(joint_name(robot, joint)?);
         }
     }
     Some(())
+}
+
+fn joint_name(robot: &Robot, joint: usize) -> Option<&str> {
+    Some(robot.joints.get(joint)?.name.as_ref()?.value.as_str())
 }
 
 impl Group {
@@ -64,11 +67,6 @@ impl Group {
             .chains
             .iter()
             .map(|chain| format!("chain {} → {}", text(&chain.base), text(&chain.tip)));
-        let several = |list: &[Text], noun: &str| match list {
-            [] => None,
-            [one] => Some(format!("{noun} {}", one.value)),
-            list => Some(format!("{} {noun}s", list.len())),
-        };
         let others = [
             (&self.joints, "joint"),
             (&self.links, "link"),
@@ -78,9 +76,18 @@ impl Group {
             .chain(
                 others
                     .into_iter()
-                    .filter_map(|(list, noun)| several(list, noun)),
+                    .filter_map(|(list, noun)| named_or_counted(list, noun)),
             )
             .collect::<Vec<_>>()
             .join(", ")
+    }
+}
+
+/// The name of a single one, the number of several: `joint elbow`, `2 joints`.
+fn named_or_counted(list: &[Text], noun: &str) -> Option<String> {
+    match list {
+        [] => None,
+        [one] => Some(format!("{noun} {}", one.value)),
+        list => Some(format!("{} {noun}s", list.len())),
     }
 }

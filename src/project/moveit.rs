@@ -62,13 +62,11 @@ impl Assistant {
         let config = get(root, "moveit_setup_assistant_config")?;
         let urdf = get(config, "URDF").or_else(|| get(config, "urdf"));
         let srdf = get(config, "SRDF").or_else(|| get(config, "srdf"));
-        let of =
-            |node: Option<&Node>, key: &str| text(node?, key).filter(|text| !text.name.is_empty());
         Some(Self {
-            package: of(urdf, "package"),
-            urdf: of(urdf, "relative_path"),
-            arguments: of(urdf, "xacro_args"),
-            srdf: of(srdf, "relative_path"),
+            package: filled(urdf, "package"),
+            urdf: filled(urdf, "relative_path"),
+            arguments: filled(urdf, "xacro_args"),
+            srdf: filled(srdf, "relative_path"),
         })
     }
 
@@ -83,6 +81,11 @@ impl Assistant {
             .map(|(name, value)| (name.to_owned(), value.to_owned()))
             .collect()
     }
+}
+
+/// A text that is not empty.
+fn filled(node: Option<&Node>, key: &str) -> Option<Named> {
+    text(node?, key).filter(|text| !text.name.is_empty())
 }
 
 /// The node that holds settings which launch files put below one of these keys: the file itself, or what is below the key.
@@ -153,8 +156,8 @@ pub(super) fn limits(root: &Node) -> Vec<JointLimit> {
     let Some(limits) = get(top, "joint_limits") else {
         return Vec::new();
     };
-    let is_limit = |value: &Node| WORDS.iter().any(|word| get(value, word).is_some());
-    let own = entries(limits).filter(|(_, value)| is_limit(value));
+    let own =
+        entries(limits).filter(|(_, value)| WORDS.iter().any(|word| get(value, word).is_some()));
     own.map(|(joint, value)| JointLimit {
         joint,
         values: entries(value)
@@ -224,9 +227,9 @@ pub(super) fn planners(root: &Node) -> Vec<Named> {
         "default_planner_config",
         "projection_evaluator",
     ];
-    let is_group = |value: &Node| keys.iter().any(|key| get(value, key).is_some());
     entries(top)
-        .filter(|(name, value)| name.name != "planner_configs" && is_group(value))
+        .filter(|(name, _)| name.name != "planner_configs")
+        .filter(|(_, value)| keys.iter().any(|key| get(value, key).is_some()))
         .map(|(name, _)| name)
         .collect()
 }

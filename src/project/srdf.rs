@@ -201,14 +201,6 @@ impl Srdf {
 
 impl Group {
     fn of(tree: &XTree, element: XId) -> Self {
-        let named = |tag: &str, attr: &str| {
-            let inner = tree
-                .elements(element)
-                .filter(|&child| tree.get(child).text == tag);
-            inner
-                .filter_map(|child| Text::attr(tree, child, attr))
-                .collect::<Vec<_>>()
-        };
         let chains = tree
             .elements(element)
             .filter(|&child| tree.get(child).text == "chain");
@@ -220,12 +212,20 @@ impl Group {
         Self {
             element,
             name: Text::attr(tree, element, "name"),
-            links: named("link", "name"),
-            joints: named("joint", "name"),
+            links: names(tree, element, "link"),
+            joints: names(tree, element, "joint"),
             chains: chains.map(chain).collect(),
-            subgroups: named("group", "name"),
+            subgroups: names(tree, element, "group"),
         }
     }
+}
+
+/// The names of the elements of a kind in another one.
+fn names(tree: &XTree, element: XId, tag: &str) -> Vec<Text> {
+    tree.elements(element)
+        .filter(|&child| tree.get(child).text == tag)
+        .filter_map(|child| Text::attr(tree, child, "name"))
+        .collect()
 }
 
 impl GroupState {
@@ -250,12 +250,11 @@ impl GroupState {
 
 impl Pair {
     fn of(tree: &XTree, element: XId) -> Self {
-        let text = |name: &str| Text::attr(tree, element, name);
         Self {
             element,
-            link1: text("link1"),
-            link2: text("link2"),
-            reason: text("reason"),
+            link1: Text::attr(tree, element, "link1"),
+            link2: Text::attr(tree, element, "link2"),
+            reason: Text::attr(tree, element, "reason"),
         }
     }
 

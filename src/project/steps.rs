@@ -238,20 +238,16 @@ fn in_flow(text: &str, begin: usize, offset: usize, levels: Vec<Level>) -> Optio
     // brackets with their key, and the words in them
     let mut open: Vec<(char, Option<String>, Vec<String>)> = Vec::new();
     let mut word = begin;
-    let said = |from: usize, to: usize| -> Option<String> {
-        let word = text.get(from..to)?.trim().trim_matches(['"', '\'']);
-        (!word.is_empty()).then(|| word.to_owned())
-    };
     for (at, c) in outside_comments(text, begin, offset) {
         match c {
             '[' | '{' => open.push((c, None, Vec::new())),
             ']' | '}' => drop(open.pop()),
             ',' => {
                 let (_, key, words) = open.last_mut()?;
-                words.extend(key.take().or_else(|| said(word, at)));
+                words.extend(key.take().or_else(|| text.get(word..at).and_then(said)));
             }
             ':' if open.last().is_some_and(|(bracket, ..)| *bracket == '{') => {
-                let key = said(word, at);
+                let key = text.get(word..at).and_then(said);
                 open.last_mut()?.1 = key;
             }
             _ => continue,
@@ -285,6 +281,12 @@ fn in_flow(text: &str, begin: usize, offset: usize, levels: Vec<Level>) -> Optio
         start: unquoted(typed, offset - typed.len()),
         taken,
     })
+}
+
+/// A word without its quotes; none when nothing is left.
+fn said(text: &str) -> Option<String> {
+    let word = text.trim().trim_matches(['"', '\'']);
+    (!word.is_empty()).then(|| word.to_owned())
 }
 
 fn steps(levels: Vec<Level>) -> Vec<Step> {

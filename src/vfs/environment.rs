@@ -39,16 +39,14 @@ impl Environment {
 
     /// The value of a variable that is set.
     pub fn var(&self, name: &str) -> Option<&str> {
-        let named = || {
-            self.vars
+        let found = match self.vars.get(name) {
+            None if HERE != System::Posix => self
+                .vars
                 .iter()
                 .find(|(own, _)| HERE.folded(own) == HERE.folded(name))
-                .map(|(_, value)| value)
+                .map(|(_, value)| value),
+            found => found,
         };
-        let found = self
-            .vars
-            .get(name)
-            .or_else(|| if HERE == System::Posix { None } else { named() });
         found.map(String::as_str)
     }
 

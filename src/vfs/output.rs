@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use super::process::is_process_alive;
-use super::read;
+use super::read::{self, Stamp};
 
 /// How long a file that another program has locked is waited for.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -140,14 +140,18 @@ pub(super) fn change(
     change: impl FnOnce(&[u8]) -> io::Result<Option<Vec<u8>>>,
 ) -> io::Result<()> {
     let lock = lock(path)?;
-    let state = || read::stat(path).map(|found| found.stamp).ok();
-    let before = state();
+    let before = stamp(path);
     let old = read::stat(path)
         .and_then(|known| read::bytes(path, &known, limit))
         .map_err(|error| io::Error::other(error.reason()))?;
     change(&old)?.map_or(Ok(()), |new| {
-        replace(path, &new, &|| state() == before, Some(lock))
+        replace(path, &new, &|| stamp(path) == before, Some(lock))
     })
+}
+
+/// The stamp of a file; none when there is none.
+fn stamp(path: &Path) -> Option<Stamp> {
+    read::stat(path).map(|found| found.stamp).ok()
 }
 
 /// The file at `path`, locked against others that use this function.
@@ -181,9 +185,14 @@ fn lock(path: &Path) -> io::Result<File> {
 
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
+    identity(file.metadata()) == identity(std::fs::metadata(path))
+}
+
+/// The device and the number of a file.
+#[cfg(unix)]
+fn identity(found: io::Result<Metadata>) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt;
-    let number = |found: io::Result<Metadata>| found.map(|found| (found.dev(), found.ino())).ok();
-    number(file.metadata()) == number(std::fs::metadata(path))
+    found.map(|found| (found.dev(), found.ino())).ok()
 }
 
 #[cfg(not(unix))]

@@ -271,11 +271,6 @@ const fn names() -> Names<'static> {
 
 /// The problems of an expansion, as findings name their places.
 fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value> {
-    let position = |place: Place, offset: u32| {
-        let source = &expansion.files.get(place.file)?.source;
-        let at = source.document.line_col(offset, Encoding::Utf32);
-        Some(json!({ "row": at.line + 1, "column": at.col + 1 }))
-    };
     let problem = |problem: &Problem| {
         let Problem {
             place,
@@ -288,9 +283,16 @@ fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value>
             "message": message,
             "help": help,
             "filename": files.get(place.file),
-            "location": position(*place, place.range.start),
-            "end_location": position(*place, place.range.end),
+            "location": position(expansion, *place, place.range.start),
+            "end_location": position(expansion, *place, place.range.end),
         })
     };
     expansion.problems.iter().map(problem).collect()
+}
+
+/// An offset in the file of a place, in lines and columns from 1.
+fn position(expansion: &Expansion, place: Place, offset: u32) -> Option<Value> {
+    let source = &expansion.files.get(place.file)?.source;
+    let at = source.document.line_col(offset, Encoding::Utf32);
+    Some(json!({ "row": at.line + 1, "column": at.col + 1 }))
 }

@@ -24,12 +24,11 @@ impl Packages {
             .env
             .home()
             .map(|home| self.vfs.canonical(Path::new(home)));
-        let has_all = |folder: &Path| folder.parent().is_none();
-        let is_wide = |folder: &Path| {
-            has_all(folder) || home.as_ref().is_some_and(|home| home.starts_with(folder))
-        };
         let cwd = self.vfs.canonical(&self.env.cwd);
-        let mut folders: FastSet<PathBuf> = [cwd].into_iter().filter(|cwd| !is_wide(cwd)).collect();
+        let mut folders: FastSet<PathBuf> = [cwd]
+            .into_iter()
+            .filter(|cwd| !is_wide(cwd, home.as_deref()))
+            .collect();
         for own in roots
             .into_iter()
             .filter_map(Path::parent)
@@ -37,7 +36,7 @@ impl Packages {
         {
             folders.extend(
                 own.parent()
-                    .filter(|above| !is_wide(above))
+                    .filter(|above| !is_wide(above, home.as_deref()))
                     .map(Path::to_owned),
             );
             folders.extend(Some(own).filter(|own| !has_all(own)));
@@ -47,6 +46,16 @@ impl Packages {
             folders,
         }
     }
+}
+
+/// Whether a folder holds everything: the top of a disk.
+fn has_all(folder: &Path) -> bool {
+    folder.parent().is_none()
+}
+
+/// Whether a folder is the home folder or above it.
+fn is_wide(folder: &Path, home: Option<&Path>) -> bool {
+    has_all(folder) || home.is_some_and(|home| home.starts_with(folder))
 }
 
 impl Vicinity<'_> {

@@ -54,20 +54,22 @@ impl Packages {
 
     /// The files of a folder that say what a package is built and tested with.
     fn pages_in(&self, folder: &Path) -> Vec<PathBuf> {
-        const ENDINGS: [&str; 7] = ["md", "rst", "txt", "sh", "yml", "yaml", "repos"];
-        let tells = |name: &str| {
-            let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
-            name == MANIFEST || name.starts_with("Dockerfile") || ENDINGS.contains(&ending)
-        };
         let entries = self.vfs.list_dir(folder);
         let files = entries
             .iter()
-            .filter(|entry| !entry.is_dir && tells(&entry.name));
+            .filter(|entry| !entry.is_dir && tells_how_built(&entry.name));
         let paths = files.map(|entry| folder.join(&entry.name));
         paths
             .filter(|path| self.vfs.size(path).is_some_and(|size| size <= CALLER_BYTES))
             .collect()
     }
+}
+
+/// Whether a file of that name may say what a package is built and tested with.
+fn tells_how_built(name: &str) -> bool {
+    const ENDINGS: [&str; 7] = ["md", "rst", "txt", "sh", "yml", "yaml", "repos"];
+    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
+    name == MANIFEST || name.starts_with("Dockerfile") || ENDINGS.contains(&ending)
 }
 
 #[cfg(test)]

@@ -98,14 +98,14 @@ fn exporting(text: &str) -> Vec<String> {
     let ends = EXPORTS
         .iter()
         .flat_map(|function| text.match_indices(function));
-    let class = |at: usize| {
+    let class = |(at, _): (usize, &str)| {
         let before = text.get(..at).unwrap_or("");
         before
             .rsplit(|c: char| !(c.is_alphanumeric() || c == '_'))
             .next()
             .map(str::to_owned)
     };
-    ends.filter_map(|(at, _)| class(at)).collect()
+    ends.filter_map(class).collect()
 }
 
 #[cfg(test)]

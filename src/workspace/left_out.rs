@@ -64,13 +64,8 @@ impl Packages {
 
 impl GitRules {
     fn of(vfs: &Vfs, folder: &Path) -> Self {
-        let lines = |name: &str| {
-            let path = folder.join(name);
-            let text = vfs.is_file(&path).then(|| vfs.text(&path).ok()).flatten();
-            text.map(|file| file.text.to_string()).unwrap_or_default()
-        };
-        let ignored = lines(".gitignore");
-        let attributes = lines(".gitattributes");
+        let ignored = text_in(vfs, folder, ".gitignore");
+        let attributes = text_in(vfs, folder, ".gitattributes");
         let in_lfs = attributes
             .lines()
             .filter(|line| line.contains("filter=lfs"));
@@ -80,6 +75,13 @@ impl GitRules {
             in_lfs: patterns(folder, in_lfs),
         }
     }
+}
+
+/// The text of a file of a folder; empty where there is none.
+fn text_in(vfs: &Vfs, folder: &Path, name: &str) -> String {
+    let path = folder.join(name);
+    let text = vfs.is_file(&path).then(|| vfs.text(&path).ok()).flatten();
+    text.map(|file| file.text.to_string()).unwrap_or_default()
 }
 
 /// Patterns of Git below a folder; none when there are none. A line that is not one is passed over, as by Git.

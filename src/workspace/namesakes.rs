@@ -119,46 +119,49 @@ impl Index {
 
 /// How many names at the end of two paths are equal but for case.
 fn common_tail(a: &Path, b: &Path) -> usize {
-    let names = |path: &Path| -> Vec<String> {
-        path.iter()
-            .rev()
-            .map(|name| name.to_string_lossy().to_lowercase())
-            .collect()
-    };
-    names(a)
-        .iter()
-        .zip(&names(b))
+    lowercase_names(a)
+        .zip(lowercase_names(b))
         .take_while(|(a, b)| a == b)
         .count()
 }
 
+/// The names of a path in small letters, the last one first.
+fn lowercase_names(path: &Path) -> impl Iterator<Item = String> + '_ {
+    path.iter()
+        .rev()
+        .map(|name| name.to_string_lossy().to_lowercase())
+}
+
 /// Whether one path is of what is seen and the other one of what collides: they hold files of the same names.
 fn is_of_another_kind(a: &Path, b: &Path) -> bool {
-    let kinds = |path: &Path| {
-        let folders = path
-            .parent()
-            .unwrap_or(path)
-            .to_string_lossy()
-            .to_lowercase();
-        ["visual", "collision"].map(|kind| folders.contains(kind))
-    };
     let (a, b) = (kinds(a), kinds(b));
     [(a, b), (b, a)]
         .into_iter()
         .any(|pair| pair == ([true, false], [false, true]))
 }
 
+/// Whether the folders of a path say that it is of what is seen, and of what collides.
+fn kinds(path: &Path) -> [bool; 2] {
+    let folders = path
+        .parent()
+        .unwrap_or(path)
+        .to_string_lossy()
+        .to_lowercase();
+    ["visual", "collision"].map(|kind| folders.contains(kind))
+}
+
 /// Whether the folders of two files have almost the same name: `visuals`, `visual`.
 fn has_similar_folder(a: &Path, b: &Path) -> bool {
-    let folder = |path: &Path| {
-        path.parent()?
-            .file_name()
-            .map(|name| name.to_string_lossy().into_owned())
-    };
-    let (Some(a), Some(b)) = (folder(a), folder(b)) else {
+    let (Some(a), Some(b)) = (folder_name(a), folder_name(b)) else {
         return false;
     };
     nearest(&a, [b.as_str()]).is_some()
+}
+
+fn folder_name(path: &Path) -> Option<String> {
+    path.parent()?
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned())
 }
 
 #[cfg(test)]

@@ -248,13 +248,11 @@ impl Packages {
             .text
             .split('<')
             .filter_map(|part| part.split_once('>'));
-        let needs = |tag: &str| {
+        let is_need = |(tag, _): &(&str, &str)| {
             let name = tag.split_whitespace().next().unwrap_or("");
             matches!(name, "depend" | "exec_depend" | "run_depend")
         };
-        let names = elements
-            .filter(|(tag, _)| needs(tag))
-            .map(|(_, text)| text.trim());
+        let names = elements.filter(is_need).map(|(_, text)| text.trim());
         names
             .filter(|name| is_package_name(name))
             .map(str::to_owned)

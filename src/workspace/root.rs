@@ -51,15 +51,17 @@ pub fn workspace_root(vfs: &Vfs, start: &Path, home: Option<&Path>) -> Option<Pa
 
 fn is_workspace(vfs: &Vfs, folder: &Path, start: &Path) -> bool {
     let sources = folder.join("src");
-    let is_evident = || {
-        folder == start
-            || BUILT
-                .iter()
-                .chain(&[".catkin_tools"])
-                .any(|name| vfs.is_dir(&folder.join(name)))
-    };
-    (start.starts_with(&sources) || vfs.is_dir(&sources) && is_evident())
+    (start.starts_with(&sources)
+        || vfs.is_dir(&sources) && (folder == start || has_built(vfs, folder)))
         && !vfs.is_file(&folder.join(MANIFEST))
+}
+
+/// Whether a build tool has left something in a folder.
+fn has_built(vfs: &Vfs, folder: &Path) -> bool {
+    BUILT
+        .iter()
+        .chain(&[".catkin_tools"])
+        .any(|name| vfs.is_dir(&folder.join(name)))
 }
 
 #[cfg(test)]

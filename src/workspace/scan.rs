@@ -54,14 +54,10 @@ impl Tree {
     /// `from`, and of those the first.
     pub(super) fn get(&self, name: &str, from: &Path) -> Option<&Path> {
         let folders = self.by_name.get(name)?;
-        let shared = |folder: &Path| {
-            folder
-                .components()
-                .zip(from.components())
-                .take_while(|(a, b)| a == b)
-                .count()
-        };
-        let best = folders.iter().rev().max_by_key(|folder| shared(folder))?;
+        let best = folders.iter().rev().max_by_key(|folder| {
+            let pairs = folder.components().zip(from.components());
+            pairs.take_while(|(a, b)| a == b).count()
+        })?;
         Some(best)
     }
 

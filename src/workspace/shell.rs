@@ -18,17 +18,17 @@ impl Packages {
     /// What `$(env name)` is in every shell of ROS, for the robot of a root file. None for variables that such a shell
     /// need not have.
     pub fn ros_variable(&self, name: &str, root: &Path) -> Option<RosVariable> {
-        let by_generation = |ros1, ros2| match self.generation(root) {
+        let (ros1, ros2) = match name {
+            "ROS_VERSION" => ("1", "2"),
+            "ROS_DISTRO" => ("noetic", "jazzy"),
+            "ROS_PYTHON_VERSION" => return Some(RosVariable::Value("3")),
+            _ => return None,
+        };
+        Some(match self.generation(root) {
             Some(Target::Ros1) => RosVariable::Value(ros1),
             Some(Target::Ros2) => RosVariable::Value(ros2),
             None => RosVariable::Unknown,
-        };
-        match name {
-            "ROS_VERSION" => Some(by_generation("1", "2")),
-            "ROS_DISTRO" => Some(by_generation("noetic", "jazzy")),
-            "ROS_PYTHON_VERSION" => Some(RosVariable::Value("3")),
-            _ => None,
-        }
+        })
     }
 
     /// The generation of ROS that the package around a file is built for: ROS 1 when only catkin builds it.

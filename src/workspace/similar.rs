@@ -91,13 +91,12 @@ pub(super) fn is_another(a: &str, b: &str) -> bool {
     else {
         return false;
     };
-    let letters = |word: &str| {
-        word.chars()
-            .filter(|c| !c.is_ascii_digit())
-            .collect::<String>()
-    };
-    letters(one) == letters(other)
+    without_digits(one).eq(without_digits(other))
         || !one.is_empty() && edit_distance(one, other) >= one.chars().count()
+}
+
+fn without_digits(word: &str) -> impl Iterator<Item = char> + '_ {
+    word.chars().filter(|c| !c.is_ascii_digit())
 }
 
 /// The candidate that is almost surely meant by `word`, which is none of them: it differs by one slip of the fingers.
@@ -121,16 +120,18 @@ fn is_slip(a: &str, b: &str) -> bool {
     if a.len().max(b.len()) > 4 * LONGEST || a.len().abs_diff(b.len()) > 4 {
         return false;
     }
-    let all = |text: &str| text.chars().collect::<Vec<char>>();
     let (long, short) = if a.chars().count() < b.chars().count() {
-        (all(b), all(a))
+        (letters(b), letters(a))
     } else {
-        (all(a), all(b))
+        (letters(a), letters(b))
     };
     let same = long.iter().zip(&short).take_while(|(x, y)| x == y).count();
     let (left, right) = different(&long, &short);
-    let is_name = |letters: &[char]| letters.iter().all(|letter| letter.is_alphabetic());
-    if !is_name(left) || !is_name(right) {
+    if left
+        .iter()
+        .chain(right)
+        .any(|letter| !letter.is_alphabetic())
+    {
         return false;
     }
     match (left, right) {
@@ -154,10 +155,13 @@ fn word_around(name: &[char], at: usize) -> usize {
 
 /// How many letters of `a` are to be inserted, removed, replaced or swapped with their neighbor to get `b`.
 pub fn edit_distance(a: &str, b: &str) -> usize {
-    let letters = |text: &str| text.chars().collect::<Vec<char>>();
     let (a, b) = (letters(a), letters(b));
     let most = a.len().max(b.len());
     distance(&a, &b, most).unwrap_or(most)
+}
+
+fn letters(text: &str) -> Vec<char> {
+    text.chars().collect()
 }
 
 /// Letters inserted, removed, replaced or swapped with their neighbor to get from `a` to `b`; none when these
@@ -172,14 +176,12 @@ fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
     for (i, &x) in a.iter().enumerate() {
         let mut next = vec![i + 1];
         for (j, &y) in b.iter().enumerate() {
-            let at =
-                |row: &[usize], column: usize| row.get(column).copied().unwrap_or(usize::MAX - 1);
-            let mut cost = (at(&row, j) + usize::from(x != y))
-                .min(at(&row, j + 1) + 1)
-                .min(at(&next, j) + 1);
+            let mut cost = (cost_at(&row, j) + usize::from(x != y))
+                .min(cost_at(&row, j + 1) + 1)
+                .min(cost_at(&next, j) + 1);
             let swapped = i > 0 && j > 0 && a.get(i - 1) == Some(&y) && b.get(j - 1) == Some(&x);
             if swapped {
-                cost = cost.min(at(&before, j - 1) + 1);
+                cost = cost.min(cost_at(&before, j - 1) + 1);
             }
             next.push(cost);
         }
@@ -190,6 +192,12 @@ fn distance(a: &[char], b: &[char], most: usize) -> Option<usize> {
         before = std::mem::replace(&mut row, next);
     }
     row.last().copied().filter(|&distance| distance <= most)
+}
+
+/// The cost in a column of a row; as good as endless outside of it.
+#[inline]
+fn cost_at(row: &[usize], column: usize) -> usize {
+    row.get(column).copied().unwrap_or(usize::MAX - 1)
 }
 
 /// What lies between the letters that both begin with and those that both end with.

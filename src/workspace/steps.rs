@@ -101,15 +101,15 @@ impl Prefix {
     /// The folder of package `name`, if it is installed here, and the place that was looked at.
     pub(super) fn find(&self, vfs: &Vfs, cwd: &Path, name: &str) -> (Option<PathBuf>, PathBuf) {
         let share = self.folder(name);
-        let on_disk = |path: &Path| cwd.join(path);
         let marker = self.path.join(INDEX).join(name);
-        let is_marked = || vfs.is_file(&on_disk(&marker));
         let installed = match self.layout {
-            Layout::Indexed => is_marked(),
-            Layout::Merged => vfs.is_file(&on_disk(&share.join(MANIFEST))) || is_marked(),
-            Layout::Isolated => vfs.is_dir(&on_disk(&share)),
+            Layout::Indexed => vfs.is_file(&cwd.join(&marker)),
+            Layout::Merged => {
+                vfs.is_file(&cwd.join(share.join(MANIFEST))) || vfs.is_file(&cwd.join(&marker))
+            }
+            Layout::Isolated => vfs.is_dir(&cwd.join(&share)),
             Layout::Devel => vfs
-                .list_dir(&on_disk(&share))
+                .list_dir(&cwd.join(&share))
                 .iter()
                 .any(|entry| entry.name != "cmake"),
         };

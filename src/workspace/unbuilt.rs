@@ -44,18 +44,21 @@ impl Packages {
 
     /// Whether a folder is marked to be passed over by the tool that builds the package of a file.
     fn is_marked(&self, entries: &[DirEntry], file: &Path) -> bool {
-        let is_for_catkin = || self.generation(file) == Some(Target::Ros1);
-        has(entries, CATKIN_MARK) && is_for_catkin()
-            || COLCON_MARKS.iter().any(|mark| has(entries, mark)) && !is_for_catkin()
+        has(entries, CATKIN_MARK) && self.is_for_catkin(file)
+            || COLCON_MARKS.iter().any(|mark| has(entries, mark)) && !self.is_for_catkin(file)
+    }
+
+    fn is_for_catkin(&self, file: &Path) -> bool {
+        self.generation(file) == Some(Target::Ros1)
     }
 
     /// Whether a folder above a package is a package of the same name, since tools look for none inside of one, or the top of a
     /// workspace of catkin with its sources elsewhere.
     fn passes_over(&self, folder: &Path, entries: &[DirEntry], package: &Package) -> bool {
-        let is_same = || package_name(&self.vfs, folder).as_ref() == Some(&package.name);
-        let is_elsewhere =
-            || has(entries, SOURCES) && !package.folder.starts_with(folder.join(SOURCES));
-        has(entries, MANIFEST) && is_same() || has(entries, CATKIN_WORKSPACE) && is_elsewhere()
+        has(entries, MANIFEST) && package_name(&self.vfs, folder).as_ref() == Some(&package.name)
+            || has(entries, CATKIN_WORKSPACE)
+                && has(entries, SOURCES)
+                && !package.folder.starts_with(folder.join(SOURCES))
     }
 }
 

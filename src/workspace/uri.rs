@@ -67,6 +67,10 @@ impl UriResult {
             tried: Vec::new(),
         }
     }
+
+    fn malformed(kind: UriKind, why: &'static str) -> Self {
+        Self::new(kind, UriOutcome::Malformed(why))
+    }
 }
 
 impl Packages {
@@ -95,19 +99,18 @@ impl Packages {
 
     /// `rest` is `//name/path`.
     fn in_package(&self, kind: UriKind, rest: &str, from_file: &Path) -> UriResult {
-        let malformed = |why| UriResult::new(kind, UriOutcome::Malformed(why));
         let Some(rest) = rest.strip_prefix("//") else {
-            return malformed("missing two slashes after the colon");
+            return UriResult::malformed(kind, "missing two slashes after the colon");
         };
         let (name, path) = match rest.split_once('/') {
             Some((name, path)) => (name, path),
             None if kind == UriKind::Package => {
-                return malformed("missing path after the package name");
+                return UriResult::malformed(kind, "missing path after the package name");
             }
             None => (rest, ""),
         };
         if name.is_empty() {
-            return malformed("missing package name after the two slashes");
+            return UriResult::malformed(kind, "missing package name after the two slashes");
         }
         // readers put a slash between the folder and the path: a second one changes nothing
         let path = path.trim_start_matches('/');

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use rules::consumers::{CONSUMERS, Consumer};
 use vfs::{Environment, Vfs};
@@ -79,55 +79,77 @@ impl Parameter {
     /// # Errors
     /// When the value is of another kind, or names a file that may not be read.
     pub(super) fn words(&self, value: &Value, env: &Environment) -> Result<Vec<String>, String> {
-        let wrong = |expected: &str| format!("argument `{}` must be {expected}", self.name);
-        let word = |value: &Value| {
-            let word = value.as_str().filter(|word| !word.starts_with('-'));
-            word.map(str::to_owned)
-                .ok_or_else(|| wrong("text that does not start with `-`"))
-        };
-        let list = || value.as_array().ok_or_else(|| wrong("an array of texts"));
-        let object = || value.as_object().ok_or_else(|| wrong("an object"));
         match self.kind {
-            Kind::Word => Ok(vec![word(value)?]),
+            Kind::Word => Ok(vec![self.word(value)?]),
             Kind::Path => Ok(vec![self.path(value, env)?]),
-            Kind::Paths => list()?.iter().map(|value| self.path(value, env)).collect(),
+            Kind::Paths => self
+                .list(value)?
+                .iter()
+                .map(|value| self.path(value, env))
+                .collect(),
             Kind::Names(option) => {
-                let names: Result<Vec<String>, String> = list()?.iter().map(word).collect();
+                let names: Result<Vec<String>, String> = self
+                    .list(value)?
+                    .iter()
+                    .map(|value| self.word(value))
+                    .collect();
                 Ok(vec![format!("{option}={}", names?.join(","))])
             }
             Kind::Consumers => {
                 let name = |value| {
-                    let known = Consumer::named(&word(value)?);
+                    let known = Consumer::named(&self.word(value)?);
                     let name = known.map(|consumer| consumer.name);
                     name.ok_or_else(|| {
-                        wrong(&format!("names out of `{}`", consumers().join("`, `")))
+                        self.wrong(&format!("names out of `{}`", consumers().join("`, `")))
                     })
                 };
-                let names: Result<Vec<&str>, String> = list()?.iter().map(name).collect();
+                let names: Result<Vec<&str>, String> = self.list(value)?.iter().map(name).collect();
                 Ok(vec![format!("--for={}", names?.join(","))])
             }
             Kind::Choice(option, words) => match value.as_str() {
                 Some(word) if words.contains(&word) => Ok(vec![format!("{option}={word}")]),
-                _ => Err(wrong(&format!("one of `{}`", words.join("`, `")))),
+                _ => Err(self.wrong(&format!("one of `{}`", words.join("`, `")))),
             },
             Kind::Flag(option) => match value.as_bool() {
                 Some(is_on) => Ok(is_on.then(|| option.to_owned()).into_iter().collect()),
-                None => Err(wrong("true or false")),
+                None => Err(self.wrong("true or false")),
             },
             Kind::RobotArguments => {
                 let pair = |(name, value): (&String, &Value)| match name.starts_with('-') {
-                    true => Err(wrong("an object whose names do not start with `-`")),
+                    true => Err(self.wrong("an object whose names do not start with `-`")),
                     false => Ok(format!("{name}:={}", self.scalar(value)?)),
                 };
-                object()?.iter().map(pair).collect()
+                self.object(value)?.iter().map(pair).collect()
             }
             Kind::Pairs(option) => {
                 let pair = |(name, value): (&String, &Value)| {
                     Ok(format!("{option}={name}={}", self.scalar(value)?))
                 };
-                object()?.iter().map(pair).collect()
+                self.object(value)?.iter().map(pair).collect()
             }
         }
+    }
+
+    /// What is wrong with a value of another kind.
+    fn wrong(&self, expected: &str) -> String {
+        format!("argument `{}` must be {expected}", self.name)
+    }
+
+    /// A text that no command line takes for an option.
+    fn word(&self, value: &Value) -> Result<String, String> {
+        let word = value.as_str().filter(|word| !word.starts_with('-'));
+        word.map(str::to_owned)
+            .ok_or_else(|| self.wrong("text that does not start with `-`"))
+    }
+
+    fn list<'v>(&self, value: &'v Value) -> Result<&'v Vec<Value>, String> {
+        value
+            .as_array()
+            .ok_or_else(|| self.wrong("an array of texts"))
+    }
+
+    fn object<'v>(&self, value: &'v Value) -> Result<&'v Map<String, Value>, String> {
+        value.as_object().ok_or_else(|| self.wrong("an object"))
     }
 
     /// A path of a file or folder that may be read, as no command line takes it for something else.
@@ -135,12 +157,7 @@ impl Parameter {
         let path = value
             .as_str()
             .filter(|path| !path.is_empty() && !path.contains(":="))
-            .ok_or_else(|| {
-                format!(
-                    "argument `{}` must be the path of a file or folder",
-                    self.name
-                )
-            })?;
+            .ok_or_else(|| self.wrong("the path of a file or folder"))?;
         if !Vfs::of(env, 0).exists(Path::new(path)) {
             let folder = vfs::slashed(&env.cwd);
             return Err(format!(

@@ -190,9 +190,8 @@ impl Tool {
             Some(Value::Object(given)) => given,
             Some(_) => return Err("arguments must be an object".into()),
         };
-        let known = |name: &String| self.parameters.iter().any(|own| own.name == *name);
-        if let Some(unknown) = given.keys().find(|name| !known(name)) {
-            let names: Vec<&str> = self.parameters.iter().map(|own| own.name).collect();
+        let names: Vec<&str> = self.parameters.iter().map(|own| own.name).collect();
+        if let Some(unknown) = given.keys().find(|name| !names.contains(&name.as_str())) {
             return Err(format!(
                 "unknown argument `{unknown}` of `{}`: it has `{}`",
                 self.name,

@@ -5,6 +5,7 @@ use std::io;
 use std::net::{Ipv4Addr, Ipv6Addr, TcpListener};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use serde::Serialize;
 use tokio::sync::watch;
 
 use super::limiter::ConnectionLimiter;
@@ -128,21 +129,19 @@ impl Hub {
 
     /// Tell the pages of a view about its robot.
     pub fn tell(&self, message: &ModelMessage) {
-        let text = || serde_json::to_string(message).ok().map(Arc::from);
         let side = message.side;
         self.change(message.id, |updates| match side {
             Side::Main => {
-                updates.main = text();
+                updates.main = json(message);
                 updates.source = Some(message.source.clone());
             }
-            Side::Compare => updates.compare = text(),
+            Side::Compare => updates.compare = json(message),
         });
     }
 
     /// Tell the pages of a view what is selected.
     pub fn select(&self, selection: &Selection) {
-        let text = || serde_json::to_string(selection).ok().map(Arc::from);
-        self.change(selection.id, |updates| updates.selection = text());
+        self.change(selection.id, |updates| updates.selection = json(selection));
     }
 
     /// Nothing is compared any more.
@@ -173,6 +172,11 @@ impl Hub {
     fn views(&self) -> std::sync::MutexGuard<'_, BTreeMap<u32, watch::Sender<ViewState>>> {
         self.views.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// A message as it is sent; none when it cannot be written.
+fn json(message: &impl Serialize) -> Option<Arc<str>> {
+    serde_json::to_string(message).ok().map(Arc::from)
 }
 
 /// 128 random bits.

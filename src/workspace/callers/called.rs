@@ -7,9 +7,10 @@ use base::FastMap;
 use base::limits::{CALLER_CALLS, LAUNCH_INCLUDES};
 
 use super::choices::{Excluded, excluded};
-use super::{Callers, GivenArg, Uses, search};
+use super::uses::{Uses, search};
+use super::{Callers, GivenArg};
 use crate::Packages;
-use crate::launch::{self, Call, Context, LaunchFile, Word, calls_in, forget_defaults, included};
+use crate::launch::{self, Call, Context, LaunchFile, calls_in, forget_defaults, included};
 use std::sync::Arc;
 
 /// A call, and the description that it names.
@@ -111,15 +112,14 @@ fn through(
     if context.through.len() >= LAUNCH_INCLUDES || found.len() > CALLER_CALLS {
         return;
     }
-    let of = |name: &Word| {
-        let path = packages
-            .present(&name.path(packages, &file.path)?)
-            .into_owned();
-        by_path.get(path.as_path()).copied()
-    };
     let included: Vec<(Option<&LaunchFile>, Context)> = included(file, context)
         .into_iter()
-        .map(|(name, context)| (of(&name), context))
+        .map(|(name, context)| {
+            let path = name.path(packages, &file.path);
+            let path = path.map(|path| packages.present(&path).into_owned());
+            let inner = path.and_then(|path| by_path.get(path.as_path()).copied());
+            (inner, context)
+        })
         .collect();
     for (number, (inner, context)) in included.iter().enumerate() {
         let Some(inner) = inner.filter(|inner| !context.through.contains(&inner.path)) else {

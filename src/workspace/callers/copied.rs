@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Callers, Uses};
+use super::Callers;
+use super::uses::Uses;
 use crate::Packages;
 use crate::manifest::MANIFEST;
 use base::FastSet;
@@ -223,22 +224,23 @@ fn copied_below(
     let has_drafts = members.iter().any(Member::is_own_draft);
     // a repository that is published as a whole may hold what is released, and what is not yet
     let is_published = !has_drafts && has_mark(&packages.vfs, top);
-    let is_released = |folder: &PathBuf| members.iter().any(|one| one.folder == *folder);
     let copied = members.iter().filter_map(|one| one.copied.clone());
     let mut folders: Vec<PathBuf> = copied
-        .filter(|folder| !is_published || !is_released(folder) || has_mark(&packages.vfs, folder))
+        .filter(|folder| {
+            !is_published
+                || !members.iter().any(|one| one.folder == *folder)
+                || has_mark(&packages.vfs, folder)
+        })
         .collect();
     folders.sort();
     folders.dedup();
     let has_robots = |uses: Arc<Uses>| {
         let mut own = members.iter().filter(|one| one.copied.is_none());
-        let files = || {
-            uses.files
-                .values()
-                .flatten()
-                .chain(uses.callers.iter().map(|caller| &caller.path))
-        };
-        own.any(|one| files().any(|file| file.starts_with(&one.folder)))
+        own.any(|one| {
+            let descriptions = uses.files.values().flatten();
+            let mut files = descriptions.chain(uses.callers.iter().map(|caller| &caller.path));
+            files.any(|file| file.starts_with(&one.folder))
+        })
     };
     let is_workspace = !folders.is_empty() && (has_drafts || uses().is_some_and(has_robots));
     if is_workspace { folders } else { Copies::new() }
@@ -252,25 +254,24 @@ impl Member {
 
 /// The folder of the repository that a package was copied with below a folder.
 fn copied_with(top: &Path, package: &Path, vfs: &Vfs) -> Option<PathBuf> {
-    let folders = || {
-        package
-            .ancestors()
-            .take_while(|folder| folder.starts_with(top) && *folder != top)
-    };
-    if folders().any(|folder| vfs.exists(&folder.join(".git"))) {
+    let folders = package
+        .ancestors()
+        .take_while(|folder| folder.starts_with(top) && *folder != top);
+    let is_cloned = |folder: &Path| vfs.exists(&folder.join(".git"));
+    if folders.clone().any(is_cloned) {
         return None;
     }
-    let is_below_others = |folder: &Path| {
-        let above = folder.parent().and_then(Path::file_name);
-        above.is_some_and(|above| OTHERS.iter().any(|name| above.eq_ignore_ascii_case(name)))
-    };
-    let marked = folders()
+    folders
         .filter(|folder| has_mark(vfs, folder) || is_below_others(folder))
-        .last();
-    let is_released = || vfs.is_file(&package.join("CHANGELOG.rst"));
-    marked
-        .or_else(|| is_released().then_some(package))
+        .last()
+        .or_else(|| Some(package).filter(|package| vfs.is_file(&package.join("CHANGELOG.rst"))))
         .map(Path::to_owned)
+}
+
+/// Whether a folder lies in one of what others have written.
+fn is_below_others(folder: &Path) -> bool {
+    let above = folder.parent().and_then(Path::file_name);
+    above.is_some_and(|above| OTHERS.iter().any(|name| above.eq_ignore_ascii_case(name)))
 }
 
 fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
@@ -283,14 +284,14 @@ fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
 /// the drafts, where there are some.
 fn related(members: &[Member]) -> Option<PathBuf> {
     let has_drafts = members.iter().any(Member::is_own_draft);
-    let own = || {
-        members
-            .iter()
-            .filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts))
-    };
-    let known: FastSet<&String> = own().flat_map(|one| &one.people).collect();
-    let needed = own().flat_map(|one| one.needs.iter().map(String::as_str));
-    let families: FastSet<&str> = own()
+    let own = members
+        .iter()
+        .filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts));
+    let known: FastSet<&String> = own.clone().flat_map(|one| &one.people).collect();
+    let needed = own
+        .clone()
+        .flat_map(|one| one.needs.iter().map(String::as_str));
+    let families: FastSet<&str> = own
         .filter_map(|one| family(&one.name))
         .chain(needed)
         .collect();
@@ -329,15 +330,17 @@ fn people(manifest: &str) -> Vec<String> {
         let quote = part.chars().next().filter(|c| matches!(c, '"' | '\''))?;
         part.get(1..)?.split(quote).next().map(str::to_lowercase)
     };
-    let is_example = |address: &String| {
-        ["@example.com", "@todo.com"]
-            .iter()
-            .any(|end| address.ends_with(end))
-    };
     manifest
         .split("email=")
         .skip(1)
         .filter_map(address)
         .filter(|address| !is_example(address))
         .collect()
+}
+
+/// Whether an address stands for one that somebody is to fill in.
+fn is_example(address: &str) -> bool {
+    ["@example.com", "@todo.com"]
+        .iter()
+        .any(|end| address.ends_with(end))
 }

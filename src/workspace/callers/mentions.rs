@@ -3,7 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Callers, name_of, purpose, read, walk};
+use super::file_names::{self, name_of};
+use super::read::{self, has_any};
+use super::uses::Uses;
+use super::walk::walk;
+use super::{Callers, purpose};
 use crate::Packages;
 use base::{FastMap, FastSet};
 
@@ -58,19 +62,19 @@ impl Callers {
     /// Whether a text in the sources around a file holds its name; also where not all texts are known.
     pub fn mention_file(&self, file: &Path, packages: &Packages) -> bool {
         let own = packages.containing(file);
-        let is_its = |(_, package): &(&Path, Option<&str>)| {
+        let is_its = |(_, package): (&Path, Option<&str>)| {
             let own = own.as_ref().map(|package| package.name.as_str());
-            package.is_none() || own.is_none() || *package == own
+            package.is_none() || own.is_none() || package == own
         };
         let is_it = |mentions: Arc<Mentions>| {
-            !mentions.is_whole || mentions.with_packages(file).any(|found| is_its(&found))
+            !mentions.is_whole || mentions.with_packages(file).any(is_its)
         };
         self.mentions(file, packages).is_none_or(is_it)
     }
 
     /// Whether launch files and programs use what lies around a file, and no text there simulates, plans or controls anything.
     pub fn never_simulate(&self, file: &Path, packages: &Packages) -> bool {
-        let simulates = |uses: Arc<super::Uses>| uses.callers.iter().any(|caller| caller.simulates);
+        let simulates = |uses: Arc<Uses>| uses.callers.iter().any(|caller| caller.simulates);
         if self.around(file, packages).is_none_or(simulates) {
             return false;
         }
@@ -98,13 +102,11 @@ impl Callers {
     /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix, or it belongs to a
     /// container with one of these.
     pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
-        let is_old = |mentions: &Mentions| {
+        self.mentions(file, packages).is_some_and(|mentions| {
             is_run_in_old(file, packages)
                 || mentions.distributions == (true, false)
                 || !mentions.distributions.1 && is_edited_for_old(file, packages)
-        };
-        self.mentions(file, packages)
-            .is_some_and(|mentions| is_old(&mentions))
+        })
     }
 
     /// The texts around a file that start controllers.
@@ -132,7 +134,8 @@ impl Mentions {
             .map(|(name, _)| name)
             .collect();
         found.is_whole = walk(&packages.vfs, top, &mut |path, name, is_small| {
-            let is_read = (read::is_description(name) || read::may_call(name)) && is_small();
+            let is_read =
+                (file_names::is_description(name) || file_names::may_call(name)) && is_small();
             if let Some(text) = is_read.then(|| packages.vfs.text(path).ok()).flatten() {
                 found.add_generation(path, &text.text);
                 found.add(path, &read::without_comments(name, &text.text), &names);
@@ -144,8 +147,8 @@ impl Mentions {
 
     /// Add what one text says.
     fn add(&mut self, path: &Path, text: &str, names: &FastSet<String>) {
-        let is_description = read::is_description(name_of(path));
-        let is_page = read::is_page(path);
+        let is_description = file_names::is_description(name_of(path));
+        let is_page = file_names::is_page(path);
         self.simulates |= read::simulates(text);
         self.meets |= purpose::meets(text);
         self.moves |= !is_description && !is_page && read::simulates(text);
@@ -154,9 +157,9 @@ impl Mentions {
             false => !is_page && purpose::weighs(text),
         };
         self.runs |=
-            !is_description && (name_of(path).contains("launch") || read::is_program(path));
+            !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
         self.spawns_models |= name_of(path).contains("launch") && purpose::spawns_model(text);
-        if !is_description && !is_page && STARTERS.iter().any(|word| text.contains(word)) {
+        if !is_description && !is_page && has_any(text, &STARTERS) {
             self.starters.push(path.to_owned());
         }
         if !is_page {
@@ -184,8 +187,8 @@ impl Mentions {
             if !(is_package || is_file) {
                 continue;
             }
-            let lead = || text.get(..start).unwrap_or_default();
-            let package = is_file.then(|| read::package_of(lead())).flatten();
+            let lead = text.get(..start).filter(|_| is_file);
+            let package = lead.and_then(read::package_of);
             if !seen.insert((word, package.clone())) {
                 continue;
             }
@@ -208,23 +211,20 @@ impl Mentions {
     fn add_generation(&mut self, path: &Path, text: &str) {
         const PYTHON_2: [&str; 4] = ["python2", "from Tkinter ", "import Tkinter", "raw_input("];
         const OLD_GAZEBO: [&str; 2] = ["<sensor:", "<controller:"];
-        let has = |words: &[&str]| words.iter().any(|word| text.contains(word));
         let is_python = path.extension().is_some_and(|ending| ending == "py");
-        self.distributions.0 |=
-            is_python && has(&PYTHON_2) || read::is_description(name_of(path)) && has(&OLD_GAZEBO);
-        self.distributions.1 |= is_python && has(&["python3", "rclpy", "ament_"]);
+        self.distributions.0 |= is_python && has_any(text, &PYTHON_2)
+            || file_names::is_description(name_of(path)) && has_any(text, &OLD_GAZEBO);
+        self.distributions.1 |= is_python && has_any(text, &["python3", "rclpy", "ament_"]);
     }
 
     fn add_distribution(&mut self, word: &str) {
-        let is_one =
-            |part: &str, names: &[&str]| names.iter().any(|name| part.eq_ignore_ascii_case(name));
         // no distribution has a shorter or longer name
         let parts = word
             .split(['-', '_', '.'])
             .filter(|part| (4..=9).contains(&part.len()));
         for part in parts {
-            self.distributions.0 |= is_one(part, &OLD);
-            self.distributions.1 |= is_one(part, &NEW);
+            self.distributions.0 |= is_one_of(part, &OLD);
+            self.distributions.1 |= is_one_of(part, &NEW);
         }
     }
 
@@ -246,6 +246,11 @@ impl Mentions {
         self.read.contains(package)
     }
 
+    /// Whether any text names a package.
+    pub fn is_named(&self, package: &str) -> bool {
+        self.uses(package).next().is_some() || self.is_read(package)
+    }
+
     /// The texts that hold the name of a package, but for descriptions and what is built.
     pub fn uses(&self, package: &str) -> impl Iterator<Item = &Path> {
         self.packages
@@ -254,6 +259,11 @@ impl Mentions {
             .flatten()
             .map(PathBuf::as_path)
     }
+}
+
+/// Whether a word is one of these names, in letters of either case.
+fn is_one_of(word: &str, names: &[&str]) -> bool {
+    names.iter().any(|name| word.eq_ignore_ascii_case(name))
 }
 
 /// Whether the nearest `Dockerfile` in a folder above a file installs an old distribution, and no newer one.
@@ -287,15 +297,11 @@ fn is_edited_for_old(file: &Path, packages: &Packages) -> bool {
     let Some(folder) = packages.sources_around(file).map(|top| top.join(".vscode")) else {
         return false;
     };
-    let names_old = |text: &str| {
-        OLD.iter()
-            .any(|name| text.contains(&format!("/opt/ros/{name}")))
-    };
     packages.vfs.list_dir(&folder).iter().any(|entry| {
         entry.name.ends_with(".json")
-            && packages
-                .vfs
-                .text(&folder.join(&entry.name))
-                .is_ok_and(|file| names_old(&file.text))
+            && packages.is_text(&folder.join(&entry.name), |text| {
+                OLD.iter()
+                    .any(|name| text.contains(&format!("/opt/ros/{name}")))
+            })
     })
 }

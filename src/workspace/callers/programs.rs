@@ -2,7 +2,11 @@
 
 use std::path::Path;
 
-use super::{Caller, Callers, name_of, read, walk};
+use super::Callers;
+use super::caller::Caller;
+use super::file_names::{self, name_of};
+use super::read::{self, has_any};
+use super::walk::walk;
 use crate::Packages;
 
 /// Words of programs that download something.
@@ -23,29 +27,13 @@ impl Callers {
     /// Whether a page names the description `file` to be used: not only in a table of files, unless that says how xacro is run.
     pub fn tell_to_use(&self, file: &Path, packages: &Packages) -> bool {
         let name = name_of(file);
-        let uses = |text: &str| {
-            text.lines().any(|line| {
-                line.contains(name) && (!line.trim_start().starts_with('|') || runs_xacro(line))
-            })
+        let is_use = |line: &str| {
+            line.contains(name) && (!line.trim_start().starts_with('|') || runs_xacro(line))
         };
         self.of(file, packages)
             .iter()
             .filter(|caller| caller.is_page())
-            .any(|page| {
-                packages
-                    .vfs
-                    .text(&page.path)
-                    .is_ok_and(|text| uses(&text.text))
-            })
-    }
-
-    /// Whether a launch file, program or build file that may mean `file` loads another description that is there.
-    pub fn load_another(&self, file: &Path, packages: &Packages) -> bool {
-        self.around(file, packages).is_some_and(|all| {
-            all.callers.iter().any(|caller| {
-                caller.may_load(file, packages) && all.has_another(caller, file, packages)
-            })
-        })
+            .any(|page| packages.is_text(&page.path, |text| text.lines().any(is_use)))
     }
 
     /// Whether nothing but programs of MATLAB loads the description `file`, for its kinematics.
@@ -61,9 +49,8 @@ impl Callers {
         ];
         let is_kinematic = |caller: &Caller| {
             caller.path.extension().is_some_and(|ending| ending == "m")
-                && packages.vfs.text(&caller.path).is_ok_and(|file| {
-                    file.text.contains("importrobot")
-                        && !DYNAMICS.iter().any(|word| file.text.contains(word))
+                && packages.is_text(&caller.path, |text| {
+                    text.contains("importrobot") && !has_any(text, &DYNAMICS)
                 })
         };
         let all = self.of(file, packages);
@@ -88,29 +75,21 @@ impl Callers {
             && named.all(|caller| {
                 caller.path.extension().is_some_and(|ending| ending == "py")
                     && !caller.is_launch()
-                    && packages
-                        .vfs
-                        .text(&caller.path)
-                        .is_ok_and(|file| file.text.lines().any(writes))
+                    && packages.is_text(&caller.path, |text| text.lines().any(writes))
             })
     }
 
     /// Whether a program in Python or a shell that names the description `file` holds `text`, letter for letter: neither knows
     /// `$(find ...)`, so it puts something else for it.
     pub fn rewrite(&self, file: &Path, text: &str, packages: &Packages) -> bool {
-        let is_program = |path: &Path| {
-            path.extension()
-                .is_some_and(|ending| ending == "py" || ending == "sh")
-        };
-        let holds = |path: &Path| {
-            packages
-                .vfs
-                .text(path)
-                .is_ok_and(|file| file.text.contains(text))
-        };
         self.of(file, packages)
             .iter()
-            .any(|caller| is_program(&caller.path) && holds(&caller.path))
+            .map(|caller| &caller.path)
+            .filter(|path| {
+                path.extension()
+                    .is_some_and(|ending| ending == "py" || ending == "sh")
+            })
+            .any(|path| packages.is_text(path, |said| said.contains(text)))
     }
 }
 
@@ -120,17 +99,16 @@ impl Packages {
         let Some(package) = self.containing(file) else {
             return false;
         };
-        let has = |text: &str, words: &[&str]| words.iter().any(|word| text.contains(word));
         let mut found = false;
         walk(&self.vfs, &package.folder, &mut |path, name, is_small| {
-            let may_run = !name.contains('.') || name == "CMakeLists.txt" || read::is_program(path);
+            let may_run =
+                !name.contains('.') || name == "CMakeLists.txt" || file_names::is_program(path);
             if found || !may_run || !is_small() {
                 return;
             }
-            found = self
-                .vfs
-                .text(path)
-                .is_ok_and(|file| has(&file.text, &DOWNLOADS) && has(&file.text, &ARCHIVES));
+            found = self.is_text(path, |text| {
+                has_any(text, &DOWNLOADS) && has_any(text, &ARCHIVES)
+            });
         });
         found
     }

@@ -3,8 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::read::{CONTROLLERS, SIMULATES};
-use super::{Caller, Callers, Uses};
+use super::Callers;
+use super::caller::Caller;
+use super::read::{CONTROLLERS, SIMULATES, has_any};
+use super::uses::Uses;
 use crate::Packages;
 
 /// Words in launch files and programs that run something that needs masses: simulators, and libraries for dynamics.
@@ -29,15 +31,14 @@ const WEIGHS: [&str; 16] = [
 
 /// Whether a text runs something that needs masses and inertia.
 pub(super) fn weighs(text: &str) -> bool {
-    WEIGHS.iter().any(|word| text.contains(word))
+    has_any(text, &WEIGHS)
 }
 
 /// Whether a launch file spawns a model of SDF in Gazebo.
 pub(super) fn spawns_model(text: &str) -> bool {
     const SPAWNERS: [&str; 3] = ["spawn_model", "spawn_entity", "ros_gz_sim"];
     const MODELS: [&str; 2] = ["-sdf", ".sdf"];
-    let has = |words: &[&str]| words.iter().any(|word| text.contains(word));
-    has(&SPAWNERS) && has(&MODELS)
+    has_any(text, &SPAWNERS) && has_any(text, &MODELS)
 }
 
 /// Whether a text runs something that needs collisions.
@@ -72,9 +73,7 @@ impl Callers {
         let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
             return false;
         };
-        let needs_masses =
-            |path: &Path| packages.vfs.text(path).is_ok_and(|file| weighs(&file.text));
-        let may_weigh = |path: &Path| needs_masses(path) || mentions.of(path).any(needs_masses);
+        let needs_masses = |path: &Path| packages.is_text(path, weighs);
         let all = self.of(file, packages);
         let mut loaders = all
             .iter()
@@ -86,20 +85,23 @@ impl Callers {
                 .any(|caller| all.has_another(caller, file, packages) && needs_masses(&caller.path))
         };
         loaders.peek().is_some()
-            && loaders.all(|caller| caller.is_launch() && !may_weigh(&caller.path))
+            && loaders.all(|caller| {
+                caller.is_launch()
+                    && !needs_masses(&caller.path)
+                    && !mentions.of(&caller.path).any(needs_masses)
+            })
             && self.around(file, packages).is_some_and(simulates_another)
     }
 
     /// Whether a launch file starts the controllers or simulation of another description that is there, and none names this one.
     pub fn control_another(&self, file: &Path, packages: &Packages) -> bool {
         const STARTS: [&str; 4] = ["controller_manager", "ros2_control_node", "gazebo", "gz_"];
-        let starts = |caller: &Caller| {
-            let text = packages.vfs.text(&caller.path);
-            text.is_ok_and(|file| STARTS.iter().any(|word| file.text.contains(word)))
-        };
         let is_it = |all: Arc<Uses>| {
             let mut launches = all.callers.iter().filter(|caller| caller.is_launch());
-            launches.any(|caller| all.has_another(caller, file, packages) && starts(caller))
+            launches.any(|caller| {
+                all.has_another(caller, file, packages)
+                    && packages.is_text(&caller.path, |text| has_any(text, &STARTS))
+            })
         };
         let mut named = self
             .of(file, packages)
@@ -118,10 +120,8 @@ impl Callers {
             "controller_manager",
         ];
         let spawns = |caller: &Caller| {
-            let text = packages.vfs.text(&caller.path);
-            text.is_ok_and(|file| {
-                let has = |words: &[&str]| words.iter().any(|word| file.text.contains(word));
-                file.text.contains("spawn_") && has(&NAMES) && !has(&READS)
+            packages.is_text(&caller.path, |text| {
+                text.contains("spawn_") && has_any(text, &NAMES) && !has_any(text, &READS)
             })
         };
         let all = self.of(file, packages);
@@ -164,8 +164,7 @@ impl Callers {
         let Some(mentions) = self.mentions(file, packages).filter(|all| all.is_whole) else {
             return false;
         };
-        let is_named = |name: &str| mentions.uses(name).next().is_some() || mentions.is_read(name);
-        !is_named(&own.name) && twins.iter().any(|(name, _)| is_named(name))
+        !mentions.is_named(&own.name) && twins.iter().any(|(name, _)| mentions.is_named(name))
     }
 
     /// Whether there are launch files or programs around a file.

@@ -3,27 +3,12 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::{Caller, Era, GivenArg, Written, config};
+use super::caller::{Caller, GivenArg, Written};
+use super::config;
+use super::era::era;
+use super::file_names::is_description;
 use crate::launch;
 use base::FastMap;
-
-/// The xacro that a text is for.
-fn era(text: &str) -> Option<Era> {
-    match (text.contains("xacro.py"), text.contains("--inorder")) {
-        (true, false) => Some(Era::Unordered),
-        (true, true) => Some(Era::Old),
-        (false, true) => Some(Era::Melodic),
-        // the name of a file does not run it
-        (false, false) => {
-            let mut names = text
-                .match_indices("xacro")
-                .map(|(at, _)| text.get(..at).unwrap_or(""));
-            names
-                .any(|before| !before.ends_with('.'))
-                .then_some(Era::Any)
-        }
-    }
-}
 
 /// Words in launch files that run something that needs masses and collisions.
 pub(super) const SIMULATES: [&str; 9] = [
@@ -43,54 +28,12 @@ pub(super) const CONTROLLERS: &str = "controller_manager";
 
 /// Whether a text runs something that needs masses and collisions.
 pub(super) fn simulates(text: &str) -> bool {
-    SIMULATES.iter().any(|word| text.contains(word))
+    has_any(text, &SIMULATES)
 }
 
-/// Whether a file is a program, and no test of one.
-pub(super) fn is_program(path: &Path) -> bool {
-    let ending = path
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or("");
-    let folder = path.parent().and_then(Path::file_name);
-    let mut names = path.file_name().into_iter().chain(folder);
-    let is_test = names.any(|name| name.to_string_lossy().to_lowercase().starts_with("test"));
-    ["py", "cpp", "sh", "m"].contains(&ending) && !is_test
-}
-
-/// Whether a file of that name may call a robot.
-pub(super) fn may_call(name: &str) -> bool {
-    const ENDINGS: [&str; 17] = [
-        "launch", "xml", "py", "sh", "bash", "md", "rst", "txt", "yaml", "yml", "cmake", "test",
-        "in", "cpp", "toml", "ipynb", "m",
-    ];
-    // these say what is installed, what depends on what, and what was; not what is used
-    let tells_nothing =
-        ["package.xml", "setup.py"].contains(&name) || name.to_lowercase().starts_with("changelog");
-    let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending);
-    ENDINGS.contains(&ending) && !tells_nothing && !is_description(name)
-}
-
-/// Whether a file is there to be read, not run.
-pub(super) fn is_page(path: &Path) -> bool {
-    let ending = path
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or("");
-    ["md", "rst", "txt", "ipynb"].contains(&ending) && !path.ends_with("CMakeLists.txt")
-}
-
-pub(super) fn is_description(name: &str) -> bool {
-    let name = name.to_lowercase();
-    let name = name.strip_suffix(".xml").unwrap_or(&name);
-    name.ends_with(".xacro") || name.ends_with(".urdf")
-}
-
-/// Whether a file may belong to a robot, by its name: SRDF, YAML, what MoveIt's setup assistant wrote down.
-pub(super) fn is_beside(name: &str) -> bool {
-    let name = name.to_lowercase();
-    let endings = [".srdf", ".srdf.xacro", ".yaml", ".yml"];
-    name == ".setup_assistant" || endings.iter().any(|ending| name.ends_with(ending))
+/// Whether a text holds one of these words, also as a part of another.
+pub(super) fn has_any(text: &str, words: &[&str]) -> bool {
+    words.iter().any(|word| text.contains(word))
 }
 
 /// What a file calls; none when it names no description. Only then it is read as a launch file.
@@ -372,11 +315,12 @@ fn is_installed(name: &str, lead: &str) -> bool {
 /// Whether a name behind this text is part of a drawn tree of folders.
 fn is_listed(lead: &str) -> bool {
     let line = end_of(lead).rsplit('\n').next().unwrap_or("");
-    // nothing but what draws a branch, as with `|--` and `>`
-    let is_drawn = |line: &str| {
-        line.starts_with(['|', '+', '>']) && line.chars().all(|c| "|+->`\\ ".contains(c))
-    };
-    line.contains(['├', '└', '│']) || line.starts_with(' ') && is_drawn(line.trim_start())
+    line.contains(['├', '└', '│']) || line.starts_with(' ') && is_branch(line.trim_start())
+}
+
+/// Whether a text is nothing but what draws a branch, as with `|--` and `>`.
+fn is_branch(text: &str) -> bool {
+    text.starts_with(['|', '+', '>']) && text.chars().all(|c| "|+->`\\ ".contains(c))
 }
 
 /// The tag that a text ends in, or has ended with.

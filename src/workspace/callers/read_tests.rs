@@ -2,7 +2,8 @@
 use std::path::Path;
 
 use super::Caller;
-use super::read::{caller, may_call};
+use super::file_names::may_call;
+use super::read::caller;
 
 /// The descriptions that a file calls, and the arguments with their values.
 type Called<'a> = (&'a [&'a str], &'a [(&'a str, Option<&'a str>)]);

@@ -155,11 +155,10 @@ impl Applier {
     fn expectation(&mut self, fields: &[Entry], value: &Value, given: &mut Given) -> Expectation {
         let mut expected = Expectation::new(self.place(value.range), value.json());
         for field in self.known(fields, EXPECT, "expect") {
-            let owned = |text: Option<&str>| text.map(str::to_owned);
             match field.key.as_str() {
-                "name" => expected.name = owned(self.text(field)),
+                "name" => expected.name = self.text(field).map(str::to_owned),
                 "when" => expected.when = self.axes(field, given),
-                "root" => expected.root = owned(self.text(field)),
+                "root" => expected.root = self.text(field).map(str::to_owned),
                 "links" => expected.links = self.texts(field),
                 "no-links" => expected.no_links = self.texts(field),
                 "joints" => expected.joints = self.texts(field),
@@ -176,7 +175,7 @@ impl Applier {
                 "joint" => expected.joint = self.joints(field),
                 "command-interfaces" => expected.command_interfaces = self.lists(field),
                 "state-interfaces" => expected.state_interfaces = self.lists(field),
-                _ => expected.expands_to = owned(self.text(field)),
+                _ => expected.expands_to = self.text(field).map(str::to_owned),
             }
         }
         expected
@@ -188,12 +187,11 @@ impl Applier {
             let fields = self.table(field);
             let mut joint = ExpectedJoint::default();
             for field in self.known(fields, JOINT, &format!("joint.{}", field.key)) {
-                let owned = |text: Option<&str>| text.map(str::to_owned);
                 match field.key.as_str() {
-                    "type" => joint.kind = owned(self.text(field)),
-                    "parent" => joint.parent = owned(self.text(field)),
-                    "child" => joint.child = owned(self.text(field)),
-                    "mimic" => joint.mimic = owned(self.text(field)),
+                    "type" => joint.kind = self.text(field).map(str::to_owned),
+                    "parent" => joint.parent = self.text(field).map(str::to_owned),
+                    "child" => joint.child = self.text(field).map(str::to_owned),
+                    "mimic" => joint.mimic = self.text(field).map(str::to_owned),
                     "lower" => joint.lower = self.number(field),
                     "upper" => joint.upper = self.number(field),
                     "effort" => joint.effort = self.number(field),

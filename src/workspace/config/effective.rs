@@ -48,22 +48,23 @@ impl Config {
     /// Remember that a file sets these keys.
     pub(super) fn note_origins(&mut self, entries: &[Entry], path: &Path) {
         for entry in entries {
-            let mut note = |key: String| {
-                let origins = self.origins.entry(key).or_default();
-                if origins.last().is_none_or(|last| last != path) {
-                    origins.push(path.to_owned());
-                }
-            };
             let is_table = |key: &Key| key.name == entry.key && matches!(key.of, Type::Keys(_));
             let inner = Self::KEYS.iter().any(is_table);
             match &entry.value.kind {
                 ValueKind::Table(fields) if inner => {
-                    fields
-                        .iter()
-                        .for_each(|field| note(format!("{}.{}", entry.key, field.key)));
+                    for field in fields {
+                        self.note_origin(format!("{}.{}", entry.key, field.key), path);
+                    }
                 }
-                _ => note(entry.key.clone()),
+                _ => self.note_origin(entry.key.clone(), path),
             }
+        }
+    }
+
+    fn note_origin(&mut self, key: String, path: &Path) {
+        let origins = self.origins.entry(key).or_default();
+        if origins.last().is_none_or(|last| last != path) {
+            origins.push(path.to_owned());
         }
     }
 }

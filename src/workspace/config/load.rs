@@ -163,8 +163,10 @@ pub fn unknown_settings(settings: &serde_json::Value) -> Vec<String> {
         &["roots", "severity", "per-file-ignores", "diagnostics"],
     );
     rename(&mut entries);
-    let group = |key: &str| key.split('.').next().unwrap_or("").to_owned();
-    entries.retain(|entry| !EDITOR_ONLY.contains(&group(&entry.key).as_str()));
+    entries.retain(|entry| {
+        let group = entry.key.split('.').next().unwrap_or("");
+        !EDITOR_ONLY.contains(&group)
+    });
     let mut applier = Applier::new(PathBuf::new(), String::new(), PathBuf::new());
     applier.config(&mut Config::default(), &entries);
     let unknown = applier

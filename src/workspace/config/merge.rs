@@ -101,7 +101,6 @@ pub(super) struct ReaderVersion;
 
 impl Merge<Option<String>> for ReaderVersion {
     fn merge(setting: &mut Option<String>, entry: &Entry, key: &Key, applier: &mut Applier) {
-        let is_version = |text: &str| text.split('.').all(|part| part.parse::<u32>().is_ok());
         let text = applier.text(entry);
         *setting = text.filter(|text| is_version(text)).map(str::to_owned);
         if let Some(text) = text.filter(|text| !is_version(text)) {
@@ -116,6 +115,10 @@ impl Merge<Option<String>> for ReaderVersion {
     fn json(setting: &Option<String>) -> Json {
         json!(setting)
     }
+}
+
+fn is_version(text: &str) -> bool {
+    text.split('.').all(|part| part.parse::<u32>().is_ok())
 }
 
 /// Strings that are added to those before.

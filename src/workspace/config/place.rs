@@ -80,17 +80,15 @@ fn word(before: &str) -> Option<(usize, Option<char>)> {
         return Some((before.len(), None));
     };
     let (start, end) = (last.span().start(), last.span().end());
-    let quoted = |quote: char| {
-        let is_open = end - start < 2 || !before.ends_with(quote);
-        is_open.then_some((start, Some(quote)))
+    let quote = match last.kind() {
+        TokenKind::BasicString => '"',
+        TokenKind::LiteralString => '\'',
+        TokenKind::Comment | TokenKind::MlBasicString | TokenKind::MlLiteralString => return None,
+        TokenKind::Atom => return Some((start, None)),
+        _ => return Some((before.len(), None)),
     };
-    match last.kind() {
-        TokenKind::Comment | TokenKind::MlBasicString | TokenKind::MlLiteralString => None,
-        TokenKind::BasicString => quoted('"'),
-        TokenKind::LiteralString => quoted('\''),
-        TokenKind::Atom => Some((start, None)),
-        _ => Some((before.len(), None)),
-    }
+    let is_open = end - start < 2 || !before.ends_with(quote);
+    is_open.then_some((start, Some(quote)))
 }
 
 /// How much of a text still belongs to the word in front of it.

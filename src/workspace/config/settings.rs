@@ -96,8 +96,9 @@ macro_rules! settings {
 
             fn values(&self) -> Vec<(&'static Key, Json)> {
                 let values = [$(($key, <$how as Merge<$type>>::json(&self.$field))),*];
-                let known = |name| Self::KEYS.iter().find(|key| key.name == name);
-                let keyed = values.into_iter().filter_map(|(name, value)| Some((known(name)?, value)));
+                let keyed = values.into_iter().filter_map(|(name, value)| {
+                    Some((Self::KEYS.iter().find(|key| key.name == name)?, value))
+                });
                 keyed.collect()
             }
         }

@@ -71,8 +71,8 @@ impl Value {
 }
 
 fn text_range(range: std::ops::Range<usize>) -> TextRange {
-    let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
-    TextRange::new(offset(range.start), offset(range.end))
+    let [start, end] = [range.start, range.end].map(|at| u32::try_from(at).unwrap_or(u32::MAX));
+    TextRange::new(start, end)
 }
 
 /// The table of a TOML text and what is wrong with it.

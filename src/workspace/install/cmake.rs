@@ -266,13 +266,9 @@ impl Reader<'_> {
         let Some(Some(name)) = words.first() else {
             return;
         };
-        let current =
-            |reader: &Self, of: &str| reader.variables.get(of).cloned().unwrap_or_default();
-        let (source, build) = (
-            current(self, "CMAKE_CURRENT_SOURCE_DIR"),
-            current(self, "CMAKE_CURRENT_BINARY_DIR"),
-        );
-        for (place, value) in [("SOURCE_DIR", source), ("BINARY_DIR", build)] {
+        for place in ["SOURCE_DIR", "BINARY_DIR"] {
+            let current = self.variables.get(&format!("CMAKE_CURRENT_{place}"));
+            let value = current.cloned().unwrap_or_default();
             self.set(&format!("PROJECT_{place}"), value.clone());
             self.set(&format!("{name}_{place}"), value);
         }
@@ -396,21 +392,15 @@ impl Reader<'_> {
 
     /// `a b/ DESTINATION d`
     fn placed(&mut self, words: &[Word], here: Here<'_>, is_install: bool) {
-        let after = |keyword: &str| {
-            let at = words
-                .iter()
-                .position(|word| word.as_deref() == Some(keyword))?;
-            words.get(at + 1)
-        };
-        let Some(Some(destination)) = after("DESTINATION") else {
-            self.build.is_opaque |= after("DESTINATION").is_some();
+        let Some(Some(destination)) = after(words, "DESTINATION") else {
+            self.build.is_opaque |= after(words, "DESTINATION").is_some();
             return;
         };
         let to = match is_install {
             true => tidy(Path::new(destination.trim_start_matches('/'))),
             false => in_tree(&build_folder(here.folder), destination),
         };
-        let renamed = after("RENAME").cloned().flatten();
+        let renamed = after(words, "RENAME").cloned().flatten();
         let is_source =
             |word: &&Word| !word.as_deref().is_some_and(|word| KEYWORDS.contains(&word));
         for word in words.iter().take_while(is_source) {
@@ -433,16 +423,10 @@ impl Reader<'_> {
         let Some(project) = self.variables.get("PROJECT_NAME").cloned() else {
             return;
         };
-        let is_list = |word: &Word| {
-            matches!(
-                word.as_deref(),
-                Some("INSTALL_TO_SHARE" | "INSTALL_TO_PATH")
-            )
-        };
         let mut is_share = false;
         for word in words {
-            if is_list(word) {
-                is_share = word.as_deref() == Some("INSTALL_TO_SHARE");
+            if let Some(list @ ("INSTALL_TO_SHARE" | "INSTALL_TO_PATH")) = word.as_deref() {
+                is_share = list == "INSTALL_TO_SHARE";
                 continue;
             }
             let Some(source) = word.as_ref().filter(|_| is_share) else {
@@ -488,6 +472,14 @@ impl Reader<'_> {
         }
         (!text.contains("$<") && !text.contains("$ENV{")).then_some(text)
     }
+}
+
+/// The word behind a keyword.
+fn after<'w>(words: &'w [Word], keyword: &str) -> Option<&'w Word> {
+    let at = words
+        .iter()
+        .position(|word| word.as_deref() == Some(keyword))?;
+    words.get(at + 1)
 }
 
 /// The commands up to the end of a block, and those behind it.

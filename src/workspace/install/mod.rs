@@ -156,14 +156,16 @@ impl Packages {
     /// the project is called, if that project installs files for a package of its name.
     pub(super) fn unlisted_name(&self, folder: &Path) -> Option<String> {
         self.unlisted.get(folder.to_owned(), || {
-            let text = |name: &str| self.vfs.text(&folder.join(name)).ok();
-            let project =
-                || cmake::project(&text(CMAKE_LISTS)?.text).filter(|name| !name.contains('$'));
-            let name = match text(&format!("{MANIFEST}{TEMPLATE}")) {
-                Some(manifest) => name_in(&manifest.text)
+            let project = || {
+                let lists = self.vfs.text(&folder.join(CMAKE_LISTS)).ok()?;
+                cmake::project(&lists.text).filter(|name| !name.contains('$'))
+            };
+            let template = folder.join(format!("{MANIFEST}{TEMPLATE}"));
+            let name = match self.vfs.text(&template) {
+                Ok(manifest) => name_in(&manifest.text)
                     .filter(|name| !name.contains(['@', '$']))
                     .or_else(project),
-                None => project().filter(|name| self.build(folder).installs(name)),
+                Err(_) => project().filter(|name| self.build(folder).installs(name)),
             };
             name.filter(|name| is_package_name(name))
         })
@@ -208,16 +210,12 @@ impl Build {
     }
 
     fn taken(&self, vfs: &Vfs, source: &Source, rest: &Path, depth: u32) -> Option<Built> {
-        let whole = |path: &Path| {
-            if rest.as_os_str().is_empty() {
-                path.to_owned()
-            } else {
-                path.join(rest)
-            }
-        };
         match source {
             Source::Path(path) => {
-                let path = whole(path);
+                let path = match rest.as_os_str().is_empty() {
+                    true => path.clone(),
+                    false => path.join(rest),
+                };
                 if vfs.exists(&path) {
                     return Some(Built {
                         path,

@@ -170,12 +170,6 @@ pub(crate) fn forget_defaults<'f>(
     file: &LaunchFile,
     others: impl Iterator<Item = &'f LaunchFile>,
 ) {
-    let default = |file: &LaunchFile, declared: &Declared| {
-        let none = Context::default();
-        Resolver::new(file, &none, &[])
-            .word(declared.default.as_ref()?)
-            .literal()
-    };
     for other in others {
         for declared in &other.declared {
             let own = file.declared.iter().find(|own| own.name == declared.name);
@@ -184,7 +178,7 @@ pub(crate) fn forget_defaults<'f>(
             else {
                 continue;
             };
-            let (first, second) = (default(file, own), default(other, declared));
+            let (first, second) = (default_of(own, file), default_of(declared, other));
             if first.is_none() || first != second {
                 context
                     .values
@@ -192,6 +186,14 @@ pub(crate) fn forget_defaults<'f>(
             }
         }
     }
+}
+
+/// The default of an argument by itself, where it is known.
+fn default_of(declared: &Declared, file: &LaunchFile) -> Option<String> {
+    let none = Context::default();
+    Resolver::new(file, &none, &[])
+        .word(declared.default.as_ref()?)
+        .literal()
 }
 
 /// A value that a launch file gives to an argument.
@@ -475,18 +477,20 @@ impl<'a> Resolver<'a> {
         }
     }
 
+    /// Whether the launch file sets an argument itself, whatever is given.
+    fn is_fixed(&self, name: &str) -> bool {
+        self.file
+            .declared
+            .iter()
+            .any(|own| own.name == name && own.is_fixed)
+    }
+
     fn argument(&self, name: &str, depth: usize, word: &mut Word) {
         if self.assumed.iter().any(|assumed| assumed == name) {
             return word.push(Bit::Opaque(Why::Decided(name.to_owned())));
         }
-        let is_fixed = || {
-            self.file
-                .declared
-                .iter()
-                .any(|own| own.name == name && own.is_fixed)
-        };
         let given = self.context.values.iter().find(|(given, _)| given == name);
-        if let Some((_, value)) = given.filter(|_| !is_fixed()) {
+        if let Some((_, value)) = given.filter(|_| !self.is_fixed(name)) {
             let bare = |bit: &Bit| match bit {
                 Bit::Text(text, _) => Bit::Text(text.clone(), None),
                 other => other.clone(),

@@ -35,8 +35,7 @@ impl PartialEq for Piece {
 
 impl PartialEq for Text {
     fn eq(&self, other: &Self) -> bool {
-        let pairs = || self.0.iter().zip(&other.0);
-        self.0.len() == other.0.len() && pairs().all(|(a, b)| a == b)
+        self.0.len() == other.0.len() && self.0.iter().zip(&other.0).all(|(a, b)| a == b)
     }
 }
 
@@ -76,8 +75,8 @@ impl Text {
 
     /// Add a text behind this one; what grows beyond the limits is not known.
     pub fn push(&mut self, mut other: Text) {
-        let is_opaque = |piece: Option<&Piece>| matches!(piece, Some(Piece::Opaque));
-        if is_opaque(self.0.last()) && is_opaque(other.0.first()) {
+        let ends = (self.0.last(), other.0.first());
+        if let (Some(Piece::Opaque), Some(Piece::Opaque)) = ends {
             self.0.pop();
         }
         self.0.append(&mut other.0);

@@ -157,10 +157,10 @@ impl Reader<'_> {
             (Value::Text(text), "join") => match (text.literal(), args.into_iter().next()) {
                 (Some(between), Some(Value::List(items))) => {
                     let items = items.into_iter().map(Value::written).enumerate();
-                    let lead = |number| Text::plain(if number > 0 { &*between } else { "" }, None);
-                    Value::Text(Text::concat(
-                        items.flat_map(|(number, item)| [lead(number), item]),
-                    ))
+                    Value::Text(Text::concat(items.flat_map(|(number, item)| {
+                        let lead = if number > 0 { &*between } else { "" };
+                        [Text::plain(lead, None), item]
+                    })))
                 }
                 _ => Value::Unknown,
             },

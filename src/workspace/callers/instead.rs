@@ -1,0 +1,92 @@
+//! What launch files and programs load instead of a description.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use super::Callers;
+use super::caller::Caller;
+use super::uses::Uses;
+use crate::Packages;
+use base::FastSet;
+
+impl Callers {
+    /// Whether launch files load the description `file` to show it in RViz and for nothing else, while others simulate or plan
+    /// with another description that is there.
+    pub fn only_show(&self, file: &Path, packages: &Packages) -> bool {
+        let launches: Vec<Caller> = self
+            .of(file, packages)
+            .into_iter()
+            .filter(|caller| caller.is_launch() && caller.says(file))
+            .collect();
+        let simulates_another = |all: Arc<Uses>| {
+            all.load_another(file, packages, |caller| {
+                caller.is_launch() && caller.simulates
+            })
+        };
+        !launches.is_empty()
+            && launches
+                .iter()
+                .all(|caller| caller.shows && !caller.simulates)
+            && self.around(file, packages).is_some_and(simulates_another)
+    }
+
+    /// Whether a launch file around `file` loads a description that is there.
+    pub fn launch_any(&self, file: &Path, packages: &Packages) -> bool {
+        self.around(file, packages).is_some_and(|all| {
+            let launches = all.callers.iter().filter(|caller| caller.is_launch());
+            launches
+                .flat_map(|caller| caller.descriptions.keys())
+                .any(|name| all.files.contains_key(name))
+        })
+    }
+
+    /// The names of the descriptions in the package of `file` that launch files, programs and build files load instead: none where the file itself
+    /// is named somewhere, or the launch files take the name of any and it `may_be_given`.
+    pub fn launched_instead(
+        &self,
+        file: &Path,
+        packages: &Packages,
+        may_be_given: bool,
+    ) -> FastSet<String> {
+        let may_mean = |caller: &Caller| {
+            caller.says(file) || may_be_given && caller.is_open && caller.is_launch()
+        };
+        let all = packages
+            .containing(file)
+            .and_then(|_| self.around(file, packages));
+        let Some(all) = all.filter(|_| !self.of(file, packages).iter().any(may_mean)) else {
+            return FastSet::default();
+        };
+        let is_loader = |caller: &&Caller| caller.may_load(file, packages);
+        let launches = all.callers.iter().filter(is_loader);
+        launches
+            .flat_map(|caller| caller.descriptions.keys().cloned())
+            .collect()
+    }
+
+    /// Whether a launch file, program or build file that may mean `file` loads another description that is there.
+    pub fn load_another(&self, file: &Path, packages: &Packages) -> bool {
+        self.around(file, packages).is_some_and(|all| {
+            all.load_another(file, packages, |caller| caller.may_load(file, packages))
+        })
+    }
+
+    /// Whether `file` lies in no package and no text of the workspace may mean it, while launch files load other
+    /// descriptions that are there: a copy of something, or what another program has left.
+    pub fn pass_over(&self, file: &Path, packages: &Packages) -> bool {
+        let all = self
+            .around(file, packages)
+            .filter(|_| packages.containing(file).is_none());
+        let Some(all) = all else { return false };
+        let may_mean = |caller: &Caller| {
+            all.names(caller, file, packages, false) && !caller.is_trial()
+                || caller.ends(file)
+                || caller.is_open && packages.may_mean(&caller.path, file)
+        };
+        // without launch files, programs load robots
+        !all.callers.iter().any(may_mean)
+            && (all.load_another(file, packages, Caller::is_launch)
+                || !all.callers.iter().any(Caller::is_launch)
+                    && all.load_another(file, packages, Caller::is_program))
+    }
+}

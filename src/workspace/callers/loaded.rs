@@ -1,0 +1,87 @@
+//! Which texts name a description or load it, and what else these say.
+
+use std::path::Path;
+
+use super::Callers;
+use super::caller::Caller;
+use super::era::Era;
+use super::file_names::name_of;
+use super::read;
+use crate::Packages;
+
+impl Callers {
+    /// Whether a file names the description `file`.
+    pub fn name(&self, file: &Path, packages: &Packages) -> bool {
+        self.of(file, packages)
+            .iter()
+            .any(|caller| caller.descriptions.contains_key(name_of(file)))
+    }
+
+    /// Whether something that runs names the description `file`, in part at least; a page does not run.
+    pub fn load(&self, file: &Path, packages: &Packages) -> bool {
+        self.of(file, packages)
+            .iter()
+            .any(|caller| !caller.is_page() && caller.says(file))
+    }
+
+    /// Whether a launch file may mean the description `file`.
+    pub fn launch(&self, file: &Path, packages: &Packages) -> bool {
+        self.of(file, packages).iter().any(Caller::is_launch)
+    }
+
+    /// The xacro that the launch files are for that load the description `file`: the latest of them.
+    pub fn era(&self, file: &Path, packages: &Packages) -> Era {
+        let all = self.of(file, packages);
+        let era = |caller: &Caller| if caller.is_launch() { caller.era } else { None };
+        let own = all
+            .iter()
+            .filter(|caller| caller.says(file))
+            .filter_map(era)
+            .max();
+        // a file that no launch file names is for the xacro that those around it run, in its package before others
+        let package = packages.containing(file).map(|package| package.folder);
+        let around = || {
+            let all = self.around(file, packages)?;
+            let is_near = |caller: &&Caller| {
+                package
+                    .as_ref()
+                    .is_some_and(|folder| caller.path.starts_with(folder))
+            };
+            let near = all.callers.iter().filter(is_near).filter_map(era).max();
+            near.or_else(|| all.callers.iter().filter_map(era).max())
+        };
+        own.or_else(around).unwrap_or(Era::Any)
+    }
+
+    /// Whether programs load the description `file` into Bullet, and no launch file does. Where no program names a description
+    /// that belongs to no package, those around it count that load others.
+    pub fn load_in_bullet(&self, file: &Path, packages: &Packages) -> bool {
+        let all = self.of(file, packages);
+        let is_free =
+            |caller: &Caller| !caller.says(file) || !caller.is_launch() && !caller.is_program();
+        if all.iter().all(is_free) && packages.containing(file).is_none() {
+            return self
+                .around(file, packages)
+                .is_some_and(|uses| uses.callers.iter().any(|one| one.is_bullet));
+        }
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && (caller.is_launch() || caller.is_program()))
+            .peekable();
+        loaders.peek().is_some() && loaders.all(|caller| caller.is_bullet && !caller.is_launch())
+    }
+
+    /// Whether a file that names the description `file` also says `word`.
+    pub fn mention(&self, file: &Path, word: &str, packages: &Packages) -> bool {
+        self.of(file, packages)
+            .iter()
+            .any(|caller| packages.is_text(&caller.path, |said| read::has_name(said, word)))
+    }
+
+    /// Whether a file that names the description `file` also holds `text`, letter for letter.
+    pub fn quote(&self, file: &Path, text: &str, packages: &Packages) -> bool {
+        self.of(file, packages)
+            .iter()
+            .any(|caller| packages.is_text(&caller.path, |said| said.contains(text)))
+    }
+}
