@@ -319,6 +319,20 @@ fn contacts_of_robots_that_are_only_shown() {
     };
     assert_eq!(severity("arm.urdf"), Severity::Info);
     assert_eq!(severity("view.urdf"), Severity::Warning);
+    // these take the convex hull
+    let with_program = |program: &str| {
+        let files = [
+            ("urdf/r.urdf", robot),
+            ("urdf/part.stl", mesh.as_str()),
+            ("run.py", program),
+        ];
+        found(&files, "mesh-inconsistent-normals")[0].1
+    };
+    assert_eq!(
+        with_program("import mujoco\nload('r.urdf')"),
+        Severity::Info
+    );
+    assert_eq!(with_program("import fcl\nload('r.urdf')"), Severity::Warning);
 }
 
 #[test]

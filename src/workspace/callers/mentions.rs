@@ -42,7 +42,7 @@ pub(super) struct Mentions {
     takes_srdf: bool,
     /// Whether a text simulates, plans or controls something.
     simulates: bool,
-    /// Whether a text simulates or plans something: controllers alone need no collisions.
+    /// Whether a text simulates or plans something with the triangles of collision meshes.
     pub meets: bool,
     /// Whether a launch file or program plans or controls something, or simulates it.
     pub moves: bool,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::Callers;
 use super::caller::Caller;
-use super::read::{CONTROLLERS, SIMULATES, has_any};
+use super::read::has_any;
 use super::uses::Uses;
 use crate::Packages;
 
@@ -41,10 +41,24 @@ pub(super) fn spawns_model(text: &str) -> bool {
     has_any(text, &SPAWNERS) && has_any(text, &MODELS)
 }
 
-/// Whether a text runs something that needs collisions.
+/// Words in texts that run something that computes with every triangle of a collision mesh. Bullet, MuJoCo and Isaac take the
+/// convex hull of it.
+const TRIANGLES: [&str; 10] = [
+    "gazebo",
+    "ros_gz",
+    "ros_ign",
+    "gz_sim",
+    "webots",
+    "coppelia",
+    "vrep",
+    "moveit",
+    "fcl",
+    "hpp",
+];
+
+/// Whether a text runs something that computes with the triangles of collision meshes.
 pub(super) fn meets(text: &str) -> bool {
-    let mut words = SIMULATES.iter().filter(|word| **word != CONTROLLERS);
-    words.any(|word| text.contains(word))
+    has_any(text, &TRIANGLES)
 }
 
 /// Whether a description has something that only Gazebo runs.
@@ -61,7 +75,8 @@ impl Callers {
             .is_some_and(|all| all.is_whole && all.moves && !all.weighs)
     }
 
-    /// Whether launch files and programs use what lies around a file, and no text there simulates or plans anything.
+    /// Whether launch files and programs use what lies around a file, and no text there simulates or plans with the triangles of
+    /// its collision meshes.
     pub fn never_meet(&self, file: &Path, packages: &Packages) -> bool {
         self.mentions(file, packages)
             .is_some_and(|all| all.is_whole && all.runs && !all.meets)

@@ -11,7 +11,7 @@ use crate::launch;
 use base::FastMap;
 
 /// Words in launch files that run something that needs masses and collisions.
-pub(super) const SIMULATES: [&str; 9] = [
+const SIMULATES: [&str; 9] = [
     "gazebo",
     "ros_gz",
     "ros_ign",
@@ -19,12 +19,9 @@ pub(super) const SIMULATES: [&str; 9] = [
     "pybullet",
     "isaac",
     "webots",
-    CONTROLLERS,
+    "controller_manager",
     "moveit",
 ];
-
-/// What runs controllers, also without a simulation.
-pub(super) const CONTROLLERS: &str = "controller_manager";
 
 /// Whether a text runs something that needs masses and collisions.
 pub(super) fn simulates(text: &str) -> bool {
