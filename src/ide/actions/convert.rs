@@ -30,24 +30,22 @@ pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
     let whole = at.shift(attr.value_range());
     let raw = attr.raw();
     let inside = (offset - whole.start) as usize;
-    let word = |start: usize, end: usize| {
-        TextRange::new(whole.start + start as u32, whole.start + end as u32)
-    };
     for (start, part) in words(raw) {
         let end = start + part.len();
         if inside < start || inside > end {
             continue;
         }
+        let word = TextRange::new(whole.start + start as u32, whole.start + end as u32);
         let degrees = part
             .strip_prefix("${radians(")
             .and_then(|rest| rest.strip_suffix(")}"));
         if let Some(degrees) = degrees.and_then(|text| text.trim().parse::<f64>().ok()) {
             let radians = shown(degrees.to_radians(), 15);
-            let edits = vec![edit(source, word(start, end), radians.clone())];
+            let edits = vec![edit(source, word, radians.clone())];
             return Some(rewrite(format!("convert angle to `{radians}` rad"), edits));
         }
         let text = format!("${{radians({})}}", round_degrees(part)?);
-        let edits = vec![edit(source, word(start, end), text.clone())];
+        let edits = vec![edit(source, word, text.clone())];
         return Some(rewrite(format!("convert angle to `{text}`"), edits));
     }
     None

@@ -5,7 +5,7 @@ use super::{Action, ActionKind, edit};
 use crate::Cx;
 use base::{Span, TextRange};
 use expand::{SourceRange, XId};
-use model::{Body, Inertial, Link, ShapeKind, Text, element_range};
+use model::{Body, Inertial, Link, Pose, ShapeKind, Text, element_range};
 use rules::Edit;
 use xml::Node;
 
@@ -27,13 +27,11 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let body_node = node
         .child_elements()
         .find(|child| is_at(cx, body.element, child.range().shift(base)))?;
-    // an origin that a macro brings along has no text here
-    let written = |node: Node<'_>, origin: bool| child(node, "origin").is_some() == origin;
     let given = link
         .inertial
         .as_ref()
-        .is_some_and(|inertial| inertial.origin.is_some());
-    if !written(body_node, body.origin.is_some()) || !written(source, given) {
+        .and_then(|inertial| inertial.origin.as_ref());
+    if !is_origin_written(body_node, body.origin.as_ref()) || !is_origin_written(source, given) {
         return None;
     }
     let mut edits = entries(cx, base, source, numbers);
@@ -64,6 +62,11 @@ pub(super) fn is_at(cx: &Cx<'_>, element: XId, place: TextRange) -> bool {
 
 pub(super) fn child<'a>(node: Node<'a>, name: &str) -> Option<Node<'a>> {
     node.child_elements().find(|child| child.name() == name)
+}
+
+/// Whether the text of an element has the origin that is there: one that a macro brings along has no text here.
+pub(super) fn is_origin_written(node: Node<'_>, origin: Option<&Pose>) -> bool {
+    child(node, "origin").is_some() == origin.is_some()
 }
 
 /// The body whose shape counts: the only collision, else the only visual.

@@ -44,9 +44,11 @@ pub fn completions_in_settings(
         Wanted::Limit => limit_keys(sources, &word.around),
     };
     let typed = word.range.slice(text);
-    // of the names of this file, what is typed is none
-    let is_typed = |item: &Completion| item.kind == ItemKind::Controller && item.label == typed;
-    items.retain(|item| !word.taken.contains(&item.label) && !is_typed(item));
+    items.retain(|item| {
+        // of the names of this file, what is typed is none
+        let is_typed = item.kind == ItemKind::Controller && item.label == typed;
+        !is_typed && !word.taken.contains(&item.label)
+    });
     if word.is_key && !word.has_colon {
         items
             .iter_mut()
