@@ -7,7 +7,7 @@ use super::instances::{frames_of_macro, frames_of_tag, is_within, macro_of, numb
 use super::locate::{At, locate};
 use super::values::{self, UNKNOWN};
 use base::TextRange;
-use expand::{BindingInfo, Expansion, FrameId, FrameKind, Origin, Written, XKind};
+use expand::{Expansion, FrameId, FrameKind, Origin, Written, XKind};
 use expr::{Value, display};
 use xml::{Node, NodeKind};
 
@@ -253,10 +253,10 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
         .bindings
         .iter()
         .filter(|info| info.definition == Some(id));
-    let frame = |info: &BindingInfo| info.origin.map_or(FrameId::ROOT, |origin| origin.frame);
     let mut results: Vec<(FrameId, String)> = Vec::new();
     for info in bindings {
-        let result = info.value.as_ref().map(|value| (frame(info), text(value)));
+        let frame = info.origin.map_or(FrameId::ROOT, |origin| origin.frame);
+        let result = info.value.as_ref().map(|value| (frame, text(value)));
         results.extend(result.filter(|result| !results.contains(result)));
     }
     if results.is_empty()

@@ -39,13 +39,10 @@ pub(super) fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
         [piece] if piece.source == text.origin => split(cx, &text.value, whole, text.origin),
         _ => None,
     };
-    let pieces = || {
-        text.pieces
-            .iter()
-            .map(|piece| (piece.out, piece.source))
-            .collect()
-    };
-    let (origin, pieces) = made_by_one.unwrap_or_else(|| (text.origin, pieces()));
+    let (origin, pieces) = made_by_one.unwrap_or_else(|| {
+        let pieces = text.pieces.iter().map(|piece| (piece.out, piece.source));
+        (text.origin, pieces.collect())
+    });
     let mut found = Vec::new();
     add_parts(
         cx,
@@ -297,15 +294,12 @@ impl Written {
                     .push((number, *part));
             }
         }
-        let span = |(file, start, end)| Span {
-            file,
-            range: TextRange::new(start, end),
-        };
+        let places = places.into_iter().map(|((file, start, end), parts)| {
+            let range = TextRange::new(start, end);
+            (Span { file, range }, parts)
+        });
         Self {
-            places: places
-                .into_iter()
-                .map(|(place, parts)| (span(place), parts))
-                .collect(),
+            places: places.collect(),
         }
     }
 

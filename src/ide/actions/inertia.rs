@@ -90,7 +90,6 @@ fn shape_name(body: &Body) -> Option<&'static str> {
 /// `ixx iyy izz` in kg m^2, from lengths in m and a mass in kg.
 fn solid(link: &Link) -> Option<[f64; 3]> {
     let mass = link.inertial.as_ref().and_then(Inertial::mass)?;
-    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number).filter(|n| *n > 0.0);
     let [x, y, z] = match &body(link)?.shape()?.kind {
         ShapeKind::Box { size } => {
             let [x, y, z] = size
@@ -100,13 +99,13 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
             [y + z, x + z, x + y]
         }
         ShapeKind::Cylinder { radius, length } => {
-            let (r, l) = (number(radius)?, number(length)?);
+            let (r, l) = (positive(radius)?, positive(length)?);
             let across = r * r / 4.0 + l * l / 12.0;
             [across, across, r * r / 2.0]
         }
-        ShapeKind::Capsule { radius, length } => capsule(number(radius)?, number(length)?),
+        ShapeKind::Capsule { radius, length } => capsule(positive(radius)?, positive(length)?),
         ShapeKind::Sphere { radius } => {
-            let r = number(radius)?;
+            let r = positive(radius)?;
             [0.4 * r * r; 3]
         }
         _ => return None,
@@ -116,6 +115,10 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
         .iter()
         .all(|entry| entry.is_finite() && *entry > 0.0)
         .then_some(inertia)
+}
+
+fn positive(text: &Option<Text>) -> Option<f64> {
+    text.as_ref().and_then(Text::number).filter(|n| *n > 0.0)
 }
 
 /// The moments of a capsule for a mass of 1: those of its cylinder and of its half spheres, by their volumes.

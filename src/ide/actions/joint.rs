@@ -14,14 +14,6 @@ pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
         return Vec::new();
     };
     let kind = joint.attr("type").map_or("", |kind| kind.raw());
-    let add = |title: &str, text: &str| {
-        let (range, text) = last_child(source, base, joint, text);
-        Action {
-            title: title.to_owned(),
-            kind: ActionKind::Rewrite,
-            edits: vec![edit(source, range, text)],
-        }
-    };
     // what a macro or a block brings along cannot be seen here
     if joint
         .child_elements()
@@ -29,17 +21,25 @@ pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
     {
         return Vec::new();
     }
-    let mut found = Vec::new();
+    let mut missing = Vec::new();
     if matches!(kind, "revolute" | "continuous" | "prismatic" | "planar")
         && child(joint, "axis").is_none()
     {
-        found.push(add("add default `axis`", "<axis xyz=\"1 0 0\"/>"));
+        missing.push(("add default `axis`", "<axis xyz=\"1 0 0\"/>"));
     }
     if matches!(kind, "revolute" | "prismatic") && child(joint, "limit").is_none() {
         let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
-        found.push(add("add `limit`", limit));
+        missing.push(("add `limit`", limit));
     }
-    found
+    let actions = missing.into_iter().map(|(title, text)| {
+        let (range, text) = last_child(source, base, joint, text);
+        Action {
+            title: title.to_owned(),
+            kind: ActionKind::Rewrite,
+            edits: vec![edit(source, range, text)],
+        }
+    });
+    actions.collect()
 }
 
 /// An inertial for the link at an offset, of a body of 1 kg to be replaced by the true one.

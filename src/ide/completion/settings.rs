@@ -247,8 +247,7 @@ fn limit_keys(sources: &BesideSources<'_>, joint: &str) -> Vec<Completion> {
         .iter()
         .find_map(|(_, robot)| robot.joint(joint));
     let limit = joint.and_then(|joint| joint.limit.as_ref());
-    let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
-    let velocity = limit.and_then(|limit| number(&limit.velocity));
+    let velocity = limit.and_then(|limit| limit.velocity.as_ref()?.number());
     let range = limit.and_then(|limit| limit.range());
     let values = [
         ("max_velocity", velocity),

@@ -279,10 +279,9 @@ fn whole(spec: &'static ElementSpec, indent: &str, places: &mut Places) -> Strin
 /// Whether people write an attribute nearly always.
 fn is_usual(spec: &ElementSpec, attribute: &AttributeSpec) -> bool {
     let any_required = spec.attributes.iter().any(|attribute| attribute.required);
-    let limit = || matches!(attribute.name, "lower" | "upper" | "effort" | "velocity");
     match spec.name {
         "robot" | "link" | "visual" | "collision" => attribute.required,
-        "limit" => limit(),
+        "limit" => matches!(attribute.name, "lower" | "upper" | "effort" | "velocity"),
         _ => {
             attribute.required
                 || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1)

@@ -262,13 +262,6 @@ fn axis(joint: &Joint) -> Option<String> {
 /// The range, effort and velocity of a joint in one line.
 pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option<String> {
     let limit = joint.limit.as_ref()?;
-    let number = |text: &Option<Text>, unit: &str| {
-        let text = text.as_ref()?;
-        let number = text
-            .number()
-            .map_or("?".to_owned(), super::super::values::number_text);
-        Some(format!("{number} {unit}"))
-    };
     let turns = !matches!(kind, Some(JointType::Prismatic));
     let range = match (kind, limit.range()) {
         (Some(JointType::Continuous), _) => Some("unlimited".to_owned()),
@@ -287,8 +280,17 @@ pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option
         )),
         _ => None,
     };
-    let effort = number(&limit.effort, if turns { "N·m" } else { "N" });
-    let velocity = number(&limit.velocity, if turns { "rad/s" } else { "m/s" });
+    let effort = quantity(&limit.effort, if turns { "N·m" } else { "N" });
+    let velocity = quantity(&limit.velocity, if turns { "rad/s" } else { "m/s" });
     let parts: Vec<String> = [range, effort, velocity].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// A number with its unit.
+fn quantity(text: &Option<Text>, unit: &str) -> Option<String> {
+    let text = text.as_ref()?;
+    let number = text
+        .number()
+        .map_or("?".to_owned(), super::super::values::number_text);
+    Some(format!("{number} {unit}"))
 }

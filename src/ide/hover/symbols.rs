@@ -12,7 +12,7 @@ use super::page::{Page, code, count, plain};
 use crate::rename::definition_at;
 use crate::text_names::{Given, TextNames};
 use base::{Encoding, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind};
+use expand::{Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId};
 use expr::Value;
 use rules::RuleEnv;
 use xml::{Node, NodeKind};
@@ -407,16 +407,10 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
     if calls.is_empty() {
         return "never called".to_owned();
     }
-    let tree = &cx.expansion.tree;
-    let made = |element: expand::XId| {
-        cx.expansion
-            .frames_of(tree.get(element).origin)
-            .filter(|frame| is_call_of(frame, definition))
-            .count()
-            .min(1)
-    };
-    let links: usize = robot.links.iter().map(|link| made(link.element)).sum();
-    let joints: usize = robot.joints.iter().map(|joint| made(joint.element)).sum();
+    let links = robot.links.iter().map(|link| link.element);
+    let links = links.filter(|id| is_made_by(cx, *id, definition)).count();
+    let joints = robot.joints.iter().map(|joint| joint.element);
+    let joints = joints.filter(|id| is_made_by(cx, *id, definition)).count();
     match (links % calls.len(), joints % calls.len()) {
         (0, 0) => {
             let (links, joints) = (links / calls.len(), joints / calls.len());
@@ -439,6 +433,13 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
             )
         }
     }
+}
+
+/// Whether a call of the macro made an element.
+fn is_made_by(cx: &Cx<'_>, element: XId, definition: &Definition) -> bool {
+    cx.expansion
+        .frames_of(cx.expansion.tree.get(element).origin)
+        .any(|frame| is_call_of(frame, definition))
 }
 
 fn block_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {
