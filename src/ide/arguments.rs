@@ -9,7 +9,7 @@ use super::hover::declared_argument;
 use super::locate::{At, Part, locate};
 use super::names::definition_of;
 use base::{Span, TextRange};
-use expand::{DefinitionId, Read, SymbolKind};
+use expand::{DefinitionId, Read, SourceRange, SymbolKind};
 use rules::RuleEnv;
 use vfs::Vfs;
 
@@ -88,19 +88,22 @@ fn named_in(text: &str) -> impl Iterator<Item = String> {
 /// The properties that the text at a span reads.
 fn properties_in(cx: &Cx<'_>, span: Span) -> Vec<DefinitionId> {
     let symbols = &cx.expansion.index.symbols;
-    let is_here = |place| {
-        cx.span(place)
-            .is_some_and(|place| place.file == span.file && span.range.contains_range(place.range))
-    };
-    let is_property = |id| {
-        symbols
-            .get(id)
-            .is_some_and(|given| given.kind == SymbolKind::Property)
-    };
-    let uses = symbols.all_uses().filter(|used| is_here(used.place));
+    let uses = symbols
+        .all_uses()
+        .filter(|used| is_in(cx, used.place, span));
     uses.map(|used| used.definition)
-        .filter(|&id| is_property(id))
+        .filter(|&id| {
+            symbols
+                .get(id)
+                .is_some_and(|given| given.kind == SymbolKind::Property)
+        })
         .collect()
+}
+
+/// Whether a place stands in the text at a span.
+fn is_in(cx: &Cx<'_>, place: SourceRange, span: Span) -> bool {
+    cx.span(place)
+        .is_some_and(|place| place.file == span.file && span.range.contains_range(place.range))
 }
 
 /// Values that an argument may have: those with which a file is found where one was looked for, then those that the comment

@@ -41,20 +41,17 @@ pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
         .names()
         .into_iter()
         .filter(|(text, ..)| text.is_known());
-    let content = |kind: Kind, is_definition: bool, name: &str| {
-        let group = srdf
-            .group(name)
-            .filter(|_| kind == Kind::Group && is_definition);
-        group.map(project::Group::in_short).unwrap_or_default()
-    };
     named
         .filter_map(|(text, kind, is_definition)| {
+            let group = srdf
+                .group(&text.value)
+                .filter(|_| kind == Kind::Group && is_definition);
             Some(BesideName {
                 value: text.value.clone(),
                 place: place(cx, text.origin)?,
                 is_definition,
                 kind: kind.into(),
-                content: content(kind, is_definition, &text.value),
+                content: group.map(project::Group::in_short).unwrap_or_default(),
                 parts: parts(cx, text),
             })
         })

@@ -128,12 +128,14 @@ fn add(found: &mut Vec<Calls>, other: Caller, span: Span) {
 /// The macro around a call, or its file.
 fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
     let source = cx.expansion.sources.get(place.src)?;
-    let holds = |range: TextRange| range.contains_range(place.range);
-    let nodes = source
+    let macros = source
         .item
         .all_nodes()
-        .filter(|node| node.name() == "xacro:macro" && holds(node.range()));
-    let around = nodes.filter_map(|node| node.attr("name")).last();
+        .filter(|node| node.name() == "xacro:macro");
+    let around = macros
+        .filter(|node| node.range().contains_range(place.range))
+        .filter_map(|node| node.attr("name"))
+        .last();
     let defined = around.and_then(|name| {
         let name = SourceRange {
             src: place.src,

@@ -90,16 +90,13 @@ impl<'a> Cx<'a> {
             else {
                 continue;
             };
-            let here = |place: SourceRange| {
-                place.src == src && place.range.start <= inside && inside <= place.range.end
-            };
             let used = symbols
                 .all_uses()
-                .filter(|used| here(used.place))
+                .filter(|used| used.place.src == src && used.place.range.touches(inside))
                 .min_by_key(|used| used.place.range.len());
-            let given = symbols
-                .iter()
-                .find(|(_, definition)| here(definition.place));
+            let given = symbols.iter().find(|(_, definition)| {
+                definition.place.src == src && definition.place.range.touches(inside)
+            });
             let found = match (used, given) {
                 (_, Some((id, definition))) => Some((id, definition.place)),
                 (

@@ -7,7 +7,7 @@ use super::instances::{frames_of_macro, frames_of_tag, is_within, macro_of, numb
 use super::locate::{At, locate};
 use super::values::{self, UNKNOWN};
 use base::TextRange;
-use expand::{BindingInfo, Expansion, Frame, FrameId, FrameKind, MapEntry, Origin, Written, XKind};
+use expand::{Expansion, FrameId, FrameKind, Origin, Written, XKind};
 use expr::{Value, display};
 use xml::{Node, NodeKind};
 
@@ -107,34 +107,32 @@ fn element(cx: &Cx<'_>, written: &Written, at: &At<'_>) -> Option<Found> {
 fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Option<Found> {
     let tag = node.name().strip_prefix("xacro:")?;
     let range = at.shift(node.range());
-    let named = |attr: &str| node.attr(attr).map_or("", |attr| attr.raw());
-    let all = |frames: Vec<FrameId>| {
-        let result = |frame: FrameId| (frame, made_in(cx.expansion, written, frame).join("\n"));
-        frames.into_iter().map(result).collect()
-    };
-    let of_tag = || all(frames_of_tag(cx, at.shift(node.start_tag_range())));
     let (kind, title, results) = match tag {
         "property" => (
             "property",
-            format!("property `{}`", named("name")),
+            format!("property `{}`", raw(node, "name")),
             property(cx, written, at, node),
         ),
         "include" => (
             "include",
-            format!("include `{}`", named("filename")),
-            of_tag(),
+            format!("include `{}`", raw(node, "filename")),
+            made_by_tag(cx, written, at, node),
         ),
-        "insert_block" => ("block", format!("block `{}`", named("name")), of_tag()),
+        "insert_block" => (
+            "block",
+            format!("block `{}`", raw(node, "name")),
+            made_by_tag(cx, written, at, node),
+        ),
         "macro" => {
             let frames = macro_of(cx, at.base, node).map(|id| frames_of_macro(cx.expansion, id));
             (
                 "macro",
-                format!("macro `{}`", named("name")),
-                all(frames.unwrap_or_default()),
+                format!("macro `{}`", raw(node, "name")),
+                made_in_each(cx, written, frames.unwrap_or_default()),
             )
         }
         "if" | "unless" => {
-            let title = format!("`xacro:{tag}` of `{}`", named("value"));
+            let title = format!("`xacro:{tag}` of `{}`", raw(node, "value"));
             ("condition", title, condition(cx, written, at, node))
         }
         "arg" | "element" | "attribute" => return None,
@@ -142,9 +140,13 @@ fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Op
             "macro",
             format!(
                 "call of `{}`",
-                if tag == "call" { named("macro") } else { tag }
+                if tag == "call" {
+                    raw(node, "macro")
+                } else {
+                    tag
+                }
             ),
-            of_tag(),
+            made_by_tag(cx, written, at, node),
         ),
     };
     Some(Found {
@@ -153,6 +155,27 @@ fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Op
         range,
         results,
     })
+}
+
+/// What an attribute of an element says; nothing without it.
+fn raw<'a>(node: Node<'a>, attr: &str) -> &'a str {
+    node.attr(attr).map_or("", |attr| attr.raw())
+}
+
+/// What the tag of an element made, each time.
+fn made_by_tag(
+    cx: &Cx<'_>,
+    written: &Written,
+    at: &At<'_>,
+    node: Node<'_>,
+) -> Vec<(FrameId, String)> {
+    let frames = frames_of_tag(cx, at.shift(node.start_tag_range()));
+    made_in_each(cx, written, frames)
+}
+
+fn made_in_each(cx: &Cx<'_>, written: &Written, frames: Vec<FrameId>) -> Vec<(FrameId, String)> {
+    let result = |frame: FrameId| (frame, made_in(cx.expansion, written, frame).join("\n"));
+    frames.into_iter().map(result).collect()
 }
 
 /// What the content of a condition gave, for each way that led there.
@@ -168,18 +191,20 @@ fn condition(
     };
     let holds =
         |origin: Origin| origin.src == content.src && content.range.contains_range(origin.range);
-    let steps = |origin: Origin| {
-        std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call))
-    };
     contexts(cx, at, node)
         .into_iter()
         .map(|frame| {
             let from_here = |origin: Origin| {
-                is_within(expansion, origin.frame, frame) && steps(origin).any(holds)
+                is_within(expansion, origin.frame, frame) && steps(expansion, origin).any(holds)
             };
             (frame, made(expansion, written, from_here).join("\n"))
         })
         .collect()
+}
+
+/// An origin, and the calls that led there.
+fn steps(expansion: &Expansion, origin: Origin) -> impl Iterator<Item = Origin> + '_ {
+    std::iter::once(origin).chain(expansion.frames_of(origin).map(|frame| frame.call))
 }
 
 /// The frames in which an element was looked at: those of the macro around it, or of its file.
@@ -228,10 +253,10 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
         .bindings
         .iter()
         .filter(|info| info.definition == Some(id));
-    let frame = |info: &BindingInfo| info.origin.map_or(FrameId::ROOT, |origin| origin.frame);
     let mut results: Vec<(FrameId, String)> = Vec::new();
     for info in bindings {
-        let result = info.value.as_ref().map(|value| (frame(info), text(value)));
+        let frame = info.origin.map_or(FrameId::ROOT, |origin| origin.frame);
+        let result = info.value.as_ref().map(|value| (frame, text(value)));
         results.extend(result.filter(|result| !results.contains(result)));
     }
     if results.is_empty()
@@ -239,11 +264,10 @@ fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<
             .source_range(at.shift(node.range()))
             .filter(|_| node.attr("value").is_none())
     {
-        let own = |frame: &Frame| {
-            let holds = |at: Origin| at.src == whole.src && whole.range.contains_range(at.range);
+        let holds = |at: Origin| at.src == whole.src && whole.range.contains_range(at.range);
+        let blocks = numbered(expansion).filter(|(_, frame)| {
             frame.kind == FrameKind::Block && frame.definition.is_some_and(holds)
-        };
-        let blocks = numbered(expansion).filter(|(_, frame)| own(frame));
+        });
         results.extend(
             blocks.map(|(frame, _)| (frame, made_in(expansion, written, frame).join("\n"))),
         );
@@ -264,14 +288,17 @@ pub(super) fn made_in(expansion: &Expansion, written: &Written, frame: FrameId) 
     let given: Vec<Origin> = blocks
         .filter_map(|(_, block)| element_of(expansion, block.definition?))
         .collect();
-    let held = |origin: Origin, block: &Origin| {
-        block.src == origin.src
-            && block.frame == origin.frame
-            && block.range.contains_range(origin.range)
-    };
     made(expansion, written, |origin| {
-        is_within(expansion, origin.frame, frame) || given.iter().any(|block| held(origin, block))
+        is_within(expansion, origin.frame, frame)
+            || given.iter().any(|block| is_held_by(origin, *block))
     })
+}
+
+/// Whether a text stands in a block, on the same way.
+fn is_held_by(origin: Origin, block: Origin) -> bool {
+    block.src == origin.src
+        && block.frame == origin.frame
+        && block.range.contains_range(origin.range)
 }
 
 /// The whole element whose tag begins at an origin.
@@ -293,16 +320,11 @@ pub(super) fn made(
     fits: impl Fn(Origin) -> bool,
 ) -> Vec<String> {
     let tree = &expansion.tree;
-    let whole = |entry: &MapEntry| {
-        matches!(
-            tree.get(entry.node).kind,
-            XKind::Element | XKind::Comment | XKind::Text | XKind::CData
-        )
-    };
     let mut end = 0;
     let mut found = Vec::new();
     for entry in &written.map {
-        if entry.out.start < end || !whole(entry) || !fits(tree.get(entry.node).origin) {
+        let node = tree.get(entry.node);
+        if entry.out.start < end || !is_whole(node.kind) || !fits(node.origin) {
             continue;
         }
         end = entry.out.end;
@@ -312,6 +334,14 @@ pub(super) fn made(
         }
     }
     found
+}
+
+/// Whether a kind of node is shown by itself.
+fn is_whole(kind: XKind) -> bool {
+    matches!(
+        kind,
+        XKind::Element | XKind::Comment | XKind::Text | XKind::CData
+    )
 }
 
 /// A text whose lines are indented as its first one is, without that.

@@ -140,16 +140,13 @@ fn region(
 }
 
 fn add(document: &Document, range: TextRange, kind: FoldKind, found: &mut Vec<Fold>) {
-    let line = |offset| document.line_col(offset, Encoding::Utf8).line;
-    let (start, last) = (
-        line(range.start),
-        document.line_col(range.end, Encoding::Utf8),
-    );
+    let [start, last] =
+        [range.start, range.end].map(|offset| document.line_col(offset, Encoding::Utf8).line);
     // an end tag on a line of its own stays visible
-    let end = if kind == FoldKind::Element && last.line > start + 1 {
-        last.line - 1
+    let end = if kind == FoldKind::Element && last > start + 1 {
+        last - 1
     } else {
-        last.line
+        last
     };
     if end > start {
         found.push(Fold { start, end, kind });

@@ -1,6 +1,6 @@
 //! The calls that a macro was expanded from, and the one of them that the user looks at.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
@@ -8,7 +8,9 @@ use super::calls::macro_at;
 use super::context::Cx;
 use super::locate::locate;
 use base::TextRange;
-use expand::{DefinitionId, Expansion, Frame, FrameId, FrameKind, Origin, SourceRange, SymbolKind};
+use expand::{
+    Definition, DefinitionId, Expansion, Frame, FrameId, FrameKind, Origin, SourceRange, SymbolKind,
+};
 use xml::{Node, NodeKind};
 
 /// A call that was picked, in terms that hold after an edit.
@@ -43,35 +45,35 @@ pub(super) fn frames_of_macro(expansion: &Expansion, id: DefinitionId) -> Vec<Fr
     let Some(definition) = expansion.index.symbols.get(id) else {
         return Vec::new();
     };
-    let own = |frame: &Frame| {
-        frame.kind == FrameKind::Macro
-            && frame
-                .definition
-                .is_some_and(|at| SourceRange::from(at) == definition.place)
-    };
     numbered(expansion)
-        .filter(|(_, frame)| own(frame))
+        .filter(|(_, frame)| is_call_of(frame, definition))
         .map(|(id, _)| id)
         .collect()
 }
 
+/// Whether a frame is a call of the macro.
+pub(super) fn is_call_of(frame: &Frame, definition: &Definition) -> bool {
+    frame.kind == FrameKind::Macro
+        && frame
+            .definition
+            .is_some_and(|at| SourceRange::from(at) == definition.place)
+}
+
 /// The frames that were made by the tag at a range of the file.
 pub(super) fn frames_of_tag(cx: &Cx<'_>, tag: TextRange) -> Vec<FrameId> {
-    let is_here = |origin: Origin| {
-        let span = cx.span(SourceRange::from(origin));
+    let made = numbered(cx.expansion).filter(|(_, frame)| {
+        let span = cx.span(SourceRange::from(frame.call));
         span.is_some_and(|span| span.file == cx.source.id && tag.contains_range(span.range))
-    };
-    let made = numbered(cx.expansion).filter(|(_, frame)| is_here(frame.call));
+    });
     made.map(|(id, _)| id).collect()
 }
 
 /// The definition of the macro whose element `node` is; `base` is the offset of its item.
 pub(super) fn macro_of(cx: &Cx<'_>, base: u32, node: Node<'_>) -> Option<DefinitionId> {
     let name = cx.source_range(node.attr("name")?.value_range().shift(base))?;
-    let given = |kind| kind == SymbolKind::Macro;
     let mut known = cx.expansion.index.symbols.iter();
     known
-        .find(|(_, known)| given(known.kind) && known.place == name)
+        .find(|(_, known)| known.kind == SymbolKind::Macro && known.place == name)
         .map(|(id, _)| id)
 }
 
@@ -105,28 +107,24 @@ pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<SelectedInstance, u
     let Some(&chosen) = choices.get(index) else {
         return Err(choices.len());
     };
-    let made = || {
-        let frame = cx.expansion.frames.get(chosen)?;
-        let place = cx.expansion.place(frame.definition?)?;
-        let file = cx
-            .expansion
-            .files
-            .get(place.file)?
-            .source
-            .path
-            .to_path_buf();
-        let id = definition_of(cx.expansion, frame)?;
-        let index = frames_of_macro(cx.expansion, id)
-            .iter()
-            .position(|known| *known == chosen)?;
-        Some(SelectedInstance {
-            name: frame.name.clone(),
-            file,
-            index,
-            tags: tags(cx.expansion, chosen),
-        })
-    };
-    made().ok_or(choices.len())
+    selected(cx.expansion, chosen).ok_or(choices.len())
+}
+
+/// The call of a frame, in terms that hold after an edit.
+fn selected(expansion: &Expansion, chosen: FrameId) -> Option<SelectedInstance> {
+    let frame = expansion.frames.get(chosen)?;
+    let place = expansion.place(frame.definition?)?;
+    let file = expansion.files.get(place.file)?.source.path.to_path_buf();
+    let id = definition_of(expansion, frame)?;
+    let index = frames_of_macro(expansion, id)
+        .iter()
+        .position(|known| *known == chosen)?;
+    Some(SelectedInstance {
+        name: frame.name.clone(),
+        file,
+        index,
+        tags: tags(expansion, chosen),
+    })
 }
 
 fn definition_of(expansion: &Expansion, frame: &Frame) -> Option<DefinitionId> {
@@ -143,33 +141,29 @@ fn tags(expansion: &Expansion, frame: FrameId) -> Vec<String> {
         frame,
         ..Origin::NOWHERE
     };
-    let text = |frame: &Frame| {
-        let source = expansion.sources.get(frame.call.src)?;
-        let mut nodes = source
-            .item
-            .all_nodes()
-            .filter(|node| node.kind() == NodeKind::Element);
-        let node = nodes.find(|node| node.start_tag_range().contains_range(frame.call.range))?;
-        Some(node.start_tag_range().slice(source.item.text()).to_owned())
-    };
     expansion
         .frames_of(at)
-        .map(|frame| text(frame).unwrap_or_default())
+        .map(|frame| tag(expansion, frame).unwrap_or_default())
         .collect()
+}
+
+/// The text of the tag that led to a frame.
+fn tag(expansion: &Expansion, frame: &Frame) -> Option<String> {
+    let source = expansion.sources.get(frame.call.src)?;
+    let mut nodes = source
+        .item
+        .all_nodes()
+        .filter(|node| node.kind() == NodeKind::Element);
+    let node = nodes.find(|node| node.start_tag_range().contains_range(frame.call.range))?;
+    Some(node.start_tag_range().slice(source.item.text()).to_owned())
 }
 
 /// The frame of the call that was picked; none when it is gone.
 pub fn pinned(expansion: &Expansion, pin: &SelectedInstance) -> Option<FrameId> {
-    let own = |place: SourceRange| {
-        let source = expansion.sources.get(place.src)?;
-        let file = expansion.files.get(source.file)?;
-        (*file.source.path == *pin.file).then_some(())
-    };
-    let mut known = expansion.index.symbols.iter();
-    let is_it = |known: &expand::Definition| {
-        known.kind == SymbolKind::Macro && known.name == pin.name && own(known.place).is_some()
-    };
-    let (id, _) = known.find(|(_, known)| is_it(known))?;
+    let symbols = expansion.index.symbols.iter();
+    let mut known =
+        symbols.filter(|(_, known)| known.kind == SymbolKind::Macro && known.name == pin.name);
+    let (id, _) = known.find(|(_, known)| is_in(expansion, known.place, &pin.file))?;
     let frames = frames_of_macro(expansion, id);
     let same = |frame: &&FrameId| tags(expansion, **frame) == pin.tags;
     // calls that read alike are told apart by their order
@@ -177,4 +171,13 @@ pub fn pinned(expansion: &Expansion, pin: &SelectedInstance) -> Option<FrameId> 
         Some(frame) if same(&frame) => Some(*frame),
         other => frames.iter().find(same).or(other).copied(),
     }
+}
+
+/// Whether a place stands in the file.
+fn is_in(expansion: &Expansion, place: SourceRange, file: &Path) -> bool {
+    expansion
+        .sources
+        .get(place.src)
+        .and_then(|source| expansion.files.get(source.file))
+        .is_some_and(|known| *known.source.path == *file)
 }

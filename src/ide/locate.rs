@@ -46,12 +46,11 @@ pub fn locate(document: &Document, offset: u32) -> At<'_> {
     let place = document.item_at(offset);
     let (base, item) = (place.start, place.item);
     let inside = offset.saturating_sub(base);
-    let touches = |range: TextRange| range.start <= inside && inside <= range.end;
     // parents come before their children: the last one around the offset is the innermost
     let around = |node: &Node<'_>| {
         let range = node.range();
         range.start < inside && inside < range.end
-            || touches(range) && node.kind() == NodeKind::Text
+            || range.touches(inside) && node.kind() == NodeKind::Text
     };
     let node = item.all_nodes().filter(around).last();
     let part = node.map_or(Part::Between, |node| part(node, inside));
@@ -65,24 +64,27 @@ pub fn locate(document: &Document, offset: u32) -> At<'_> {
 }
 
 fn part(node: Node<'_>, inside: u32) -> Part<'_> {
-    let touches = |range: TextRange| range.start <= inside && inside <= range.end;
     match node.kind() {
         NodeKind::Element => {}
         NodeKind::Text => return Part::Text,
         NodeKind::Junk => return Part::Between,
         _ => return Part::Verbatim,
     }
-    if touches(node.name_range()) {
+    if node.name_range().touches(inside) {
         return Part::StartName;
     }
-    if node.end_name_range().is_some_and(touches) {
+    if node
+        .end_name_range()
+        .is_some_and(|range| range.touches(inside))
+    {
         return Part::EndName;
     }
     for attr in node.attrs() {
-        if attr.has_equals() && touches(attr.value_range()) && inside > attr.name_range().end {
+        if attr.has_equals() && attr.value_range().touches(inside) && inside > attr.name_range().end
+        {
             return Part::AttrValue(attr);
         }
-        if touches(attr.name_range()) {
+        if attr.name_range().touches(inside) {
             return Part::AttrName(attr);
         }
     }
@@ -97,25 +99,27 @@ fn part(node: Node<'_>, inside: u32) -> Part<'_> {
 /// The offset of the name of a tag, for one at the `<` or the `xacro:` in front of it: these mean what the name means. Every
 /// other offset stays as it is.
 pub fn on_name_of_tag(document: &Document, offset: u32) -> u32 {
-    const PREFIX: &str = "xacro:";
     let place = document.item_at(offset);
     let inside = offset.saturating_sub(place.start);
-    let name = |node: &Node<'_>| {
-        let prefix = match node.name().starts_with(PREFIX) {
-            true => PREFIX.len() as u32,
-            false => 0,
-        };
-        node.name_range().start + prefix
-    };
     let is_in_front = |node: &Node<'_>| {
         node.kind() == NodeKind::Element
             && node.start_tag_range().start <= inside
-            && inside < name(node)
+            && inside < start_of_name(node)
     };
     let mut nodes = place.item.all_nodes();
     nodes
         .find(is_in_front)
-        .map_or(offset, |node| place.start + name(&node))
+        .map_or(offset, |node| place.start + start_of_name(&node))
+}
+
+/// Where the name of a tag begins, behind `xacro:`.
+fn start_of_name(node: &Node<'_>) -> u32 {
+    const PREFIX: &str = "xacro:";
+    let prefix = match node.name().starts_with(PREFIX) {
+        true => PREFIX.len() as u32,
+        false => 0,
+    };
+    node.name_range().start + prefix
 }
 
 impl At<'_> {

@@ -109,13 +109,12 @@ impl Loaded {
 
     /// The file that the only property of this name was read from.
     fn of_property(cx: &Cx<'_>, world: RuleEnv<'_>, name: &str, steps: u32) -> Option<Self> {
-        let own = |kind: SymbolKind| kind == SymbolKind::Property;
         let mut given = cx
             .expansion
             .index
             .symbols
             .iter()
-            .filter(|(_, given)| given.name == name && own(given.kind));
+            .filter(|(_, given)| given.name == name && given.kind == SymbolKind::Property);
         let ((id, _), None) = (given.next()?, given.next()) else {
             return None;
         };

@@ -17,12 +17,11 @@ pub(super) fn is_free(cx: &Cx<'_>, id: DefinitionId, new: &str) -> Result<(), St
     let Some(definition) = symbols.get(id) else {
         return Err("this name no longer exists".to_owned());
     };
-    let clashes = |other: &&Definition| {
-        other.name == new
-            && class(other.kind) == class(definition.kind)
+    let mut named = symbols.definitions.iter().filter(|other| other.name == new);
+    if named.any(|other| {
+        class(other.kind) == class(definition.kind)
             && (other.of.is_none() || other.of == definition.of)
-    };
-    if symbols.definitions.iter().any(|other| clashes(&other)) {
+    }) {
         return Err(format!("`{new}` is already defined"));
     }
     Ok(())
@@ -78,18 +77,20 @@ pub(super) fn fits_kind(kind: SymbolKind, new: &str) -> Result<(), String> {
 
 /// Whether a name is good for what is called so.
 fn fits(kind: SymbolKind, new: &str) -> bool {
-    let all = |further: &[char]| {
-        new.chars()
-            .all(|c| c.is_alphanumeric() || further.contains(&c))
-    };
     match kind {
         // a part of the name of a tag; a dot would part it from a namespace
         SymbolKind::Macro => {
-            new.starts_with(|c: char| c.is_alphabetic() || c == '_') && all(&['_', '-'])
+            new.starts_with(|c: char| c.is_alphabetic() || c == '_') && is_made_of(new, &['_', '-'])
         }
-        SymbolKind::Argument => !new.is_empty() && all(&['_', '-', '.', '/']),
+        SymbolKind::Argument => !new.is_empty() && is_made_of(new, &['_', '-', '.', '/']),
         _ => is_identifier(new) && !new.starts_with("__"),
     }
+}
+
+/// Whether a name has nothing but letters, digits and some further characters.
+fn is_made_of(name: &str, further: &[char]) -> bool {
+    name.chars()
+        .all(|c| c.is_alphanumeric() || further.contains(&c))
 }
 
 /// Names of one class hide each other.
@@ -108,21 +109,23 @@ fn hidden(cx: &Cx<'_>, definition: &Definition, new: &str, reads: &[Span]) -> bo
         return false;
     }
     let is_block = class(definition.kind) == 1;
-    let takes = |params: &str| {
-        let params = parse_params(params).unwrap_or_default();
-        params
-            .iter()
-            .any(|param| param.is_block() == is_block && param.name.trim_start_matches('*') == new)
-    };
     reads.iter().any(|place| {
         let Some(file) = cx.file_of(place.file) else {
             return false;
         };
         macros_around(&file.document, place.range).any(|(_, node)| {
             node.attr("params")
-                .is_some_and(|params| takes(params.raw()))
+                .is_some_and(|params| has_param(params.raw(), new, is_block))
         })
     })
+}
+
+/// Whether the parameters of a macro have one of the name.
+fn has_param(params: &str, name: &str, is_block: bool) -> bool {
+    let params = parse_params(params).unwrap_or_default();
+    params
+        .iter()
+        .any(|param| param.is_block() == is_block && param.name.trim_start_matches('*') == name)
 }
 
 /// Whether the definition would hide a name of xacro's own, such as `pi`, where that is used.

@@ -108,14 +108,9 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
         name if is_call(name) => (OutlineKind::Call, "name", ""),
         _ => return None,
     };
-    let text = |name: &str| {
-        node.attr(name)
-            .map(|attr| attr.value(entities).into_owned())
-            .unwrap_or_default()
-    };
     let named = node.attr(attr).filter(|attr| !attr.raw().is_empty());
     let tag = node.name().strip_prefix("xacro:").unwrap_or(node.name());
-    let value = text(attr);
+    let value = text_of(node, attr, entities);
     let name = match kind {
         OutlineKind::Call if named.is_some() => format!("{tag} name={value}"),
         OutlineKind::Condition => format!("{tag} {value}"),
@@ -141,13 +136,20 @@ fn symbol(node: Node<'_>, base: u32, entities: &Entities) -> Option<Outline> {
         detail: if detail.is_empty() {
             String::new()
         } else {
-            text(detail)
+            text_of(node, detail, entities)
         },
         kind,
         range: node.range().shift(base),
         name_range: name_range.shift(base),
         children: Vec::new(),
     })
+}
+
+/// The text of an attribute; empty without it.
+fn text_of(node: Node<'_>, name: &str, entities: &Entities) -> String {
+    node.attr(name)
+        .map(|attr| attr.value(entities).into_owned())
+        .unwrap_or_default()
 }
 
 fn is_call(name: &str) -> bool {

@@ -94,20 +94,21 @@ fn of_attr(
     node: Node<'_>,
     attr: Attr<'_>,
 ) -> Vec<FileName> {
-    let text = || ExprText::of_attr(&cx.source.document, base, attr);
-    match (node.name(), attr.name()) {
-        ("xacro:include", "filename") => include(cx, world, &text()).into_iter().collect(),
-        ("mesh", "filename") => resource(cx, world, &text(), FileKind::Mesh)
-            .into_iter()
-            .collect(),
-        ("texture", "filename") => resource(cx, world, &text(), FileKind::Other)
-            .into_iter()
-            .collect(),
-        _ if may_name(attr.raw()) || attr.raw().starts_with("file://") => {
-            of_text(cx, world, &text())
-        }
-        _ => Vec::new(),
+    let is_known = matches!(
+        (node.name(), attr.name()),
+        ("xacro:include" | "mesh" | "texture", "filename")
+    );
+    if !is_known && !may_name(attr.raw()) && !attr.raw().starts_with("file://") {
+        return Vec::new();
     }
+    let text = ExprText::of_attr(&cx.source.document, base, attr);
+    let name = match (node.name(), attr.name()) {
+        ("xacro:include", "filename") => include(cx, world, &text),
+        ("mesh", "filename") => resource(cx, world, &text, FileKind::Mesh),
+        ("texture", "filename") => resource(cx, world, &text, FileKind::Other),
+        _ => return of_text(cx, world, &text),
+    };
+    name.into_iter().collect()
 }
 
 /// Names in a text of any kind: what begins with a package, and what `load_yaml` reads.

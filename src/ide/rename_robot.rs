@@ -39,13 +39,10 @@ pub(super) fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
         [piece] if piece.source == text.origin => split(cx, &text.value, whole, text.origin),
         _ => None,
     };
-    let pieces = || {
-        text.pieces
-            .iter()
-            .map(|piece| (piece.out, piece.source))
-            .collect()
-    };
-    let (origin, pieces) = made_by_one.unwrap_or_else(|| (text.origin, pieces()));
+    let (origin, pieces) = made_by_one.unwrap_or_else(|| {
+        let pieces = text.pieces.iter().map(|piece| (piece.out, piece.source));
+        (text.origin, pieces.collect())
+    });
     let mut found = Vec::new();
     add_parts(
         cx,
@@ -75,30 +72,21 @@ fn add_parts(
 ) {
     let mut at = (of.start, origin.range.start);
     let end = (of.end, origin.range.end);
-    let own = |range: TextRange| Origin { range, ..origin };
     for &(out, source) in pieces {
         if source.src != origin.src || source.range.start < at.1 || source.range.end > end.1 {
             return;
         }
         let before = TextRange::new(at.0, out.start.max(at.0));
-        found.extend(part(
-            cx,
-            value,
-            before,
-            own(TextRange::new(at.1, source.range.start)),
-        ));
+        let range = TextRange::new(at.1, source.range.start);
+        found.extend(part(cx, value, before, Origin { range, ..origin }));
         if let Some(given) = argument(cx.expansion, source) {
             add_given(cx, value, out, given, calls, found);
         }
         at = (out.end, source.range.end);
     }
     if at.0 <= end.0 && at.1 <= end.1 {
-        found.extend(part(
-            cx,
-            value,
-            TextRange::new(at.0, end.0),
-            own(TextRange::new(at.1, end.1)),
-        ));
+        let (behind, range) = (TextRange::new(at.0, end.0), TextRange::new(at.1, end.1));
+        found.extend(part(cx, value, behind, Origin { range, ..origin }));
     }
 }
 
@@ -135,15 +123,6 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
     let tokens = expr::split(raw).tokens;
     let mut pieces = Pieces::new();
     let (mut at, mut open) = (of.start, None);
-    let piece = |from, to, source: TextRange| {
-        (
-            TextRange::new(from, to),
-            Origin {
-                range: source.shift(start),
-                ..origin
-            },
-        )
-    };
     for (number, token) in tokens.iter().enumerate() {
         match token {
             Token::Text(literal) => {
@@ -160,17 +139,19 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
                 }
                 let from = at;
                 at += found as u32;
-                pieces.extend(open.take().map(|source| piece(from, at, source)));
+                let made = TextRange::new(from, at);
+                pieces.extend(open.take().map(|range| (made, Origin { range, ..origin })));
                 at += literal.len() as u32;
             }
             // where one expression follows another, nothing says where it begins
             Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
-                open = Some(token.range())
+                open = Some(token.range().shift(start));
             }
             _ => return None,
         }
     }
-    pieces.extend(open.map(|source| piece(at, of.end, source)));
+    let made = TextRange::new(at, of.end);
+    pieces.extend(open.map(|range| (made, Origin { range, ..origin })));
     Some((Origin { range, ..origin }, pieces))
 }
 
@@ -313,31 +294,25 @@ impl Written {
                     .push((number, *part));
             }
         }
-        let span = |(file, start, end)| Span {
-            file,
-            range: TextRange::new(start, end),
-        };
+        let places = places.into_iter().map(|((file, start, end), parts)| {
+            let range = TextRange::new(start, end);
+            (Span { file, range }, parts)
+        });
         Self {
-            places: places
-                .into_iter()
-                .map(|(place, parts)| (span(place), parts))
-                .collect(),
+            places: places.collect(),
         }
     }
 
     /// The parts whose text a span is, or is in.
     fn around(&self, span: Span) -> &[(usize, NamePart)] {
-        let key = |place: &Span| (place.file, place.range.start);
-        let after = self
-            .places
-            .partition_point(|(place, _)| key(place) <= key(&span));
+        let after = self.places.partition_point(|(place, _)| {
+            (place.file, place.range.start) <= (span.file, span.range.start)
+        });
         let place = after
             .checked_sub(1)
             .and_then(|index| self.places.get(index));
-        let holds =
-            |place: &Span| place.file == span.file && place.range.contains_range(span.range);
         place
-            .filter(|(place, _)| holds(place))
+            .filter(|(place, _)| place.file == span.file && place.range.contains_range(span.range))
             .map_or(&[], |(_, parts)| parts)
     }
 }

@@ -77,8 +77,12 @@ pub(super) enum NameKind {
 impl NameKind {
     /// Whether two names may mean one thing.
     pub fn is(self, other: Self) -> bool {
-        let mixed = |a, b| a == Self::LinkOrJoint && matches!(b, Self::Link | Self::Joint);
-        self == other || mixed(self, other) || mixed(other, self)
+        self == other || self.is_either(other) || other.is_either(self)
+    }
+
+    /// Whether this is a link or a joint, not known which, and the other one of the two.
+    fn is_either(self, other: Self) -> bool {
+        self == Self::LinkOrJoint && matches!(other, Self::Link | Self::Joint)
     }
 }
 
@@ -109,36 +113,24 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
             .collect();
         return Some((beside.place.range, given, beside.kind));
     }
-    let here = |span: Option<Span>| {
-        span.filter(|span| {
-            span.file == cx.source.id && span.range.start <= offset && offset <= span.range.end
-        })
-    };
     let mut asked: Vec<(&RobotName, TextRange)> = Vec::new();
     for name in &all {
         // its own text, or what a call passes for it
-        let own = here(place(cx, name.text.origin)).or_else(|| here(written(cx, &name.text)));
+        let own = place(cx, name.text.origin).filter(|span| is_at(cx, *span, offset));
+        let own = own.or_else(|| written(cx, &name.text).filter(|span| is_at(cx, *span, offset)));
         asked.extend(own.map(|span| (name, span.range)));
     }
     let &(first, range) = asked.first()?;
-    let picked = |name: &RobotName| {
-        cx.pinned
-            .is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin))
-    };
-    if asked.iter().any(|(name, _)| picked(name)) {
-        asked.retain(|(name, _)| picked(name));
+    if asked.iter().any(|(name, _)| is_picked(cx, name)) {
+        asked.retain(|(name, _)| is_picked(cx, name));
     }
     let given = all
         .iter()
         .filter(|name| name.is_definition && name.kind.is(first.kind));
-    let is_asked = |text: &Text| {
-        asked
-            .iter()
-            .any(|(asked, _)| asked.text.value == text.value)
-    };
+    let values: Vec<_> = asked.iter().map(|(asked, _)| &asked.text.value).collect();
     let names: Vec<Text> = given
         .map(|name| &name.text)
-        .filter(|text| is_asked(text))
+        .filter(|text| values.contains(&&text.value))
         .cloned()
         .collect();
     let names = if names.is_empty() {
@@ -147,6 +139,17 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
         names
     };
     Some((range, names, first.kind))
+}
+
+/// Whether a span of the file stands at the offset.
+fn is_at(cx: &Cx<'_>, span: Span, offset: u32) -> bool {
+    span.file == cx.source.id && span.range.touches(offset)
+}
+
+/// Whether the call that was picked made a name.
+fn is_picked(cx: &Cx<'_>, name: &RobotName) -> bool {
+    cx.pinned
+        .is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin))
 }
 
 /// The names of links and joints, and the texts that refer to them; true: it is given there.
@@ -165,59 +168,72 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
     };
     let tree = &cx.expansion.tree;
     let mut found: Vec<RobotName> = Vec::new();
-    let mut add = |text: &Option<Text>, is_definition: bool, kind: NameKind| {
-        found.extend(text.iter().map(|text| RobotName {
-            text: text.clone(),
-            is_definition,
-            kind,
-        }));
-    };
     for link in &robot.links {
-        add(&link.name, true, Link);
+        add(&mut found, &link.name, true, Link);
         for material in materials(tree, link.element) {
             let is_given = tree
                 .children(material)
                 .any(|child| tree.get(child).kind == XKind::Element);
-            add(&Text::attr(tree, material, "name"), is_given, Material);
+            add(
+                &mut found,
+                &Text::attr(tree, material, "name"),
+                is_given,
+                Material,
+            );
         }
     }
     for joint in &robot.joints {
-        add(&joint.name, true, Joint);
-        add(&joint.parent, false, Link);
-        add(&joint.child, false, Link);
+        add(&mut found, &joint.name, true, Joint);
+        add(&mut found, &joint.parent, false, Link);
+        add(&mut found, &joint.child, false, Link);
         joint
             .mimic
             .iter()
-            .for_each(|mimic| add(&mimic.joint, false, Joint));
+            .for_each(|mimic| add(&mut found, &mimic.joint, false, Joint));
     }
     for gazebo in &robot.gazebo {
-        add(&gazebo.reference, false, LinkOrJoint);
+        add(&mut found, &gazebo.reference, false, LinkOrJoint);
         let own = contents(tree, gazebo.element).into_iter();
-        own.for_each(|(text, kind)| add(&Some(text), false, kind));
+        own.for_each(|(text, kind)| add(&mut found, &Some(text), false, kind));
     }
     let controlled = robot.controls.iter().flat_map(|control| &control.joints);
-    controlled.for_each(|joint| add(&joint.name, false, Joint));
+    controlled.for_each(|joint| add(&mut found, &joint.name, false, Joint));
     for (_, name) in robot
         .transmissions
         .iter()
         .flat_map(|transmission| &transmission.joints)
     {
-        add(name, false, Joint);
+        add(&mut found, name, false, Joint);
     }
     robot
         .materials
         .iter()
-        .for_each(|material| add(&material.name, true, Material));
+        .for_each(|material| add(&mut found, &material.name, true, Material));
     found
+}
+
+fn add(found: &mut Vec<RobotName>, text: &Option<Text>, is_definition: bool, kind: NameKind) {
+    found.extend(text.iter().map(|text| RobotName {
+        text: text.clone(),
+        is_definition,
+        kind,
+    }));
 }
 
 /// The materials in what one sees of a link, and in what it collides with.
 fn materials(tree: &XTree, link: XId) -> impl Iterator<Item = XId> + '_ {
-    let named = move |of: XId, names: &'static [&str]| {
-        tree.children(of)
-            .filter(move |child| names.contains(&tree.get(*child).text.as_str()))
-    };
-    named(link, &["visual", "collision"]).flat_map(move |shape| named(shape, &["material"]))
+    children_named(tree, link, &["visual", "collision"])
+        .flat_map(|shape| children_named(tree, shape, &["material"]))
+}
+
+/// The children with one of some tags.
+fn children_named<'a>(
+    tree: &'a XTree,
+    of: XId,
+    names: &'static [&str],
+) -> impl Iterator<Item = XId> + 'a {
+    tree.children(of)
+        .filter(|child| names.contains(&tree.get(*child).text.as_str()))
 }
 
 /// What elements in a `gazebo` element say that are there to name a link or joint, as `frameName` of a plugin is.

@@ -37,14 +37,7 @@ pub fn attribute(node: Node<'_>, name: &str) -> Option<&'static AttributeSpec> {
 
 /// Whether an attribute holds angles in radians.
 pub fn is_angle(node: Node<'_>, name: &str) -> bool {
-    let joint = |node: Node<'_>| {
-        let kind = node
-            .parent()
-            .and_then(|joint| joint.attr("type"))
-            .map(|kind| kind.raw().to_owned());
-        !matches!(kind.as_deref(), Some("prismatic" | "fixed" | "floating"))
-    };
-    if matches!(node.name(), "limit" | "safety_controller" | "calibration") && !joint(node) {
+    if matches!(node.name(), "limit" | "safety_controller" | "calibration") && !may_turn(node) {
         return false;
     }
     let specs = element(node);
@@ -54,6 +47,15 @@ pub fn is_angle(node: Node<'_>, name: &str) -> bool {
         .filter(|attribute| attribute.name == name);
     own.into_iter()
         .any(|attribute| matches!(attribute.unit, Some("rad" | "rad or m")))
+}
+
+/// Whether the joint around an element may turn.
+fn may_turn(node: Node<'_>) -> bool {
+    let kind = node.parent().and_then(|joint| joint.attr("type"));
+    !matches!(
+        kind.map(|kind| kind.raw()),
+        Some("prismatic" | "fixed" | "floating")
+    )
 }
 
 enum Around<'a> {

@@ -66,11 +66,10 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
         return;
     };
     let template = expr::split(raw);
-    let holds = |range: TextRange| range.start <= offset && offset <= range.end;
     let Some(token) = template
         .tokens
         .iter()
-        .find(|token| holds(token.range()) && !is_text(token))
+        .find(|token| token.range().touches(offset) && !is_text(token))
     else {
         return;
     };
@@ -84,7 +83,7 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
         while let Some(outer) = path.last().copied() {
             let mut next = None;
             expr::visit::children(outer, &mut |child| {
-                if holds(child.range.shift(inner.start)) {
+                if child.range.shift(inner.start).touches(offset) {
                     next = Some(child);
                 }
             });

@@ -153,23 +153,18 @@ pub fn instances(
     file: expand::FileIdx,
     offset: u32,
 ) -> Vec<(TextRange, FrameId)> {
-    // of two texts side by side the one that begins there counts
-    let here = |origin: Origin| {
-        let place = expansion.place(origin)?;
-        let TextRange { start, end } = place.range;
-        let around = place.file == file && start <= offset && offset <= end;
-        around.then_some((offset == end && start < end, end - start))
-    };
     let found = written.map.iter().filter_map(|entry| {
-        let by_itself = here(entry.origin);
+        let by_itself = size_around(expansion, entry.origin, file, offset);
         // what a call gave to a macro stands in both; attributes are looked at in their own tag only
-        let far = entry.kind == MapKind::Attribute
-            && here(expansion.tree.get(entry.node).origin).is_none();
+        let far = entry.kind == MapKind::Attribute && {
+            let tag = expansion.tree.get(entry.node).origin;
+            size_around(expansion, tag, file, offset).is_none()
+        };
         let size = by_itself.or_else(|| {
             if far {
                 None
             } else {
-                here(origin_of(expansion, entry))
+                size_around(expansion, origin_of(expansion, entry), file, offset)
             }
         })?;
         Some((entry, size))
@@ -199,6 +194,19 @@ pub fn instances(
     found
 }
 
+/// How long a text around an offset is; of two texts side by side the one that begins there counts less.
+fn size_around(
+    expansion: &Expansion,
+    origin: Origin,
+    file: expand::FileIdx,
+    offset: u32,
+) -> Option<(bool, u32)> {
+    let place = expansion.place(origin)?;
+    let TextRange { start, end } = place.range;
+    let is_around = place.file == file && place.range.touches(offset);
+    is_around.then_some((offset == end && start < end, end - start))
+}
+
 /// What the macro call or include at an offset made, and how long its tag is: a call leaves nothing of itself
 /// in the expanded text, so all that came through it counts. Each way there is a stretch of its own.
 fn made_by_calls(
@@ -207,27 +215,23 @@ fn made_by_calls(
     file: expand::FileIdx,
     offset: u32,
 ) -> Option<(u32, Vec<(TextRange, FrameId)>)> {
-    let holds = |frame: &expand::Frame| {
-        let place = expansion.place(frame.call)?;
-        let here = place.file == file && place.range.start <= offset && offset <= place.range.end;
-        (here && frame.kind != FrameKind::Root).then(|| place.range.len())
-    };
     let calls: FastMap<FrameId, u32> = expansion
         .frames
         .iter_ids()
-        .filter_map(|(id, frame)| Some((id, holds(frame)?)))
+        .filter(|(_, frame)| frame.kind != FrameKind::Root)
+        .filter_map(|(id, frame)| {
+            let place = expansion.place(frame.call)?;
+            let is_here = place.file == file && place.range.touches(offset);
+            is_here.then(|| (id, place.range.len()))
+        })
         .collect();
     let least = calls.values().copied().min()?;
     let mut made: FastMap<FrameId, TextRange> = FastMap::default();
     for entry in &written.map {
-        let parent = |id: &FrameId| {
-            expansion
-                .frames
-                .get(*id)
-                .filter(|f| f.kind != FrameKind::Root)
-        };
-        let way =
-            std::iter::successors(Some(entry.origin.frame), |id| Some(parent(id)?.call.frame));
+        let way = std::iter::successors(Some(entry.origin.frame), |id| {
+            let frame = expansion.frames.get(*id)?;
+            (frame.kind != FrameKind::Root).then_some(frame.call.frame)
+        });
         for id in way.filter(|id| calls.get(id) == Some(&least)) {
             let all = made.entry(id).or_insert(entry.out);
             *all = TextRange::new(all.start.min(entry.out.start), all.end.max(entry.out.end));

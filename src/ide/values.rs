@@ -166,22 +166,19 @@ impl Known<'_> {
     }
 
     fn named(&self, name: &str) -> Lookup {
-        let is_name = |kind| kind != BindingKind::Argument;
-        let defined = || {
-            self.cx
-                .expansion
-                .index
-                .bindings
-                .iter()
-                .any(|info| info.name == name && is_name(info.kind))
-        };
-        match self.value(name, is_name) {
+        match self.value(name, |kind| kind != BindingKind::Argument) {
             // looking at it would use it up
             Some(Value::Iter(_)) => Lookup::Found(Value::Unknown),
             Some(value) => Lookup::Found(value),
-            None if is_global_symbol(name) && !defined() => Lookup::Missing,
+            None if is_global_symbol(name) && !self.is_bound(name) => Lookup::Missing,
             None => Lookup::Found(Value::Unknown),
         }
+    }
+
+    /// Whether anything but an argument has the name.
+    fn is_bound(&self, name: &str) -> bool {
+        let mut bindings = self.cx.expansion.index.bindings.iter();
+        bindings.any(|info| info.name == name && info.kind != BindingKind::Argument)
     }
 }
 

@@ -30,24 +30,22 @@ pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
     let whole = at.shift(attr.value_range());
     let raw = attr.raw();
     let inside = (offset - whole.start) as usize;
-    let word = |start: usize, end: usize| {
-        TextRange::new(whole.start + start as u32, whole.start + end as u32)
-    };
     for (start, part) in words(raw) {
         let end = start + part.len();
         if inside < start || inside > end {
             continue;
         }
+        let word = TextRange::new(whole.start + start as u32, whole.start + end as u32);
         let degrees = part
             .strip_prefix("${radians(")
             .and_then(|rest| rest.strip_suffix(")}"));
         if let Some(degrees) = degrees.and_then(|text| text.trim().parse::<f64>().ok()) {
             let radians = shown(degrees.to_radians(), 15);
-            let edits = vec![edit(source, word(start, end), radians.clone())];
+            let edits = vec![edit(source, word, radians.clone())];
             return Some(rewrite(format!("convert angle to `{radians}` rad"), edits));
         }
         let text = format!("${{radians({})}}", round_degrees(part)?);
-        let edits = vec![edit(source, word(start, end), text.clone())];
+        let edits = vec![edit(source, word, text.clone())];
         return Some(rewrite(format!("convert angle to `{text}`"), edits));
     }
     None
@@ -85,13 +83,6 @@ pub(super) fn degrees_note(source: &SourceFile, offset: u32) -> Option<Action> {
         return None;
     };
     let end = at.shift(node.range()).end;
-    let angles = |text: &str| -> Option<[f64; 3]> {
-        let numbers: Option<Vec<f64>> = text
-            .split_whitespace()
-            .map(|word| word.parse().ok().filter(|n: &f64| n.is_finite()))
-            .collect();
-        numbers?.try_into().ok()
-    };
     let written =
         angles(attr.raw()).filter(|_| attr.name() == "rpy" && node.end_tag().is_none())?;
     let behind = document.slice(TextRange::new(end, end.saturating_add(200)));
@@ -122,6 +113,15 @@ pub(super) fn degrees_note(source: &SourceFile, offset: u32) -> Option<Action> {
         format!(" {NOTE} {degrees} -->"),
     )];
     Some(rewrite("add comment with angles in degrees", edits))
+}
+
+/// Three numbers with white space between them.
+fn angles(text: &str) -> Option<[f64; 3]> {
+    let numbers: Option<Vec<f64>> = text
+        .split_whitespace()
+        .map(|word| word.parse().ok().filter(|n: &f64| n.is_finite()))
+        .collect();
+    numbers?.try_into().ok()
 }
 
 /// Words of a value; an expression is one word.
@@ -193,16 +193,14 @@ pub(super) fn sort_attributes(source: &SourceFile, offset: u32) -> Option<Action
     let [spec] = specs.as_slice() else {
         return None;
     };
-    let rank = |name: &str| {
-        spec.attributes
-            .iter()
-            .position(|known| known.name == name)
-            .unwrap_or(usize::MAX)
-    };
     let written: Vec<TextRange> = node.attrs().map(|attr| attr.range().shift(base)).collect();
     let mut sorted: Vec<(usize, TextRange)> = node
         .attrs()
-        .map(|attr| (rank(attr.name()), attr.range().shift(base)))
+        .map(|attr| {
+            let mut known = spec.attributes.iter();
+            let rank = known.position(|known| known.name == attr.name());
+            (rank.unwrap_or(usize::MAX), attr.range().shift(base))
+        })
         .collect();
     sorted.sort_by_key(|(rank, _)| *rank);
     let pairs = written

@@ -39,23 +39,21 @@ pub(super) fn undefined_macro(source: &SourceFile, range: TextRange) -> Vec<Acti
 /// A link of the name.
 pub(super) fn undefined_link(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let name = source.document.slice(range);
-    let text = || format!("<link name=\"{name}\"/>");
-    if is_plain(&name) {
-        element(source, range, format!("add link `{name}`"), text())
-    } else {
-        Vec::new()
+    if !is_plain(&name) {
+        return Vec::new();
     }
+    let text = format!("<link name=\"{name}\"/>");
+    element(source, range, format!("add link `{name}`"), text)
 }
 
 /// A gray material of the name.
 pub(super) fn undefined_material(source: &SourceFile, range: TextRange) -> Vec<Action> {
     let name = source.document.slice(range);
-    let text = || format!("<material name=\"{name}\"><color rgba=\"0.5 0.5 0.5 1\"/></material>");
-    if is_plain(&name) {
-        element(source, range, format!("add material `{name}`"), text())
-    } else {
-        Vec::new()
+    if !is_plain(&name) {
+        return Vec::new();
     }
+    let text = format!("<material name=\"{name}\"><color rgba=\"0.5 0.5 0.5 1\"/></material>");
+    element(source, range, format!("add material `{name}`"), text)
 }
 
 /// A limit of the joint, to be filled in.

@@ -37,16 +37,9 @@ pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
         TextRange::empty(at),
         top_level(&source.document, at, &text),
     );
-    let used = |in_expression: bool| {
-        if in_expression {
-            name.clone()
-        } else {
-            format!("${{{name}}}")
-        }
-    };
     let one = vec![
         new.clone(),
-        edit(source, value.range, used(value.in_expression)),
+        edit(source, value.range, reading(&name, value.in_expression)),
     ];
     let title = format!("extract `{}` to property `{name}`", value.text);
     let mut actions = vec![Action {
@@ -58,7 +51,7 @@ pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
     if alike.len() > 1 {
         let uses = alike
             .iter()
-            .map(|(range, in_expression)| edit(source, *range, used(*in_expression)));
+            .map(|(range, in_expression)| edit(source, *range, reading(&name, *in_expression)));
         let edits = std::iter::once(new).chain(uses).collect();
         let title = format!(
             "extract all {} `{}` to property `{name}`",
@@ -72,6 +65,14 @@ pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
         });
     }
     actions
+}
+
+/// How a property is read.
+fn reading(name: &str, in_expression: bool) -> String {
+    match in_expression {
+        true => name.to_owned(),
+        false => format!("${{{name}}}"),
+    }
 }
 
 /// Attributes whose text xacro does not evaluate, or that name things.
@@ -137,12 +138,10 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
             let start = at + rest.find(is_word)?;
             let word = text.get(start..)?;
             let mut len = word.find(|c| !is_word(c)).unwrap_or(word.len());
-            let number = |len: usize| {
-                word.get(..len)
-                    .filter(|word| word.starts_with(|c: char| c.is_ascii_digit() || c == '.'))
-            };
+            let begins = word.starts_with(|c: char| c.is_ascii_digit() || c == '.');
             // the sign of an exponent
-            if number(len).is_some_and(|word| word.ends_with(['e', 'E']))
+            if begins
+                && word.get(..len)?.ends_with(['e', 'E'])
                 && word.get(len..)?.starts_with(['-', '+'])
             {
                 let more = word.get(len + 1..)?;
@@ -151,7 +150,7 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
                     .unwrap_or(more.len());
             }
             at = start + len;
-            if number(len).is_some_and(|word| word.parse::<f64>().is_ok()) {
+            if begins && word.get(..len)?.parse::<f64>().is_ok() {
                 return Some(TextRange::new(start as u32, at as u32));
             }
         }
@@ -167,8 +166,8 @@ fn in_expression(text: &str, offset: usize) -> Option<bool> {
     if template.tokens.iter().any(is_broken) {
         return None;
     }
-    let holds = |range: TextRange| range.start <= offset && offset < range.end;
-    let token = template.tokens.iter().find(|token| holds(token.range()));
+    let mut tokens = template.tokens.iter();
+    let token = tokens.find(|token| holds(token.range(), offset));
     match token {
         None | Some(Token::Text(_)) => Some(false),
         Some(Token::Expr {
@@ -176,14 +175,19 @@ fn in_expression(text: &str, offset: usize) -> Option<bool> {
             code: Code::Static(_),
             ..
         }) if inner.start <= offset => {
-            let is_string = |kind| matches!(kind, WordKind::String | WordKind::OpenString);
             let mut words = words(inner.slice(text)).into_iter();
-            let is_in_string =
-                words.any(|(range, kind)| holds(range.shift(inner.start)) && is_string(kind));
+            let is_in_string = words.any(|(range, kind)| {
+                matches!(kind, WordKind::String | WordKind::OpenString)
+                    && holds(range.shift(inner.start), offset)
+            });
             (!is_in_string).then_some(true)
         }
         Some(_) => None,
     }
+}
+
+fn holds(range: TextRange, offset: u32) -> bool {
+    range.start <= offset && offset < range.end
 }
 
 /// The same value in attributes of the same meaning, behind an offset.
@@ -220,8 +224,8 @@ fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, b
 
 /// A name that says where the value stands and that nothing else has.
 fn free_name(cx: &Cx<'_>, value: &Value<'_>) -> String {
-    let plain = |text: &str| text.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
-    let wanted = format!("{}_{}", plain(value.element), plain(value.attr.name()));
+    let wanted = format!("{}_{}", value.element, value.attr.name())
+        .replace(|c: char| !c.is_ascii_alphanumeric(), "_");
     let wanted = if is_identifier(&wanted) {
         wanted
     } else {

@@ -5,7 +5,7 @@ use super::{Action, ActionKind, edit};
 use crate::Cx;
 use base::{Span, TextRange};
 use expand::{SourceRange, XId};
-use model::{Body, Inertial, Link, ShapeKind, Text, element_range};
+use model::{Body, Inertial, Link, Pose, ShapeKind, Text, element_range};
 use rules::Edit;
 use xml::Node;
 
@@ -27,13 +27,11 @@ pub(super) fn from_geometry(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let body_node = node
         .child_elements()
         .find(|child| is_at(cx, body.element, child.range().shift(base)))?;
-    // an origin that a macro brings along has no text here
-    let written = |node: Node<'_>, origin: bool| child(node, "origin").is_some() == origin;
     let given = link
         .inertial
         .as_ref()
-        .is_some_and(|inertial| inertial.origin.is_some());
-    if !written(body_node, body.origin.is_some()) || !written(source, given) {
+        .and_then(|inertial| inertial.origin.as_ref());
+    if !is_origin_written(body_node, body.origin.as_ref()) || !is_origin_written(source, given) {
         return None;
     }
     let mut edits = entries(cx, base, source, numbers);
@@ -66,6 +64,11 @@ pub(super) fn child<'a>(node: Node<'a>, name: &str) -> Option<Node<'a>> {
     node.child_elements().find(|child| child.name() == name)
 }
 
+/// Whether the text of an element has the origin that is there: one that a macro brings along has no text here.
+pub(super) fn is_origin_written(node: Node<'_>, origin: Option<&Pose>) -> bool {
+    child(node, "origin").is_some() == origin.is_some()
+}
+
 /// The body whose shape counts: the only collision, else the only visual.
 pub(super) fn body(link: &Link) -> Option<&Body> {
     match (link.collisions.as_slice(), link.visuals.as_slice()) {
@@ -87,7 +90,6 @@ fn shape_name(body: &Body) -> Option<&'static str> {
 /// `ixx iyy izz` in kg m^2, from lengths in m and a mass in kg.
 fn solid(link: &Link) -> Option<[f64; 3]> {
     let mass = link.inertial.as_ref().and_then(Inertial::mass)?;
-    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number).filter(|n| *n > 0.0);
     let [x, y, z] = match &body(link)?.shape()?.kind {
         ShapeKind::Box { size } => {
             let [x, y, z] = size
@@ -97,13 +99,13 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
             [y + z, x + z, x + y]
         }
         ShapeKind::Cylinder { radius, length } => {
-            let (r, l) = (number(radius)?, number(length)?);
+            let (r, l) = (positive(radius)?, positive(length)?);
             let across = r * r / 4.0 + l * l / 12.0;
             [across, across, r * r / 2.0]
         }
-        ShapeKind::Capsule { radius, length } => capsule(number(radius)?, number(length)?),
+        ShapeKind::Capsule { radius, length } => capsule(positive(radius)?, positive(length)?),
         ShapeKind::Sphere { radius } => {
-            let r = number(radius)?;
+            let r = positive(radius)?;
             [0.4 * r * r; 3]
         }
         _ => return None,
@@ -113,6 +115,10 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
         .iter()
         .all(|entry| entry.is_finite() && *entry > 0.0)
         .then_some(inertia)
+}
+
+fn positive(text: &Option<Text>) -> Option<f64> {
+    text.as_ref().and_then(Text::number).filter(|n| *n > 0.0)
 }
 
 /// The moments of a capsule for a mass of 1: those of its cylinder and of its half spheres, by their volumes.

@@ -104,17 +104,14 @@ impl Body<'_> {
             self.definition.start_tag_range().end,
             self.definition.end_tag()?.start,
         );
-        let nodes = || {
-            item.all_nodes()
-                .filter(|node| range.contains_range(node.range()))
-        };
         // what these define would be known to others
-        if nodes().any(|node| matches!(node.name(), "xacro:macro" | "xacro:include" | "xacro:arg"))
+        if nodes_in(item, range)
+            .any(|node| matches!(node.name(), "xacro:macro" | "xacro:include" | "xacro:arg"))
         {
             return None;
         }
         let mut edits: Vec<(TextRange, String)> = Vec::new();
-        for node in nodes().filter(|node| node.name() == "xacro:insert_block") {
+        for node in nodes_in(item, range).filter(|node| node.name() == "xacro:insert_block") {
             let block = self.block(node.attr("name")?.raw())?;
             edits.push((node.range(), block.trim().to_owned()));
         }
@@ -157,6 +154,12 @@ impl Body<'_> {
             .get(&format!("*{name}"))
             .or_else(|| self.given.get(&format!("**{name}")))
     }
+}
+
+/// The nodes of an item within a range.
+fn nodes_in(item: &Item, range: TextRange) -> impl Iterator<Item = Node<'_>> {
+    item.all_nodes()
+        .filter(move |node| range.contains_range(node.range()))
 }
 
 /// The range of `${name}` when the name at a range is all there is to it.

@@ -1,5 +1,6 @@
 //! What links and joints often lack, added from what is there.
 
+use super::inertia::child;
 use super::place::{enclosing, last_child, line_end, margin};
 use super::{Action, ActionKind, edit};
 use crate::indentation;
@@ -13,15 +14,6 @@ pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
         return Vec::new();
     };
     let kind = joint.attr("type").map_or("", |kind| kind.raw());
-    let has = |name: &str| joint.child_elements().any(|child| child.name() == name);
-    let add = |title: &str, text: &str| {
-        let (range, text) = last_child(source, base, joint, text);
-        Action {
-            title: title.to_owned(),
-            kind: ActionKind::Rewrite,
-            edits: vec![edit(source, range, text)],
-        }
-    };
     // what a macro or a block brings along cannot be seen here
     if joint
         .child_elements()
@@ -29,15 +21,25 @@ pub(super) fn additions(source: &SourceFile, offset: u32) -> Vec<Action> {
     {
         return Vec::new();
     }
-    let mut found = Vec::new();
-    if matches!(kind, "revolute" | "continuous" | "prismatic" | "planar") && !has("axis") {
-        found.push(add("add default `axis`", "<axis xyz=\"1 0 0\"/>"));
+    let mut missing = Vec::new();
+    if matches!(kind, "revolute" | "continuous" | "prismatic" | "planar")
+        && child(joint, "axis").is_none()
+    {
+        missing.push(("add default `axis`", "<axis xyz=\"1 0 0\"/>"));
     }
-    if matches!(kind, "revolute" | "prismatic") && !has("limit") {
+    if matches!(kind, "revolute" | "prismatic") && child(joint, "limit").is_none() {
         let limit = "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>";
-        found.push(add("add `limit`", limit));
+        missing.push(("add `limit`", limit));
     }
-    found
+    let actions = missing.into_iter().map(|(title, text)| {
+        let (range, text) = last_child(source, base, joint, text);
+        Action {
+            title: title.to_owned(),
+            kind: ActionKind::Rewrite,
+            edits: vec![edit(source, range, text)],
+        }
+    });
+    actions.collect()
 }
 
 /// An inertial for the link at an offset, of a body of 1 kg to be replaced by the true one.

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use ecow::EcoString;
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use super::inertia::{body, child, is_at, place_of_links, shown};
+use super::inertia::{body, child, is_at, is_origin_written, place_of_links, shown};
 use super::place::{enclosing, indented, last_child, line_end};
 use super::{Action, ActionKind, edit};
 use crate::Cx;
@@ -37,6 +38,32 @@ struct Solid {
     center: Vector3<f64>,
     /// About the center, in the axes of the mesh, for a density of one.
     inertia: Matrix3<f64>,
+}
+
+/// What the inertia of a link with a mesh follows from.
+#[derive(PartialEq)]
+struct Given {
+    file: EcoString,
+    scale: [f64; 3],
+    /// Position and angles, where an origin is given.
+    pose: Option<[Option<[f64; 3]>; 2]>,
+    mass: Option<f64>,
+}
+
+impl Given {
+    fn of(link: &Link) -> Option<Self> {
+        let body = body(link)?;
+        let ShapeKind::Mesh { filename, scale } = &body.shape()?.kind else {
+            return None;
+        };
+        let origin = body.origin.as_ref();
+        Some(Self {
+            file: filename.as_ref()?.value.clone(),
+            scale: factors(scale.as_ref())?,
+            pose: origin.map(|origin| [origin.translation(), origin.angles()]),
+            mass: link.inertial.as_ref().and_then(Inertial::mass),
+        })
+    }
 }
 
 /// What is asked for: a link with a mesh.
@@ -112,27 +139,10 @@ fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Aske
     let Some(link) = links.next() else {
         return Ok(None);
     };
-    let key = |link: &Link| {
-        let body = body(link)?;
-        let ShapeKind::Mesh { filename, scale } = &body.shape()?.kind else {
-            return None;
-        };
-        let pose = body
-            .origin
-            .as_ref()
-            .map(|origin| (origin.translation(), origin.angles()));
-        let mass = link.inertial.as_ref().and_then(Inertial::mass);
-        Some((
-            filename.as_ref()?.value.clone(),
-            factors(scale.as_ref())?,
-            pose,
-            mass,
-        ))
-    };
-    let Some(first) = key(link) else {
+    let Some(first) = Given::of(link) else {
         return Ok(None);
     };
-    if !links.all(|other| key(other).as_ref() == Some(&first)) {
+    if !links.all(|other| Given::of(other).as_ref() == Some(&first)) {
         return Ok(None);
     }
     let Some(body) = body(link) else {
@@ -154,16 +164,14 @@ fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Aske
     let FileTarget::File(path) = resolve_file(cx.expansion, world, file) else {
         return Ok(None);
     };
-    let solid = solid(world, &path, first.1).map_err(|reason| Refused {
+    let solid = solid(world, &path, first.scale).map_err(|reason| Refused {
         title: format!("compute inertia from mesh `{name}`"),
         reason: format!("mesh `{name}` {reason}"),
     })?;
-    // an origin that a macro brings along has no text here
     let body_node = node
         .child_elements()
         .find(|child| is_at(cx, body.element, child.range().shift(base)));
-    let written =
-        body_node.is_some_and(|node| child(node, "origin").is_some() == body.origin.is_some());
+    let written = body_node.is_some_and(|node| is_origin_written(node, body.origin.as_ref()));
     let origin = body.origin.as_ref();
     Ok(written.then_some(Asked {
         base,
@@ -203,15 +211,11 @@ fn solid(world: RuleEnv<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid, Stri
 
 /// Sum over the pyramids that the triangles make with one corner of the mesh.
 fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<Solid> {
-    let scaled = |index: u32| {
-        let point = mesh.points.get(index as usize).copied().unwrap_or_default();
-        Vector3::from(point).component_mul(&Vector3::from(scale))
-    };
     // numbers stay small around a point of the mesh
-    let near = scaled(0);
+    let near = scaled(mesh, 0, scale);
     let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
     for corners in &mesh.corners {
-        let [a, b, c] = corners.map(|index| scaled(index) - near);
+        let [a, b, c] = corners.map(|index| scaled(mesh, index, scale) - near);
         let (six, sum) = (a.dot(&b.cross(&c)), a + b + c);
         volume += six / 6.0;
         first += sum * (six / 24.0);
@@ -228,6 +232,12 @@ fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<Solid> {
         center: center + near,
         inertia,
     })
+}
+
+/// A point of the mesh in the size that it has in the robot.
+fn scaled(mesh: &Triangles, index: u32, scale: [f64; 3]) -> Vector3<f64> {
+    let point = mesh.points.get(index as usize).copied().unwrap_or_default();
+    Vector3::from(point).component_mul(&Vector3::from(scale))
 }
 
 impl Asked<'_> {
@@ -247,14 +257,13 @@ impl Asked<'_> {
         let it = self.solid.inertia * density;
         let largest = it.m11.max(it.m22).max(it.m33);
         // what is left of sums that cancel out is nothing
-        let across = |entry: f64| {
+        let [ixy, ixz, iyz] = [it.m12, it.m13, it.m23].map(|entry| {
             if entry.abs() < largest * 1e-9 {
                 "0".to_owned()
             } else {
                 shown(entry)
             }
-        };
-        let (ixy, ixz, iyz) = (across(it.m12), across(it.m13), across(it.m23));
+        });
         let (ixx, iyy, izz) = (shown(it.m11), shown(it.m22), shown(it.m33));
         format!(
             "<inertia ixx=\"{ixx}\" ixy=\"{ixy}\" ixz=\"{ixz}\" iyy=\"{iyy}\" iyz=\"{iyz}\" izz=\"{izz}\"/>"
@@ -277,7 +286,15 @@ impl Asked<'_> {
 
     /// The entries of the `inertial` that is there.
     fn entries(&self, cx: &Cx<'_>, inertial: Node<'_>, density: f64) -> Option<Vec<Edit>> {
-        let replaced = |name: &str, text: String| match child(inertial, name) {
+        Some(vec![
+            self.entry(cx, inertial, "origin", self.origin()?),
+            self.entry(cx, inertial, "inertia", self.inertia(density)),
+        ])
+    }
+
+    /// An element of the `inertial` that is there, in the place of the one with its name; the origin stands first.
+    fn entry(&self, cx: &Cx<'_>, inertial: Node<'_>, name: &str, text: String) -> Edit {
+        let (range, text) = match child(inertial, name) {
             Some(old) => (old.range().shift(self.base), text),
             None if name == "origin" => {
                 let first = inertial
@@ -293,15 +310,7 @@ impl Asked<'_> {
             }
             None => last_child(cx.source, self.base, inertial, &text),
         };
-        let both = [
-            replaced("origin", self.origin()?),
-            replaced("inertia", self.inertia(density)),
-        ];
-        Some(
-            both.into_iter()
-                .map(|(range, text)| edit(cx.source, range, text))
-                .collect(),
-        )
+        edit(cx.source, range, text)
     }
 }
 

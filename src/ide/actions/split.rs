@@ -1,5 +1,6 @@
 //! What one sees of a link and what it collides with become two links.
 
+use super::inertia::child;
 use super::place::{enclosing, line_end, margin};
 use super::{Action, ActionKind, edit};
 use crate::robot_names::all_names;
@@ -12,16 +13,18 @@ pub(super) fn collision(cx: &Cx<'_>, offset: u32) -> Option<Action> {
     let source = cx.source;
     let document = &source.document;
     let (base, link) = enclosing(document, offset, "link")?;
-    let children = || link.child_elements();
-    let collisions: Vec<Node<'_>> = children()
+    let collisions: Vec<Node<'_>> = link
+        .child_elements()
         .filter(|child| child.name() == "collision")
         .collect();
     let name = link.attr("name")?.raw();
     // what macros and blocks bring along cannot be seen here
-    let plain = children().all(|child| !child.name().starts_with("xacro:"));
+    let plain = link
+        .child_elements()
+        .all(|child| !child.name().starts_with("xacro:"));
     let is_link = link.parent().is_none_or(|parent| parent.name() != "joint");
     let in_tag = link.start_tag_range().shift(base).touches(offset);
-    let has_visual = children().any(|child| child.name() == "visual");
+    let has_visual = child(link, "visual").is_some();
     if !plain || !is_link || !in_tag || !has_visual || collisions.is_empty() || name.is_empty() {
         return None;
     }
@@ -29,11 +32,7 @@ pub(super) fn collision(cx: &Cx<'_>, offset: u32) -> Option<Action> {
         format!("{name}_collision"),
         format!("{name}_collision_joint"),
     );
-    let written = |new: &str| {
-        all_names(cx).iter().any(|known| known.text.value == new)
-            || document.text().contains(&format!("\"{new}\""))
-    };
-    if written(&copy) || written(&joint) {
+    if is_written(cx, &copy) || is_written(cx, &joint) {
         return None;
     }
     let (end, unit) = (line_end(document), indentation(document).unit);
@@ -63,6 +62,12 @@ pub(super) fn collision(cx: &Cx<'_>, offset: u32) -> Option<Action> {
         kind: ActionKind::Rewrite,
         edits,
     })
+}
+
+/// Whether the robot or the file has a name already.
+fn is_written(cx: &Cx<'_>, name: &str) -> bool {
+    all_names(cx).iter().any(|known| known.text.value == name)
+        || cx.source.document.text().contains(&format!("\"{name}\""))
 }
 
 /// An element with the white space in front of it.

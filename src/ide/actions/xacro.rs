@@ -37,15 +37,18 @@ pub fn other_name(cx: &Cx<'_>, all: &TextNames, range: TextRange) -> Option<Acti
 /// Replace the text of a finding by the known name that its help suggests.
 pub fn suggested(source: &SourceFile, range: TextRange, near: &str) -> Option<Action> {
     let old = source.document.slice(range);
-    let plain =
-        |text: &str| !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n']);
-    let fits = plain(&old) && plain(near) && old != near;
+    let fits = is_word(&old) && is_word(near) && old != near;
     fits.then(|| {
         fix(
             format!("change to `{near}`"),
             vec![edit(source, range, near)],
         )
     })
+}
+
+/// Whether a text is one word, as it is written in an attribute.
+fn is_word(text: &str) -> bool {
+    !text.is_empty() && !text.contains(['$', '<', '&', '"', '\'', ' ', '\n'])
 }
 
 /// Remove the attribute that a finding names.
@@ -124,11 +127,12 @@ fn rests_on(document: &Document, given: u32, at: u32) -> bool {
     let between = facts(document)
         .zip(ends)
         .filter(|((base, _), end)| *end > at && *base < given);
-    let is_used = |name: &str| used.iter().any(|used| used == name);
     between.map(|((_, facts), _)| facts).any(|facts| {
-        let defines = DEFINING
-            .iter()
-            .any(|&kind| facts.of(kind).any(|fact| is_used(&fact.name)));
+        let defines = DEFINING.iter().any(|&kind| {
+            facts
+                .of(kind)
+                .any(|fact| used.iter().any(|used| *used == fact.name))
+        });
         defines || !used.is_empty() && facts.of(FactKind::Include).next().is_some()
     })
 }

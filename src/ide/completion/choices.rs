@@ -140,12 +140,6 @@ pub(super) fn words_to_choose(words: &[&str]) -> Vec<Completion> {
 
 /// An expression, and the arguments that are true or false.
 fn conditions(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
-    let is_truth = |text: &str| {
-        matches!(
-            text.to_ascii_lowercase().as_str(),
-            "true" | "false" | "0" | "1"
-        )
-    };
     let mut items = vec![
         Completion::new(ItemKind::Snippet, "${}")
             .snippet("\\${$1}$0")
@@ -163,6 +157,14 @@ fn conditions(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
             }),
     );
     items
+}
+
+/// Whether a value is true or false.
+fn is_truth(text: &str) -> bool {
+    matches!(
+        text.to_ascii_lowercase().as_str(),
+        "true" | "false" | "0" | "1"
+    )
 }
 
 /// Arguments of macro calls: names, when that is what the macro makes of them.

@@ -41,10 +41,6 @@ pub(super) fn comment(scope: &Scope<'_>, typed: &Typed<'_>) -> Completions {
 }
 
 fn lint(typed: &Typed<'_>, text: &str) -> Completions {
-    let rest = typed.rest_of_word(|c| c.is_alphanumeric() || c == '-');
-    let answer = |word: &str, items| {
-        Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
-    };
     let Some((_, selected)) = text.split_once(' ') else {
         let items = DIRECTIVES
             .iter()
@@ -55,7 +51,7 @@ fn lint(typed: &Typed<'_>, text: &str) -> Completions {
                     .detail(*detail)
                     .rank(place as u8)
             });
-        return answer(text, items.collect());
+        return answer(typed, text, items.collect());
     };
     if selected.contains(':') {
         // the reason, in the author's own words
@@ -70,7 +66,12 @@ fn lint(typed: &Typed<'_>, text: &str) -> Completions {
                 name: rule.name.to_owned(),
             })
     });
-    answer(word, items.collect())
+    answer(typed, word, items.collect())
+}
+
+fn answer(typed: &Typed<'_>, word: &str, items: Vec<Completion>) -> Completions {
+    let rest = typed.rest_of_word(|c| c.is_alphanumeric() || c == '-');
+    Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
 }
 
 fn root(scope: &Scope<'_>, typed: &Typed<'_>, text: &str) -> Completions {

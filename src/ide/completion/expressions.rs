@@ -23,30 +23,28 @@ pub(super) fn expression(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<Complet
 
 /// Behind a `$`.
 fn dollar(typed: &Typed<'_>, start: u32) -> Completions {
-    let item = |label: &str, snippet: &str, detail: &str| {
+    let items = [
+        ("${}", "\\${$1}$0", "an expression"),
+        ("$(arg )", "\\$(arg $1)$0", "the value of an argument"),
+        ("$(find )", "\\$(find $1)$0", "the folder of a package"),
+    ]
+    .map(|(label, snippet, detail)| {
         Completion::new(ItemKind::Snippet, label)
             .snippet(snippet)
             .detail(detail)
             .rank(0)
-    };
-    let items = vec![
-        item("${}", "\\${$1}$0", "an expression"),
-        item("$(arg )", "\\$(arg $1)$0", "the value of an argument"),
-        item("$(find )", "\\$(find $1)$0", "the folder of a package"),
-    ];
-    Completions::new(start, typed.offset, 0, items)
+    });
+    Completions::new(start, typed.offset, 0, items.into())
 }
 
 /// In an expression; `is_eval`: of `$(eval)`, where arguments are the names.
 fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Completions {
-    let at = |inside: usize| typed.offset - (code.len() - inside) as u32;
-    let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    let rest = typed.rest_of_word(is_word);
-    let answer = |start: usize, items| Completions::new(at(start), typed.offset, rest, items);
     match cursor(code) {
         Cursor::Outside => Completions::default(),
         Cursor::Text { start, opened } => match opened {
             Opened::Index(object) => answer(
+                typed,
+                code,
                 start,
                 entries(scope, typed, object, |key| match key {
                     Value::Str(text) => Some(text.to_string()),
@@ -57,10 +55,14 @@ fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Comp
                 let within = code.get(start..).unwrap_or("");
                 paths::in_text(scope, typed, within, paths::Wanted::Yaml)
             }
-            Opened::Call("xacro.arg") => answer(start, substitutions::arguments(scope, typed)),
+            Opened::Call("xacro.arg") => {
+                answer(typed, code, start, substitutions::arguments(scope, typed))
+            }
             Opened::Call(_) | Opened::Nothing => Completions::default(),
         },
-        Cursor::Member { object, start } => answer(start, members(scope, typed, object)),
+        Cursor::Member { object, start } => {
+            answer(typed, code, start, members(scope, typed, object))
+        }
         Cursor::Name { start, opened } => {
             let word = code.get(start..).unwrap_or("");
             let (mut items, more) = names(scope, typed, word, is_eval);
@@ -72,10 +74,17 @@ fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Comp
             }
             Completions {
                 more,
-                ..answer(start, items)
+                ..answer(typed, code, start, items)
             }
         }
     }
+}
+
+/// Items for the word of the code that begins at `start`.
+fn answer(typed: &Typed<'_>, code: &str, start: usize, items: Vec<Completion>) -> Completions {
+    let begin = typed.offset - (code.len() - start) as u32;
+    let rest = typed.rest_of_word(members::is_word);
+    Completions::new(begin, typed.offset, rest, items)
 }
 
 /// The keys of what an expression stands for.

@@ -76,7 +76,6 @@ fn macro_around(node: Node<'_>) -> Option<Node<'_>> {
 fn given_in(caller: &Caller) -> Vec<Completion> {
     let node = caller.item.node(caller.node);
     let note = format!("from `{}`, which calls this macro", caller.name);
-    let item = |kind, name: EcoString| Completion::new(kind, name).note(note.clone()).rank(3);
     let params = node
         .attr("params")
         .map(|attr| attr.value(&Entities::default()).into_owned());
@@ -86,7 +85,7 @@ fn given_in(caller: &Caller) -> Vec<Completion> {
         .into_iter();
     let params = params.filter(|param| !param.is_block());
     let mut found: Vec<Completion> = params
-        .map(|param| item(ItemKind::Parameter, param.name))
+        .map(|param| Completion::new(ItemKind::Parameter, param.name))
         .collect();
     let body = node.range();
     let facts = facts_of(&caller.item);
@@ -96,6 +95,11 @@ fn given_in(caller: &Caller) -> Vec<Completion> {
             && given.attr("value").or(given.attr("default")).is_some()
     });
     let own = own.filter(|fact| !fact.name.contains('$'));
-    found.extend(own.map(|fact| item(ItemKind::Property, fact.name.clone()).detail("property")));
+    found.extend(
+        own.map(|fact| Completion::new(ItemKind::Property, fact.name.clone()).detail("property")),
+    );
     found
+        .into_iter()
+        .map(|item| item.note(note.clone()).rank(3))
+        .collect()
 }

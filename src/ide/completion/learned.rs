@@ -63,14 +63,10 @@ fn learned(
         .filter(|(_, _, item)| item.text().contains(start.as_str()))
     {
         let here = Arc::ptr_eq(item, place.item);
-        let is_typed = |node: &Node<'_>| {
-            let range = node.range();
-            here && range.start <= inside && inside <= range.end
-        };
         let elements = item
             .all_nodes()
             .filter(|node| node.kind() == NodeKind::Element && node.name() == tag);
-        for node in elements.filter(|node| !is_typed(node)) {
+        for node in elements.filter(|node| !here || !node.range().touches(inside)) {
             read(node, &mut |name| {
                 if found.len() < MOST && seen.insert(name.into()) {
                     found.push((EcoString::from(name), file_name(&file.source.path)));

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::item::{Completion, ItemKind};
+use super::members::is_word;
 use super::scope::{MacroInfo, Scope, macro_around, macro_at};
 use crate::typed::Typed;
 use base::FastMap;
@@ -156,7 +157,6 @@ fn spelled(text: &str, given: &Given) -> Option<EcoString> {
             continue;
         };
         let code = inner.slice(text);
-        let is_word = |c: char| c.is_alphanumeric() || c == '_';
         match given.get(code.trim()) {
             Some(value) => found.push_str(value.as_ref()?),
             None if code

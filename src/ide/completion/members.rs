@@ -56,6 +56,7 @@ pub(super) fn seen(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Co
     found
 }
 
-fn is_word(c: char) -> bool {
+/// Whether a name in an expression can have the letter.
+pub(super) fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }

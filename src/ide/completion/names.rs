@@ -216,9 +216,8 @@ pub(super) fn materials(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion>
 
 /// A color as editors show it.
 fn hex(rgba: [f64; 4]) -> String {
-    let byte = |part: f64| (part.clamp(0.0, 1.0) * 255.0).round() as u8;
-    let [red, green, blue, _] = rgba;
-    format!("#{:02x}{:02x}{:02x}", byte(red), byte(green), byte(blue))
+    let [red, green, blue, _] = rgba.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as u8);
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// The blocks that can be inserted: parameters of the macros around, and properties.

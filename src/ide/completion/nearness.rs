@@ -47,14 +47,9 @@ impl RuleEnv {
             text.get(tag..).unwrap_or(""),
         );
         // names of elements say nothing: they are everywhere
-        let values = |text: &str| {
-            text.split('<')
-                .map(|tag| behind_name(tag).to_owned())
-                .collect::<Vec<_>>()
-        };
-        values(before)
-            .iter()
-            .for_each(|value| found.read(value, CLOSE));
+        for tag in before.split('<') {
+            found.read(behind_name(tag), CLOSE);
+        }
         for open in typed.open.iter().filter(|open| open.name() != "robot") {
             found.read(&attr_text(*open, "name").unwrap_or_default(), AROUND);
         }

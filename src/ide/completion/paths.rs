@@ -37,6 +37,15 @@ impl Wanted {
         }
     }
 
+    /// Whether it may be the file of the name.
+    fn takes(self, name: &str) -> bool {
+        let ending = name
+            .rsplit_once('.')
+            .map_or("", |(_, ending)| ending)
+            .to_ascii_lowercase();
+        self.endings().contains(&ending.as_str()) && name != "package.xml"
+    }
+
     fn takes_uris(self) -> bool {
         matches!(self, Wanted::Mesh | Wanted::Picture)
     }
@@ -146,15 +155,8 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
     let vfs = scope.sources.vfs;
     let names = vfs.list_dir(folder);
     let visible = names.iter().filter(|entry| !entry.name.starts_with('.'));
-    let fits = |name: &str| {
-        let ending = name
-            .rsplit_once('.')
-            .map_or("", |(_, ending)| ending)
-            .to_ascii_lowercase();
-        wanted.endings().contains(&ending.as_str()) && name != "package.xml"
-    };
     visible
-        .filter(|entry| entry.is_dir || fits(&entry.name))
+        .filter(|entry| entry.is_dir || wanted.takes(&entry.name))
         .filter(|entry| *folder.join(&entry.name) != *scope.sources.source.path)
         .map(|entry| match entry.is_dir {
             true => {
@@ -180,12 +182,12 @@ fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> 
 /// the robot, too.
 fn from_last_named(typed: &Typed<'_>, mut items: Vec<Completion>) -> Vec<Completion> {
     let text = typed.text_before.strip_suffix(typed.before).unwrap_or("");
-    let last = |item: &Completion| text.rfind(&format!("/{}", item.label));
     let named = items
         .iter()
         .enumerate()
         .filter(|(_, item)| item.kind == ItemKind::File);
-    let named = named.filter_map(|(place, item)| Some((last(item)?, place)));
+    let named =
+        named.filter_map(|(place, item)| Some((text.rfind(&format!("/{}", item.label))?, place)));
     if let Some((_, place)) = named.max() {
         items.rotate_left(place);
     }
@@ -199,29 +201,37 @@ fn beginnings(scope: &Scope<'_>, wanted: Wanted) -> Vec<Completion> {
         .packages
         .containing(&scope.sources.source.path)
         .map(|package| package.name);
-    let item = |text: String, snippet: String| {
-        Completion::new(ItemKind::Snippet, text)
-            .snippet(snippet)
-            .rank(2)
-    };
     let mut items = Vec::new();
     if wanted.takes_uris() {
-        items.push(item("package://".to_owned(), "package://$1".to_owned()));
+        items.push(beginning(
+            "package://".to_owned(),
+            "package://$1".to_owned(),
+        ));
         items.extend(
-            own.iter()
-                .map(|name| item(format!("package://{name}/"), format!("package://{name}/$1"))),
+            own.iter().map(|name| {
+                beginning(format!("package://{name}/"), format!("package://{name}/$1"))
+            }),
         );
     }
     items.extend(own.iter().map(|name| {
         let text = format!("$(find {name})/");
         let lead = if wanted.takes_uris() { "file://" } else { "" };
-        item(
+        beginning(
             format!("{lead}{text}"),
             format!("{lead}{}$1", escaped(&text)),
         )
     }));
-    items.push(item("$(find )/".to_owned(), "\\$(find $1)/$2".to_owned()));
+    items.push(beginning(
+        "$(find )/".to_owned(),
+        "\\$(find $1)/$2".to_owned(),
+    ));
     items
+}
+
+fn beginning(text: String, snippet: String) -> Completion {
+    Completion::new(ItemKind::Snippet, text)
+        .snippet(snippet)
+        .rank(2)
 }
 
 /// A number of bytes for people.

@@ -121,8 +121,6 @@ impl<'a> Scope<'a> {
                 open.extend(scope.add(&path, namespace));
             }
         }
-        let known =
-            |scope: &Self, path: &Path| scope.files.iter().any(|file| *file.source.path == *path);
         let read = sources
             .expansions
             .iter()
@@ -131,7 +129,7 @@ impl<'a> Scope<'a> {
         for path in [own.to_path_buf()].into_iter().chain(read) {
             let mut open = vec![path];
             while let Some(path) = open.pop() {
-                if !known(&scope, &path) && scope.files.len() < Self::MOST_FILES {
+                if !scope.has(&path) && scope.files.len() < Self::MOST_FILES {
                     open.extend(
                         scope
                             .add(&path, String::new())
@@ -142,6 +140,10 @@ impl<'a> Scope<'a> {
             }
         }
         scope
+    }
+
+    fn has(&self, path: &Path) -> bool {
+        self.files.iter().any(|file| *file.source.path == *path)
     }
 
     /// The root element of files such as the edited one.

@@ -166,19 +166,20 @@ fn positions(scope: &Scope<'_>, tag: Node<'_>) -> Vec<Completion> {
     let kind = joint.and_then(Joint::joint_type);
     let range = joint.and_then(|joint| joint.limit.as_ref()?.range());
     let range = range.filter(|_| matches!(kind, Some(JointType::Revolute | JointType::Prismatic)));
-    let item = |value: f64, note: &str, rank: u8| {
-        Completion::new(ItemKind::Choice, format!("{value}"))
-            .note(note)
-            .rank(rank)
-    };
     let zero = range.is_none_or(|(lower, upper)| lower <= 0.0 && 0.0 <= upper);
-    let mut found: Vec<Completion> = zero.then(|| item(0.0, "", 0)).into_iter().collect();
+    let mut found: Vec<Completion> = zero.then(|| position(0.0, "", 0)).into_iter().collect();
     found.extend(range.into_iter().flat_map(|(lower, upper)| {
         [
-            item(lower, "lower limit", 1),
-            item((lower + upper) / 2.0, "middle", 2),
-            item(upper, "upper limit", 3),
+            position(lower, "lower limit", 1),
+            position((lower + upper) / 2.0, "middle", 2),
+            position(upper, "upper limit", 3),
         ]
     }));
     found
+}
+
+fn position(value: f64, note: &str, rank: u8) -> Completion {
+    Completion::new(ItemKind::Choice, format!("{value}"))
+        .note(note)
+        .rank(rank)
 }

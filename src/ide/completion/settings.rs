@@ -44,9 +44,11 @@ pub fn completions_in_settings(
         Wanted::Limit => limit_keys(sources, &word.around),
     };
     let typed = word.range.slice(text);
-    // of the names of this file, what is typed is none
-    let is_typed = |item: &Completion| item.kind == ItemKind::Controller && item.label == typed;
-    items.retain(|item| !word.taken.contains(&item.label) && !is_typed(item));
+    items.retain(|item| {
+        // of the names of this file, what is typed is none
+        let is_typed = item.kind == ItemKind::Controller && item.label == typed;
+        !is_typed && !word.taken.contains(&item.label)
+    });
     if word.is_key && !word.has_colon {
         items
             .iter_mut()
@@ -245,8 +247,7 @@ fn limit_keys(sources: &BesideSources<'_>, joint: &str) -> Vec<Completion> {
         .iter()
         .find_map(|(_, robot)| robot.joint(joint));
     let limit = joint.and_then(|joint| joint.limit.as_ref());
-    let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
-    let velocity = limit.and_then(|limit| number(&limit.velocity));
+    let velocity = limit.and_then(|limit| limit.velocity.as_ref()?.number());
     let range = limit.and_then(|limit| limit.range());
     let values = [
         ("max_velocity", velocity),

@@ -23,12 +23,8 @@ pub struct Signature {
 /// The signature of the call that is typed at `offset`: of a macro in a start tag, of a function in an expression.
 pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
     let typed = typed(&scope.sources.source.document, offset);
-    let of_function = || match unclosed(typed.before)? {
-        Unclosed::Code { code, .. } => of_code(code),
-        Unclosed::Substitution(_) | Unclosed::Dollar => None,
-    };
     match &typed.what {
-        Typing::Value(tag, name) => of_function().or_else(|| {
+        Typing::Value(tag, name) => of_function(typed.before).or_else(|| {
             let info = scope.called(tag.name())?;
             Some(of_macro(&info, position(&info, name)))
         }),
@@ -37,8 +33,16 @@ pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
             let active = next(&info, &typed);
             Some(of_macro(&info, active))
         }
-        Typing::Content => of_function(),
+        Typing::Content => of_function(typed.before),
         _ => None,
+    }
+}
+
+/// The signature of a function that is called at the end of a text.
+fn of_function(before: &str) -> Option<Signature> {
+    match unclosed(before)? {
+        Unclosed::Code { code, .. } => of_code(code),
+        Unclosed::Substitution(_) | Unclosed::Dollar => None,
     }
 }
 
@@ -56,15 +60,16 @@ fn next(info: &MacroInfo, typed: &Typed<'_>) -> Option<u32> {
     if let Some(place) = position(info, &word) {
         return Some(place);
     }
-    let free = || {
-        info.params
-            .iter()
-            .filter(|param| !param.is_block() && !typed.has_attr(&param.name))
-    };
-    let begun = free().find(|param| !word.is_empty() && param.name.starts_with(&word));
+    let mut free = info
+        .params
+        .iter()
+        .filter(|param| !param.is_block() && !typed.has_attr(&param.name));
+    let begun = free
+        .clone()
+        .find(|param| !word.is_empty() && param.name.starts_with(&word));
     let wanted = begun
-        .or_else(|| free().find(|param| is_required(param)))
-        .or_else(|| free().next())?;
+        .or_else(|| free.clone().find(|param| is_required(param)))
+        .or_else(|| free.next())?;
     position(info, &wanted.name)
 }
 

@@ -3,7 +3,7 @@
 use super::item::{Completion, Completions, ItemKind};
 use super::scope::Scope;
 use crate::typed::Typed;
-use workspace::Step;
+use workspace::{Entry, Step};
 
 /// The commands, what each needs, and what it gives.
 const COMMANDS: &[(&str, &str, &str)] = &[
@@ -82,14 +82,13 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
         .containing(&scope.sources.source.path)
         .map(|package| package.name);
     let all = scope.sources.packages.all(&scope.sources.source.path);
-    let is_there = |name: &String| all.iter().any(|entry| entry.name == *name);
     let declared = scope
         .sources
         .packages
         .declared(&scope.sources.source.path)
         .into_iter();
     let missing: Vec<Completion> = declared
-        .filter(|name| !is_there(name))
+        .filter(|name| !has(&all, name))
         .map(|name| {
             Completion::new(ItemKind::Package, name)
                 .note("named in package.xml, not found")
@@ -98,7 +97,7 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
         .collect();
     let mentioned = mentioned(scope)
         .into_iter()
-        .filter(|(name, _)| !is_there(name));
+        .filter(|(name, _)| !has(&all, name));
     let mentioned: Vec<Completion> = mentioned
         .map(|(name, file)| {
             Completion::new(ItemKind::Package, name)
@@ -123,6 +122,10 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
         .chain(missing)
         .chain(mentioned)
         .collect()
+}
+
+fn has(packages: &[Entry], name: &str) -> bool {
+    packages.iter().any(|entry| entry.name == name)
 }
 
 /// The packages that descriptions in the folder of the file find, with the name of the first such file. What is typed is none.

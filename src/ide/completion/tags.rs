@@ -35,16 +35,14 @@ pub(super) fn spec_of(scope: &Scope<'_>, names: &[&str]) -> Option<&'static Elem
 
 /// The element of a name, when it is the same wherever it stands, as `origin` is.
 fn only(name: &str) -> Option<&'static ElementSpec> {
-    let names = |spec: &ElementSpec| {
-        spec.attributes
-            .iter()
-            .map(|attribute| attribute.name)
-            .collect::<Vec<_>>()
-    };
     let mut all = elements().filter(|spec| spec.name == name);
     let first = all.next()?;
-    all.all(|other| names(other) == names(first) && other.key == first.key)
+    all.all(|other| attribute_names(other).eq(attribute_names(first)) && other.key == first.key)
         .then_some(first)
+}
+
+fn attribute_names(spec: &ElementSpec) -> impl Iterator<Item = &'static str> {
+    spec.attributes.iter().map(|attribute| attribute.name)
 }
 
 /// Which macros are the nearest: those that the file calls already or includes by itself, then those of its folder.
@@ -105,25 +103,20 @@ pub(super) fn tags(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str) -> Completi
     {
         items.extend(whole_elements());
     }
-    let is_transparent = |name: &str| matches!(name, "xacro:if" | "xacro:unless");
     let around = typed
         .open
         .iter()
         .rev()
-        .find(|open| !is_transparent(open.name()));
+        .find(|open| !matches!(open.name(), "xacro:if" | "xacro:unless"));
     if let Some(around) =
         around.filter(|open| !open.name().starts_with("xacro:") && open.name() != "robot")
     {
         // what the schema knows was offered, or is there and stands there once
         let parent = parent_of(scope, typed);
-        let is_known = |name: &str| parent.is_some_and(|parent| parent.child(name).is_some());
-        let further = learned::children(scope, typed, around.name()).into_iter();
+        let mut further = learned::children(scope, typed, around.name());
+        further.retain(|item| parent.is_none_or(|parent| parent.child(&item.label).is_none()));
         let rank = if parent.is_some() { 4 } else { 2 };
-        items.extend(
-            further
-                .filter(|item| !is_known(&item.label))
-                .map(|item| item.rank(rank)),
-        );
+        items.extend(further.into_iter().map(|item| item.rank(rank)));
     }
     items.extend(DIRECTIVES.iter().map(|directive| {
         Completion::new(ItemKind::Directive, directive.name)
@@ -189,14 +182,15 @@ fn children(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
         };
     };
     let siblings = typed.siblings();
-    let is_there = |name: &str| siblings.contains(&name);
-    let shape_is_there =
-        parent.name == "geometry" && parent.children().any(|shape| is_there(shape.name));
+    let shape_is_there = parent.name == "geometry"
+        && parent
+            .children()
+            .any(|shape| siblings.contains(&shape.name));
     let free = parent
         .children()
-        .filter(|spec| spec.repeats || !(shape_is_there || is_there(spec.name)));
+        .filter(|spec| spec.repeats || !(shape_is_there || siblings.contains(&spec.name)));
     free.map(|spec| {
-        let missing = parent.required.contains(&spec.name) && !is_there(spec.name);
+        let missing = parent.required.contains(&spec.name) && !siblings.contains(&spec.name);
         element(spec)
             .rank(if missing { 0 } else { 3 })
             .note(if missing { "required" } else { "" })
@@ -206,15 +200,14 @@ fn children(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
 
 /// All elements of URDF, for places where nothing says which.
 fn anything() -> Vec<Completion> {
-    let common = |spec: &&ElementSpec| {
-        matches!(
-            spec.name,
-            "origin" | "link" | "joint" | "inertial" | "geometry"
-        )
-    };
     elements()
         .filter(|spec| spec.name != robot().name)
-        .map(|spec| element(spec).rank(if common(&spec) { 4 } else { 5 }))
+        .map(|spec| {
+            element(spec).rank(match spec.name {
+                "origin" | "link" | "joint" | "inertial" | "geometry" => 4,
+                _ => 5,
+            })
+        })
         .collect()
 }
 
@@ -286,10 +279,9 @@ fn whole(spec: &'static ElementSpec, indent: &str, places: &mut Places) -> Strin
 /// Whether people write an attribute nearly always.
 fn is_usual(spec: &ElementSpec, attribute: &AttributeSpec) -> bool {
     let any_required = spec.attributes.iter().any(|attribute| attribute.required);
-    let limit = || matches!(attribute.name, "lower" | "upper" | "effort" | "velocity");
     match spec.name {
         "robot" | "link" | "visual" | "collision" => attribute.required,
-        "limit" => limit(),
+        "limit" => matches!(attribute.name, "lower" | "upper" | "effort" | "velocity"),
         _ => {
             attribute.required
                 || !any_required && (attribute.default.is_some() || spec.attributes.len() == 1)

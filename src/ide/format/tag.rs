@@ -18,12 +18,11 @@ struct Layout {
 impl Writer<'_> {
     /// A start tag: attributes with one blank between them, or below each other.
     pub(super) fn start_tag(&mut self, element: Node<'_>, piece: &Piece<'_>) {
-        let shift = |range: TextRange| range.shift(piece.base);
         let layout = self.layout(element, piece);
-        self.keep(shift(element.name_range()).end);
+        self.keep(element.name_range().shift(piece.base).end);
         let count = element.attrs().len();
         for (number, attr) in element.attrs().enumerate() {
-            let name = shift(attr.name_range());
+            let name = attr.name_range().shift(piece.base);
             let gap = TextRange::new(self.at, name.start).slice(self.text);
             let closer = if number + 1 < count {
                 0

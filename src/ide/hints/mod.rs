@@ -6,7 +6,7 @@ use super::context::Cx;
 use super::expressions::ExprText;
 use super::values::cut;
 use base::{Encoding, FastMap, TextRange};
-use expand::{DefinitionId, SourceRange, SymbolKind, UseKind};
+use expand::{DefinitionId, SymbolKind, UseKind};
 use values::Values;
 use xml::{Document, Node, NodeKind};
 
@@ -113,9 +113,11 @@ fn calls(cx: &Cx<'_>) -> FastMap<u32, DefinitionId> {
         .symbols
         .all_uses()
         .filter(|used| used.kind == UseKind::Call);
-    let end = |place: SourceRange| Some(place.range.end + bases.get(&place.src)?);
     calls
-        .filter_map(|used| Some((end(used.place)?, used.definition)))
+        .filter_map(|used| {
+            let base = bases.get(&used.place.src)?;
+            Some((used.place.range.end + base, used.definition))
+        })
         .collect()
 }
 
@@ -146,8 +148,9 @@ fn end_name(document: &Document, base: u32, node: Node<'_>, most: usize) -> Opti
         .map(|name| name.raw())
         .filter(|name| !name.is_empty())?;
     let range = node.range().shift(base);
-    let line = |offset| document.line_col(offset, Encoding::Utf8).line;
-    if line(range.end) - line(range.start) < FAR {
+    let [first, last] =
+        [range.start, range.end].map(|offset| document.line_col(offset, Encoding::Utf8).line);
+    if last - first < FAR {
         return None;
     }
     Some(Hint {

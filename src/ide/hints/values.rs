@@ -7,7 +7,7 @@ use crate::schema;
 use crate::values::{cut, distinct, instances, short};
 use base::{Encoding, LineCol, TextRange};
 use expr::{self, Code, Subst, Token, Value, parse_substitution};
-use xml::{Attr, Node};
+use xml::{Attr, Document, Node};
 
 /// The values of a file, collected.
 pub(super) struct Values<'a> {
@@ -118,14 +118,13 @@ impl<'a> Values<'a> {
     /// The hints: where a line has several values, one at its end that names the attributes.
     pub(super) fn finish(self) -> Vec<Hint> {
         let document = &self.cx.source.document;
-        let line_of = |found: &Found| document.line_col(found.hint.offset, Encoding::Utf8).line;
         let mut found = self.found;
         found.sort_by_key(|found| found.hint.offset);
-        let lines = found.chunk_by(|a, b| line_of(a) == line_of(b));
+        let lines = found.chunk_by(|a, b| line_of(document, a) == line_of(document, b));
         let hint = |values: &[Found]| match values {
             [one] => Some(one.hint.clone()),
             [first, ..] => {
-                let line = line_of(first);
+                let line = line_of(document, first);
                 let col = document.line_text(line).trim_end().len() as u32;
                 let offset = document.offset(LineCol { line, col }, Encoding::Utf8);
                 Some(Hint {
@@ -138,6 +137,10 @@ impl<'a> Values<'a> {
         };
         lines.filter_map(hint).collect()
     }
+}
+
+fn line_of(document: &Document, found: &Found) -> u32 {
+    document.line_col(found.hint.offset, Encoding::Utf8).line
 }
 
 /// `xyz = 0.1 0.3; rpy = 1.571 (90°)`

@@ -248,17 +248,10 @@ fn xacro_tag(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>, tag: &str) -> Option<Page
 fn condition_line(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<String> {
     let truths = condition(cx, at.base, node)?;
     let wanted = node.name() == "xacro:if";
-    let words = |truth: bool| {
-        let kept = if truth == wanted {
-            "the content is included"
-        } else {
-            "the content is excluded"
-        };
-        format!("now {}: {kept}", if truth { "true" } else { "false" })
-    };
     match truths.as_slice() {
         [] => None,
-        [Some(truth)] => Some(words(*truth)),
+        [Some(truth)] if *truth == wanted => Some(format!("now {truth}: the content is included")),
+        [Some(truth)] => Some(format!("now {truth}: the content is excluded")),
         [None] => Some("now `?`: the condition is unknown".to_owned()),
         _ => Some("true in some calls, false in others".to_owned()),
     }

@@ -122,19 +122,14 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     if given.is_empty() {
         return None;
     }
-    let of_it = |text: &Text| {
+    let mut names: Vec<Text> = robot_names(cx).into_iter().map(|(text, _)| text).collect();
+    names.retain(|text| {
         values.contains(&text.value.as_str())
             && text
                 .reads(cx.expansion, 0..text.value.len())
                 .any(|read| given.contains(&read))
-    };
-    Some(
-        robot_names(cx)
-            .into_iter()
-            .map(|(text, _)| text)
-            .filter(|text| of_it(text))
-            .collect(),
-    )
+    });
+    Some(names)
 }
 
 fn link_page(
@@ -196,15 +191,14 @@ fn made_by(cx: &Cx<'_>, frame: expand::FrameId, page: &mut Page) {
 /// `desk → pan → pan_body`
 fn chain(robot: &Robot, kinematics: &Kinematics, link: usize) -> String {
     const MOST_STEPS: usize = 8;
-    let name = |link: usize| robot.links.get(link).map_or("?", |link| link.shown());
-    let mut parts = vec![name(link)];
+    let mut parts = vec![link_name(robot, link)];
     let joints: Vec<usize> = kinematics.above(link).collect();
     for joint in joints.iter().take(MOST_STEPS) {
         parts.push(robot.joints.get(*joint).map_or("?", |joint| joint.shown()));
         parts.push(
             kinematics
                 .ends(*joint)
-                .map_or("?", |(parent, _)| name(parent)),
+                .map_or("?", |(parent, _)| link_name(robot, parent)),
         );
     }
     if joints.len() > MOST_STEPS {
@@ -214,23 +208,23 @@ fn chain(robot: &Robot, kinematics: &Kinematics, link: usize) -> String {
     parts.join(" → ")
 }
 
+fn link_name(robot: &Robot, link: usize) -> &str {
+    robot.links.get(link).map_or("?", |link| link.shown())
+}
+
 fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
     let kind = joint.kind.as_ref().map_or("?", |kind| kind.value.as_str());
     page.add(format!("**joint** {} ({kind})", code(joint.shown())));
-    let end = |text: &Option<Text>| {
+    let [parent, child] = [&joint.parent, &joint.child].map(|text| {
         text.as_ref()
             .and_then(|text| text.name())
             .map_or("?".to_owned(), ToString::to_string)
-    };
-    page.add(code(&format!(
-        "{} → {}",
-        end(&joint.parent),
-        end(&joint.child)
-    )));
+    });
+    page.add(code(&format!("{parent} → {child}")));
     let known = JointType::of(kind);
     if known.is_some_and(JointType::has_axis) {
         page.add(axis(joint).map_or("axis ?".to_owned(), |axis| {
-            format!("axis {} of {}", code(&axis), code(&end(&joint.parent)))
+            format!("axis {} of {}", code(&axis), code(&parent))
         }));
     }
     page.add(limits(joint, known).unwrap_or_default());
@@ -268,13 +262,6 @@ fn axis(joint: &Joint) -> Option<String> {
 /// The range, effort and velocity of a joint in one line.
 pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option<String> {
     let limit = joint.limit.as_ref()?;
-    let number = |text: &Option<Text>, unit: &str| {
-        let text = text.as_ref()?;
-        let number = text
-            .number()
-            .map_or("?".to_owned(), super::super::values::number_text);
-        Some(format!("{number} {unit}"))
-    };
     let turns = !matches!(kind, Some(JointType::Prismatic));
     let range = match (kind, limit.range()) {
         (Some(JointType::Continuous), _) => Some("unlimited".to_owned()),
@@ -293,8 +280,17 @@ pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option
         )),
         _ => None,
     };
-    let effort = number(&limit.effort, if turns { "N·m" } else { "N" });
-    let velocity = number(&limit.velocity, if turns { "rad/s" } else { "m/s" });
+    let effort = quantity(&limit.effort, if turns { "N·m" } else { "N" });
+    let velocity = quantity(&limit.velocity, if turns { "rad/s" } else { "m/s" });
     let parts: Vec<String> = [range, effort, velocity].into_iter().flatten().collect();
     (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// A number with its unit.
+fn quantity(text: &Option<Text>, unit: &str) -> Option<String> {
+    let text = text.as_ref()?;
+    let number = text
+        .number()
+        .map_or("?".to_owned(), super::super::values::number_text);
+    Some(format!("{number} {unit}"))
 }

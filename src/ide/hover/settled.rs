@@ -12,7 +12,7 @@ use super::expression::{function, shown};
 use super::page::{Page, code, count};
 use super::symbols::comment_above;
 use base::{Encoding, FastSet, IdVec};
-use expand::{DefinitionId, FileIdx, SrcId, SymbolKind, UseKind, parse_params};
+use expand::{DefinitionId, FileIdx, Source, SrcId, SymbolKind, UseKind, parse_params};
 use expr::ast::ExprKind;
 use expr::{Value, names};
 use facts::{FactKind, FactsOf, MentionKind, facts_of};
@@ -148,15 +148,13 @@ impl<'a, 'c> Changes<'a, 'c> {
             return None;
         }
         let symbols = &self.cx.expansion.index.symbols;
-        let is_rival = |kind: SymbolKind| {
+        let named = symbols.iter().filter(|(_, known)| known.name == name);
+        let mut given = named.filter(|(_, known)| {
             matches!(
-                kind,
+                known.kind,
                 SymbolKind::Property | SymbolKind::BlockProperty | SymbolKind::Namespace
             )
-        };
-        let mut given = symbols
-            .iter()
-            .filter(|(_, known)| known.name == name && is_rival(known.kind));
+        });
         let Some((id, known)) = given.next() else {
             return Some(None);
         };
@@ -231,21 +229,23 @@ impl<'a, 'c> Changes<'a, 'c> {
 
     /// Whether an item of the expansion is as it was.
     fn is_kept(&self, src: SrcId) -> bool {
-        let is_kept = || {
-            let source = self.cx.expansion.sources.get(src)?;
-            let before = self.cx.expansion.files.get(source.file)?;
-            let now = self.files.get(source.file)?.as_ref()?;
-            Some(Arc::ptr_eq(now, &before.source) || self.kept.contains(&Arc::as_ptr(&source.item)))
-        };
-        is_kept().unwrap_or(false)
+        self.versions(src).is_some_and(|(source, before, now)| {
+            Arc::ptr_eq(now, before) || self.kept.contains(&Arc::as_ptr(&source.item))
+        })
+    }
+
+    /// An item of the expansion, and its file as it was and as it is.
+    fn versions(&self, src: SrcId) -> Option<(&Source, &Arc<SourceFile>, &Arc<SourceFile>)> {
+        let source = self.cx.expansion.sources.get(src)?;
+        let before = self.cx.expansion.files.get(source.file)?;
+        let now = self.files.get(source.file)?.as_ref()?;
+        Some((source, &before.source, now))
     }
 
     /// Where an item of the expansion stands now; none when it was edited.
     fn base_now(&self, src: SrcId) -> Option<u32> {
-        let source = self.cx.expansion.sources.get(src)?;
-        let before = self.cx.expansion.files.get(source.file)?;
-        let now = self.files.get(source.file)?.as_ref()?;
-        if Arc::ptr_eq(now, &before.source) {
+        let (source, before, now) = self.versions(src)?;
+        if Arc::ptr_eq(now, before) {
             return Some(source.base);
         }
         let mut parts = now.document.parts();

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
+use super::super::instances::is_call_of;
 use super::super::locate::At;
 use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
@@ -11,7 +12,7 @@ use super::page::{Page, code, count, plain};
 use crate::rename::definition_at;
 use crate::text_names::{Given, TextNames};
 use base::{Encoding, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Expansion, FrameId, FrameKind, SymbolKind, Use, UseKind};
+use expand::{Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId};
 use expr::Value;
 use rules::RuleEnv;
 use xml::{Node, NodeKind};
@@ -22,7 +23,7 @@ pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
     let definition = cx.expansion.index.symbols.get(id)?;
     Some((
         range,
-        definition_page(cx, id, definition, values_here(cx, at)),
+        definition_page(cx, id, definition, values_here(cx, at).unwrap_or_default()),
     ))
 }
 
@@ -114,13 +115,10 @@ fn noun(kind: SymbolKind) -> &'static str {
 
 /// Something of a name that no evaluation came by.
 pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
-    let valued = |kind| matches!(kind, SymbolKind::Property | SymbolKind::Parameter);
-    let mut named = cx
-        .expansion
-        .index
-        .symbols
-        .iter()
-        .filter(|(_, given)| given.name == name && valued(given.kind));
+    let named = cx.expansion.index.symbols.iter();
+    let mut named = named.filter(|(_, given)| {
+        given.name == name && matches!(given.kind, SymbolKind::Property | SymbolKind::Parameter)
+    });
     let (id, definition) = named.next()?;
     if named.next().is_some() {
         return None;
@@ -129,19 +127,16 @@ pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
 }
 
 /// The values of the name at a place of an expression, in each call.
-fn values_here(cx: &Cx<'_>, at: &At<'_>) -> Vec<Instance> {
-    let find = || {
-        let text = ExprText::at(&cx.source.document, at)?;
-        let token = text.token_at(at.offset)?;
-        let whole = text.range(token.range());
-        let Some((expr, start)) = parsed(token) else {
-            return Some(super::super::values::instances(cx, whole));
-        };
-        let inside = text.offset(at.offset).saturating_sub(start);
-        let path = path_to(expr, inside);
-        Some(part_values(cx, whole, expr, path.last()?))
+fn values_here(cx: &Cx<'_>, at: &At<'_>) -> Option<Vec<Instance>> {
+    let text = ExprText::at(&cx.source.document, at)?;
+    let token = text.token_at(at.offset)?;
+    let whole = text.range(token.range());
+    let Some((expr, start)) = parsed(token) else {
+        return Some(super::super::values::instances(cx, whole));
     };
-    find().unwrap_or_default()
+    let inside = text.offset(at.offset).saturating_sub(start);
+    let path = path_to(expr, inside);
+    Some(part_values(cx, whole, expr, path.last()?))
 }
 
 fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<Instance>) -> Page {
@@ -267,12 +262,9 @@ pub fn declared_argument(
     expansion: &Expansion,
     name: &str,
 ) -> Option<(Option<String>, Option<String>)> {
-    let own = |given: &Definition| given.kind == SymbolKind::Argument && given.name == name;
-    let (id, _) = expansion
-        .index
-        .symbols
-        .iter()
-        .find(|(_, given)| own(given))?;
+    let mut given = expansion.index.symbols.iter();
+    let (id, _) =
+        given.find(|(_, given)| given.kind == SymbolKind::Argument && given.name == name)?;
     let element = element(expansion, id)?;
     let default = element
         .attr("default")
@@ -405,32 +397,20 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
     let Some(robot) = cx.robot else {
         return String::new();
     };
-    let of_macro = |frame: &expand::Frame| {
-        frame.kind == FrameKind::Macro
-            && frame
-                .definition
-                .is_some_and(|at| expand::SourceRange::from(at) == definition.place)
-    };
     let calls: FastSet<FrameId> = cx
         .expansion
         .frames
         .iter_ids()
-        .filter(|(_, f)| of_macro(f))
-        .map(|(i, _)| i)
+        .filter(|(_, frame)| is_call_of(frame, definition))
+        .map(|(id, _)| id)
         .collect();
     if calls.is_empty() {
         return "never called".to_owned();
     }
-    let tree = &cx.expansion.tree;
-    let made = |element: expand::XId| {
-        cx.expansion
-            .frames_of(tree.get(element).origin)
-            .filter(|frame| of_macro(frame))
-            .count()
-            .min(1)
-    };
-    let links: usize = robot.links.iter().map(|link| made(link.element)).sum();
-    let joints: usize = robot.joints.iter().map(|joint| made(joint.element)).sum();
+    let links = robot.links.iter().map(|link| link.element);
+    let links = links.filter(|id| is_made_by(cx, *id, definition)).count();
+    let joints = robot.joints.iter().map(|joint| joint.element);
+    let joints = joints.filter(|id| is_made_by(cx, *id, definition)).count();
     match (links % calls.len(), joints % calls.len()) {
         (0, 0) => {
             let (links, joints) = (links / calls.len(), joints / calls.len());
@@ -453,6 +433,13 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
             )
         }
     }
+}
+
+/// Whether a call of the macro made an element.
+fn is_made_by(cx: &Cx<'_>, element: XId, definition: &Definition) -> bool {
+    cx.expansion
+        .frames_of(cx.expansion.tree.get(element).origin)
+        .any(|frame| is_call_of(frame, definition))
 }
 
 fn block_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> Page {

@@ -227,8 +227,10 @@ impl TextNames {
 
     /// The name at an offset of a file, and what it means.
     pub fn at(&self, file: FileId, offset: u32) -> Option<(Span, Meaning<'_>)> {
-        let here = |span: Span| span.file == file && span.range.touches(offset);
-        if let Some(given) = self.given.iter().find(|given| here(given.span)) {
+        let mut given = self.given.iter();
+        if let Some(given) =
+            given.find(|given| given.span.file == file && given.span.range.touches(offset))
+        {
             return Some((given.span, Meaning::One(given)));
         }
         let used = self.use_at(file, offset)?;

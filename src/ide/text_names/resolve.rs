@@ -172,14 +172,15 @@ impl TextNames {
         if used.lazy_in.is_some() {
             // it is evaluated later, when others may have been defined; those in front of a sure one are gone
             let end = self.last_use(used);
-            let is_late =
-                |id: &GivenId| in_scope(id) && given(id).is_some_and(|own| own.order >= end);
-            let is_gone = |id: &GivenId| own.contains_key(id) && !later(id) || is_late(id);
-            let left = found.into_iter().filter(|id| !is_gone(id));
+            let left = found.into_iter().filter(|id| {
+                let is_gone = own.contains_key(id) && !later(id)
+                    || in_scope(id) && given(id).is_some_and(|own| own.order >= end);
+                !is_gone
+            });
             return self.at_the_calls(used, left.collect());
         }
-        let own_file = |id: &GivenId| given(id).is_some_and(|own| own.span.file == used.span.file);
-        if !last.is_some_and(|(id, _)| own_file(id)) {
+        let last_given = last.and_then(|(id, _)| given(id));
+        if last_given.is_none_or(|last| last.span.file != used.span.file) {
             let all = found.iter().copied().filter(in_scope).collect();
             if let Some(found) = self.at_each_reading(used, &all) {
                 return found;
@@ -344,18 +345,13 @@ impl TextNames {
             .iter()
             .filter_map(|place| groups.of_place(*place))
             .collect();
-        let is_in = |span: Span| {
-            groups
-                .of_place(span)
-                .is_some_and(|group| wanted.contains(&group))
-        };
         let mut found = Vec::new();
         for given in self
             .given
             .iter()
             .filter(|given| names.contains(&given.name))
         {
-            if is_in(given.span) {
+            if groups.has(&wanted, given.span) {
                 found.push(NameText {
                     span: given.span,
                     is_definition: true,
@@ -364,7 +360,8 @@ impl TextNames {
             }
         }
         for used in self.used.iter().filter(|used| names.contains(&used.name)) {
-            if is_in(used.span) && !found.iter().any(|known| known.span == used.span) {
+            if groups.has(&wanted, used.span) && !found.iter().any(|known| known.span == used.span)
+            {
                 found.push(NameText {
                     span: used.span,
                     is_definition: false,
@@ -378,26 +375,25 @@ impl TextNames {
     /// Where a name would mean something else if those at some places were called `new`.
     pub fn clash(&self, places: &[Span], new: &str) -> Option<Span> {
         let new: EcoString = new.into();
-        let is_own = |span: &Span| places.contains(span);
         let group: Vec<GivenId> = self
             .given
             .iter_ids()
-            .filter(|(_, given)| is_own(&given.span))
+            .filter(|(_, given)| places.contains(&given.span))
             .map(|(id, _)| id)
             .collect();
         let class = Class::of(self.given.get(*group.first()?)?.kind);
         let others = self.named(class, &new);
         let both: Vec<GivenId> = group.iter().chain(others).copied().collect();
-        let is_other = |used: &Used| {
+        let of_class = self.used.iter().filter(|used| used.class == class);
+        let mut asked = of_class.filter(|used| places.contains(&used.span) || used.name == new);
+        let other = asked.find(|used| {
             let meant = self.among(&both, used, None);
-            match is_own(&used.span) {
+            match places.contains(&used.span) {
                 true => meant.iter().any(|id| others.contains(id)),
                 false => meant.iter().any(|id| group.contains(id)),
             }
-        };
-        let of_class = self.used.iter().filter(|used| used.class == class);
-        let mut asked = of_class.filter(|used| is_own(&used.span) || used.name == new);
-        asked.find(|used| is_other(used)).map(|used| used.span)
+        });
+        other.map(|used| used.span)
     }
 
     fn names_at(&self, places: &[Span]) -> FastSet<EcoString> {
@@ -451,5 +447,11 @@ impl Groups {
 
     fn of_place(&self, place: Span) -> Option<GivenId> {
         self.places.get(&place).map(|&id| self.root(id))
+    }
+
+    /// Whether a place is in one of some groups.
+    fn has(&self, groups: &FastSet<GivenId>, place: Span) -> bool {
+        self.of_place(place)
+            .is_some_and(|group| groups.contains(&group))
     }
 }

@@ -29,8 +29,7 @@ impl TextNames {
         }
         let given = |id: &GivenId| self.given.get(*id);
         let (first, last) = self.time(used.order, &used.scopes);
-        let before = |id: &GivenId, time: u32| given(id).is_some_and(|given| given.order < time);
-        let sure = found.iter().filter(|id| before(id, first));
+        let sure = found.iter().filter(|id| self.is_before(**id, first));
         let at = Seen {
             order: first,
             ..used.seen()
@@ -41,8 +40,12 @@ impl TextNames {
         };
         found
             .into_iter()
-            .filter(|id| before(id, last) && !before(id, since))
+            .filter(|&id| self.is_before(id, last) && !self.is_before(id, since))
             .collect()
+    }
+
+    fn is_before(&self, id: GivenId, time: u32) -> bool {
+        self.given.get(id).is_some_and(|given| given.order < time)
     }
 
     /// When the value that a use stands in is evaluated at the latest: when the property is last used, as far as that happens in
@@ -128,19 +131,21 @@ impl TextNames {
             .filter_map(given)
             .filter(|given| !given.is_in_body && !given.handed_out)
             .collect();
-        let is_hidden = |given: &Given| {
-            let hides = |other: &&&Given| {
-                other.scopes == given.scopes && (given.order + 1..first).contains(&other.order)
-            };
-            let mut later = outside.iter().filter(hides);
-            later.any(|other| self.is_sure(other, at))
-        };
         let counts = |given: &Given| {
             let is_outside = outside.iter().any(|other| other.span == given.span);
-            !is_outside || given.order < last && !is_hidden(given)
+            !is_outside || given.order < last && !self.is_hidden(given, &outside, at)
         };
         let counting = |id: &GivenId| given(id).is_some_and(counts);
         found.iter().copied().filter(counting).collect()
+    }
+
+    /// Whether a later one of some definitions in the same scope is sure to count instead.
+    fn is_hidden(&self, given: &Given, all: &[&Given], at: Seen) -> bool {
+        let later = given.order + 1..at.order;
+        let mut hiding = all
+            .iter()
+            .filter(|other| other.scopes == given.scopes && later.contains(&other.order));
+        hiding.any(|other| self.is_sure(other, at))
     }
 
     /// Whether a scope is that of a macro with known calls.

@@ -45,36 +45,35 @@ impl TextNames {
 
     /// The innermost macro that a text stands in, with its element.
     fn macro_around(&self, at: Span) -> Option<(GivenId, Span)> {
-        let holds = |whole: Span| {
-            whole.file == at.file
-                && whole.range.start < at.range.start
-                && at.range.end <= whole.range.end
-        };
         let macros = self
             .given
             .iter_ids()
             .filter(|(_, given)| given.kind == SymbolKind::Macro);
         let around = macros
-            .filter(|(_, given)| holds(given.whole))
-            .map(|(id, given)| (id, given.whole));
+            .map(|(id, given)| (id, given.whole))
+            .filter(|(_, whole)| {
+                whole.file == at.file
+                    && whole.range.start < at.range.start
+                    && at.range.end <= whole.range.end
+            });
         around.min_by_key(|(_, whole)| whole.range.len())
     }
 
     /// The call of a macro that the fewest conditions stand around.
     fn call_of(&self, documents: Documents<'_>, of: GivenId, whole: Span) -> Option<Span> {
         let name = &self.given.get(of)?.name;
-        let is_outside =
-            |span: Span| span.file != whole.file || !whole.range.contains_range(span.range);
         let calls = self
             .used
             .iter()
             .filter(|used| used.class == Class::Macro && !used.is_end);
-        let calls = calls.filter(|used| used.name == *name && is_outside(used.span));
-        let calls = calls.filter(|used| self.macros(&used.called(), &used.scopes).contains(&of));
-        let around = |span: Span| {
+        let calls = calls.filter(|used| used.name == *name);
+        let outside = calls.filter(|used| {
+            used.span.file != whole.file || !whole.range.contains_range(used.span.range)
+        });
+        let calls = outside.filter(|used| self.macros(&used.called(), &used.scopes).contains(&of));
+        calls.map(|used| used.span).min_by_key(|span| {
             documents(span.file).map_or(0, |file| conditions(&file.document, span.range).len())
-        };
-        calls.map(|used| used.span).min_by_key(|span| around(*span))
+        })
     }
 }
 
@@ -123,12 +122,10 @@ pub fn further_places(
                 file,
                 range: attr.value_range().shift(base),
             });
-            let is_known = |span: &Span| {
-                known
-                    .iter()
-                    .any(|known| known.file == file && span.range.contains_range(known.range))
-            };
-            found.extend(spans.filter(|span| !is_known(span)));
+            found.extend(spans.filter(|span| {
+                let mut known = known.iter();
+                !known.any(|known| known.file == file && span.range.contains_range(known.range))
+            }));
         }
     }
     found

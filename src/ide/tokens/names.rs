@@ -3,7 +3,7 @@
 use super::super::context::Cx;
 use super::{Modifiers, TokenKind};
 use base::{FastMap, FastSet, TextRange};
-use expand::{SourceRange, SymbolKind};
+use expand::SymbolKind;
 use expr::{SymbolKind as GlobalKind, global_symbols};
 use xml::Node;
 
@@ -21,18 +21,14 @@ impl Names {
         let symbols = &cx.expansion.index.symbols;
         let mut known = FastMap::default();
         let bases = cx.bases();
-        let mut note = |place: SourceRange, kind: SymbolKind| {
+        let given = symbols.definitions.iter();
+        let given = given.map(|given| (given.place, given.kind));
+        let used = symbols
+            .all_uses()
+            .filter_map(|used| Some((used.place, symbols.get(used.definition)?.kind)));
+        for (place, kind) in given.chain(used) {
             if let Some(base) = bases.get(&place.src) {
                 known.insert(place.range.shift(*base), kind);
-            }
-        };
-        symbols
-            .definitions
-            .iter()
-            .for_each(|given| note(given.place, given.kind));
-        for used in symbols.all_uses() {
-            if let Some(given) = symbols.get(used.definition) {
-                note(used.place, given.kind);
             }
         }
         let properties = symbols

@@ -76,12 +76,6 @@ impl Collector<'_> {
 
     /// What the value of an attribute names.
     fn value_kind(&self, node: Node<'_>, attr: Attr<'_>) -> Option<(TokenKind, Modifiers)> {
-        let parent = || node.parent().map_or("", Node::name);
-        let is_joint = || {
-            self.cx
-                .robot
-                .is_some_and(|robot| robot.joint(attr.raw()).is_some())
-        };
         Some(match (node.name(), attr.name()) {
             ("xacro:macro", "name") => (TokenKind::Macro, GIVEN),
             ("xacro:property", "name") => {
@@ -100,11 +94,9 @@ impl Collector<'_> {
             ("xacro:insert_block", "name") => (TokenKind::Parameter, PLAIN),
             ("link", "name") => (TokenKind::Class, GIVEN),
             ("parent" | "child", "link") => (TokenKind::Class, PLAIN),
-            ("gazebo", "reference") if is_joint() => (TokenKind::Event, PLAIN),
+            ("gazebo", "reference") if self.is_joint(attr.raw()) => (TokenKind::Event, PLAIN),
             ("gazebo", "reference") => (TokenKind::Class, PLAIN),
-            ("joint", "name") if parent() == "ros2_control" || parent() == "transmission" => {
-                (TokenKind::Event, PLAIN)
-            }
+            ("joint", "name") if is_in_hardware(node) => (TokenKind::Event, PLAIN),
             ("joint", "name") => (TokenKind::Event, GIVEN),
             ("mimic", "joint") => (TokenKind::Event, PLAIN),
             ("joint", "type") => (TokenKind::EnumMember, PLAIN),
@@ -116,6 +108,13 @@ impl Collector<'_> {
         })
     }
 
+    /// Whether the robot has a joint of the name.
+    fn is_joint(&self, name: &str) -> bool {
+        self.cx
+            .robot
+            .is_some_and(|robot| robot.joint(name).is_some())
+    }
+
     /// The names in the list of parameters of a macro.
     fn parameters(&mut self, text: &ExprText<'_>) {
         for param in parse_params(&text.text).unwrap_or_default() {
@@ -125,4 +124,10 @@ impl Collector<'_> {
             self.add(text.range(range), TokenKind::Parameter, GIVEN);
         }
     }
+}
+
+/// Whether an element tells `ros2_control` or a transmission about a joint.
+fn is_in_hardware(node: Node<'_>) -> bool {
+    let parent = node.parent().map_or("", Node::name);
+    matches!(parent, "ros2_control" | "transmission")
 }

@@ -170,9 +170,8 @@ impl<'a> Typed<'a> {
         let Some(Tag { node, base }) = self.tag else {
             return false;
         };
-        let is_typed = |attr: &xml::Attr<'_>| attr.name_range().shift(base).touches(self.offset);
         node.attrs()
-            .any(|attr| attr.name() == name && !is_typed(&attr))
+            .any(|attr| attr.name() == name && !attr.name_range().shift(base).touches(self.offset))
     }
 
     /// Whether the start tag that is typed has its end.

@@ -63,7 +63,6 @@ impl<'a> Spot<'a> {
     /// Whether the value of the last attribute in front is typed.
     fn is_in_value(&self, attr: Attr<'_>, gap: &str) -> bool {
         let value = attr.value_range();
-        let has_line_end = |text: &str| text.contains(['\n', '\r']);
         let is_here = match value_state(attr) {
             ValueState::Missing | ValueState::Bare => false,
             ValueState::Quoted => self.inside <= value.end,
@@ -124,4 +123,8 @@ fn ends_in_bracket(node: Node<'_>) -> bool {
         .text()
         .get(last.range().end as usize..end as usize);
     matches!(value_state(last), ValueState::Unclosed) && matches!(rest, Some(">" | "/>"))
+}
+
+fn has_line_end(text: &str) -> bool {
+    text.contains(['\n', '\r'])
 }

@@ -339,11 +339,11 @@ impl Reader<'_> {
     ) {
         let entities = Entities::default();
         let text = attr.value(&entities);
-        let at = |offset: u32| source_offset(attr.raw(), &entities, true, offset as usize) as u32;
         for param in parse_params(&text).unwrap_or_default() {
             let name: EcoString = param.name.trim_start_matches('*').into();
-            let start = at(param.range.end - name.len() as u32);
-            let range = TextRange::new(start, at(param.range.end)).shift(attr.value_range().start);
+            let [start, end] = [param.range.end - name.len() as u32, param.range.end]
+                .map(|at| source_offset(attr.raw(), &entities, true, at as usize) as u32);
+            let range = TextRange::new(start, end).shift(attr.value_range().start);
             let kind = if param.is_block() {
                 SymbolKind::BlockParameter
             } else {

@@ -71,14 +71,10 @@ impl Reader<'_> {
         at: At,
         inside: Option<At>,
     ) {
-        let is = |name: &str| {
-            node.attr(name)
-                .is_some_and(|attr| attr.value_range() == site.range)
-        };
         match node.name() {
             // neither is evaluated
-            "xacro:macro" | "xacro:insert_block" if is("name") => {}
-            "xacro:macro" if is("params") => {
+            "xacro:macro" | "xacro:insert_block" if is_value(node, "name", site) => {}
+            "xacro:macro" if is_value(node, "params", site) => {
                 let of = inside.and_then(|inside| match self.names.scopes.get(inside.scope) {
                     Some(Scope::Body(of)) => Some(*of),
                     _ => None,
@@ -98,7 +94,7 @@ impl Reader<'_> {
                 let at_once = node.attr("lazy_eval").is_some() || node.attr("scope").is_some();
                 let own = node.attr("name").map(|name| part.span(name.value_range()));
                 let own = own.and_then(|span| self.known.get(&span).copied());
-                let is_later = !at_once && !is("name");
+                let is_later = !at_once && !is_value(node, "name", site);
                 self.mentions(part, site, at, own.filter(|_| is_later));
             }
             _ => self.mentions(part, site, at, None),
@@ -222,6 +218,12 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// Whether names stand in the attribute of the name.
+fn is_value(node: Node<'_>, name: &str, site: &Site) -> bool {
+    node.attr(name)
+        .is_some_and(|attr| attr.value_range() == site.range)
 }
 
 fn add_scopes(known: &mut Vec<ScopeId>, more: &[ScopeId]) {
