@@ -26,22 +26,15 @@ impl Admission<'_> {
     /// The fixes of these findings that can be made together: all of them, or those of each half that can.
     pub(super) fn of(&self, numbers: &[usize]) -> Admitted {
         let mut good = Vec::new();
-        let of = |wanted: Claim| -> Vec<usize> {
-            let is_it = |number: &usize| {
-                self.report
-                    .findings
-                    .get(*number)
-                    .is_some_and(|found| claim(found) == wanted)
-            };
-            numbers.iter().copied().filter(is_it).collect()
-        };
-        let repairs = of(Claim::Repaired);
+        let repairs = self.claiming(Claim::Repaired, numbers);
         self.add(&mut good, &repairs, self.claim(Claim::Repaired));
         // beside repairs nothing else is proved: it waits for the next round
         let has_time = good.is_empty() || self.most == Safety::Unsafe;
         if has_time {
-            self.add(&mut good, &of(Claim::Same), self.claim(Claim::Same));
-            self.add(&mut good, &of(Claim::Fitted), self.claim(Claim::Fitted));
+            for wanted in [Claim::Same, Claim::Fitted] {
+                let claimed = self.claiming(wanted, numbers);
+                self.add(&mut good, &claimed, self.claim(wanted));
+            }
         }
         let tried = if has_time { numbers } else { &repairs };
         let refused = tried
@@ -50,6 +43,15 @@ impl Admission<'_> {
             .copied()
             .collect();
         Admitted { good, refused }
+    }
+
+    /// The findings among these whose fixes claim this.
+    fn claiming(&self, wanted: Claim, numbers: &[usize]) -> Vec<usize> {
+        let claims = |number: &usize| {
+            let found = self.report.findings.get(*number);
+            found.is_some_and(|found| claim(found) == wanted)
+        };
+        numbers.iter().copied().filter(claims).collect()
     }
 
     fn claim(&self, safe: Claim) -> Claim {

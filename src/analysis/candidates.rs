@@ -1,14 +1,14 @@
 //! The robots of workspaces and what they include: searched for once, for many changes that are tried one after the
 //! other.
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use super::change::Change;
 use super::includes::{self, Reach};
 use super::options::CheckOptions;
 use super::report::Report;
 use super::run_cache::Runs;
-use super::session::Session;
+use super::session::{Session, locked};
 use super::task::Job;
 use base::FastMap;
 use vfs::SourceFile;
@@ -50,7 +50,7 @@ impl Candidates {
 
     /// The jobs of all files below folders.
     fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<Job>> {
-        let mut jobs = self.jobs.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut jobs = locked(&self.jobs);
         if let Some(known) = jobs.get(folders) {
             return known.clone();
         }
@@ -66,14 +66,13 @@ impl Candidates {
     /// What a file may include, as its text is now; none when it cannot be read.
     pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<Reach>> {
         let source = session.vfs.document(file).ok()?;
-        let known = || self.reach.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((of, reach)) = known().get(file)
+        if let Some((of, reach)) = locked(&self.reach).get(file)
             && Arc::ptr_eq(of, &source)
         {
             return Some(reach.clone());
         }
         let reach = Arc::new(includes::reach(&source, &session.packages));
-        known().insert(file.to_owned(), (source, reach.clone()));
+        locked(&self.reach).insert(file.to_owned(), (source, reach.clone()));
         Some(reach)
     }
 }

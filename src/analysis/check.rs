@@ -15,7 +15,7 @@ use super::options::CheckOptions;
 use super::outcome::Outcome;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::root_choice::RootChoice;
-use super::session::Session;
+use super::session::{Session, locked};
 use super::suppress::SuppressionFilter;
 use super::task::{Job, Reason};
 use base::limits::MESSAGE_LETTERS;
@@ -45,8 +45,7 @@ impl Kept {
     }
 
     fn add(&self, analyzed: Analyzed) {
-        let mut robots = self.robots.lock().unwrap_or_else(PoisonError::into_inner);
-        robots.insert(analyzed.root.clone(), Arc::new(analyzed));
+        locked(&self.robots).insert(analyzed.root.clone(), Arc::new(analyzed));
     }
 }
 
@@ -108,13 +107,10 @@ impl Session {
         if let Some(change) = Change::of(self, options) {
             let reached: FastSet<&PathBuf> =
                 first.iter().chain(&later).map(|job| &job.file).collect();
-            let is_for_reached = |file: &PathBuf| {
-                self.pairing(file)
-                    .roots
-                    .iter()
-                    .any(|root| reached.contains(&root.file))
-            };
-            files.retain(|file| change.holds(file) || is_for_reached(file));
+            files.retain(|file| {
+                let reaches = |root: &RootChoice| reached.contains(&root.file);
+                change.holds(file) || self.pairing(file).roots.iter().any(reaches)
+            });
         }
         let compared = Kept::of(self.beside_roots(&files));
         let mut outcomes = self.run_all(options, first, done.as_deref(), Some(&compared));

@@ -200,14 +200,6 @@ impl World {
     fn values_of(&self, robots: &[PathBuf], name: &str) -> Names {
         let session = self.session();
         let mut found = Names::new();
-        let mut add = |value: String, detail: &str| {
-            if !value.contains("$(")
-                && !value.contains("${")
-                && !found.iter().any(|(known, _)| *known == value)
-            {
-                found.push((value, detail.to_owned()));
-            }
-        };
         for robot in robots {
             let known = session.known(robot);
             let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
@@ -215,11 +207,11 @@ impl World {
                 let is_bool = ["true", "false"]
                     .iter()
                     .any(|word| default.eq_ignore_ascii_case(word));
-                add(default, "default");
+                add_value(&mut found, default, "default");
                 if is_bool {
                     ["true", "false"]
                         .iter()
-                        .for_each(|word| add((*word).to_owned(), ""));
+                        .for_each(|word| add_value(&mut found, (*word).to_owned(), ""));
                 }
             }
             for call in session
@@ -240,7 +232,7 @@ impl World {
                     .to_string_lossy();
                 given
                     .filter_map(|argument| argument.value.literal())
-                    .for_each(|value| add(value, &file));
+                    .for_each(|value| add_value(&mut found, value, &file));
             }
             let choices = session
                 .launch_choices(robot)
@@ -248,10 +240,10 @@ impl World {
                 .filter(|(own, _)| own == name);
             choices
                 .flat_map(|(_, values)| values)
-                .for_each(|value| add(value, "choice of a launch file"));
+                .for_each(|value| add_value(&mut found, value, "choice of a launch file"));
             compared_words(&known, name)
                 .into_iter()
-                .for_each(|value| add(value, "in a condition"));
+                .for_each(|value| add_value(&mut found, value, "in a condition"));
         }
         found
     }
@@ -288,17 +280,10 @@ impl World {
         let lead = typed
             .rfind('/')
             .map_or("", |at| typed.get(..=at).unwrap_or(""));
-        let fits = |name: &str| match key {
-            Some("file") => super::walk::is_description(Path::new(name)),
-            Some("extend") => {
-                name.ends_with(".toml") && !(lead.is_empty() && config.ends_with(name))
-            }
-            _ => name.ends_with(".urdf"),
-        };
         let entries = vfs.list_dir(&folder.join(lead));
-        let shown = entries
-            .iter()
-            .filter(|entry| !entry.name.starts_with('.') && (entry.is_dir || fits(&entry.name)));
+        let shown = entries.iter().filter(|entry| {
+            !entry.name.starts_with('.') && (entry.is_dir || fits(&entry.name, key, config, lead))
+        });
         let names = shown.map(|entry| {
             format!(
                 "{lead}{}{}",
@@ -372,4 +357,23 @@ fn escaped(text: &str) -> String {
             }
         })
         .collect()
+}
+
+/// Add a value that is written out, unless it is there.
+fn add_value(values: &mut Names, value: String, detail: &str) {
+    if !value.contains("$(")
+        && !value.contains("${")
+        && !values.iter().any(|(known, _)| *known == value)
+    {
+        values.push((value, detail.to_owned()));
+    }
+}
+
+/// Whether a file below `lead` fits a key of a configuration, which does not extend itself.
+fn fits(name: &str, key: Option<&str>, config: &Path, lead: &str) -> bool {
+    match key {
+        Some("file") => super::walk::is_description(Path::new(name)),
+        Some("extend") => name.ends_with(".toml") && !(lead.is_empty() && config.ends_with(name)),
+        _ => name.ends_with(".urdf"),
+    }
 }

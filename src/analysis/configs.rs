@@ -1,7 +1,8 @@
 //! Which settings hold for a file: those of the configuration nearest to it, under those of the command line.
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
+use super::session::locked;
 use base::FastMap;
 use rules::{
     Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
@@ -87,9 +88,6 @@ impl Settings {
         if let Some(names) = &overrides.consumers {
             config.consumers.clone_from(names);
         }
-        let own = |given: &Option<Vec<String>>, configured: &[String]| {
-            given.clone().unwrap_or_else(|| configured.to_vec())
-        };
         let profiles: Vec<String> = config
             .profiles
             .iter()
@@ -101,8 +99,8 @@ impl Settings {
             .map(|(rule, &level)| (rule.clone(), severity(level)));
         let selection = Selection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
-            extend_select: own(&overrides.extend_select, &config.extend_select),
-            ignore: own(&overrides.ignore, &config.ignore),
+            extend_select: given_or(overrides.extend_select.as_ref(), &config.extend_select),
+            ignore: given_or(overrides.ignore.as_ref(), &config.ignore),
             commanded: overrides
                 .select
                 .iter()
@@ -191,7 +189,7 @@ impl Configs {
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+        locked(&self.state)
     }
 
     /// The settings for files in `folder`.
@@ -301,4 +299,9 @@ fn severity(level: Level) -> Option<Severity> {
         Level::Warning => Some(Severity::Warning),
         Level::Error => Some(Severity::Error),
     }
+}
+
+/// The names that an option gives, or else those of the configuration.
+fn given_or(given: Option<&Vec<String>>, configured: &[String]) -> Vec<String> {
+    given.map_or(configured, Vec::as_slice).to_vec()
 }

@@ -40,35 +40,20 @@ impl World {
     pub fn context(&mut self, path: &Path) -> Context {
         self.refresh(path);
         let mut candidates = self.candidates(path);
-        let edited = |choice: &RootChoice| std::cmp::Reverse(self.last_edit(&choice.file));
-        let package = |choice: &RootChoice| !self.same_package(&choice.file, path);
         // the sort is stable: the runs of a file stay as the configuration lists them, the one without a preset first
         candidates.sort_by_cached_key(|(choice, near)| {
             let file = choice.file.clone();
-            (edited(choice), *near, package(choice), file)
+            let edited = std::cmp::Reverse(self.last_edit(&file));
+            (edited, *near, !self.same_package(&file, path), file)
         });
         let picked = self.picked(path).map(|root| (root, Reason::Picked));
         let commented = || {
             self.commented_root(path)
                 .map(|root| (root, Reason::Comment))
         };
-        let listed = || {
-            candidates
-                .iter()
-                .find(|(root, _)| self.is_configured(root))
-                .map(|(root, _)| root.clone())
-        };
-        let itself = || {
-            candidates
-                .iter()
-                .find(|(root, near)| *near == 0 && root.file == path)
-        };
-        let includes = || candidates.first();
         let chosen = picked
             .or_else(commented)
-            .or_else(|| listed().map(|root| (root, Reason::Configured)))
-            .or_else(|| itself().map(|(root, _)| (root.clone(), Reason::Itself)))
-            .or_else(|| includes().map(|(root, _)| (root.clone(), Reason::Includes)));
+            .or_else(|| self.preferred(&candidates, path));
         let (root, reason) =
             chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
         Context {
@@ -76,6 +61,24 @@ impl World {
             reason,
             candidates,
         }
+    }
+
+    /// Of the roots that reach a file, the first that is configured; else the file itself; else the first of all.
+    fn preferred(
+        &self,
+        candidates: &[(RootChoice, u32)],
+        path: &Path,
+    ) -> Option<(RootChoice, Reason)> {
+        let is_configured = |(root, _): &&(RootChoice, u32)| self.is_configured(root);
+        let is_itself = |(root, near): &&(RootChoice, u32)| *near == 0 && root.file == path;
+        let ((root, _), reason) = if let Some(found) = candidates.iter().find(is_configured) {
+            (found, Reason::Configured)
+        } else if let Some(found) = candidates.iter().find(is_itself) {
+            (found, Reason::Itself)
+        } else {
+            (candidates.first()?, Reason::Includes)
+        };
+        Some((root.clone(), reason))
     }
 
     /// The roots that reach a file: configured ones with all their presets, then all others.

@@ -101,17 +101,17 @@ impl Contexts {
             return Vec::new();
         }
         let is_read = self.runs.iter().any(|run| run.reads.contains(&file));
-        let same_root = |run: &Run| by.iter().filter_map(own).any(|own| own.file == run.file);
-        let could = |run: &Run| {
+        let could = |(_, run): &(usize, &Run)| {
             if is_read {
                 run.reads.contains(&file)
             } else {
-                same_root(run)
+                by.iter().filter_map(own).any(|own| own.file == run.file)
             }
         };
         let numbered = self.runs.iter().enumerate();
         numbered
-            .filter(|(_, run)| run.is_context && could(run))
+            .filter(|(_, run)| run.is_context)
+            .filter(could)
             .map(|(number, _)| number)
             .collect()
     }
@@ -171,13 +171,13 @@ impl Contexts {
             .iter()
             .filter_map(|&n| Some(&self.runs.get(n)?.file))
             .collect();
-        let is_one = |run: &Run| {
+        let is_one = |(_, run): &(usize, &Run)| {
             files.contains(&run.file) && called.contains(&run.file) && run.reads.contains(&file)
         };
         self.runs
             .iter()
             .enumerate()
-            .filter(|(_, run)| is_one(run))
+            .filter(is_one)
             .map(|(number, _)| number)
             .collect()
     }
@@ -258,9 +258,8 @@ impl Contexts {
     fn label(&self, number: usize) -> Option<String> {
         let run = self.runs.get(number)?;
         let short = name(&run.file);
-        let long = || vfs::slashed(&run.file);
         let name = if self.ambiguous.contains(&short) {
-            long()
+            vfs::slashed(&run.file)
         } else {
             short
         };

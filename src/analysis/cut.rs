@@ -67,14 +67,12 @@ impl Cut {
 
     /// The number of the finding that is about what left out a part: the first one, in the order of the expansion.
     pub fn cause(&self, findings: &[Finding]) -> Option<usize> {
-        let shown = |finding: &Finding| finding.severity >= Severity::Warning;
-        let is_at = |finding: &Finding, at: &Span| {
-            finding.span.file == at.file && finding.span.range.touches(at.range.start)
-        };
-        let at = |place| {
-            findings
-                .iter()
-                .position(|finding| shown(finding) && is_at(finding, place))
+        let at = |place: &Span| {
+            findings.iter().position(|finding| {
+                finding.severity >= Severity::Warning
+                    && finding.span.file == place.file
+                    && finding.span.range.touches(place.range.start)
+            })
         };
         let first_error = || {
             findings

@@ -1,4 +1,5 @@
 //! Files that xacro generated, and that differ from what their sources give now.
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -49,6 +50,13 @@ struct Tried {
     variant: Generation,
     run: Arc<Run>,
     difference: Difference,
+}
+
+impl Tried {
+    /// How much of the file it gives; configured arguments come first.
+    fn likeness(&self) -> (bool, usize) {
+        (self.variant.is_configured, self.difference.other.start)
+    }
 }
 
 impl Session {
@@ -114,12 +122,11 @@ impl Session {
             }
         }
         // the arguments that give most of the file
-        let likeness = |tried: &Tried| (tried.variant.is_configured, tried.difference.other.start);
         let mut best: Option<Tried> = None;
         for tried in tried {
             if best
                 .as_ref()
-                .is_none_or(|best| likeness(best) < likeness(&tried))
+                .is_none_or(|best| best.likeness() < tried.likeness())
             {
                 best = Some(tried);
             }
@@ -133,59 +140,51 @@ impl Session {
         let Some(name) = written.file_name().and_then(|name| name.to_str()) else {
             return Vec::new();
         };
-        let tail = |path: &PathBuf| {
-            let pairs = path.iter().rev().zip(written.iter().rev());
-            pairs.take_while(|(a, b)| a == b).count()
-        };
-        let shared = |path: &PathBuf| {
-            path.iter()
-                .zip(from.iter())
-                .take_while(|(a, b)| a == b)
-                .count()
-        };
         let mut found = self.packages.files_named(name, from);
-        let package = |path: &Path| self.packages.containing(path).map(|package| package.folder);
-        let own = package(from);
-        // `robot.xacro` of another package is another robot, unless the banner names that package's folder
-        let is_near = |path: &PathBuf| match package(path) {
-            other if own == other => true,
+        let own = self.package_folder(from);
+        found.retain(|path| {
+            path != from
+                && path.file_name().is_some_and(|own| own == name)
+                && self.is_near(path, written, own.as_deref())
+        });
+        let nearness = |path: &PathBuf| {
+            let tail = shared(path.iter().rev(), written.iter().rev());
+            (tail, shared(path.iter(), from.iter()))
+        };
+        let best = found.iter().map(nearness).max();
+        found.retain(|path| Some(nearness(path)) == best);
+        found.truncate(DRIFT_SOURCES);
+        found
+    }
+
+    /// Whether a banner in a file of the package in folder `own` may mean a file: `robot.xacro` of another package is another
+    /// robot, unless the banner names that package's folder.
+    fn is_near(&self, path: &Path, written: &Path, own: Option<&Path>) -> bool {
+        match self.package_folder(path) {
+            other if own == other.as_deref() => true,
             Some(other) => other
                 .file_name()
                 .is_some_and(|folder| written.iter().any(|part| part == folder)),
-            None => tail(path) > 1,
-        };
-        found.retain(|path| {
-            path != from && path.file_name().is_some_and(|own| own == name) && is_near(path)
-        });
-        let best = found.iter().map(|path| (tail(path), shared(path))).max();
-        found.retain(|path| Some((tail(path), shared(path))) == best);
-        found.truncate(DRIFT_SOURCES);
-        found
+            None => shared(path.iter().rev(), written.iter().rev()) > 1,
+        }
+    }
+
+    fn package_folder(&self, path: &Path) -> Option<PathBuf> {
+        self.packages.containing(path).map(|package| package.folder)
     }
 
     /// The arguments with which a file may be expanded: those of the configuration, its defaults, and those of launch files.
     fn generations(&self, source: &Path) -> Vec<Generation> {
         let settings = self.settings(source);
         let mut variants: Vec<Generation> = Vec::new();
-        let mut add = |args: Vec<(String, String)>, is_configured: bool| {
-            let is_new = variants.iter().all(|variant| variant.args != args);
-            if is_new && variants.len() < DRIFT_RUNS {
-                variants.push(Generation {
-                    source: source.to_owned(),
-                    args,
-                    is_configured,
-                    is_meant: false,
-                });
-            }
-        };
         for root in &settings.config.roots {
             if root.files(&self.vfs).iter().any(|file| file == source) {
                 self.variants(root, source)
                     .into_iter()
-                    .for_each(|variant| add(variant.args, true));
+                    .for_each(|variant| add_generation(&mut variants, source, variant.args, true));
             }
         }
-        add(Vec::new(), false);
+        add_generation(&mut variants, source, Vec::new(), false);
         for call in self
             .robot_calls(source)
             .iter()
@@ -195,7 +194,7 @@ impl Session {
                 let value = argument.value.value(&self.packages, &call.call.caller)?;
                 Some((argument.name.clone(), value))
             });
-            add(known.collect(), false);
+            add_generation(&mut variants, source, known.collect(), false);
         }
         variants
     }
@@ -309,9 +308,9 @@ impl Session {
 
     /// The command that generates a file again.
     fn command(&self, variant: &Generation, file: &Path) -> String {
-        let shown = |path: &Path| vfs::slashed(path.strip_prefix(&self.env.cwd).unwrap_or(path));
-        let source = super::contexts::label(shown(&variant.source), &variant.args);
-        format!("xacro-lint expand {source} -o {}", shown(file))
+        let cwd = &self.env.cwd;
+        let source = super::contexts::label(slashed_from(cwd, &variant.source), &variant.args);
+        format!("xacro-lint expand {source} -o {}", slashed_from(cwd, file))
     }
 }
 
@@ -327,6 +326,34 @@ impl Generation {
     fn job(&self) -> Job {
         Job::new(self.source.clone(), Reason::Named, self.args.clone())
     }
+}
+
+/// Add a way to expand a source that is not there yet, while there is room.
+fn add_generation(
+    variants: &mut Vec<Generation>,
+    source: &Path,
+    args: Vec<(String, String)>,
+    is_configured: bool,
+) {
+    let is_new = variants.iter().all(|variant| variant.args != args);
+    if is_new && variants.len() < DRIFT_RUNS {
+        variants.push(Generation {
+            source: source.to_owned(),
+            args,
+            is_configured,
+            is_meant: false,
+        });
+    }
+}
+
+/// A path as a user in the folder `cwd` types it.
+fn slashed_from(cwd: &Path, path: &Path) -> String {
+    vfs::slashed(path.strip_prefix(cwd).unwrap_or(path))
+}
+
+/// How many parts of two paths are the same in front of the first ones that differ.
+fn shared<'p>(a: impl Iterator<Item = &'p OsStr>, b: impl Iterator<Item = &'p OsStr>) -> usize {
+    a.zip(b).take_while(|(a, b)| a == b).count()
 }
 
 #[cfg(test)]

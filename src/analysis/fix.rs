@@ -135,15 +135,7 @@ impl Session {
 
     /// Of the findings of a report with these numbers, the fixes that are proved to be safe, to be made together.
     pub fn safe_fixes(&self, report: &Report, numbers: &[usize], effort: &Effort) -> Plan {
-        let findings = |numbers: &[usize]| -> Vec<_> {
-            numbers
-                .iter()
-                .filter_map(|&number| Some((number, report.findings.get(number)?)))
-                .collect()
-        };
-        let safe = findings(numbers)
-            .into_iter()
-            .filter(|(_, finding)| is_said_safe(finding));
+        let safe = numbered(report, numbers).filter(|(_, finding)| is_said_safe(finding));
         let admission = Admission {
             session: self,
             report,
@@ -156,14 +148,15 @@ impl Session {
             .flat_map(|group| admission.of(group).good)
             .collect();
         proved.sort_unstable();
-        choose(findings(&proved))
+        choose(numbered(report, &proved))
     }
 
     /// Forget what rests on files that changed. Who includes whom may decide about files that did not.
     fn forget_changed(&self, changed: &[Changed], done: &mut Done) {
-        let includes = |text: &str| text.matches("include").count();
         let is_simple = |changed: &Changed| {
-            is_description(&changed.path) && includes(&changed.old) == includes(&changed.new)
+            let (old, new) = (&changed.old, &changed.new);
+            is_description(&changed.path)
+                && old.matches("include").count() == new.matches("include").count()
         };
         if changed.iter().all(is_simple) {
             let files: FastSet<&Path> = changed.iter().map(|changed| &*changed.path).collect();
@@ -209,6 +202,16 @@ impl Session {
         let (safe, others): (Vec<_>, Vec<_>) = fixes.partition(|finding| is_said_safe(finding));
         (safe.len(), others.len())
     }
+}
+
+/// The findings of a report with these numbers, each with its number.
+fn numbered<'f>(
+    report: &'f Report,
+    numbers: &[usize],
+) -> impl Iterator<Item = (usize, &'f Finding)> {
+    numbers
+        .iter()
+        .filter_map(|&number| Some((number, report.findings.get(number)?)))
 }
 
 /// Whether the rule takes the fix of a finding for safe: that remains to be proved.
@@ -401,12 +404,11 @@ impl<'a> Work<'a> {
 
     /// Note which fixes were made. When they lead back to texts that were there before, they are not made again.
     fn note(&mut self, report: &Report, made: &[usize]) {
-        let findings = || {
-            made.iter()
-                .filter_map(|&number| report.findings.get(number))
-        };
-        self.repaired |= findings().any(|finding| claim(finding) == Claim::Repaired);
-        let keys = findings().map(|finding| key(report, finding));
+        let findings = made
+            .iter()
+            .filter_map(|&number| report.findings.get(number));
+        self.repaired |= (findings.clone()).any(|finding| claim(finding) == Claim::Repaired);
+        let keys = findings.map(|finding| key(report, finding));
         if let Some((_, _, since)) = self.seen.last_mut() {
             since.extend(keys);
         }

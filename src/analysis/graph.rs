@@ -153,13 +153,12 @@ pub(super) fn gives_robot(document: &Document) -> bool {
     let named = document.root().is_some_and(|root| {
         root.name() == "robot" && root.attr("name").is_some_and(|name| !name.raw().is_empty())
     });
-    let gives = |kind: FactKind| matches!(kind, FactKind::Link | FactKind::Call);
     named
         && facts(document).any(|(_, facts)| {
             facts
                 .named
                 .iter()
-                .any(|fact| gives(fact.kind) && !fact.in_macro)
+                .any(|fact| matches!(fact.kind, FactKind::Link | FactKind::Call) && !fact.in_macro)
         })
 }
 

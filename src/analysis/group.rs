@@ -257,7 +257,6 @@ fn more(first: Span, places: &[Related]) -> String {
 /// A fix with the edits of the others that are as safe. One that gets in the way of an earlier one is left out.
 fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
     let mut taken: BTreeMap<(FileId, u32, u32), Edit> = BTreeMap::new();
-    let key = |edit: &Edit| (edit.span.file, edit.span.range.start, edit.span.range.end);
     let own = std::mem::take(&mut fix.edits);
     let alike = others
         .into_iter()
@@ -265,18 +264,23 @@ fn joined_fix(mut fix: Fix, others: Vec<Fix>) -> Fix {
         .map(|other| other.edits);
     for edits in std::iter::once(own).chain(alike) {
         let clashes = |edit: &Edit| {
-            let (file, start, end) = key(edit);
+            let (file, start, end) = place_of(edit);
             let before = taken.range(..=(file, end, u32::MAX)).next_back();
             before.is_some_and(|(&(other, _, until), old)| {
                 other == file && until >= start && old != edit
             })
         };
         if !edits.iter().any(clashes) {
-            taken.extend(edits.into_iter().map(|edit| (key(&edit), edit)));
+            taken.extend(edits.into_iter().map(|edit| (place_of(&edit), edit)));
         }
     }
     fix.edits = taken.into_values().collect();
     fix
+}
+
+fn place_of(edit: &Edit) -> (FileId, u32, u32) {
+    let Span { file, range } = edit.span;
+    (file, range.start, range.end)
 }
 
 impl Report {

@@ -10,15 +10,17 @@ pub(super) fn harms(before: &Report, after: &Report, made: &[usize]) -> bool {
     if new.iter().all(|error| known.contains(error)) {
         return false;
     }
-    let fixed = || {
-        made.iter()
-            .filter_map(|&number| before.findings.get(number))
-    };
-    if fixed().any(|finding| finding.rule.has(Trait::Reveals)) {
+    let mut fixed = made
+        .iter()
+        .filter_map(|&number| before.findings.get(number));
+    if fixed
+        .clone()
+        .any(|finding| finding.rule.has(Trait::Reveals))
+    {
         return false;
     }
     // a value that is known now may be wrong, and another name is another message; one error for another is no loss
-    !fixed().any(|finding| is_value(finding) || finding.rule.category == Category::Consumers)
+    !fixed.any(|finding| is_value(finding) || finding.rule.category == Category::Consumers)
         || new.len() > old.len()
 }
 

@@ -193,8 +193,9 @@ pub(super) fn judge(
 /// Whether to count what programs reject or change: where somebody asked and named none.
 fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &Job) -> bool {
     let is_named = !settings.config.consumers.is_empty() || settings.config.oldest_reader.is_some();
-    let runs = |outcome| settings.runs(consumers::rule_of(outcome), &job.file);
-    let runs = runs(consumers::Outcome::Rejects) || runs(consumers::Outcome::Changes);
+    let runs = [consumers::Outcome::Rejects, consumers::Outcome::Changes]
+        .into_iter()
+        .any(|outcome| settings.runs(consumers::rule_of(outcome), &job.file));
     options.count_consumers && !is_named && runs && job.called.is_none()
 }
 
@@ -210,9 +211,9 @@ fn is_meant_as_robot(expansion: &Expansion, kind: RootKind) -> bool {
         .files
         .first()
         .and_then(|file| file.source.document.root());
-    let is_named =
-        || root.is_some_and(|root| root.attr("name").is_some_and(|name| !name.raw().is_empty()));
-    kind == RootKind::Robot || kind == RootKind::Library && is_named() && !expansion.whole
+    let name = root.and_then(|root| root.attr("name"));
+    let is_named = name.is_some_and(|name| !name.raw().is_empty());
+    kind == RootKind::Robot || kind == RootKind::Library && is_named && !expansion.whole
 }
 
 /// Where the macros are defined that were called.
@@ -250,16 +251,20 @@ fn wanted(session: &Session, expansion: &Expansion, root: Arc<Settings>) -> Vec<
             }
         }
     }
-    let selected = |rule: &Rule| found.iter().any(|settings| settings.selects(rule));
-    let left_out = |rule: &Rule| rule.default == Activation::On && !selected(rule);
+    let left_out = |rule: &Rule| rule.default == Activation::On && !is_selected(rule, &found);
     let suppressed = if all().any(left_out) {
         suppressed(expansion)
     } else {
         Vec::new()
     };
-    let wanted =
-        |rule: &&Rule| selected(rule) || left_out(rule) && suppressed.iter().any(|s| s.names(rule));
+    let wanted = |rule: &&Rule| {
+        is_selected(rule, &found) || left_out(rule) && suppressed.iter().any(|s| s.names(rule))
+    };
     all().filter(wanted).collect()
+}
+
+fn is_selected(rule: &Rule, settings: &[Arc<Settings>]) -> bool {
+    settings.iter().any(|settings| settings.selects(rule))
 }
 
 /// What comments in the files switch off: whether it would hide something is only known when it runs, whatever a
@@ -288,12 +293,11 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
     if is_semantic(expansion) {
         return RootKind::Semantic;
     }
-    let by_itself = || robot.is_some_and(Robot::is_entry);
-    let bare = || {
-        plain && !is_of_a_simulator(expansion, robot) && !is_blank(expansion, robot)
-            || is_bare(expansion) && !has_content(expansion, robot)
-    };
-    if job.reason == Reason::Root || by_itself() || bare() {
+    let gives_robot = job.reason == Reason::Root
+        || robot.is_some_and(Robot::is_entry)
+        || plain && !is_of_a_simulator(expansion, robot) && !is_blank(expansion, robot)
+        || is_bare(expansion) && !has_content(expansion, robot);
+    if gives_robot {
         RootKind::Robot
     } else {
         RootKind::Library
@@ -311,9 +315,9 @@ fn is_blank(expansion: &Expansion, robot: Option<&Robot>) -> bool {
 
 /// Whether a file has content, and none of it is a link or a joint: materials, settings.
 fn has_content(expansion: &Expansion, robot: Option<&Robot>) -> bool {
-    let has_elements = |robot: &Robot| expansion.tree.elements(robot.element).next().is_some();
     robot.is_some_and(|robot| {
-        robot.links.is_empty() && robot.joints.is_empty() && has_elements(robot)
+        let mut elements = expansion.tree.elements(robot.element);
+        robot.links.is_empty() && robot.joints.is_empty() && elements.next().is_some()
     })
 }
 

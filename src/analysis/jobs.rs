@@ -47,12 +47,11 @@ impl Session {
 
     /// The jobs for what is named, whatever changed.
     pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
-        let absolute = |path: &PathBuf| self.vfs.absolute(path);
-        let plain = |file, reason| Job::new(file, reason, options.args.clone());
+        let args = &options.args;
         let entries = options
             .entries
             .iter()
-            .map(|path| plain(absolute(path), Reason::Root));
+            .map(|path| Job::new(self.vfs.absolute(path), Reason::Root, args.clone()));
         let mut jobs: Vec<Job> = entries.collect();
         let (named, walked) = self.named_and_walked(options, report);
         jobs.extend(self.configured(options, &named, &walked));
@@ -63,8 +62,12 @@ impl Session {
         } else {
             Reason::Named
         };
-        let named = named.into_iter().map(|path| plain(path, reason));
-        let walked = walked.into_iter().map(|path| plain(path, Reason::Walked));
+        let named = named
+            .into_iter()
+            .map(|path| Job::new(path, reason, args.clone()));
+        let walked = walked
+            .into_iter()
+            .map(|path| Job::new(path, Reason::Walked, args.clone()));
         jobs.extend(
             named
                 .chain(walked)

@@ -119,10 +119,13 @@ fn json_fix<'a>(fix: &'a Fix, place: &dyn Fn(Span) -> JsonPlace) -> JsonFix<'a> 
 
 fn place(report: &Report, span: Span, cwd: &Path) -> JsonPlace {
     let position = report.position(span);
-    let json = |(row, column)| JsonPosition { row, column };
     JsonPlace {
         filename: shown_path(report.path(span.file), cwd),
-        location: json(position.start),
-        end_location: json(position.end),
+        location: json_position(position.start),
+        end_location: json_position(position.end),
     }
+}
+
+fn json_position((row, column): (u32, u32)) -> JsonPosition {
+    JsonPosition { row, column }
 }

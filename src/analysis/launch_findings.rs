@@ -80,13 +80,11 @@ impl Session {
         known: &mut BTreeMap<PathBuf, Arc<Declared>>,
         found: &mut Vec<Finding>,
     ) {
-        let is_checked =
-            |call: &RobotCall| !self.settings(&call.call.caller).excludes(&call.call.caller);
         for group in calls.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
             if cancel.is_cancelled() {
                 return;
             }
-            let Some(call) = group.first().filter(|call| is_checked(call)) else {
+            let Some(call) = group.first().filter(|call| self.is_checked(call)) else {
                 continue;
             };
             let before = found.len();
@@ -99,12 +97,18 @@ impl Session {
             }
         }
         for (robot, known) in &*known {
-            let of = |call: &&RobotCall| call.target.as_ref() == Some(robot) && is_checked(call);
+            let of =
+                |call: &&RobotCall| call.target.as_ref() == Some(robot) && self.is_checked(call);
             let of: Vec<&RobotCall> = calls.iter().filter(of).collect();
             if !of.is_empty() {
                 found.extend(self.value_findings(robot, known, &of));
             }
         }
+    }
+
+    /// Whether the configuration does not exclude the launch file of a call.
+    fn is_checked(&self, call: &RobotCall) -> bool {
+        !self.settings(&call.call.caller).excludes(&call.call.caller)
     }
 
     /// The values that launch files give to an argument of a robot, each with the names of the files.
@@ -166,8 +170,11 @@ impl Session {
             .filter(|name| !names.contains(name.as_str()));
         let mut seen = FastSet::default();
         let unknown = unknown.filter(|name| seen.insert(*name));
-        let near = |name: &String| nearest(name, names.iter().copied()).map(str::to_owned);
-        unknown.map(|name| (name.clone(), near(name))).collect()
+        let with_near = |name: &String| {
+            let near = nearest(name, names.iter().copied());
+            (name.clone(), near.map(str::to_owned))
+        };
+        unknown.map(with_near).collect()
     }
 
     /// Whether a path is written with backslashes, which separate folders on Windows.
@@ -218,8 +225,7 @@ impl Session {
         let mut seen: FastSet<&str> = FastSet::default();
         for argument in group.iter().flat_map(|call| &call.call.args) {
             let name = argument.name.as_str();
-            let has = |known: &Declared| known.names.contains(name);
-            if robots.iter().any(|(_, known)| has(known)) || !seen.insert(name) {
+            if robots.iter().any(|(_, known)| known.names.contains(name)) || !seen.insert(name) {
                 continue;
             }
             let is_certain =
@@ -248,19 +254,12 @@ impl Session {
 
     /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
     fn is_used_otherwise(&self, call: &Call, name: &str) -> bool {
-        const LONGEST: usize = 120;
         let Ok(file) = self.vfs.text(&call.caller) else {
             return false;
         };
-        let has = |before: &str, after: char| {
-            file.text.match_indices(before).any(|(at, _)| {
-                let rest = file.text.get(at + before.len()..).unwrap_or_default();
-                let end = rest.find(after).unwrap_or(0).min(LONGEST);
-                rest.get(..end)
-                    .is_some_and(|condition| has_name(condition, name))
-            })
-        };
-        has("Condition(", '\n') || has(" if=\"", '"') || has(" unless=\"", '"')
+        [("Condition(", '\n'), (" if=\"", '"'), (" unless=\"", '"')]
+            .into_iter()
+            .any(|(before, after)| has_name_between(&file.text, name, before, after))
     }
 
     /// Whether a call names a file in the tree that is not there.
@@ -355,13 +354,23 @@ impl Session {
 
 /// Whether two names share most of their words.
 fn is_like(a: &str, b: &str) -> bool {
-    let words = |name: &str| {
-        name.split('_')
-            .map(str::to_lowercase)
-            .collect::<FastSet<String>>()
-    };
     let (a, b) = (words(a), words(b));
     a.intersection(&b).count() * 2 > a.len().min(b.len())
+}
+
+fn words(name: &str) -> FastSet<String> {
+    name.split('_').map(str::to_lowercase).collect()
+}
+
+/// Whether a text has a name soon behind `before`, in front of `after`.
+fn has_name_between(text: &str, name: &str, before: &str, after: char) -> bool {
+    const LONGEST: usize = 120;
+    text.match_indices(before).any(|(at, _)| {
+        let rest = text.get(at + before.len()..).unwrap_or_default();
+        let end = rest.find(after).unwrap_or(0).min(LONGEST);
+        rest.get(..end)
+            .is_some_and(|condition| has_name(condition, name))
+    })
 }
 
 /// The first names of a list, and how many there are besides.

@@ -45,13 +45,15 @@ impl Session {
             .robot_calls(&path)
             .into_iter()
             .filter(|call| call.call.caller == *path);
-        let stands = |call: &Call| {
-            let argument = call.args.iter().find(|argument| argument.name == name)?;
-            self.spelled(call, argument)
-        };
-        let others = others.filter(|call| stands(&call.call) == Some(place));
+        let others = others.filter(|call| self.place_in(&call.call, name) == Some(place));
         let mut others = others.filter_map(|call| call.target);
         others.find(|other| !robots.contains(other) && self.known(other).names.contains(name))
+    }
+
+    /// Where a call spells an argument.
+    fn place_in(&self, call: &Call, name: &str) -> Option<Span> {
+        let argument = call.args.iter().find(|argument| argument.name == name)?;
+        self.spelled(call, argument)
     }
 
     /// The calls of a launch file with their arguments, wherever these stand.
@@ -114,30 +116,17 @@ impl Session {
     /// Whether a text in a launch file is the name of an argument: with another text there, the calls are the same but for it.
     fn is_spelled(&self, path: &Path, range: TextRange, name: &str) -> bool {
         let other = format!("{name}_other");
-        let calls = || {
-            let text = self.vfs.text(path).ok()?;
-            let edited = super::plan::apply(&text.text, &[(range, other.clone())]);
-            Some((
-                launch::calls(&launch::read(path, &text.text)?),
-                launch::calls(&launch::read(path, &edited)?),
-            ))
-        };
-        let Some((before, after)) = calls() else {
+        let Ok(text) = self.vfs.text(path) else {
             return false;
         };
-        let mut changes = 0;
-        let mut is_same = |a: &Call, b: &Call| {
-            a.file.shown() == b.file.shown()
-                && a.args.len() == b.args.len()
-                && a.args.iter().zip(&b.args).all(|(a, b)| {
-                    let is_renamed = a.name == name && b.name == other;
-                    changes += usize::from(is_renamed);
-                    (is_renamed || a.name == b.name) && a.value.shown() == b.value.shown()
-                })
+        let Some(before) = calls_in(path, &text.text) else {
+            return false;
         };
-        before.len() == after.len()
-            && before.iter().zip(&after).all(|(a, b)| is_same(a, b))
-            && changes > 0
+        let edited = super::plan::apply(&text.text, &[(range, other.clone())]);
+        let Some(after) = calls_in(path, &edited) else {
+            return false;
+        };
+        is_renamed(&before, &after, name, &other)
     }
 }
 
@@ -225,6 +214,30 @@ fn starts_argument(before: &str) -> Option<bool> {
         .strip_suffix(',')
         .is_some_and(is_blank)
         .then_some(true)
+}
+
+fn calls_in(path: &Path, text: &str) -> Option<Vec<Call>> {
+    Some(launch::calls(&launch::read(path, text)?))
+}
+
+/// Whether calls are the same but for arguments that have another name, of which there are some.
+fn is_renamed(before: &[Call], after: &[Call], name: &str, other: &str) -> bool {
+    let is_same =
+        |(a, b): (&Call, &Call)| a.file.shown() == b.file.shown() && a.args.len() == b.args.len();
+    if before.len() != after.len() || !before.iter().zip(after).all(is_same) {
+        return false;
+    }
+    let old = before.iter().flat_map(|call| &call.args);
+    let new = after.iter().flat_map(|call| &call.args);
+    let mut changes = 0;
+    for (a, b) in old.zip(new) {
+        let is_change = a.name == name && b.name == other;
+        if !(is_change || a.name == b.name) || a.value.shown() != b.value.shown() {
+            return false;
+        }
+        changes += usize::from(is_change);
+    }
+    changes > 0
 }
 
 #[cfg(test)]

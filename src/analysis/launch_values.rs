@@ -288,13 +288,12 @@ fn ends(after: &str) -> bool {
 /// Where a text in a range is written in quotes: the last one behind the name of the argument.
 fn quoted(text: &str, range: TextRange, name: &str, value: &str) -> Option<TextRange> {
     let code = range.slice(text);
-    let form = |text: &str, quote: char| format!("{quote}{text}{quote}");
     let after = ['\'', '"'].iter().find_map(|&quote| {
-        let form = form(name, quote);
+        let form = format!("{quote}{name}{quote}");
         Some(code.find(&form)? + form.len())
     })?;
     ['\'', '"'].iter().find_map(|&quote| {
-        let form = form(value, quote);
+        let form = format!("{quote}{value}{quote}");
         let at = range.start + (after + code.get(after..)?.find(&form)?) as u32;
         Some(TextRange::new(at, at + form.len() as u32))
     })

@@ -1,9 +1,9 @@
 //! Robots as launch files call them: each distinct call is expanded and checked as well.
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::declared::Declared;
 use super::outcome::Outcome;
 use super::root_choice::RootChoice;
 use super::session::Session;
@@ -41,10 +41,11 @@ impl Session {
             };
             // what the robot does not read makes no difference
             args.retain(|(name, _)| {
-                let is_own = own.iter().any(|(own, _)| own == name);
-                let may_read =
-                    |known: &Declared| !known.complete || known.names.contains(name.as_str());
-                is_own || may_read(known.get_or_insert_with(|| self.known(robot)))
+                if own.iter().any(|(own, _)| own == name) {
+                    return true;
+                }
+                let known = known.get_or_insert_with(|| self.known(robot));
+                !known.complete || known.names.contains(name.as_str())
             });
             let site = Span {
                 file: self.vfs.file_id(&call.call.caller),
@@ -235,11 +236,13 @@ fn is_not_given(finding: &Finding) -> bool {
 
 /// Whether two lists give the same arguments the same values.
 fn same(a: &Args, b: &Args) -> bool {
-    let sorted = |args: &Args| {
-        let args: std::collections::BTreeMap<String, String> = args.iter().cloned().collect();
-        args
-    };
-    sorted(a) == sorted(b)
+    by_name(a) == by_name(b)
+}
+
+fn by_name(args: &Args) -> BTreeMap<&str, &str> {
+    let args = args.iter();
+    args.map(|(name, value)| (name.as_str(), value.as_str()))
+        .collect()
 }
 
 #[cfg(test)]

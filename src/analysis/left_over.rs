@@ -46,13 +46,16 @@ impl Session {
 
     /// Whether a robot is named by nothing, while another one of its package is part of a robot.
     fn is_variant(&self, file: &Path, package: &Path) -> bool {
-        let others = || walk::all_descriptions(package, &self.vfs, &self.env);
         let is_used = |other: &PathBuf| {
             let is_outside = |by: &PathBuf| !by.starts_with(package);
             other != file && self.includers(other).iter().any(is_outside) && self.gives_robot(other)
         };
-        let may_be_meant = || self.is_loaded(file) || self.is_launched(file);
-        self.gives_robot(file) && !may_be_meant() && others().iter().any(is_used)
+        self.gives_robot(file)
+            && !self.is_loaded(file)
+            && !self.is_launched(file)
+            && walk::all_descriptions(package, &self.vfs, &self.env)
+                .iter()
+                .any(is_used)
     }
 
     fn gives_robot(&self, file: &Path) -> bool {

@@ -8,17 +8,10 @@ use rules::{Finding, Severity, named};
 impl Session {
     /// What is wrong only before a program changes the text or gets the data is an info.
     pub(super) fn settle_made_elsewhere(&self, job: &Job, findings: &mut [Finding]) {
-        let about_packages = |finding: &Finding| {
-            finding.rule == named::MISSING_PACKAGE_DEPENDENCY
-                || finding.rule == named::PACKAGE_NOT_FOUND
-        };
         let is_rewritten = |finding: &Finding| {
-            let find = || Some(format!("$(find {})", self.text_of(finding)?.trim()));
-            let rewrites = |find: String| {
-                let own = self.vfs.path(finding.span.file);
-                self.is_rewritten(&job.file, &find) || self.is_rewritten(&own, &find)
-            };
-            about_packages(finding) && find().is_some_and(rewrites)
+            let is_about_package = finding.rule == named::MISSING_PACKAGE_DEPENDENCY
+                || finding.rule == named::PACKAGE_NOT_FOUND;
+            is_about_package && self.is_find_rewritten(&job.file, finding)
         };
         self.lower_where(findings, is_rewritten, || Some(Severity::Info));
         let is_absent = |finding: &Finding| {
@@ -30,6 +23,16 @@ impl Session {
                 .then_some(Severity::Info)
         };
         self.lower_where(findings, is_absent, downloads);
+    }
+
+    /// Whether a program changes the `$(find ...)` that a finding is about, in the robot or in the file of the finding.
+    fn is_find_rewritten(&self, robot: &Path, finding: &Finding) -> bool {
+        let Some(package) = self.text_of(finding) else {
+            return false;
+        };
+        let find = format!("$(find {})", package.trim());
+        let own = self.vfs.path(finding.span.file);
+        self.is_rewritten(robot, &find) || self.is_rewritten(&own, &find)
     }
 
     /// Whether the path of a mesh is relative, and nothing in the folders of its package begins like it.

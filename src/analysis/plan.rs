@@ -21,8 +21,7 @@ pub fn choose<'f>(findings: impl IntoIterator<Item = (usize, &'f Finding)>) -> P
         let Some(fix) = finding.fix.as_ref().filter(|fix| !fix.edits.is_empty()) else {
             continue;
         };
-        let is_old = |edit: &&Edit| plan.has(edit);
-        let new: Vec<&Edit> = fix.edits.iter().filter(|edit| !is_old(edit)).collect();
+        let new: Vec<&Edit> = fix.edits.iter().filter(|edit| !plan.has(edit)).collect();
         let among = new
             .iter()
             .enumerate()

@@ -275,10 +275,6 @@ impl<'a> Trial<'a> {
     /// Further ways to expand a robot that may show what an edit does.
     fn settings(&self, job: &Job, before: &Run) -> Vec<Setting> {
         let mut found = Vec::new();
-        let with = |more: Vec<(String, String)>| Setting {
-            args: job.args.iter().cloned().chain(more).collect(),
-            forced: Vec::new(),
-        };
         for caller in self.session.callers(&job.file).iter().take(MOST_CALLERS) {
             let known = caller
                 .args
@@ -286,7 +282,7 @@ impl<'a> Trial<'a> {
                 .filter_map(|arg| Some((arg.name.clone(), arg.value.clone()?)));
             let known: Vec<_> = known.collect();
             if !known.is_empty() {
-                found.push(with(known));
+                found.push(with_arguments(job, known));
             }
         }
         let in_expressions = self
@@ -295,7 +291,9 @@ impl<'a> Trial<'a> {
         for (name, value) in &before.arguments {
             let others: &[&str] = if in_expressions { &OTHER_VALUES } else { &[] };
             let values = turned_over(value).into_iter().chain(others.iter().copied());
-            found.extend(values.map(|value| with(vec![(name.to_string(), value.to_owned())])));
+            found.extend(
+                values.map(|value| with_arguments(job, [(name.to_string(), value.to_owned())])),
+            );
         }
         found.extend(self.branches().into_iter().map(|forced| Setting {
             args: job.args.clone(),
@@ -382,6 +380,17 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
         || attrs.any(|attr| {
             attr.range().shift(place.start).contains_range(range) && attr.raw().contains('$')
         })
+}
+
+/// A robot with other arguments than its own, or further ones.
+pub(super) fn with_arguments(
+    job: &Job,
+    more: impl IntoIterator<Item = (String, String)>,
+) -> Setting {
+    Setting {
+        args: job.args.iter().cloned().chain(more).collect(),
+        forced: Vec::new(),
+    }
 }
 
 /// Other values of an argument that decides between two or few things.

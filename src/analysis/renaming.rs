@@ -8,7 +8,9 @@ use ecow::EcoString;
 
 use super::analyzed::job_of;
 use super::plan::apply;
-use super::proof::{CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over};
+use super::proof::{
+    CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over, with_arguments,
+};
 use super::root_choice::RootChoice;
 use super::run_cache::{Run, Setting};
 use super::session::Session;
@@ -102,16 +104,8 @@ impl Trial<'_> {
             forced: Vec::new(),
         };
         let before = self.run(job, &self.session.vfs, &plain);
-        let found = |condition, difference| Obstacle {
-            robot: job.file.clone(),
-            condition,
-            difference,
-        };
-        let found = |condition, difference| {
-            Some(found(condition, difference)).filter(|_| !self.effort.cancel.is_cancelled())
-        };
         if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &plain, name), name) {
-            return found(None, difference);
+            return self.found(job, None, difference);
         }
         for (path, at, forced) in self.conditions(&before) {
             if *left == 0 || self.effort.cancel.is_cancelled() {
@@ -131,7 +125,7 @@ impl Trial<'_> {
             if let Err(difference) =
                 self.is_same(&forced, &self.renamed_run(job, &setting, name), name)
             {
-                return found(Some((path, at, taken)), difference);
+                return self.found(job, Some((path, at, taken)), difference);
             }
         }
         for setting in switched(job, &before) {
@@ -139,10 +133,25 @@ impl Trial<'_> {
             if let Err(difference) =
                 self.is_same(&before, &self.renamed_run(job, &setting, name), name)
             {
-                return found(None, difference);
+                return self.found(job, None, difference);
             }
         }
         None
+    }
+
+    /// The obstacle that a robot is; none when the search was given up, which may be all that differs.
+    fn found(
+        &self,
+        job: &Job,
+        condition: Option<(PathBuf, u32, bool)>,
+        difference: Option<String>,
+    ) -> Option<Obstacle> {
+        let obstacle = Obstacle {
+            robot: job.file.clone(),
+            condition,
+            difference,
+        };
+        (!self.effort.cancel.is_cancelled()).then_some(obstacle)
     }
 
     /// What a setting gives afterwards.
@@ -164,7 +173,6 @@ impl Trial<'_> {
 
     /// That a robot is the same before and after, or is refused for the same reasons; else what is different, if that is known.
     fn is_same(&self, before: &Run, after: &Run, name: NewName<'_>) -> Result<(), Option<String>> {
-        let holds = |same: bool| if same { Ok(()) } else { Err(None) };
         if before.refused || after.refused {
             let moved = before.failures.iter().map(|(code, path, at)| {
                 let changed = self.changed.iter().find(|changed| *changed.path == **path);
@@ -174,9 +182,9 @@ impl Trial<'_> {
                     changed.map_or(*at, |changed| changed.moved(*at)),
                 )
             });
-            return holds(
-                before.refused && after.refused && moved.eq(after.failures.iter().cloned()),
-            );
+            let is_same =
+                before.refused && after.refused && moved.eq(after.failures.iter().cloned());
+            return is_same.then_some(()).ok_or(None);
         }
         if before.text == after.text {
             return Ok(());
@@ -188,14 +196,16 @@ impl Trial<'_> {
                     None => Ok(()),
                 }
             }
-            _ => holds(same_robot(&before.text, &after.text) == Some(true)),
+            _ => match same_robot(&before.text, &after.text) {
+                Some(true) => Ok(()),
+                _ => Err(None),
+            },
         }
     }
 
     /// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
     /// those of the changed files, and where such a file takes no part, those around includes.
     fn conditions(&self, before: &Run) -> Vec<(PathBuf, u32, Vec<Forced>)> {
-        let is_changed = |path: &Path| self.changed.iter().any(|changed| *changed.path == *path);
         let is_missing = self
             .changed
             .iter()
@@ -209,7 +219,7 @@ impl Trial<'_> {
             before
                 .files()
                 .iter()
-                .filter(|path| is_missing && !is_changed(path))
+                .filter(|path| is_missing && !self.is_changed(path))
                 .cloned(),
         );
         let mut found = Vec::new();
@@ -217,33 +227,32 @@ impl Trial<'_> {
             let Ok(source) = self.session.vfs.document(&path) else {
                 continue;
             };
-            for range in conditions_of(&source.document, !is_changed(&path)) {
+            for range in conditions_of(&source.document, !self.is_changed(&path)) {
                 let line = source
                     .document
                     .line_col(range.start, base::Encoding::Utf8)
                     .line
                     + 1;
                 let around = enclosing(&source.document, range, &CONDITIONS);
-                let force = |at: u32, taken: bool| Forced {
-                    file: path.clone(),
-                    at,
-                    taken,
-                };
                 let outer: Vec<Forced> = around
                     .iter()
-                    .map(|range| force(range.start, true))
+                    .map(|range| forced(&path, range.start, true))
                     .collect();
                 for taken in [true, false] {
                     let own = outer
                         .iter()
                         .cloned()
-                        .chain([force(range.start, taken)])
+                        .chain([forced(&path, range.start, taken)])
                         .collect();
                     found.push((path.clone(), line, own));
                 }
             }
         }
         found
+    }
+
+    fn is_changed(&self, path: &Path) -> bool {
+        self.changed.iter().any(|changed| *changed.path == *path)
     }
 }
 
@@ -257,14 +266,8 @@ fn switched(job: &Job, before: &Run) -> Vec<Setting> {
                 [other] => Some((name, *other)),
                 _ => None,
             });
-    let with = |(name, value): (&EcoString, &str)| Setting {
-        args: job
-            .args
-            .iter()
-            .cloned()
-            .chain([(name.to_string(), value.to_owned())])
-            .collect(),
-        forced: Vec::new(),
+    let with = |(name, value): (&EcoString, &str)| {
+        with_arguments(job, [(name.to_string(), value.to_owned())])
     };
     turned.take(MOST_SWITCHES).map(with).collect()
 }
@@ -287,4 +290,12 @@ fn conditions_of(document: &Document, around_includes: bool) -> Vec<TextRange> {
         }
     }
     found
+}
+
+fn forced(file: &Path, at: u32, taken: bool) -> Forced {
+    Forced {
+        file: file.to_owned(),
+        at,
+        taken,
+    }
 }

@@ -160,13 +160,14 @@ impl Report {
                 end: (1, 1),
             };
         };
-        let at = |offset: u32| {
-            let position = file.document.line_col(offset, Encoding::Utf32);
-            (position.line + 1, position.col + 1)
-        };
         Position {
-            start: at(span.range.start),
-            end: at(span.range.end),
+            start: row_and_column(file, span.range.start),
+            end: row_and_column(file, span.range.end),
         }
     }
+}
+
+fn row_and_column(file: &SourceFile, offset: u32) -> (u32, u32) {
+    let position = file.document.line_col(offset, Encoding::Utf32);
+    (position.line + 1, position.col + 1)
 }

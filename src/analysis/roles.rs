@@ -16,8 +16,6 @@ use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
 use model::{Kinematics, Robot};
 use rules::{Finding, RootKind, Severity, is_plain_urdf, missing_robot_name, named, needs_names};
-use workspace::RobotCall;
-use workspace::launch::Argument;
 
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,11 +129,10 @@ impl Session {
         if job.reason == Reason::Root {
             return Role::Root;
         }
-        let is_called = || self.is_named(&job.file);
         let document = expansion.files.first().map(|file| &file.source.document);
         let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
         if self.is_included(&job.file) {
-            return if gives_robot && is_called() {
+            return if gives_robot && self.is_named(&job.file) {
                 Role::Root
             } else {
                 Role::Part
@@ -144,25 +141,20 @@ impl Session {
         if job.reason == Reason::Alone {
             return Role::Root;
         }
-        let misspelled = || {
-            findings
-                .iter()
-                .any(|finding| finding.rule == named::UNDEFINED_LINK && finding.fix.is_some())
-        };
         // a file in xacro without content is one that somebody has yet to write
-        let is_begun = |robot: &Robot| {
-            !robot.links.is_empty()
-                || !robot.joints.is_empty()
-                || document.is_some_and(graph::gives_robot)
-        };
-        if !is_plain_urdf(&job.file) && robot.is_some_and(|robot| !is_begun(robot)) && !is_called()
+        if !is_plain_urdf(&job.file)
+            && robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty())
+            && !document.is_some_and(graph::gives_robot)
+            && !self.is_named(&job.file)
         {
             return Role::Unknown;
         }
         let missing = robot.and_then(above_fragment);
         // whoever names the file together with the link attaches it there
-        let is_whole =
-            |link: &EcoString| misspelled() || is_called() && !self.is_named_with(&job.file, link);
+        let is_whole = |link: &EcoString| {
+            has_misspelled_link(findings)
+                || self.is_named(&job.file) && !self.is_named_with(&job.file, link)
+        };
         match gives_robot {
             true if missing.is_none_or(is_whole) => Role::Root,
             _ => Role::Unknown,
@@ -207,32 +199,33 @@ impl Session {
 
     /// Whether a launch file gives a file to another robot, which includes what it is given.
     fn is_for_another(&self, file: &Path) -> bool {
-        let given = || -> Vec<String> {
-            let all = self.included_around(file);
-            all.iter()
-                .flat_map(|all| all.given())
-                .map(|name| format!("{name}:="))
-                .collect()
-        };
-        let is_called = || {
-            self.calls_around(file)
-                .iter()
-                .any(|call| call.target.as_deref() == Some(file))
-        };
-        self.is_passed(file)
-            || !is_called() && given().iter().any(|given| self.is_quoted(file, given))
+        if self.is_passed(file) {
+            return true;
+        }
+        let calls = self.calls_around(file);
+        if calls
+            .iter()
+            .any(|call| call.target.as_deref() == Some(file))
+        {
+            return false;
+        }
+        let included = self.included_around(file);
+        let mut given = included.iter().flat_map(|all| all.given());
+        given.any(|name| self.is_quoted(file, &format!("{name}:=")))
     }
 
     /// Whether a launch file gives a file to another robot, as the value of an argument.
     fn is_passed(&self, file: &Path) -> bool {
-        let is_it = |call: &RobotCall, argument: &Argument| {
-            let value = argument.value.path(&self.packages, &call.call.caller);
-            call.target.as_deref() != Some(file) && value.as_deref() == Some(file)
-        };
         let calls = self.calls_around(file);
-        calls
+        let mut others = calls
             .iter()
-            .any(|call| call.call.args.iter().any(|argument| is_it(call, argument)))
+            .filter(|call| call.target.as_deref() != Some(file));
+        others.any(|call| {
+            call.call.args.iter().any(|argument| {
+                let value = argument.value.path(&self.packages, &call.call.caller);
+                value.as_deref() == Some(file)
+            })
+        })
     }
 
     /// The files of the workspace that include this one.
@@ -298,6 +291,13 @@ fn above_fragment(robot: &Robot) -> Option<&EcoString> {
     let missing = parents.filter(|parent| !names.contains(parent)).min()?;
     let is_fragment = !robot.links.is_empty() && Kinematics::of(robot).roots(robot).is_empty();
     is_fragment.then_some(missing)
+}
+
+/// Whether a link is missing whose name is like that of another.
+fn has_misspelled_link(findings: &[Finding]) -> bool {
+    findings
+        .iter()
+        .any(|finding| finding.rule == named::UNDEFINED_LINK && finding.fix.is_some())
 }
 
 #[cfg(test)]

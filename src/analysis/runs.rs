@@ -1,10 +1,10 @@
 //! Expansions that proofs compare, kept while the files that they read stay the same.
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 use super::job;
 use super::run_cache::{Run, Runs, Setting};
-use super::session::Session;
+use super::session::{Session, locked};
 use super::task::Job;
 use base::{CancelFlag, TextRange};
 use expand::{
@@ -92,10 +92,12 @@ fn called(expansion: &Expansion) -> Vec<(PathBuf, TextRange)> {
     let mut found: Vec<_> = places.map(|place| (place.file, place.range)).collect();
     found.sort_unstable_by_key(|(file, range)| (*file, range.start));
     found.dedup();
-    let path = |file: &FileUse| file.source.path.to_path_buf();
     found
         .into_iter()
-        .filter_map(|(file, range)| Some((path(expansion.files.get(file)?), range)))
+        .filter_map(|(file, range)| {
+            let file = expansion.files.get(file)?;
+            Some((file.source.path.to_path_buf(), range))
+        })
         .collect()
 }
 
@@ -111,14 +113,14 @@ impl Runs {
         setting: &Setting,
     ) -> Arc<Run> {
         let key = (job.file.clone(), setting.clone());
-        let kept = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let known: Vec<_> = kept().by_key.get(&key).cloned().unwrap_or_default();
+        let known = locked(&self.0).by_key.get(&key).cloned();
+        let known: Vec<_> = known.unwrap_or_default();
         if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
             return run;
         }
         let run = Arc::new(Run::of(session, vfs, cancel, job, setting));
         if !cancel.is_cancelled() {
-            kept().add(key, run.clone());
+            locked(&self.0).add(key, run.clone());
         }
         run
     }

@@ -184,22 +184,21 @@ impl Session {
         let Some(top) = self.packages.sources_around(path) else {
             return Arc::default();
         };
-        let known = || self.beside.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = known().get(&top) {
+        if let Some(found) = locked(&self.beside).get(&top) {
             return found.clone();
         }
         let mut found = self.callers.beside(path, &self.packages);
         found.retain(|file| self.is_about_robots(file) && !self.settings(file).excludes(file));
-        known().entry(top).or_insert(Arc::new(found)).clone()
+        locked(&self.beside)
+            .entry(top)
+            .or_insert(Arc::new(found))
+            .clone()
     }
 
     /// Forget which robots the files beside them are for.
     pub(super) fn forget_pairings(&self) {
         self.pairings().clear();
-        self.beside
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clear();
+        locked(&self.beside).clear();
     }
 
     /// The descriptions around a file.
@@ -386,26 +385,25 @@ impl Session {
         folder: &Path,
         make: impl FnOnce() -> Arc<Included>,
     ) -> Arc<Included> {
-        let known = || self.included.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(included) = known().get(folder) {
+        if let Some(included) = locked(&self.included).get(folder) {
             return included.clone();
         }
         let made = make();
-        known().entry(folder.to_owned()).or_insert(made).clone()
+        locked(&self.included)
+            .entry(folder.to_owned())
+            .or_insert(made)
+            .clone()
     }
 
     /// The robots that files beside them are for, as far as somebody has asked.
     pub(super) fn pairings(&self) -> MutexGuard<'_, FastMap<PathBuf, Arc<Pairing>>> {
-        self.pairings.lock().unwrap_or_else(PoisonError::into_inner)
+        locked(&self.pairings)
     }
 
     /// Forget which files include and call others: some have come, gone or changed.
     pub(super) fn forget_uses(&self) {
         self.callers.forget();
-        self.included
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clear();
+        locked(&self.included).clear();
         self.forget_pairings();
     }
 
@@ -466,4 +464,9 @@ impl Session {
             config,
         }
     }
+}
+
+/// What a lock guards, also after a panic elsewhere.
+pub(super) fn locked<T>(lock: &Mutex<T>) -> MutexGuard<'_, T> {
+    lock.lock().unwrap_or_else(PoisonError::into_inner)
 }

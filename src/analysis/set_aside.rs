@@ -116,10 +116,10 @@ impl Session {
                 .then_some(Severity::Warning)
         });
         let about_prefixes = |finding: &Finding| {
-            let is_block = || finding.message.starts_with("`insert_block`");
             finding.rule == named::UNPREFIXED_XACRO_TAG
                 || finding.rule == named::UNPREFIXED_MACRO_CALL
-                || finding.rule == named::UNKNOWN_GEOMETRY_TYPE && is_block()
+                || finding.rule == named::UNKNOWN_GEOMETRY_TYPE
+                    && finding.message.starts_with("`insert_block`")
         };
         if let Some(most) = self.lower_where(findings, about_prefixes, || {
             self.severity_of_bare_tags(&job.file)
@@ -258,22 +258,19 @@ impl Session {
     /// Whether nobody names a file though its path says that it is old or a copy, or the launch files of its package load
     /// others. A template is filled by a script that names it.
     fn is_unnamed(&self, file: &Path) -> bool {
-        let is_empty = || {
-            self.vfs
-                .text(file)
-                .is_ok_and(|file| file.text.trim().is_empty())
-        };
-        let is_other = || {
-            self.is_kept(file)
-                || self.is_left_over(file)
-                || self.is_passed_over(file)
-                || self.is_beside_model(file)
-                || self.is_beside_spawned_models(file)
-                || is_empty()
-        };
-        let is_unused = |file: &Path| !self.is_named(file) && is_other();
-        let is_unused_template = |file: &Path| is_template(file) && !self.is_launched(file);
-        is_unused(file) || is_unused_template(file) || self.is_only_written(file)
+        !self.is_named(file) && self.is_given_up(file)
+            || is_template(file) && !self.is_launched(file)
+            || self.is_only_written(file)
+    }
+
+    /// Whether a file is old or a copy, others are loaded in its place, or it has no text.
+    fn is_given_up(&self, file: &Path) -> bool {
+        self.is_kept(file)
+            || self.is_left_over(file)
+            || self.is_passed_over(file)
+            || self.is_beside_model(file)
+            || self.is_beside_spawned_models(file)
+            || (self.vfs.text(file)).is_ok_and(|file| file.text.trim().is_empty())
     }
 
     /// Whether the path of a file says that it is kept and not used.

@@ -110,18 +110,19 @@ impl<'a> SuppressionFilter<'a> {
         let mut findings = Vec::new();
         for (&file, (source, found)) in &self.files {
             for (number, suppression) in found.list.iter().enumerate() {
-                let is_unused = |i: usize, selector: &Selector| match suppression.directive {
-                    Directive::Enable => self.ends_nothing(source, suppression, selector, found),
-                    _ => {
-                        !self.used.contains(&(file, number, i)) && self.is_judged(source, selector)
-                    }
-                };
                 if !self.was_evaluated(source, suppression) {
                     continue;
                 }
+                let is_unused = |(i, selector): &(usize, &Selector)| match suppression.directive {
+                    Directive::Enable => self.ends_nothing(source, suppression, selector, found),
+                    _ => {
+                        !self.used.contains(&(file, number, *i)) && self.is_judged(source, selector)
+                    }
+                };
                 let rules = suppression.rules.iter().enumerate();
                 let unused: Vec<&Selector> = rules
-                    .filter(|(i, selector)| wanted(selector) && is_unused(*i, selector))
+                    .filter(|(_, selector)| wanted(selector))
+                    .filter(is_unused)
                     .map(|(_, selector)| selector)
                     .collect();
                 if !unused.is_empty() {
@@ -146,9 +147,9 @@ impl<'a> SuppressionFilter<'a> {
         [suppression.comment.start, suppression.comment.end + next]
             .into_iter()
             .all(|at| {
-                let inside = |names: &[&str]| enclosing(document, TextRange::empty(at), names);
-                inside(&["xacro:if", "xacro:unless"]).is_empty()
-                    && inside(&["xacro:macro"])
+                let at = TextRange::empty(at);
+                enclosing(document, at, &["xacro:if", "xacro:unless"]).is_empty()
+                    && enclosing(document, at, &["xacro:macro"])
                         .into_iter()
                         .all(|place| self.is_called(source.id, place))
             })

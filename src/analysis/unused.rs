@@ -122,19 +122,22 @@ impl Session {
         if self.is_one_of_several(file) {
             // files of one name are told apart by their folders
             let folder = file.parent().and_then(name);
-            let says_folder =
-                |path: &PathBuf| folder.as_ref().is_none_or(|name| self.says(path, name));
-            starters.retain(|path| names_it(path) && says_folder(path));
+            starters.retain(|path| {
+                names_it(path) && folder.as_ref().is_none_or(|name| self.says(path, name))
+            });
         } else if starters.iter().any(names_it) {
             // another controller manager may have a controller of that name
             starters.retain(names_it);
         }
-        let is_started = |name: &str| starters.iter().any(|path| self.says(path, name));
-        !is_started(own)
+        !self.any_says(&starters, own)
             && settings
                 .controllers
                 .iter()
-                .any(|other| is_started(&other.name.name))
+                .any(|other| self.any_says(&starters, &other.name.name))
+    }
+
+    fn any_says(&self, files: &[PathBuf], name: &str) -> bool {
+        files.iter().any(|path| self.says(path, name))
     }
 
     /// Whether a text has a name outside of its comments.
@@ -186,20 +189,22 @@ impl Session {
 
     /// Whether a file lists controllers or configures them and no text names it, while texts name another one of its package.
     fn is_left_behind(&self, file: &Path) -> bool {
-        let lists = |file: &Path| self.is_for_manager(file);
         let folder = self.packages.containing(file).map(|package| package.folder);
         // what the setup assistant of MoveIt writes is found by its name
         let folder = folder.filter(|folder| !self.vfs.is_file(&folder.join(".setup_assistant")));
-        let holds = |settings: Arc<Settings>| !settings.controllers.is_empty();
-        let is_own = || lists(file) || self.beside_settings(file).is_some_and(holds);
-        let Some(folder) = folder.filter(|_| is_own() && !self.is_mentioned(file)) else {
+        let Some(folder) = folder else {
             return false;
         };
+        let holds = |settings: Arc<Settings>| !settings.controllers.is_empty();
+        let is_own = self.is_for_manager(file) || self.beside_settings(file).is_some_and(holds);
+        if !is_own || self.is_mentioned(file) {
+            return false;
+        }
         let around = self.beside_around(file);
         let mut others = around
             .iter()
             .filter(|other| *other != file && other.starts_with(&folder));
-        others.any(|other| lists(other) && self.is_mentioned(other))
+        others.any(|other| self.is_for_manager(other) && self.is_mentioned(other))
     }
 
     /// What is wrong in such a repository is an info where nothing in the workspace leads to the file. Not when somebody asks for

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use super::session::Session;
 use super::task::Job;
 use expand::ProblemKind;
-use rules::{Finding, Severity, named};
+use rules::{Finding, Rule, Severity, named};
 use vfs::without_parents;
 use workspace::{RobotCall, Target};
 
@@ -13,7 +13,6 @@ impl Session {
     pub(super) fn settle_by_use(&self, job: &Job, findings: &mut [Finding]) {
         let file = &job.file;
         let info = || Some(Severity::Info);
-        let about = |rule| move |finding: &Finding| finding.rule == rule;
         // both blocks meet in a robot whose controllers nothing starts
         self.lower_where(findings, about(named::ROS2_CONTROL_DUPLICATE_JOINT), || {
             let is_idle = self.is_for_assistant(file) && self.is_another_controlled(file);
@@ -112,8 +111,9 @@ impl Session {
             return false;
         };
         let folder = file.parent().unwrap_or(file);
-        let is_ignored = |path: PathBuf| self.packages.is_ignored_by_git(&without_parents(&path));
-        is_ignored(folder.join(path)) || is_ignored(self.vfs.absolute(Path::new(path)))
+        let beside = without_parents(&folder.join(path));
+        let here = without_parents(&self.vfs.absolute(Path::new(path)));
+        self.packages.is_ignored_by_git(&beside) || self.packages.is_ignored_by_git(&here)
     }
 
     /// Whether a finding is in the default of an argument that all calls of the file give.
@@ -149,4 +149,9 @@ fn missing_file(finding: &Finding) -> Option<&str> {
     const MISSING: &str = "No such file or directory: '";
     let path = finding.message.split(MISSING).nth(1)?;
     path.split('\'').next()
+}
+
+/// Whether a finding is of a rule.
+fn about(rule: &'static Rule) -> impl Fn(&Finding) -> bool {
+    move |finding| finding.rule == rule
 }

@@ -455,12 +455,7 @@ impl World {
             .as_ref()
             .is_some_and(|known| self.is_current_beside(known, path));
         let any = known.is_some() || self.good.contains_key(root);
-        let whole = || {
-            let files = known.iter().flat_map(|known| &known.expansion.files);
-            let mut files = files.filter_map(|file| self.document(&file.source.path));
-            files.all(|source| source.document.errors().is_empty())
-        };
-        if !any || !is_fresh && whole() {
+        if !any || !is_fresh && known.is_none_or(|known| self.is_unbroken(&known)) {
             let _ = self.analyzed(root, cancel);
         }
         let newest = self.cache.get(root).cloned();
@@ -476,6 +471,13 @@ impl World {
             .chain(good.filter(|_| !finished))
             .cloned()
             .collect()
+    }
+
+    /// Whether all texts of a robot are whole XML as they are now.
+    fn is_unbroken(&self, known: &Analyzed) -> bool {
+        let files = known.expansion.files.iter();
+        let mut files = files.filter_map(|file| self.document(&file.source.path));
+        files.all(|source| source.document.errors().is_empty())
     }
 
     /// The last expansion of the robot of an open file, when the robot is large and nothing but this file was edited

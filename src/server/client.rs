@@ -1,6 +1,6 @@
 //! What the client can do.
 use lsp_types::{
-    CodeActionClientCapabilities, GotoCapability, InitializeParams, ResourceOperationKind,
+    CodeActionClientCapabilities, InitializeParams, ResourceOperationKind,
     TextDocumentClientCapabilities, WorkspaceClientCapabilities,
 };
 use serde_json::Value;
@@ -183,12 +183,11 @@ impl EditSupport {
         let versions = edit.document_changes.unwrap_or(false);
         let operations = edit.resource_operations.as_deref().unwrap_or_default();
         // clients that make files take them in `documentChanges`, whether they check versions or not
-        let operation = |kind| operations.contains(&kind);
         Self {
             versions,
             annotations: versions && edit.change_annotation_support.is_some(),
-            creates_files: operation(ResourceOperationKind::Create),
-            renames_files: operation(ResourceOperationKind::Rename),
+            creates_files: operations.contains(&ResourceOperationKind::Create),
+            renames_files: operations.contains(&ResourceOperationKind::Rename),
             on_request: workspace.apply_edit.unwrap_or(false),
         }
     }
@@ -233,13 +232,11 @@ impl CompletionSupport {
 
 impl Links {
     fn of(text: &TextDocumentClientCapabilities) -> Self {
-        let links =
-            |goto: Option<GotoCapability>| goto.and_then(|goto| goto.link_support).unwrap_or(false);
         Self {
-            definition: links(text.definition),
-            declaration: links(text.declaration),
-            type_definition: links(text.type_definition),
-            implementation: links(text.implementation),
+            definition: is_set(text.definition.map(|goto| goto.link_support)),
+            declaration: is_set(text.declaration.map(|goto| goto.link_support)),
+            type_definition: is_set(text.type_definition.map(|goto| goto.link_support)),
+            implementation: is_set(text.implementation.map(|goto| goto.link_support)),
         }
     }
 }
@@ -250,17 +247,19 @@ impl Own {
         let experimental = params.capabilities.experimental.as_ref();
         let options = options(params).and_then(|options| options.get(CLIENT_OPTIONS));
         let said = [experimental.and_then(|own| own.get("xacro")), options];
-        let knows = |what: &str| {
-            said.into_iter()
-                .flatten()
-                .any(|own| own.get(what) == Some(&Value::Bool(true)))
-        };
         Self {
-            context_changed: knows("contextChanged"),
-            lens_commands: knows("lensCommands"),
-            expanded_documents: knows("expandedDocuments"),
+            context_changed: is_known(said, "contextChanged"),
+            lens_commands: is_known(said, "lensCommands"),
+            expanded_documents: is_known(said, "expandedDocuments"),
         }
     }
+}
+
+/// Whether what a client says of itself names a part of our protocol.
+fn is_known(said: [Option<&Value>; 2], what: &str) -> bool {
+    said.into_iter()
+        .flatten()
+        .any(|own| own.get(what) == Some(&Value::Bool(true)))
 }
 
 /// Where options say what the client knows; everything else in them is settings.

@@ -29,6 +29,14 @@ pub(super) fn file_path(uri: &Url) -> Option<PathBuf> {
     );
 }
 
+/// The name of a file without its folders.
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}
+
 /// The URI of a file.
 pub(super) fn file_uri(path: &Path) -> Option<Url> {
     #[cfg(any(unix, windows))]
@@ -74,18 +82,21 @@ pub(super) fn text_range(document: &Document, range: Range, encoding: Encoding) 
 /// The bytes that an edit replaces. Where an edit begins or ends between the halves of a surrogate pair, clients that
 /// count so keep no half of it: the character belongs to what is in front of the place.
 pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding) -> TextRange {
-    let behind = |position: Position| {
-        let at = offset(document, position, encoding);
-        let back = document.line_col(at, encoding);
-        let is_inside = encoding == Encoding::Utf16
-            && (back.line, back.col + 1) == (position.line, position.character)
-            && document
-                .slice(TextRange::new(at, at + 4))
-                .chars()
-                .next()
-                .is_some_and(|c| c.len_utf16() == 2);
-        if is_inside { at + 4 } else { at }
-    };
-    let (a, b) = (behind(range.start), behind(range.end));
+    let a = edited_offset(document, range.start, encoding);
+    let b = edited_offset(document, range.end, encoding);
     TextRange::new(a.min(b), a.max(b))
+}
+
+/// The byte offset of one end of an edit: behind the character when it lies between the halves of a surrogate pair.
+fn edited_offset(document: &Document, position: Position, encoding: Encoding) -> u32 {
+    let at = offset(document, position, encoding);
+    let back = document.line_col(at, encoding);
+    let is_inside = encoding == Encoding::Utf16
+        && (back.line, back.col + 1) == (position.line, position.character)
+        && document
+            .slice(TextRange::new(at, at + 4))
+            .chars()
+            .next()
+            .is_some_and(|c| c.len_utf16() == 2);
+    if is_inside { at + 4 } else { at }
 }

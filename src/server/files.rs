@@ -30,30 +30,31 @@ const FILES: &str =
 
 /// What the editor has to tell.
 pub(super) fn offered() -> WorkspaceFileOperationsServerCapabilities {
-    let filter = |glob: &str, matches| FileOperationFilter {
+    let options = Some(FileOperationRegistrationOptions {
+        filters: vec![
+            filter(FILES, FileOperationPatternKind::File),
+            filter("**", FileOperationPatternKind::Folder),
+        ],
+    });
+    WorkspaceFileOperationsServerCapabilities {
+        did_create: options.clone(),
+        will_create: None,
+        did_rename: options.clone(),
+        will_rename: options.clone(),
+        did_delete: options,
+        will_delete: None,
+    }
+}
+
+/// The files or folders whose paths match a pattern.
+fn filter(glob: &str, matches: FileOperationPatternKind) -> FileOperationFilter {
+    FileOperationFilter {
         scheme: Some("file".to_owned()),
         pattern: FileOperationPattern {
             glob: glob.to_owned(),
             matches: Some(matches),
             options: None,
         },
-    };
-    let filters = vec![
-        filter(FILES, FileOperationPatternKind::File),
-        filter("**", FileOperationPatternKind::Folder),
-    ];
-    let options = || {
-        Some(FileOperationRegistrationOptions {
-            filters: filters.clone(),
-        })
-    };
-    WorkspaceFileOperationsServerCapabilities {
-        did_create: options(),
-        will_create: None,
-        did_rename: options(),
-        will_rename: options(),
-        did_delete: options(),
-        will_delete: None,
     }
 }
 
@@ -63,14 +64,13 @@ pub fn will_rename_files(
     params: RenameFilesParams,
     cancel: &CancelFlag,
 ) -> Result<Option<WorkspaceEdit>, Failure> {
-    let path = |uri: &str| convert::file_path(&Url::parse(uri).ok()?);
     let moves: Vec<Move> = params
         .files
         .iter()
         .filter_map(|file| {
             Some(Move {
-                old: path(&file.old_uri)?,
-                new: path(&file.new_uri)?,
+                old: path_of(&file.old_uri)?,
+                new: path_of(&file.new_uri)?,
             })
         })
         .collect();
@@ -107,26 +107,27 @@ pub fn will_rename_files(
     Ok((!edits.is_empty()).then(|| workspace_edit(state, edits)))
 }
 
+/// The path of a file that a client names.
+fn path_of(uri: &str) -> Option<PathBuf> {
+    convert::file_path(&Url::parse(uri).ok()?)
+}
+
 /// Tell the user which includes may mean a file that gets another name, and cannot follow it.
 fn warn_of_computed_includes(state: &State, moves: &[Move], edits: &BTreeMap<Url, Vec<TextEdit>>) {
-    let shown = |path: &Path| {
-        path.file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned()
-    };
     for each in moves
         .iter()
         .filter(|each| each.old.file_name() != each.new.file_name())
     {
-        let follows = |file: &PathBuf| state.uri(file).is_some_and(|uri| edits.contains_key(&uri));
         let mut left = state.world.computed_includers(&each.old);
-        left.retain(|file| !follows(file));
+        left.retain(|file| {
+            let uri = state.uri(file);
+            uri.is_none_or(|uri| !edits.contains_key(&uri))
+        });
         if let Some(first) = left.first() {
             let message = format!(
                 "`{}` may include `{}` by a computed name, which is not changed",
-                shown(first),
-                shown(&each.old)
+                convert::file_name(first),
+                convert::file_name(&each.old)
             );
             state.outbox.show(MessageType::WARNING, message);
         }
@@ -139,39 +140,46 @@ fn may_name(state: &State, file: &Path, moves: &[Move]) -> bool {
         return false;
     };
     let text = source.document.text();
-    let holds = |path: &Path| {
-        let name = path
-            .file_name()
-            .map(|name| name.to_string_lossy().into_owned());
-        name.is_some_and(|name| text.contains(&name))
-    };
-    // a package is named by its manifest, not by its folder
-    let is_folder = |path: &Path| path.extension().is_none();
-    moves
-        .iter()
-        .any(|each| file.starts_with(&each.old) || holds(&each.old) || is_folder(&each.old))
+    moves.iter().any(|each| {
+        // a package is named by its manifest, not by its folder
+        file.starts_with(&each.old)
+            || holds_name(&text, &each.old)
+            || each.old.extension().is_none()
+    })
+}
+
+/// Whether a text holds the name of a file.
+fn holds_name(text: &str, path: &Path) -> bool {
+    let name = path.file_name().map(|name| name.to_string_lossy());
+    name.is_some_and(|name| text.contains(&*name))
 }
 
 /// Write a mesh of the workspace as binary STL whose header is not taken for text.
 pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
     let path = state.path(&mesh.uri);
-    let refuse = |message: String| Failure::Refused(format!("`{}` {message}", vfs::slashed(&path)));
     let is_stl = path
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("stl"));
     if !is_stl || !is_ours(state, &path) {
-        return Err(refuse("is not an STL file in the workspace".to_owned()));
+        return Err(refused(&path, "is not an STL file in the workspace"));
     }
     let bytes = state.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
-    let bytes = bytes.map_err(|error| refuse(format!("cannot be read: {}", error.reason())))?;
+    let bytes =
+        bytes.map_err(|error| refused(&path, &format!("cannot be read: {}", error.reason())))?;
     let Some(new) = plain_stl(&bytes) else {
-        return Err(refuse("needs no change".to_owned()));
+        return Err(refused(&path, "needs no change"));
     };
-    write_atomically(&path, &new).map_err(|error| refuse(format!("cannot be written: {error}")))?;
+    write_atomically(&path, &new)
+        .map_err(|error| refused(&path, &format!("cannot be written: {error}")))?;
     state.world.changed_on_disk(&[path]);
     state.schedule(Cause::FilesChanged(1));
     refresh(state);
     Ok(())
+}
+
+/// Why a mesh is left as it is.
+fn refused(mesh: &Path, reason: &str) -> Failure {
+    Failure::Refused(format!("`{}` {reason}", vfs::slashed(mesh)))
 }
 
 pub fn files_renamed(state: &mut State, params: RenameFilesParams) {

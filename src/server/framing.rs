@@ -127,13 +127,9 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
         Cow::Borrowed(text) => without_lone_surrogates(text.as_bytes()),
         Cow::Owned(text) => Cow::Owned(without_lone_surrogates(text.as_bytes()).into_owned()),
     };
-    let written = |message: Value| (Cow::Owned(message.to_string().into_bytes()), false);
-    let bad = |reason: String| {
-        written(json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } }))
-    };
     let head = match serde_json::from_slice::<Head<'_>>(&repaired) {
         Ok(head) => head,
-        Err(error) => return bad(error.to_string()),
+        Err(error) => return bad(&error.to_string()),
     };
     let id_fits = head
         .id
@@ -141,7 +137,7 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
         .is_none_or(|id| id.is_string() || id.is_i64() || id.is_null());
     let is_reply = head.method.is_none() && head.id.is_some() && (head.result || head.error);
     if head.jsonrpc.as_deref() != Some("2.0") || !id_fits || !(head.method.is_some() || is_reply) {
-        return bad("not a JSON-RPC 2.0 message".to_owned());
+        return bad("not a JSON-RPC 2.0 message");
     }
     match (head.method.as_deref(), &head.id) {
         // some clients send `null` for no parameters, which the service would refuse
@@ -157,6 +153,16 @@ fn checked(body: &[u8]) -> (Cow<'_, [u8]>, bool) {
         }
         _ => (repaired, is_reply),
     }
+}
+
+/// A note about what is no message.
+fn bad(reason: &str) -> (Cow<'static, [u8]>, bool) {
+    written(json!({ "jsonrpc": "2.0", "method": BAD_MESSAGE, "params": { "reason": reason } }))
+}
+
+/// The body of a message that is no reply.
+fn written(message: Value) -> (Cow<'static, [u8]>, bool) {
+    (Cow::Owned(message.to_string().into_bytes()), false)
 }
 
 /// The protocol says `workspace.diagnostics`; the types that read it say `diagnostic`.

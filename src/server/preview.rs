@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::outbox::ClientRequest;
 #[cfg(feature = "preview")]
 use crate::requests::mapping::named;
-use crate::root_param::{Root, chosen};
+use crate::root_param::{Root, active_root, chosen};
 use crate::state::State;
 use crate::views::Previews;
 use analysis::RootChoice;
@@ -252,11 +252,7 @@ fn view_root(state: &mut State, params: SubscribeParams) -> Result<RootChoice, F
         (Some(root), _) => chosen(state, root),
         (None, Some(document)) => {
             let (path, _) = state.source(&document.uri)?;
-            Ok(state
-                .world
-                .context(&path)
-                .root
-                .unwrap_or_else(|| RootChoice::plain(&path)))
+            Ok(active_root(state, &path))
         }
         (None, None) => Err(Failure::Invalid(
             "missing parameter: pass `root` or `textDocument`".to_owned(),

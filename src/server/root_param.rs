@@ -1,7 +1,8 @@
 //! The robot that a request is about.
 use std::collections::BTreeMap;
+use std::path::Path;
 
-use lsp_types::Url;
+use lsp_types::{TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
@@ -34,4 +35,23 @@ pub fn chosen(state: &mut State, root: Root) -> Result<RootChoice, Failure> {
         .map(|(known, _)| known)
         .find(|known| known.file == root.file && known.preset == root.preset);
     Ok(preset.unwrap_or(root))
+}
+
+/// The root that a request names, or the one that its document is shown under.
+pub fn chosen_or_active(
+    state: &mut State,
+    document: &TextDocumentIdentifier,
+    root: Option<Root>,
+) -> Result<RootChoice, Failure> {
+    let (path, _) = state.source(&document.uri)?;
+    match root {
+        Some(root) => chosen(state, root),
+        None => Ok(active_root(state, &path)),
+    }
+}
+
+/// The root that a file is shown under; a file that no root reaches is one by itself.
+pub fn active_root(state: &mut State, path: &Path) -> RootChoice {
+    let root = state.world.context(path).root;
+    root.unwrap_or_else(|| RootChoice::plain(path))
 }

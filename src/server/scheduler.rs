@@ -1,7 +1,8 @@
 //! When diagnostics are made, and why.
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
+use crate::convert::file_name;
 use base::clock::Instant;
 
 /// Why files are checked.
@@ -27,17 +28,11 @@ pub(super) enum Cause {
 
 impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let name = |path: &Path| {
-            path.file_name()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into_owned()
-        };
         match self {
-            Self::Opened(path) => write!(f, "`{}` opened", name(path)),
-            Self::Edited(path) => write!(f, "`{}` edited", name(path)),
-            Self::Saved(path) => write!(f, "`{}` saved", name(path)),
-            Self::Closed(path) => write!(f, "`{}` closed", name(path)),
+            Self::Opened(path) => write!(f, "`{}` opened", file_name(path)),
+            Self::Edited(path) => write!(f, "`{}` edited", file_name(path)),
+            Self::Saved(path) => write!(f, "`{}` saved", file_name(path)),
+            Self::Closed(path) => write!(f, "`{}` closed", file_name(path)),
             Self::FilesChanged(1) => f.write_str("1 file changed on disk"),
             Self::FilesChanged(count) => write!(f, "{count} files changed on disk"),
             Self::FoldersChanged => f.write_str("workspace folders changed"),

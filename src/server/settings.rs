@@ -39,10 +39,12 @@ pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams)
 
 /// The client's answer about settings: those of each folder hold for what lies in it.
 pub fn configured(state: &mut State, scopes: &[Option<Url>], values: &[Value]) {
-    let folder = |scope: &Option<Url>| scope.as_ref().map(|uri| state.path(uri));
     let scoped = scopes.iter().zip(values);
     let given = scoped
-        .map(|(scope, value)| (effective(state, value), folder(scope)))
+        .map(|(scope, value)| {
+            let folder = scope.as_ref().map(|uri| state.path(uri));
+            (effective(state, value), folder)
+        })
         .collect();
     take_settings(state, given);
     state.schedule(Cause::SettingsChanged);

@@ -35,15 +35,12 @@ impl Session {
         let Some(assistant) = assistant.filter(|_| is_read) else {
             return Vec::new();
         };
-        let span = |named: &Named| Span {
-            file: own.file,
-            range: named.range,
-        };
         let mut found = Vec::new();
         if let (Some(srdf), Some(package)) = (&assistant.srdf, &package)
             && self.is_not_there(&package.folder.join(srdf.name.as_str()))
         {
-            let finding = setup_assistant_file_not_found(span(srdf), &srdf.name, &package.name);
+            let finding =
+                setup_assistant_file_not_found(span_of(own, srdf), &srdf.name, &package.name);
             // a program makes the SRDFs
             let is_source = |path: &PathBuf| {
                 path.starts_with(&package.folder) && path.to_string_lossy().ends_with(".srdf.xacro")
@@ -63,7 +60,8 @@ impl Session {
             .into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
         if self.is_not_there(&file) {
-            let finding = setup_assistant_file_not_found(span(urdf), &urdf.name, &name.name);
+            let finding =
+                setup_assistant_file_not_found(span_of(own, urdf), &urdf.name, &name.name);
             found.push(at_most_info(finding, is_for_windows(urdf)));
         }
         if self.vfs.is_file(&file) {
@@ -77,20 +75,24 @@ impl Session {
     /// another ending is its source.
     fn is_not_there(&self, path: &Path) -> bool {
         let is_named = path.to_str().is_some_and(|path| !path.contains(['$', '{']));
-        let folder = path.parent().unwrap_or(path);
-        let is_source =
-            |name: &str| stem(Path::new(name)).is_some() && stem(Path::new(name)) == stem(path);
-        let has_source = || {
-            self.vfs
-                .list_dir(folder)
-                .iter()
-                .any(|entry| !entry.is_dir && is_source(&entry.name) && is_xacro(&entry.name))
-        };
         is_named
             && !self.vfs.exists(path)
             && self.packages.containing(path).is_some()
             && !self.packages.is_ignored_by_git(path)
-            && (is_xacro(&path.to_string_lossy()) || !has_source())
+            && (is_xacro(&path.to_string_lossy()) || !self.has_source(path))
+    }
+
+    /// Whether a file in xacro beside a file has its name with another ending.
+    fn has_source(&self, path: &Path) -> bool {
+        let Some(stem_of_path) = stem(path) else {
+            return false;
+        };
+        let folder = path.parent().unwrap_or(path);
+        self.vfs.list_dir(folder).iter().any(|entry| {
+            !entry.is_dir
+                && stem(Path::new(&entry.name)) == Some(stem_of_path)
+                && is_xacro(&entry.name)
+        })
     }
 
     /// An error of the robot that the arguments cause.
@@ -157,28 +159,20 @@ impl Session {
         }
         let shown = file.file_name().unwrap_or_default().to_string_lossy();
         let text = self.vfs.text(&own.path);
-        let place = |name: &str| {
-            let written = text
-                .as_ref()
-                .ok()
-                .map(|text| arguments.range.slice(&text.text))
-                .unwrap_or_default();
-            let start = written
-                .find(&format!("{name}:="))
-                .map(|at| arguments.range.start + at as u32);
-            start.map_or(arguments.range, |start| {
-                TextRange::new(start, start + name.len() as u32)
-            })
-        };
-        let names = || known.iter().flat_map(|known| &known.names);
+        let text = text.as_ref().map_or("", |text| &*text.text);
         let unknown = assistant.given().into_iter().map(|(name, _)| name);
-        let unknown = unknown.filter(|name| !names().any(|known| known == name));
+        let unknown = unknown.filter(|name| {
+            !known
+                .iter()
+                .any(|known| known.names.contains(name.as_str()))
+        });
         let finding = |name: String| {
             let span = Span {
                 file: own.file,
-                range: place(&name),
+                range: place_of_argument(text, arguments.range, &name),
             };
-            let near = nearest(&name, names().map(|name| name.as_str()));
+            let names = known.iter().flat_map(|known| &known.names);
+            let near = nearest(&name, names.map(|name| name.as_str()));
             setup_assistant_unknown_argument(span, &name, &shown, near)
         };
         unknown.map(finding).collect()
@@ -216,4 +210,21 @@ fn at_most_info(mut finding: Finding, is_info: bool) -> Finding {
 /// Whether a path is written with backslashes, which separate folders on Windows.
 fn is_for_windows(path: &Named) -> bool {
     path.name.contains('\\')
+}
+
+fn span_of(own: &Beside, named: &Named) -> Span {
+    Span {
+        file: own.file,
+        range: named.range,
+    }
+}
+
+/// The place of the name of an argument among those that `.setup_assistant` gives; all of them where it is not found.
+fn place_of_argument(text: &str, arguments: TextRange, name: &str) -> TextRange {
+    let written = arguments.slice(text);
+    let Some(at) = written.find(&format!("{name}:=")) else {
+        return arguments;
+    };
+    let start = arguments.start + at as u32;
+    TextRange::new(start, start + name.len() as u32)
 }

@@ -1,4 +1,5 @@
 //! Which robots of a pairing a file is compared with: whole ones, whose names it has.
+use std::path::Path;
 use std::sync::Arc;
 
 use ecow::EcoString;
@@ -131,13 +132,16 @@ fn is_empty(analyzed: &Analyzed) -> bool {
 /// beside `arm.urdf.xacro`.
 fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
     let own = &analyzed.root.file;
-    let is_it = |other: &Analyzed| {
-        let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
-        let is_named_so =
-            other.root.file.parent() == own.parent() && stem(&other.root.file) == stem(own);
-        other.root.file != *own && (is_named_so || files.any(|file| file == own))
-    };
-    all.iter().any(|other| is_it(other) && is_settled(other))
+    all.iter()
+        .any(|other| is_whole_of(other, own) && is_settled(other))
+}
+
+/// Whether another robot includes a file, or has its name in the same folder.
+fn is_whole_of(other: &Analyzed, part: &Path) -> bool {
+    let root = &other.root.file;
+    let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
+    let is_named_so = root.parent() == part.parent() && stem(root) == stem(part);
+    root != part && (is_named_so || files.any(|file| file == part))
 }
 
 /// Whether conditions of a file decide what it gives.

@@ -61,10 +61,9 @@ impl Session {
 
     /// The files beside a robot.
     pub(in super::super) fn beside_of(&self, root: &Path) -> Vec<PathBuf> {
-        let is_for = |file: &Path| self.pairing(file).roots.iter().any(|own| own.file == root);
         self.beside_around(root)
             .iter()
-            .filter(|file| is_for(file))
+            .filter(|file| self.pairing(file).roots.iter().any(|own| own.file == root))
             .cloned()
             .collect()
     }
@@ -143,21 +142,25 @@ impl Session {
     /// The files beside the same robots, this one too. None for very many, such as a generated SRDF for each combination of
     /// tools: to compare each with all others would take the square of them.
     fn of_the_same(&self, path: &Path, pairing: &Pairing) -> Option<Vec<PathBuf>> {
-        let has_same = |other: &Path| {
-            !pairing.roots.is_empty()
-                && self
-                    .pairing(other)
-                    .roots
-                    .iter()
-                    .any(|root| pairing.roots.contains(root))
-        };
         let is_same = |other: &&PathBuf| {
-            *other == path || pairing.srdf.as_ref() == Some(other) || has_same(other)
+            *other == path
+                || pairing.srdf.as_ref() == Some(other)
+                || self.is_for_one_of(other, &pairing.roots)
         };
         let around = self.beside_around(path);
         let same = around.iter().filter(is_same);
         let found: Vec<PathBuf> = same.take(FILES_BESIDE + 1).cloned().collect();
         (found.len() <= FILES_BESIDE).then_some(found)
+    }
+
+    /// Whether a file beside robots is for one of these.
+    fn is_for_one_of(&self, file: &Path, roots: &[RootChoice]) -> bool {
+        !roots.is_empty()
+            && self
+                .pairing(file)
+                .roots
+                .iter()
+                .any(|root| roots.contains(root))
     }
 
     fn judged(
@@ -244,17 +247,15 @@ impl Session {
         else {
             return Vec::new();
         };
-        let starts = |robot: &Analyzed| {
+        let callers = |robot: &Arc<Analyzed>| {
             let calls = self.robot_calls(&robot.root.file);
-            let callers: FastSet<PathBuf> = calls.into_iter().map(|one| one.call.caller).collect();
-            callers
+            calls.into_iter().map(|one| one.call.caller).collect()
         };
-        let all: Vec<FastSet<PathBuf>> = paired.robots.iter().map(|one| starts(one)).collect();
-        let is_shared =
-            |caller: &PathBuf| all.iter().filter(|one| one.contains(caller)).count() > 1;
+        let all: Vec<FastSet<PathBuf>> = paired.robots.iter().map(callers).collect();
         let names = |callers: &FastSet<PathBuf>| {
-            let own = callers.iter().filter(|caller| !is_shared(caller));
-            let own: Vec<&PathBuf> = own.collect();
+            let is_own =
+                |caller: &&PathBuf| all.iter().filter(|one| one.contains(*caller)).count() <= 1;
+            let own: Vec<&PathBuf> = callers.iter().filter(is_own).collect();
             let is_named = |name: &EcoString| own.iter().any(|caller| self.says(caller, name));
             let names = controllers.iter().map(|one| one.name.name.clone());
             names.filter(is_named).collect()
@@ -329,11 +330,12 @@ impl Session {
                 if node.name() == "xacro:include" {
                     names.is_open |= self.is_absent(node, &source.path);
                 }
-                let has = |tag: &str| node.child_elements().any(|inner| inner.name() == tag);
                 let list = match node.name() {
                     "link" if !is_semantic_name(root) => &mut names.links,
                     // not those of ros2_control or a transmission
-                    "joint" if has("child") => &mut names.joints,
+                    "joint" if node.child_elements().any(|inner| inner.name() == "child") => {
+                        &mut names.joints
+                    }
                     "group" if node.child_elements().next().is_some() => &mut names.groups,
                     _ => continue,
                 };

@@ -52,16 +52,12 @@ impl Session {
     /// Whether another folder of the package has a file of the same name.
     pub(in super::super) fn is_one_of_several(&self, path: &Path) -> bool {
         let is_near = self.near(path);
-        let is_other = |other: &&PathBuf| {
+        let is_other = |other: &PathBuf| {
             other.file_name() == path.file_name()
                 && other.parent() != path.parent()
                 && is_near(other)
         };
-        sort(path) == Some(Sort::Yaml)
-            && self
-                .beside_around(path)
-                .iter()
-                .any(|other| is_other(&other))
+        sort(path) == Some(Sort::Yaml) && self.beside_around(path).iter().any(is_other)
     }
 
     /// Whether a description of the package loads a YAML file: it holds numbers for xacro, and its keys are no names of the
@@ -100,12 +96,12 @@ impl Session {
             .is_file(&file)
             .then(|| self.beside_settings(&file))??;
         let assistant = settings.assistant.as_ref()?;
-        let is_other = |srdf: &str| self.vfs.absolute(&package.folder.join(srdf)) != path;
         if sort(path) == Some(Sort::Srdf)
             && assistant
                 .srdf
                 .as_ref()
-                .is_some_and(|srdf| is_other(&srdf.name))
+                .map(|srdf| package.folder.join(srdf.name.as_str()))
+                .is_some_and(|srdf| self.vfs.absolute(&srdf) != path)
         {
             return None;
         }
@@ -146,7 +142,7 @@ impl Session {
         }
         // a file for a controller manager is nothing else to a robot than parameters of its plugin
         let is_for_manager = self.is_for_manager(path);
-        let says = |file: &PathBuf| {
+        let says = |file: &&PathBuf| {
             let text = self.vfs.text(file).ok();
             text.is_some_and(|text| {
                 let is_given = text.text.contains("<parameters>") || is_for_manager;
@@ -157,7 +153,7 @@ impl Session {
             })
         };
         let all = self.descriptions_around(path);
-        let naming = all.iter().filter(|file| says(file)).take(MOST_ROBOTS);
+        let naming = all.iter().filter(says).take(MOST_ROBOTS);
         let roots = naming.flat_map(|file| self.roots_reading(file));
         Pairing::named(roots.flat_map(|root| self.ways_of(&root)).collect())
     }
@@ -165,8 +161,7 @@ impl Session {
     /// Whether a text that names a file without its folder may mean this one: it lies in the same package, or the text
     /// says the package.
     fn may_mean(&self, by: &Path, path: &Path) -> bool {
-        let package = |path: &Path| self.packages.containing(path);
-        match (package(path), package(by)) {
+        match (self.packages.containing(path), self.packages.containing(by)) {
             (Some(own), Some(other)) if own.folder == other.folder => true,
             (Some(own), _) => self
                 .vfs
@@ -211,30 +206,30 @@ impl Session {
     pub(super) fn by_launch(&self, path: &Path, with_folder: bool) -> Option<Pairing> {
         let name = path.file_name()?.to_str()?;
         let package = self.packages.containing(path)?;
-        let says = |caller: &Path| {
+        let says = |call: &RobotCall| {
+            let caller = &call.call.caller;
             let Ok(text) = self.vfs.text(caller) else {
                 return false;
             };
-            let builds = || {
-                text.text.contains("MoveItConfigsBuilder")
+            let is_it = has_name(&text.text, name) && self.may_mean(caller, path);
+            if with_folder {
+                return is_it && has_folder(&text.text, path);
+            }
+            is_it
+                || text.text.contains("MoveItConfigsBuilder")
                     && (has_name(&text.text, &package.name) || caller.starts_with(&package.folder))
                     && sort(path) != Some(Sort::Srdf)
-            };
-            let is_it = has_name(&text.text, name) && self.may_mean(caller, path);
-            match with_folder {
-                true => is_it && has_folder(&text.text, path),
-                false => is_it || builds(),
-            }
         };
         let mut roots: Vec<RootChoice> = Vec::new();
         // a file that is loaded for a robot elsewhere, too, may be for that one alone
         let mut is_named = true;
         let calls = self.calls_around(path);
         for group in calls.chunk_by(|a, b| a.call.caller == b.call.caller) {
-            let is_meant = group.first().is_some_and(|first| says(&first.call.caller));
-            let meant = || group.iter().filter(|_| is_meant);
-            is_named &= meant().all(|call| call.target.is_some());
-            for root in meant().filter_map(|call| self.started(call)) {
+            if !group.first().is_some_and(says) {
+                continue;
+            }
+            is_named &= group.iter().all(|call| call.target.is_some());
+            for root in group.iter().filter_map(|call| self.started(call)) {
                 if !roots.contains(&root) {
                     roots.push(root);
                 }

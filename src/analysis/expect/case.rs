@@ -204,8 +204,10 @@ fn has_values(expansion: &Expansion, when: &Axes) -> bool {
 
 /// Whether a value of the configuration is that of an argument: `true` is also written `True` in xacro.
 fn is_value(wanted: &str, own: &str) -> bool {
-    let is_boolean = |text: &str| ["true", "false"].contains(&text.to_ascii_lowercase().as_str());
-    wanted == own || is_boolean(wanted) && wanted.eq_ignore_ascii_case(own)
+    let is_boolean = ["true", "false"]
+        .iter()
+        .any(|word| word.eq_ignore_ascii_case(wanted));
+    wanted == own || is_boolean && wanted.eq_ignore_ascii_case(own)
 }
 
 fn sources(expansion: &Expansion) -> Vec<Arc<SourceFile>> {

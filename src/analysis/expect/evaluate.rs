@@ -81,10 +81,11 @@ impl<'a> Evaluation<'a> {
 
     /// The robot as text, with its sources.
     pub(super) fn written(&self) -> &Written {
-        let folder = self.expected.place.path.parent();
-        let name = || folder.map_or_else(String::new, |folder| self.case.banner_name(folder));
-        self.written
-            .get_or_init(|| write_mapped(&self.expansion.tree, &name()))
+        self.written.get_or_init(|| {
+            let folder = self.expected.place.path.parent();
+            let name = folder.map_or_else(String::new, |folder| self.case.banner_name(folder));
+            write_mapped(&self.expansion.tree, &name)
+        })
     }
 
     // What is reported.

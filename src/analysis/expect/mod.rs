@@ -98,13 +98,11 @@ impl Session {
             return tests;
         }
         let all = cases.len();
-        let is_wanted = |case: &Case| {
-            options
-                .filter
-                .as_ref()
-                .is_none_or(|part| self.test_name(&case.root).contains(part.as_str()))
+        let is_wanted = |case: &&Case| {
+            let part = options.filter.as_ref();
+            part.is_none_or(|part| self.test_name(&case.root).contains(part.as_str()))
         };
-        let chosen: Vec<&Case> = cases.iter().filter(|case| is_wanted(case)).collect();
+        let chosen: Vec<&Case> = cases.iter().filter(is_wanted).collect();
         tests.left_out = all - chosen.len();
         options.check.progress.begin(chosen.len());
         let mut ran = self.run_cases(&chosen, options);

@@ -130,17 +130,18 @@ impl Evaluation<'_> {
 
 /// What differs between the robot and a file.
 pub(crate) fn worded(what: &What, file: &str) -> String {
-    let shown = |text: &Option<String>| {
-        text.as_ref()
-            .map_or("missing".to_owned(), |text| format!("`{text}`"))
-    };
     match what {
         What::Value { of, one, other } => {
-            format!("{of} is {}, but {} in `{file}`", shown(one), shown(other))
+            let (one, other) = (quoted(one.as_deref()), quoted(other.as_deref()));
+            format!("{of} is {one}, but {other} in `{file}`")
         }
         What::OnlyOne(element) => format!("{element} is not in `{file}`"),
         What::OnlyOther(element) => format!("{element} of `{file}` is missing"),
     }
+}
+
+fn quoted(text: Option<&str>) -> String {
+    text.map_or("missing".to_owned(), |text| format!("`{text}`"))
 }
 
 /// What a stretch of the printed document came from: the innermost entry of the map that holds its start.

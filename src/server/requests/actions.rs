@@ -259,30 +259,24 @@ fn asked_about_in(
     path: &Path,
     source: &SourceFile,
 ) -> Vec<(usize, Diagnostic)> {
-    let text = |range| convert::text_range(&source.document, range, state.encoding);
-    let asked = text(params.range);
+    let document = &source.document;
+    let asked = convert::text_range(document, params.range, state.encoding);
     let own = |finding: &&Finding| report.path(finding.span.file) == path;
-    let is_current = |rule: &str, range| {
-        report
-            .findings
-            .iter()
-            .filter(own)
-            .any(|it| it.rule.name == rule && it.span.range == range)
-    };
     let named = params
         .context
         .diagnostics
         .iter()
         .filter_map(|shown| Some((shown, rule(shown)?)));
     let named = named.map(|(shown, rule)| {
-        let range = text(shown.range);
+        let range = convert::text_range(document, shown.range, state.encoding);
         // what is shown may be older than the text: it stands for what is there now
-        let is_old = !is_current(rule, range);
+        let mut own = report.findings.iter().filter(own);
+        let is_current = own.any(|it| it.rule.name == rule && it.span.range == range);
         Named {
             shown,
             rule,
             range,
-            is_old: is_old && touch(range, asked),
+            is_old: !is_current && touch(range, asked),
         }
     });
     let named: Vec<Named<'_>> = named.take(MOST_FINDINGS).collect();
@@ -402,9 +396,6 @@ fn with_meaning(
 /// Known files that define a macro, as an include in the file at `path` names them.
 fn files_with_macro(state: &State, path: &Path, name: &str) -> Vec<MacroFile> {
     let packages = &state.world.session().packages;
-    let defines = |document: &Document| {
-        facts(document).any(|(_, facts)| facts.of(FactKind::Macro).any(|fact| fact.name == name))
-    };
     let files = state
         .world
         .known_files()
@@ -414,7 +405,7 @@ fn files_with_macro(state: &State, path: &Path, name: &str) -> Vec<MacroFile> {
         state
             .world
             .document(file)
-            .is_some_and(|own| defines(&own.document))
+            .is_some_and(|own| defines_macro(&own.document, name))
     });
     let include = |file: std::path::PathBuf| {
         let beside = file.parent() == path.parent();
@@ -433,6 +424,10 @@ fn files_with_macro(state: &State, path: &Path, name: &str) -> Vec<MacroFile> {
         Some(MacroFile { filename })
     };
     files.filter_map(include).take(MOST_FILES).collect()
+}
+
+fn defines_macro(document: &Document, name: &str) -> bool {
+    facts(document).any(|(_, facts)| facts.of(FactKind::Macro).any(|fact| fact.name == name))
 }
 
 /// All safe fixes of a file that change nothing else and leave its syntax whole.

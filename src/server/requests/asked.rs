@@ -45,12 +45,12 @@ impl Asked {
     pub fn names(&self, state: &State) -> TextNames {
         let session = state.world.session();
         let settings = session.settings(&self.source.path);
-        let names = |expansion| TextNames::of(expansion, session.rule_env(&settings.config));
-        let around = names(&self.around.expansion);
+        let world = session.rule_env(&settings.config);
+        let around = TextNames::of(&self.around.expansion, world);
         if around.knows(self.source.id) {
             around
         } else {
-            names(&self.analyzed.expansion)
+            TextNames::of(&self.analyzed.expansion, world)
         }
     }
 }

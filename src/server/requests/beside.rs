@@ -110,12 +110,10 @@ pub fn asked_beside(
 /// Whether an expression names something at an offset: `$(arg name)` in the name of a link is an argument of the file itself.
 fn is_at_xacro_name(path: &Path, source: &SourceFile, offset: u32) -> bool {
     let place = source.document.item_at(offset.saturating_sub(1));
-    let named = |facts: &facts::FactsOf<'_>| {
-        facts
+    !is_not_described(path)
+        && facts::facts_of(place.item)
             .mentions()
             .any(|mention| mention.range.shift(place.start).touches(offset))
-    };
-    !is_not_described(path) && named(&facts::facts_of(place.item))
 }
 
 /// What can be typed at a place of a YAML file beside robots.
@@ -129,11 +127,7 @@ pub fn completions(
     let Ok(text) = state.world.session().vfs.text(&path) else {
         return Ok(None);
     };
-    let name = path
-        .file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
+    let name = convert::file_name(&path);
     if word_at(&name, &text.text, offset).is_none() {
         return Ok(None);
     }

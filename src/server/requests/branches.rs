@@ -73,9 +73,8 @@ impl<'a> Ways<'a> {
     /// The conditions on the way to a text, all taken; none when there are none.
     fn to(&self, at: Span) -> Option<Vec<Forced>> {
         let way = self.names.way(&|file| self.document(file), self.root, at)?;
-        let path = |span: &Span| self.vfs.path(span.file).to_path_buf();
         let taken = |span: &Span| Forced {
-            file: path(span),
+            file: self.vfs.path(span.file).to_path_buf(),
             at: span.range.start,
             taken: true,
         };

@@ -239,18 +239,14 @@ pub fn signature_help(
 }
 
 fn signature(state: &State, found: Signature) -> SignatureInformation {
-    let width = |end: u32| {
-        found
-            .label
-            .get(..end as usize)
-            .unwrap_or("")
-            .encode_utf16()
-            .count() as u32
-    };
+    let label = &found.label;
     let parameter = |range: &TextRange| ParameterInformation {
         label: match state.client.completion.label_offsets {
-            true => ParameterLabel::LabelOffsets([width(range.start), width(range.end)]),
-            false => ParameterLabel::Simple(range.slice(&found.label).to_owned()),
+            true => ParameterLabel::LabelOffsets([
+                utf16_width(label, range.start),
+                utf16_width(label, range.end),
+            ]),
+            false => ParameterLabel::Simple(range.slice(label).to_owned()),
         },
         documentation: None,
     };
@@ -261,6 +257,12 @@ fn signature(state: &State, found: Signature) -> SignatureInformation {
         active_parameter: found.active,
         label: found.label,
     }
+}
+
+/// The UTF-16 code units of a text before a byte.
+fn utf16_width(text: &str, end: u32) -> u32 {
+    let before = text.get(..end as usize).unwrap_or("");
+    before.encode_utf16().count() as u32
 }
 
 pub fn on_type(

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use crate::failure::Failure;
 use crate::locations::location;
 use crate::requests::mapping::{map_of, named};
-use crate::root_param::{Root, chosen};
+use crate::root_param::{Root, chosen_or_active};
 use crate::state::State;
-use analysis::{RootChoice, World};
+use analysis::World;
 use base::clock::Instant;
 use base::{CancelFlag, Span};
 use expand::{Expansion, Place, Severity};
@@ -64,15 +64,7 @@ pub fn expand(
     cancel: &CancelFlag,
 ) -> Result<Expanded, Failure> {
     let begin = Instant::now();
-    let (path, _) = state.source(&params.text_document.uri)?;
-    let mut root = match params.root {
-        Some(root) => chosen(state, root)?,
-        None => state
-            .world
-            .context(&path)
-            .root
-            .unwrap_or_else(|| RootChoice::plain(&path)),
-    };
+    let mut root = chosen_or_active(state, &params.text_document, params.root)?;
     for (name, value) in params.args {
         root.args.retain(|(known, _)| *known != name);
         root.args.push((name, value));

@@ -98,17 +98,18 @@ pub fn resolve_hint(
 
 /// Take over what settings say about hints: keys below `inlayHints`, nested or with dots.
 pub(crate) fn settings(settings: &Value, into: &mut HintSettings) {
-    let of = |name: &str| {
-        let nested = settings.get("inlayHints").and_then(|table| table.get(name));
-        nested.or_else(|| settings.get(format!("inlayHints.{name}")))
-    };
-    if let Some(values) = of("values").and_then(Value::as_bool) {
+    if let Some(values) = setting(settings, "values").and_then(Value::as_bool) {
         into.values = values;
     }
-    if let Some(names) = of("paramNames").and_then(Value::as_str) {
+    if let Some(names) = setting(settings, "paramNames").and_then(Value::as_str) {
         into.blocks = names != "never";
     }
-    if let Some(most) = of("maxLength").and_then(Value::as_u64) {
+    if let Some(most) = setting(settings, "maxLength").and_then(Value::as_u64) {
         into.most = most.clamp(1, 1000) as usize;
     }
+}
+
+fn setting<'s>(settings: &'s Value, name: &str) -> Option<&'s Value> {
+    let nested = settings.get("inlayHints").and_then(|table| table.get(name));
+    nested.or_else(|| settings.get(format!("inlayHints.{name}")))
 }

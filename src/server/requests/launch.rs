@@ -10,8 +10,9 @@ use lsp_types::{
 use crate::convert;
 use crate::failure::Failure;
 use crate::requests::asked::Asked;
+use crate::root_param::active_root;
 use crate::state::State;
-use analysis::{RootChoice, is_launch};
+use analysis::is_launch;
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
 use ide::{Cx, Target, definition_of};
@@ -46,11 +47,7 @@ pub fn launched(
         return Ok(None);
     };
     for robot in &name.robots {
-        let root = state
-            .world
-            .context(robot)
-            .root
-            .unwrap_or_else(|| RootChoice::plain(robot));
+        let root = active_root(state, robot);
         let analyzed = state
             .world
             .analyzed(&root, cancel)

@@ -205,14 +205,7 @@ pub fn calls_of(
     // of several roots, only the active one is counted
     let root = match candidates.len() {
         0 | 1 => "1 root".to_owned(),
-        _ => asked
-            .analyzed
-            .root
-            .file
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned(),
+        _ => convert::file_name(&asked.analyzed.root.file),
     };
     Ok((root, places))
 }

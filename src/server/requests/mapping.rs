@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
 use crate::locations::location;
-use crate::root_param::{Root, chosen};
+use crate::root_param::{Root, chosen_or_active};
 use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, TextRange};
@@ -177,15 +177,7 @@ pub fn shown_under(
     root: Option<Root>,
     cancel: &CancelFlag,
 ) -> Result<(RootChoice, Arc<Analyzed>), Failure> {
-    let (path, _) = state.source(&document.uri)?;
-    let root = match root {
-        Some(root) => chosen(state, root)?,
-        None => state
-            .world
-            .context(&path)
-            .root
-            .unwrap_or_else(|| RootChoice::plain(&path)),
-    };
+    let root = chosen_or_active(state, document, root)?;
     let analyzed = state
         .world
         .analyzed(&root, cancel)
@@ -209,9 +201,13 @@ pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
 }
 
 pub(crate) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
-    let at = |offset| {
-        let [line, column] = lines.position(offset);
-        Position::new(line, column)
-    };
-    Range::new(at(range.start), at(range.end))
+    Range::new(
+        expanded_position(lines, range.start),
+        expanded_position(lines, range.end),
+    )
+}
+
+fn expanded_position(lines: &Lines<'_>, offset: u32) -> Position {
+    let [line, column] = lines.position(offset);
+    Position::new(line, column)
 }

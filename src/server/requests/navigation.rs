@@ -12,10 +12,12 @@ use crate::requests::beside::{asked_beside, names_beside};
 use crate::requests::branches::inside;
 use crate::requests::launch::{is_about_launch, launched};
 use crate::requests::of_description::is_not_described;
+use crate::root_param::active_root;
 use crate::state::State;
 use analysis::RootChoice;
 use base::{CancelFlag, Span, TextRange};
 use ide::{Cx, FilePlace, Target};
+use xml::Document;
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
 /// itself.
@@ -26,11 +28,7 @@ pub fn asked(
 ) -> Result<Asked, Failure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let root = state
-        .world
-        .context(&path)
-        .root
-        .unwrap_or_else(|| RootChoice::plain(&path));
+    let root = active_root(state, &path);
     let mut analyzed = state
         .world
         .analyzed(&root, cancel)
@@ -96,7 +94,6 @@ pub fn definition(
     };
     let asked = asked.on_name();
     // a name of xacro comes first, then a file, then the link or joint that the whole text names
-    let by_text = || ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset);
     let symbol = match asked.cx().symbol_at(asked.offset) {
         Some(_) => ide::definitions(&asked.cx(), asked.offset).map(|(range, mut targets)| {
             let names = asked.names(state);
@@ -107,7 +104,7 @@ pub fn definition(
             ));
             (range, targets)
         }),
-        None => by_text(),
+        None => ide::definitions_by_text(&asked.cx(), &asked.names(state), asked.offset),
     };
     let file = if symbol.is_some() {
         None
@@ -293,10 +290,6 @@ pub fn highlights(
         return Ok(None);
     };
     let document = &asked.source.document;
-    let highlight = |range: TextRange, kind| DocumentHighlight {
-        range: convert::range(document, range, state.encoding),
-        kind: Some(kind),
-    };
     if let Some(tags) = ide::matching_tags(document, asked.offset) {
         // conditions come in numbers; their ends are found by folding
         let name = tags
@@ -308,7 +301,7 @@ pub fn highlights(
         }
         let tags = tags
             .into_iter()
-            .map(|tag| highlight(tag, DocumentHighlightKind::TEXT));
+            .map(|tag| highlight(state, document, tag, DocumentHighlightKind::TEXT));
         return Ok(Some(tags.collect()));
     }
     let uses = ide::occurrences(&asked.cx(), &asked.names(state), asked.offset).into_iter();
@@ -319,10 +312,21 @@ pub fn highlights(
                 true => DocumentHighlightKind::WRITE,
                 false => DocumentHighlightKind::READ,
             };
-            let Span { range, .. } = used.span;
-            highlight(range, kind)
+            highlight(state, document, used.span.range, kind)
         });
     Ok(Some(own.collect()))
+}
+
+fn highlight(
+    state: &State,
+    document: &Document,
+    range: TextRange,
+    kind: DocumentHighlightKind,
+) -> DocumentHighlight {
+    DocumentHighlight {
+        range: convert::range(document, range, state.encoding),
+        kind: Some(kind),
+    }
 }
 
 /// Targets as links, or as plain places for a request whose answers the client takes as such only.

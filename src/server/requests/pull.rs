@@ -1,5 +1,5 @@
 //! Diagnostics that the client asks for.
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use lsp_types::{
@@ -58,14 +58,12 @@ pub fn pull_workspace(
     let known = params.previous_result_ids.into_iter();
     let known: BTreeMap<PathBuf, String> =
         known.map(|id| (state.path(&id.uri), id.value)).collect();
-    let with_findings = |found: &BTreeMap<PathBuf, Vec<Diagnostic>>| -> BTreeSet<PathBuf> {
-        found
-            .iter()
-            .filter(|(_, items)| !items.is_empty())
-            .map(|(path, _)| path.clone())
-            .collect()
-    };
-    let reported = std::mem::replace(&mut state.sent.workspace_files, with_findings(&found));
+    let with_findings = found
+        .iter()
+        .filter(|(_, items)| !items.is_empty())
+        .map(|(path, _)| path.clone())
+        .collect();
+    let reported = std::mem::replace(&mut state.sent.workspace_files, with_findings);
     // what was reported of a file stays until a report says otherwise
     for path in known.keys().cloned().chain(reported) {
         found.entry(path).or_default();

@@ -235,18 +235,13 @@ fn refactorings(
     if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
         // files of other robots may read the property
         scan_all(state, cancel)?;
-        let others = state
+        let mut others = state
             .world
             .known_files()
             .into_iter()
-            .filter(|file| !asked.analyzed.includes(file));
-        let reads = |file: &Path| {
-            state
-                .world
-                .document(file)
-                .is_some_and(|own| mentions(&own.document, &name))
-        };
-        if others.into_iter().any(|file| reads(&file)) {
+            .filter(|file| !asked.analyzed.includes(file))
+            .filter_map(|file| state.world.document(&file));
+        if others.any(|other| mentions(&other.document, &name)) {
             actions.retain(|action| action.kind != ActionKind::Inline);
         }
     }

@@ -1,5 +1,5 @@
 //! All uses of a name: in the robot that the file is shown under, in the others that share it, and in YAML files.
-use std::path::PathBuf;
+use std::path::Path;
 
 use lsp_types::{Location, ReferenceParams};
 
@@ -34,8 +34,9 @@ pub fn references(
             None => return Ok(None),
         },
     };
-    let is_name = |asked: &Asked| ide::robot_name_at(&asked.cx(), asked.offset).is_some();
-    if ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_none() && !is_name(&asked) {
+    if ide::kind_at(&asked.cx(), &asked.names(state), asked.offset).is_none()
+        && ide::robot_name_at(&asked.cx(), asked.offset).is_none()
+    {
         asked = inside(state, &asked, cancel)?.unwrap_or(asked);
     }
     let with_definition = params.context.include_declaration;
@@ -109,10 +110,6 @@ fn sharing(
 /// The values of the YAML files that a robot reads which are the name.
 fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
     let vfs = &state.world.session().vfs;
-    let is_yaml = |path: &PathBuf| {
-        path.extension()
-            .is_some_and(|ending| ending == "yaml" || ending == "yml")
-    };
     let mut found = Vec::new();
     for read in robot.expansion.record.iter() {
         let Read::File(path, _) = read else { continue };
@@ -130,6 +127,12 @@ fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
         found.extend(places.into_iter().map(|range| Span { file: id, range }));
     }
     found
+}
+
+/// Whether a file is YAML, by its name.
+fn is_yaml(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|ending| ending == "yaml" || ending == "yml")
 }
 
 /// The uses of a name in another robot, when the text that gives it gives it there too.

@@ -8,7 +8,7 @@ use lsp_types::{
     TextDocumentPositionParams, TextEdit, Url, WorkspaceEdit,
 };
 
-use crate::convert;
+use crate::convert::{self, file_name};
 use crate::failure::Failure;
 use crate::locations::location;
 use crate::requests::asked::Asked;
@@ -167,21 +167,15 @@ fn admit_new_name(
 
 /// Why a name is refused: the robot that would be another one.
 fn refusal(new: &str, obstacle: &Obstacle) -> String {
-    let shown = |path: &Path| {
-        path.file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned()
-    };
     let condition = obstacle.condition.as_ref().map(|(file, line, taken)| {
         let how = if *taken {
             "with the condition taken"
         } else {
             "without the condition"
         };
-        format!(", {how} at {}:{line}", shown(file))
+        format!(", {how} at {}:{line}", file_name(file))
     });
-    let (robot, condition) = (shown(&obstacle.robot), condition.unwrap_or_default());
+    let (robot, condition) = (file_name(&obstacle.robot), condition.unwrap_or_default());
     let difference = obstacle
         .difference
         .as_ref()
@@ -266,13 +260,8 @@ fn in_calls(state: &mut State, asked: &Asked, old: &str) -> Result<Vec<Span>, Fa
     let session = state.world.session();
     for &place in &places {
         if let Some(other) = session.gives_to_another(place, &robots, old) {
-            let name = |path: &Path| {
-                path.file_name()
-                    .unwrap_or_default()
-                    .to_string_lossy()
-                    .into_owned()
-            };
-            let (caller, other) = (name(&session.vfs.path(place.file)), name(&other));
+            let caller = file_name(&session.vfs.path(place.file));
+            let other = file_name(&other);
             return Err(Failure::Refused(format!(
                 "`{caller}` passes `{old}` to `{other}` as well"
             )));

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::locations::location;
 use crate::requests::expansion::{ExpandError, errors};
 use crate::requests::mapping::{named, shown_under};
-use crate::root_param::{Root, chosen};
+use crate::root_param::{Root, active_root, chosen};
 use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::CancelFlag;
@@ -193,11 +193,7 @@ pub fn set_args(
 ) -> Result<Roots, Failure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     if let Some(args) = params.args {
-        let mut root = state
-            .world
-            .context(&path)
-            .root
-            .unwrap_or_else(|| RootChoice::plain(&path));
+        let mut root = active_root(state, &path);
         let file = root.file.clone();
         root.args.retain(|(known, _)| !args.contains_key(known));
         let taken_back = args.is_empty();
