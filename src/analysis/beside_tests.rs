@@ -406,3 +406,42 @@ fn a_file_of_few_joints_that_is_loaded_for_a_robot_elsewhere() {
     assert_eq!(of("arm"), 1);
     assert_eq!(of("elsewhere"), 0);
 }
+
+#[test]
+fn a_robot_in_a_file_of_the_same_name_elsewhere() {
+    let robot = |name: &str, joints: &[&str]| {
+        let moves = joints.iter().map(|joint| {
+            format!(
+                "<link name='{joint}_link'/><joint name='{joint}' type='continuous'><parent link='base'/>\
+                 <child link='{joint}_link'/></joint>"
+            )
+        });
+        let moves: String = moves.collect();
+        format!("<robot name='{name}'><link name='base'/>{moves}</robot>")
+    };
+    let all = ["lift", "turn", "slide"];
+    let state = all.map(|joint| format!("<joint name='{joint}' value='0'/>"));
+    let srdf = format!(
+        "<robot name='pair'><group name='g'><chain base_link='base' tip_link='lift_link'/></group>\
+         <group_state name='s' group='g'>{}</group_state></robot>",
+        state.concat()
+    );
+    let paired_with = |file: &str| {
+        let files = [
+            ("urdf/pair.urdf", robot("pair", &["lift", "turn"])),
+            (file, robot("tool", &all)),
+            (
+                "moveit/package.xml",
+                MANIFEST.replace("arm", "arm_moveit_config"),
+            ),
+            ("moveit/config/tool.srdf", srdf.clone()),
+        ];
+        let files: Vec<(&str, &str)> = files
+            .iter()
+            .map(|(name, text)| (*name, text.as_str()))
+            .collect();
+        found(&files, "srdf-unknown-joint").len()
+    };
+    assert_eq!(paired_with("urdf/other.urdf"), 1);
+    assert_eq!(paired_with("urdf/tool.urdf"), 0);
+}

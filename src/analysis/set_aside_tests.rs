@@ -332,7 +332,10 @@ fn contacts_of_robots_that_are_only_shown() {
         with_program("import mujoco\nload('r.urdf')"),
         Severity::Info
     );
-    assert_eq!(with_program("import fcl\nload('r.urdf')"), Severity::Warning);
+    assert_eq!(
+        with_program("import fcl\nload('r.urdf')"),
+        Severity::Warning
+    );
 }
 
 #[test]

@@ -238,44 +238,43 @@ impl Session {
         Pairing::named(roots).map(|found| Pairing { is_named, ..found })
     }
 
-    /// The robots in files of the same name, `arm.urdf` for `arm.srdf`; else those of the name that an SRDF says.
+    /// The robots in a file of the same name in the same folder, `arm.urdf` for `arm.srdf`; else those of the name that an
+    /// SRDF says in the same package, in a file of the same name elsewhere, or anywhere.
     fn of_the_name(&self, path: &Path) -> Pairing {
-        let is_beside =
-            |file: &&PathBuf| file.parent() == path.parent() && stem(file) == stem(path);
         let all = self.descriptions_around(path);
-        let beside: Vec<&PathBuf> = all
-            .iter()
-            .filter(is_beside)
-            .filter(|file| self.is_robot(file))
-            .collect();
-        if !beside.is_empty() {
-            let roots = beside
+        let is_it = |file: &&PathBuf| stem(file) == stem(path) && self.is_robot(file);
+        let of_the_stem: Vec<&PathBuf> = all.iter().filter(is_it).collect();
+        let mut beside = of_the_stem.clone();
+        beside.retain(|file| file.parent() == path.parent());
+        let found = if beside.is_empty() {
+            let named = self.of_the_robot_name(path, &all);
+            let is_near = self.near(path);
+            let mut near = named.clone();
+            near.retain(|file| is_near(file));
+            // a file of the same name is meant rather than one of a name that copies share
+            [near, of_the_stem, named]
                 .into_iter()
-                .flat_map(|file| self.ways_of(file))
-                .collect();
-            return Pairing {
-                roots,
-                ..Pairing::default()
-            };
-        }
-        let Some(name) = self.robot_name(path) else {
-            return Pairing::default();
+                .find(|found| !found.is_empty())
+                .unwrap_or_default()
+        } else {
+            beside
         };
-        let is_it =
-            |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
-        let found: Vec<&PathBuf> = all.iter().filter(is_it).collect();
-        let is_near = self.near(path);
-        let near: Vec<&PathBuf> = found.iter().copied().filter(|file| is_near(file)).collect();
-        let found = if near.is_empty() { found } else { near };
-        let mut roots: Vec<RootChoice> = found
-            .into_iter()
-            .flat_map(|file| self.ways_of(file))
-            .collect();
+        let mut roots: Vec<RootChoice> = found.iter().flat_map(|file| self.ways_of(file)).collect();
         roots.truncate(MOST_ROBOTS);
         Pairing {
             roots,
             ..Pairing::default()
         }
+    }
+
+    /// The robots whose name an SRDF says.
+    fn of_the_robot_name<'a>(&self, path: &Path, all: &'a [PathBuf]) -> Vec<&'a PathBuf> {
+        let Some(name) = self.robot_name(path) else {
+            return Vec::new();
+        };
+        let is_it =
+            |file: &&PathBuf| self.is_robot(file) && self.robot_name(file).as_ref() == Some(&name);
+        all.iter().filter(is_it).collect()
     }
 
     /// The robots of the SRDFs in the same package; without any, the robots there.

@@ -44,16 +44,7 @@ pub(super) fn spawns_model(text: &str) -> bool {
 /// Words in texts that run something that computes with every triangle of a collision mesh. Bullet, MuJoCo and Isaac take the
 /// convex hull of it.
 const TRIANGLES: [&str; 10] = [
-    "gazebo",
-    "ros_gz",
-    "ros_ign",
-    "gz_sim",
-    "webots",
-    "coppelia",
-    "vrep",
-    "moveit",
-    "fcl",
-    "hpp",
+    "gazebo", "ros_gz", "ros_ign", "gz_sim", "webots", "coppelia", "vrep", "moveit", "fcl", "hpp",
 ];
 
 /// Whether a text runs something that computes with the triangles of collision meshes.
