@@ -96,8 +96,7 @@ impl Session {
         });
         let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
         self.lower_where(findings, about_contact, || {
-            let is_idle = self.is_loaded(&job.file)
-                && (self.is_never_simulated(&job.file) || self.is_never_met(&job.file));
+            let is_idle = self.is_loaded(&job.file) && self.is_never_met(&job.file);
             is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
