@@ -9,6 +9,7 @@ use super::check::warn_about_config;
 use super::io::Io;
 use super::render::{shown_path, visible, visible_name};
 use analysis::{Session, Setup};
+use base::counted;
 use vfs::Environment;
 use workspace::RobotCall;
 use workspace::launch::{Argument, Why};
@@ -105,13 +106,11 @@ fn table(calls: &[RobotCall], session: &Session, cwd: &Path, io: &mut Io<'_>) {
         .map(|call| &call.call.caller)
         .collect::<std::collections::BTreeSet<_>>()
         .len();
-    let plural =
-        |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let summary = format!(
         "{} in {}; {known} of {} known",
-        plural(calls.len(), "call"),
-        plural(files, "file"),
-        plural(values, "argument value"),
+        counted(calls.len(), "call"),
+        counted(files, "file"),
+        counted(values, "argument value"),
     );
     io.line(&format!("note: {summary}"));
 }

@@ -8,7 +8,7 @@ use super::robot_names::{NameKind, all_names};
 use ecow::EcoString;
 
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
-use expand::{FrameKind, Origin, SourceRange, argument};
+use expand::{FrameKind, Origin, SourceRange, blamed_argument};
 use expr::Token;
 use model::Text;
 use vfs::SourceFile;
@@ -87,7 +87,7 @@ fn add_parts(
             before,
             own(TextRange::new(at.1, source.range.start)),
         ));
-        if let Some(given) = argument(cx.expansion, source) {
+        if let Some(given) = blamed_argument(cx.expansion, source) {
             add_given(cx, value, out, given, calls, found);
         }
         at = (out.end, source.range.end);

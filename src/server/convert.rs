@@ -72,7 +72,7 @@ pub(super) fn text_range(document: &Document, range: Range, encoding: Encoding) 
 }
 
 /// The bytes that an edit replaces. Where an edit begins or ends between the halves of a surrogate pair, clients that
-/// count so keep no half of it: the character belongs to what is in front of the place.
+/// count in UTF-16 remove the whole character: it belongs to the text before the edit.
 pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding) -> TextRange {
     let behind = |position: Position| {
         let at = offset(document, position, encoding);

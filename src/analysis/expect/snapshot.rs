@@ -143,7 +143,7 @@ pub(crate) fn worded(what: &What, file: &str) -> String {
     }
 }
 
-/// What a stretch of the printed document came from: the innermost entry of the map that holds its start.
+/// What a part of the printed document came from: the innermost entry of the map that holds its start.
 pub(crate) fn entry_at<'m>(
     map: &'m [MapEntry],
     range: &std::ops::Range<usize>,

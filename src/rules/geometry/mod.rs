@@ -56,7 +56,7 @@ pub(super) use resources::MeshUse;
 pub(super) use shapes::{is_read_last, is_replaceable, is_taken_out};
 pub(super) use target::Resources;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &mesh_not_found::RULE,
     &mesh_case_mismatch::RULE,

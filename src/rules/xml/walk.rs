@@ -1,7 +1,7 @@
 //! The expanded document seen through the schema.
 use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
-use super::super::vocabulary::is_free_zone;
+use super::super::vocabulary::{is_forgotten_prefix, is_free_zone};
 use super::super::xml::seen::Seen;
 use base::FastSet;
 use expand::{Expansion, Origin, XId, XKind};
@@ -177,15 +177,6 @@ fn defined_macros(expansion: &Expansion) -> FastSet<&str> {
 
 /// Whether an element is one that a rule about forgotten `xacro:` speaks about.
 pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
-    const TAGS: [&str; 7] = [
-        "arg",
-        "if",
-        "include",
-        "insert_block",
-        "macro",
-        "property",
-        "unless",
-    ];
     let node = cx.expansion.tree.get(element);
     let declares = || {
         let place = cx.expansion.place(node.origin)?;
@@ -193,7 +184,7 @@ pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
         file.source.document.root()?.attr("xmlns:xacro")
     };
     let name = node.text.as_str();
-    macros(cx).contains(name) || TAGS.contains(&name) && declares().is_some()
+    macros(cx).contains(name) || is_forgotten_prefix(name) && declares().is_some()
 }
 
 /// The attributes that an element could have and does not.

@@ -20,8 +20,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Packages;
+use super::cache::Cache;
 use super::launch;
-use super::memo::Memo;
 use super::root::{is_built, is_cache};
 use base::limits::{CALLER_BYTES, CALLER_DEPTH, CALLER_FILES, CALLER_FOLDERS};
 use base::{FastMap, FastSet};
@@ -101,10 +101,10 @@ pub struct GivenArg {
 /// The callers below some folders, found when somebody asks for them.
 #[derive(Default)]
 pub struct Callers {
-    below: Memo<PathBuf, Arc<Uses>>,
-    called: Memo<PathBuf, Arc<called::Called>>,
-    copies: Memo<PathBuf, Arc<copied::Copies>>,
-    mentions: Memo<PathBuf, Arc<mentions::Mentions>>,
+    below: Cache<PathBuf, Arc<Uses>>,
+    called: Cache<PathBuf, Arc<called::Called>>,
+    copies: Cache<PathBuf, Arc<copied::Copies>>,
+    mentions: Cache<PathBuf, Arc<mentions::Mentions>>,
 }
 
 /// Who calls descriptions below a folder, and the descriptions there, by name.
