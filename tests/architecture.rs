@@ -6,11 +6,14 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 #[path = "architecture/imports.rs"]
 mod imports;
+#[path = "architecture/rule_names.rs"]
+mod rule_names;
 
 const REPOSITORY: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -89,6 +92,13 @@ fn rust_files(dir: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
+/// Whether a file of `src` holds tests only.
+fn is_test(path: &Path) -> bool {
+    path.iter()
+        .map(|part| part.to_string_lossy())
+        .any(|part| part == "testing.rs" || part.ends_with("tests.rs") || part.ends_with("tests"))
+}
+
 /// Every source file with its crate and its text without `//` comments.
 fn sources() -> Vec<(PathBuf, String, String)> {
     let src = Path::new(REPOSITORY).join("src");
@@ -139,6 +149,54 @@ fn the_page_shows_the_order_of_crates() {
     }
 }
 
+/// The crates of others that the programs use.
+fn dependencies() -> BTreeSet<String> {
+    let own = crates();
+    let of_crate = |name: &String| {
+        let manifest = read(&format!("src/{name}/Cargo.toml"));
+        let tables = manifest
+            .split("\n[")
+            .filter_map(|table| table.split_once("dependencies]\n"));
+        let lines: Vec<String> = tables
+            .filter(|(kind, _)| *kind != "dev-")
+            .flat_map(|(_, table)| table.lines())
+            .filter_map(|line| line.split(['.', ' ']).next())
+            .map(str::to_owned)
+            .collect();
+        lines
+    };
+    own.iter()
+        .flat_map(of_crate)
+        .filter(|name| !name.is_empty() && !name.starts_with('#') && !own.contains(name))
+        .collect()
+}
+
+#[test]
+fn the_page_says_what_each_dependency_is_for() {
+    let page = read("docs/architecture.md");
+    let (_, table) = page.split_once("| crate | for | why this one |").unwrap();
+    let first_cells = table
+        .lines()
+        .skip(2)
+        .map_while(|line| line.strip_prefix("| ")?.split(" | ").next());
+    let explained: BTreeSet<&str> = first_cells
+        .flat_map(|cell| cell.split('`').skip(1).step_by(2))
+        .collect();
+    // they are built from folders of this repository, and are in the table of crates
+    let built = ["docs", "viewer"];
+    let used = dependencies();
+    let missing: Vec<&String> = used
+        .iter()
+        .filter(|name| !explained.contains(name.as_str()) && !built.contains(&name.as_str()))
+        .collect();
+    assert!(missing.is_empty(), "without a row: {missing:?}");
+    let gone: Vec<&&str> = explained
+        .iter()
+        .filter(|name| !used.contains(**name))
+        .collect();
+    assert!(gone.is_empty(), "rows of what nothing uses: {gone:?}");
+}
+
 #[test]
 fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
     let rules: [(&str, &[&str]); 6] = [
@@ -152,16 +210,10 @@ fn only_vfs_touches_the_disk_and_only_the_server_speaks_the_protocol() {
     ];
     let mut wrong = Vec::new();
     for (path, crate_name, code) in sources() {
-        let parts: Vec<String> = path
-            .iter()
-            .map(|part| part.to_string_lossy().into_owned())
-            .collect();
-        let is_test = parts.iter().any(|part| {
-            part == "testing.rs" || part.ends_with("tests.rs") || part.ends_with("tests")
-        });
         let product = code.split("#[cfg(test)]").next().unwrap_or("");
         for (name, allowed) in rules {
-            if product.contains(name) && !allowed.contains(&crate_name.as_str()) && !is_test {
+            if product.contains(name) && !allowed.contains(&crate_name.as_str()) && !is_test(&path)
+            {
                 wrong.push(format!(
                     "{}: `{name}` is not for `{crate_name}`",
                     path.display()

@@ -324,7 +324,7 @@ fn quick_proof_expansions() {
             cancel,
         };
         assert_eq!(
-            session.stays_the_same(&path, edits, &effort),
+            session.expansion_unchanged(&path, edits, &effort),
             expected,
             "{arguments} arguments"
         );

@@ -8,6 +8,8 @@
     clippy::disallowed_methods
 )] // a test may fail loudly
 
+#[path = "rules/helps.rs"]
+mod helps;
 mod meshes;
 
 use std::collections::BTreeMap;
@@ -144,8 +146,8 @@ fn write(rule: &Rule, number: usize, block: &Block, folder: &Path) -> (PathBuf, 
     (folder.join(&files[0].0), places)
 }
 
-/// What is found in a file, with one rule in addition to the default ones.
-fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
+/// A session in a folder, with one rule in addition to the default ones.
+fn session(rule: &Rule, folder: &Path) -> Session {
     let vars = BTreeMap::from([(
         "AMENT_PREFIX_PATH".to_owned(),
         folder.join("none").display().to_string(),
@@ -160,7 +162,7 @@ fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
         extend_select,
         ..Overrides::default()
     };
-    let session = Session::new(
+    Session::new(
         &env,
         Setup {
             about: folder.to_owned(),
@@ -168,7 +170,12 @@ fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
             ..Setup::default()
         },
     )
-    .unwrap();
+    .unwrap()
+}
+
+/// What is found in a file, with one rule in addition to the default ones.
+fn report(rule: &Rule, folder: &Path, file: &Path) -> Report {
+    let session = session(rule, folder);
     // launch files are checked with the folder that they are in
     let path = if folder.join("launch").is_dir() && rule.code.starts_with("PKG") {
         folder

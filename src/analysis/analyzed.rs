@@ -22,7 +22,7 @@ pub struct Analyzed {
     pub root: RootChoice,
     /// The result.
     pub expansion: Expansion,
-    /// The robot in it.
+    /// The robot; none when the root element is not `robot`.
     pub robot: Option<Robot>,
     /// How its links hang together.
     pub kinematics: Option<Kinematics>,

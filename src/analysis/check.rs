@@ -443,6 +443,6 @@ fn shorten(message: &mut String) {
 fn is_of_broken_text(finding: &Finding, report: &Report) -> bool {
     let source = || report.files.get(&finding.span.file);
     finding.message.contains('\u{fffd}')
-        && finding.rule.name != "xml-encoding-mismatch"
+        && finding.rule != named::XML_ENCODING_MISMATCH
         && source().is_some_and(|source| source.encoding_error.is_some())
 }

@@ -21,7 +21,7 @@ pub enum CutBy {
 /// What was not checked of a robot that errors left out a part of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cut {
-    /// Why.
+    /// What left the part out.
     pub by: CutBy,
     /// The places of what left it out, or of what is missing in the names.
     pub at: Vec<Span>,

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use indexmap::IndexMap;
 
 use super::report::Report;
-use base::{FastMap, FastSet, FileId, Span};
+use base::{FastMap, FastSet, FileId, Span, counted};
 use rules::{Edit, Finding, Fix, Group, Related, Severity};
 
 /// What the findings of a group share.
@@ -246,11 +246,10 @@ fn more(first: Span, places: &[Related]) -> String {
         .map(|place| place.span.file)
         .chain([first.file])
         .collect();
-    let count = places.len();
-    let plural = if count == 1 { "" } else { "s" };
+    let more = counted(places.len(), "more location");
     match files.len() {
-        1 => format!("; {count} more location{plural} in this file"),
-        files => format!("; {count} more location{plural}, in {files} files"),
+        1 => format!("; {more} in this file"),
+        files => format!("; {more}, in {files} files"),
     }
 }
 

@@ -159,7 +159,7 @@ impl Session {
         found
     }
 
-    /// The folders whose files are the user's own: in files elsewhere, only errors are news.
+    /// The folders whose files are the user's own: in files elsewhere, only errors are reported.
     pub(super) fn homes(&self, options: &CheckOptions) -> Vec<PathBuf> {
         let paths = options
             .paths

@@ -21,7 +21,7 @@ pub(super) struct Launched {
     pub name: String,
     /// All arguments.
     pub args: Args,
-    /// The calls.
+    /// Where the launch files make these calls.
     pub calls: Vec<Span>,
 }
 

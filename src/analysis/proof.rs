@@ -82,7 +82,7 @@ impl Session {
     }
 
     /// Whether every robot stays what it is when texts of a file are replaced; they are in order and do not overlap.
-    pub fn stays_the_same(
+    pub fn expansion_unchanged(
         &self,
         path: &Path,
         edits: Vec<(TextRange, String)>,

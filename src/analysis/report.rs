@@ -48,9 +48,9 @@ pub struct Report {
 /// A file or folder that was not checked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Skipped {
-    /// The path.
+    /// As it was asked for.
     pub path: PathBuf,
-    /// Why.
+    /// Why it was not checked.
     pub reason: SkipReason,
 }
 
@@ -118,7 +118,7 @@ impl std::fmt::Display for SkipReason {
 pub struct Unreadable {
     /// The path, absolute.
     pub path: PathBuf,
-    /// Why.
+    /// What the system says.
     pub error: LoadError,
 }
 

@@ -22,7 +22,7 @@ type Used = (FileId, usize, usize);
 pub(super) struct SuppressionFilter<'a> {
     session: &'a Session,
     files: BTreeMap<FileId, (Arc<SourceFile>, Suppressions)>,
-    /// Files about which all rules had their say.
+    /// Files that all rules have checked.
     judged: FastSet<FileId>,
     used: FastSet<Used>,
     /// Where the macros are defined that were called.
@@ -175,8 +175,8 @@ impl<'a> SuppressionFilter<'a> {
             .any(|span| span.file == file && place.contains_range(span.range))
     }
 
-    /// Whether the rules that a selector means had their say about a file. A rule that does not run hides
-    /// nothing, and that is no news.
+    /// Whether the rules that a selector means have checked a file. A suppression of a rule that does not run hides
+    /// nothing, and that is not reported.
     fn is_judged(&self, source: &SourceFile, selector: &Selector) -> bool {
         let mut running = self.running(source, selector).peekable();
         let whole = self.judged.contains(&source.id);

@@ -23,7 +23,7 @@ pub(super) enum Reason {
 pub(super) struct Job {
     /// The file, absolute.
     pub(super) file: PathBuf,
-    /// Why.
+    /// What the file is expanded for.
     pub(super) reason: Reason,
     /// Arguments; later ones win.
     pub(super) args: Args,
@@ -57,7 +57,7 @@ impl Job {
 /// The calls that an expansion is made for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Called {
-    /// The calls.
+    /// Where the launch files make them.
     pub calls: Vec<Span>,
     /// How many calls of the robot are checked.
     pub of: usize,

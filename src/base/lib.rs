@@ -13,7 +13,7 @@ pub use cancel::CancelFlag;
 pub use id_vec::{Id, IdVec};
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
-pub use text::escape_xml;
+pub use text::{counted, escape_xml};
 
 /// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.
 pub type FastMap<K, V> = rustc_hash::FxHashMap<K, V>;

@@ -281,8 +281,8 @@ impl<'a> Listing<'a> {
                 format!("  {count:width$}  {severity:7}  {}", rule.name)
             });
         let left = counts.len().saturating_sub(MOST_RULES);
-        let plural = if left == 1 { "" } else { "s" };
-        let more = (left > 0).then(|| format!("  and {left} more rule{plural}: --statistics"));
+        let more =
+            (left > 0).then(|| format!("  and {}: --statistics", counted(left, "more rule")));
         lines.chain(more).collect()
     }
 

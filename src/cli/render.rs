@@ -88,8 +88,8 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
     }
     let left = report.places.len().saturating_sub(MOST_PLACES);
     let more_places = format!(
-        "{left} more location{} not shown (`--no-group` reports each)",
-        if left == 1 { "" } else { "s" }
+        "{} not shown (`--no-group` reports each)",
+        base::counted(left, "more location")
     );
     if left > 0 {
         group = group.element(Level::NOTE.message(more_places.as_str()));

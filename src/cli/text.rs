@@ -10,7 +10,7 @@ use analysis::{Position, Report};
 use annotate_snippets::Level;
 use base::{FastMap, FastSet, FileId, Span};
 use rules::{Finding, Severity};
-use workspace::{Packages, Vicinity};
+use workspace::{Packages, TrustedPaths};
 
 /// With the source text.
 pub(super) fn full(
@@ -176,7 +176,7 @@ fn mark<'f>(
 
 /// Whether the text of a file may be shown. What is no description by its name, or belongs to no robot, may be anything:
 /// a key, say. Its text is not for a log.
-pub(super) fn is_shown(path: &Path, around: &Vicinity<'_>) -> bool {
+pub(super) fn is_shown(path: &Path, around: &TrustedPaths<'_>) -> bool {
     const ENDINGS: [&str; 13] = [
         "xacro", "urdf", "xml", "srdf", "sdf", "yaml", "yml", "toml", "txt", "launch", "py", "sh",
         "bash",
@@ -194,11 +194,10 @@ fn level(severity: Severity) -> Level<'static> {
     }
 }
 
+/// A number of things; "info" has no plural.
 pub(super) fn counted(count: usize, noun: &str) -> String {
-    let plural = if count == 1 || noun == "info" {
-        ""
-    } else {
-        "s"
-    };
-    format!("{count} {noun}{plural}")
+    if noun == "info" {
+        return format!("{count} info");
+    }
+    base::counted(count, noun)
 }

@@ -14,7 +14,7 @@ const MOST_CALLS: usize = 64;
 
 /// The text that a call passes, when the text at `origin` is a parameter of the macro around it and nothing else;
 /// of a value that is handed down through several calls, the outermost.
-pub fn argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
+pub fn blamed_argument(expansion: &Expansion, origin: Origin) -> Option<Origin> {
     let mut found = None;
     let mut at = origin;
     for _ in 0..MOST_CALLS {
@@ -72,7 +72,7 @@ fn source_text(expansion: &Expansion, origin: Origin) -> Option<&str> {
 
 /// Whether a text that reads differently from call to call is wrong in some calls only; `instances` are those in
 /// which it is.
-pub fn is_partial(expansion: &Expansion, instances: &[Origin]) -> bool {
+pub fn depends_on_parameter(expansion: &Expansion, instances: &[Origin]) -> bool {
     let Some(first) = instances.first() else {
         return false;
     };

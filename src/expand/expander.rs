@@ -14,7 +14,7 @@ use super::record::Read;
 use super::request::{Request, World};
 use super::scope::Scopes;
 use super::stack::with_stack;
-use super::state::{EvalContext, Files, Flow, Gaps, Guards, Names, OpenFile, Probing, Steps};
+use super::state::{EvalContext, Files, Flow, Gaps, Guards, IncludeFrame, Names, Probing, Steps};
 use super::tree::{XAttr, XId, XKind};
 use base::FastMap;
 use base::clock::Instant;
@@ -108,11 +108,11 @@ impl<'w> Expander<'w> {
         let broken = std::mem::take(&mut self.files.broken);
         // what the recovered tree of a broken file seems to say is not trusted
         let trusted = |p: &Problem| p.kind.is_about_text() || !broken.contains(&p.place.file);
-        let (kept, doubtful) = std::mem::take(&mut self.problems.list)
+        let (kept, untrusted) = std::mem::take(&mut self.problems.list)
             .into_iter()
             .partition(trusted);
         self.result.problems = kept;
-        self.result.doubtful = doubtful;
+        self.result.untrusted = untrusted;
         self.result.whole =
             !(self.gaps.content_lost || self.gaps.include_missing || self.flow.stopped);
         self.result.complete &= !self.result.has_errors();
@@ -201,7 +201,7 @@ impl<'w> Expander<'w> {
 
     fn expand_root(&mut self) {
         let name = self.request.file.clone();
-        self.files.open.push(OpenFile {
+        self.files.open.push(IncludeFrame {
             name: name.clone(),
             file: None,
             conditions: 0,

@@ -76,7 +76,7 @@ pub struct Expansion {
     /// All problems in the order they were met.
     pub problems: Vec<Problem>,
     /// What the recovered trees of files that are not well-formed seem to say.
-    pub doubtful: Vec<Problem>,
+    pub untrusted: Vec<Problem>,
     /// Lines for the user, in order: what `xacro.message` and its kin print.
     pub messages: Vec<String>,
     /// What the result depends on.

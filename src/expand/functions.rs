@@ -7,7 +7,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::record::Read;
 use super::split_text::CodeSite;
-use super::state::OpenFile;
+use super::state::IncludeFrame;
 use super::symbols::UseKind;
 use super::yaml_value::file_value;
 use base::TextRange;
@@ -202,7 +202,7 @@ impl ExprHost<'_, '_, '_> {
             .result
             .record
             .add(Read::File(path, loaded.file.hash));
-        self.expander.files.open.push(OpenFile {
+        self.expander.files.open.push(IncludeFrame {
             name: name.clone(),
             file: None,
             conditions: u32::MAX,

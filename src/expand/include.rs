@@ -9,7 +9,7 @@ use super::kind::ProblemKind;
 use super::origin::{FileIdx, FrameKind, Origin};
 use super::record::Read;
 use super::scope::State;
-use super::state::{EvalContext, OpenFile};
+use super::state::{EvalContext, IncludeFrame};
 use super::symbols::SymbolKind;
 use super::tag::Tag;
 use super::tree::XId;
@@ -87,7 +87,7 @@ impl Expander<'_> {
         {
             let conditions = self.flow.conditions;
             self.flow.conditions += u32::from(inclusion.computed);
-            self.files.open.push(OpenFile {
+            self.files.open.push(IncludeFrame {
                 name: name.to_owned(),
                 file: Some(file),
                 conditions,

@@ -61,7 +61,7 @@ mod verify;
 mod write;
 mod yaml_value;
 
-pub use argument::{argument, is_partial};
+pub use argument::{blamed_argument, depends_on_parameter};
 pub use binding_info::{BindingId, BindingInfo, BindingKind};
 pub use evaluations::{Evaluation, Evaluations};
 pub use expander::{expand, expand_again};

@@ -16,7 +16,7 @@ use base::TextRange;
 use base::paths::HERE;
 use vfs::{LoadError, LoadErrorKind, SourceFile, slashed};
 use workspace::Built;
-use xml::{SyntaxError, SyntaxErrorKind};
+use xml::{Document, SyntaxError, SyntaxErrorKind};
 
 impl Expander<'_> {
     /// Load a file for the include (or the request) at `at`; reports why it cannot be; `argument` is
@@ -295,7 +295,7 @@ impl Expander<'_> {
             range: first.range,
             frame: super::FrameId::ROOT,
         };
-        let mut problem = self.syntax_problem(first, at, file);
+        let mut problem = self.syntax_problem(first, &document, at, file);
         if let Some(place) = self.result.place(include) {
             problem.trace.push(super::Step {
                 place,
@@ -318,8 +318,16 @@ impl Expander<'_> {
         self.push(problem);
     }
 
-    fn syntax_problem(&self, error: &SyntaxError, at: Origin, file: FileIdx) -> super::Problem {
-        let xacro = error.kind == SyntaxErrorKind::UnboundPrefix && error.message.contains("xacro");
+    fn syntax_problem(
+        &self,
+        error: &SyntaxError,
+        document: &Document,
+        at: Origin,
+        file: FileIdx,
+    ) -> super::Problem {
+        // of an unbound prefix, the range holds the prefix
+        let xacro = error.kind == SyntaxErrorKind::UnboundPrefix
+            && document.slice(error.range).contains("xacro");
         let kind = if xacro {
             ProblemKind::MissingXacroNamespace
         } else {

@@ -10,7 +10,7 @@ use xml::Item;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FileIdx(pub u32);
 
-/// A stretch of source (an item of a parsed file): index of [`Expansion::sources`](super::Expansion::sources).
+/// A part of the source (an item of a parsed file): index of [`Expansion::sources`](super::Expansion::sources).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct SrcId(pub u32);
 

@@ -1,4 +1,4 @@
-//! What went wrong, where, and by which way expansion came there.
+//! What went wrong, where, and through which calls and includes expansion came there.
 use ecow::EcoString;
 
 use super::kind::ProblemKind;

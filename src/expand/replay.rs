@@ -227,8 +227,8 @@ impl Expander<'_> {
         for (definition, _) in &step.symbols.definitions {
             result.index.symbols.add(definition.clone());
         }
-        for &(used, idle) in &step.symbols.uses {
-            result.index.symbols.add_use(used, idle);
+        for &(used, quiet) in &step.symbols.uses {
+            result.index.symbols.add_use(used, quiet);
         }
         for read in &step.record {
             result.record.add(read.clone());

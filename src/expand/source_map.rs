@@ -1,4 +1,4 @@
-//! Which stretch of the printed document came from which text of the source.
+//! Which part of the printed document came from which text of the source.
 use super::escape::escape;
 use super::origin::Origin;
 use super::tree::{XAttr, XId};
@@ -21,7 +21,7 @@ pub enum MapKind {
     Comment,
 }
 
-/// A stretch of the printed document, and the text it came from.
+/// A part of the printed document, and the text it came from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MapEntry {
     /// Bytes of the printed document.

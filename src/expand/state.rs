@@ -58,7 +58,7 @@ impl Names {
 
 /// A file being processed: what relative names are relative to.
 #[derive(Clone, Debug)]
-pub(super) struct OpenFile {
+pub(super) struct IncludeFrame {
     pub name: String,
     pub file: Option<FileIdx>,
     /// How many conditions stood around the include.
@@ -68,7 +68,7 @@ pub(super) struct OpenFile {
 /// The files read so far.
 pub(super) struct Files {
     /// Files being processed, the innermost last.
-    pub open: Vec<OpenFile>,
+    pub open: Vec<IncludeFrame>,
     /// Files by absolute path.
     pub by_path: FastMap<Arc<Path>, FileIdx>,
     /// Files that are not well-formed.

@@ -91,12 +91,12 @@ pub struct Use {
 /// All definitions and uses of an expansion, each once, in the order in which they were met.
 #[derive(Clone, Debug, Default)]
 pub struct Symbols {
-    /// Definitions.
+    /// What introduces a name: properties, macros, parameters, arguments.
     pub definitions: IdVec<DefinitionId, Definition>,
-    /// Uses.
+    /// Texts that refer to a definition, but for [`Symbols::quiet_uses`].
     pub uses: Vec<Use>,
     /// Uses by properties that nothing reads.
-    pub idle_uses: Vec<Use>,
+    pub quiet_uses: Vec<Use>,
     known: FastMap<(SourceRange, EcoString), DefinitionId>,
     seen: FastSet<Use>,
     log: Option<SymbolLog>,
@@ -130,7 +130,7 @@ impl Symbols {
 
     /// All uses, also those by properties that nothing reads.
     pub fn all_uses(&self) -> impl Iterator<Item = &Use> {
-        self.uses.iter().chain(&self.idle_uses)
+        self.uses.iter().chain(&self.quiet_uses)
     }
 
     /// Give back what only serves to add more.
@@ -172,15 +172,15 @@ impl Symbols {
         id
     }
 
-    pub(super) fn add_use(&mut self, used: Use, idle: bool) {
+    pub(super) fn add_use(&mut self, used: Use, quiet: bool) {
         if let Some(log) = &mut self.log
-            && !log.uses.contains(&(used, idle))
+            && !log.uses.contains(&(used, quiet))
         {
-            log.uses.push((used, idle));
+            log.uses.push((used, quiet));
         }
         if self.seen.insert(used) {
-            let list = if idle {
-                &mut self.idle_uses
+            let list = if quiet {
+                &mut self.quiet_uses
             } else {
                 &mut self.uses
             };

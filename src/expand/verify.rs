@@ -25,12 +25,12 @@ pub(super) fn same(made: &Expansion, fresh: &Expansion) {
     );
     list("use", &made.index.symbols.uses, &fresh.index.symbols.uses);
     list(
-        "idle use",
-        &made.index.symbols.idle_uses,
-        &fresh.index.symbols.idle_uses,
+        "quiet use",
+        &made.index.symbols.quiet_uses,
+        &fresh.index.symbols.quiet_uses,
     );
     list("problem", &made.problems, &fresh.problems);
-    list("doubtful problem", &made.doubtful, &fresh.doubtful);
+    list("untrusted problem", &made.untrusted, &fresh.untrusted);
     list("message", &made.messages, &fresh.messages);
     let (a, b): (Vec<_>, Vec<_>) = (made.record.iter().collect(), fresh.record.iter().collect());
     list("record", &a, &b);

@@ -8,7 +8,7 @@ use expand::{DefinitionId, SourceRange, SymbolKind, Use, UseKind};
 /// Who calls or is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Caller {
-    /// A macro.
+    /// The body of a macro.
     Macro(DefinitionId),
     /// What stands in a file outside of macros.
     File(FileId),

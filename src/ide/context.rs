@@ -13,7 +13,7 @@ pub struct Cx<'a> {
     pub source: &'a SourceFile,
     /// The expansion of its active root.
     pub expansion: &'a Expansion,
-    /// The robot in it.
+    /// The robot; none when the root element is not `robot`.
     pub robot: Option<&'a Robot>,
     /// How its links hang together.
     pub kinematics: Option<&'a Kinematics>,

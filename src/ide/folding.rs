@@ -19,7 +19,7 @@ pub struct Fold {
 pub enum FoldKind {
     /// An element, or a run of properties.
     Element,
-    /// A comment.
+    /// A comment of several lines.
     Comment,
     /// A run of includes.
     Includes,

@@ -12,7 +12,7 @@ pub struct At<'a> {
     pub offset: u32,
     /// Offset of the item.
     pub base: u32,
-    /// The item.
+    /// The item around the offset.
     pub item: &'a Arc<Item>,
     /// The innermost node around the offset.
     pub node: Option<Node<'a>>,

@@ -2,6 +2,7 @@
 
 use base::TextRange;
 use base::limits::SYMBOL_DEPTH;
+use facts::is_keyword;
 use xml::{Document, Entities, Node, NodeKind};
 
 /// What a symbol is.
@@ -153,15 +154,8 @@ fn text_of(node: Node<'_>, name: &str, entities: &Entities) -> String {
 }
 
 fn is_call(name: &str) -> bool {
-    const OTHERS: &[&str] = &[
-        "attribute",
-        "call",
-        "element",
-        "eval-comments",
-        "insert_block",
-    ];
     name.strip_prefix("xacro:")
-        .is_some_and(|called| !OTHERS.contains(&called))
+        .is_some_and(|called| !is_keyword(called))
 }
 
 #[cfg(test)]

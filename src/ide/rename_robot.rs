@@ -8,7 +8,7 @@ use super::robot_names::{NameKind, all_names};
 use ecow::EcoString;
 
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
-use expand::{FrameKind, Origin, SourceRange, argument};
+use expand::{FrameKind, Origin, SourceRange, blamed_argument};
 use expr::Token;
 use model::Text;
 use vfs::SourceFile;
@@ -79,7 +79,7 @@ fn add_parts(
         let before = TextRange::new(at.0, out.start.max(at.0));
         let range = TextRange::new(at.1, source.range.start);
         found.extend(part(cx, value, before, Origin { range, ..origin }));
-        if let Some(given) = argument(cx.expansion, source) {
+        if let Some(given) = blamed_argument(cx.expansion, source) {
             add_given(cx, value, out, given, calls, found);
         }
         at = (out.end, source.range.end);

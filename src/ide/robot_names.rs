@@ -4,7 +4,7 @@ use super::context::Cx;
 use super::instances::is_within;
 use super::names::{NameUse, place};
 use base::{Span, TextRange};
-use expand::{XId, XKind, XTree, argument};
+use expand::{XId, XKind, XTree, blamed_argument};
 use model::Text;
 
 /// The name of a link, joint or material.
@@ -269,6 +269,6 @@ fn meant_by(tag: &str) -> Option<NameKind> {
 fn written(cx: &Cx<'_>, text: &Text) -> Option<Span> {
     place(
         cx,
-        argument(cx.expansion, text.origin).unwrap_or(text.origin),
+        blamed_argument(cx.expansion, text.origin).unwrap_or(text.origin),
     )
 }

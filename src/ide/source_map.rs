@@ -208,7 +208,7 @@ fn size_around(
 }
 
 /// What the macro call or include at an offset made, and how long its tag is: a call leaves nothing of itself
-/// in the expanded text, so all that came through it counts. Each way there is a stretch of its own.
+/// in the expanded text, so all that came through it counts. Each way there is a range of its own.
 fn made_by_calls(
     expansion: &Expansion,
     written: &Written,

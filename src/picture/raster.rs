@@ -167,7 +167,7 @@ struct Band {
     height: usize,
     /// The first row, samples.
     top: f64,
-    near: Vec<f64>,
+    depth: Vec<f64>,
     /// Light times opacity, and opacity.
     light: Vec<[f32; 4]>,
 }
@@ -181,7 +181,7 @@ impl Band {
             width,
             height,
             top,
-            near: vec![f64::NEG_INFINITY; count],
+            depth: vec![f64::NEG_INFINITY; count],
             light: vec![[0.0; 4]; count],
         }
     }
@@ -208,17 +208,17 @@ impl Band {
                 }
                 let key = weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2];
                 let index = y * self.width + x;
-                let Some((near, light)) = self.near.get_mut(index).zip(self.light.get_mut(index))
+                let Some((depth, light)) = self.depth.get_mut(index).zip(self.light.get_mut(index))
                 else {
                     continue;
                 };
-                if key <= *near {
+                if key <= *depth {
                     continue;
                 }
                 let [red, green, blue] = mixed(facet.light, weights.map(|weight| weight as f32));
                 let over = [red, green, blue, 1.0];
                 if SOLID {
-                    *near = key;
+                    *depth = key;
                     *light = over;
                 } else {
                     let opacity = facet.opacity;

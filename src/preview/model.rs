@@ -45,7 +45,7 @@ pub struct Model {
     pub meshes: BTreeMap<String, MeshFile>,
 }
 
-/// A link.
+/// A link with what is drawn of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Link {
     /// Its name.
@@ -68,12 +68,12 @@ pub struct Link {
 /// A visual or a collision.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Body {
-    /// Its name.
+    /// Its name, which most visuals do not have.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Where it stands in its link.
     pub pose: Pose,
-    /// Its shape.
+    /// Its shape, in the frame of `pose`.
     pub shape: Shape,
     /// Red, green, blue and opacity, 0 to 1.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -98,7 +98,7 @@ pub struct Inertial {
     pub inertia: Option<[f64; 6]>,
 }
 
-/// A joint.
+/// A joint, as far as it moves what is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Joint {
     /// Its name.

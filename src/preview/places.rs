@@ -17,7 +17,7 @@ pub struct Point {
     pub character: u32,
 }
 
-/// A stretch of a text.
+/// A range of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Stretch {
     /// Its first character.
@@ -26,7 +26,7 @@ pub struct Stretch {
     pub end: Point,
 }
 
-/// A stretch of a file, as the language server protocol writes it.
+/// A range of a file, as the language server protocol writes it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Location {
     /// The file.

@@ -57,7 +57,7 @@ pub enum Shape {
     },
     /// Nothing that can be drawn.
     Unknown {
-        /// Why.
+        /// Why nothing can be drawn, for people.
         problem: String,
     },
 }

@@ -16,7 +16,7 @@ use workspace::nearest;
 
 /// A file beside a robot.
 pub struct BesideCx<'a> {
-    /// The file.
+    /// The SRDF or YAML that is checked.
     pub file: FileId,
     /// What it says.
     pub content: Content<'a>,
@@ -48,16 +48,16 @@ pub struct BesideCx<'a> {
 pub enum Content<'a> {
     /// A semantic description.
     Srdf(&'a Srdf),
-    /// YAML.
+    /// YAML for controllers or MoveIt.
     Settings(&'a Settings),
 }
 
 /// A robot that a file is for.
 #[derive(Clone, Copy)]
 pub struct PairedRobot<'a> {
-    /// Its expansion.
+    /// The expansion that it was taken from.
     pub expansion: &'a Expansion,
-    /// The robot.
+    /// Its links and joints.
     pub robot: &'a Robot,
     /// How its links hang together.
     pub kinematics: &'a Kinematics,

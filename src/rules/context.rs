@@ -88,7 +88,7 @@ pub fn is_whole(expansion: &Expansion) -> bool {
 
 /// The expanded document of a root.
 pub struct DocumentCx<'a> {
-    /// The expansion.
+    /// The expansion of the root.
     pub expansion: &'a Expansion,
     /// The element to look at: the root of the document, or what a macro gives that nothing calls.
     pub element: XId,
@@ -96,7 +96,7 @@ pub struct DocumentCx<'a> {
     pub kind: RootKind,
     /// Whether the user named the root file.
     pub explicit: bool,
-    /// The robot in it.
+    /// The robot; none when the root element is not `robot`.
     pub robot: Option<&'a Robot>,
     /// What lies around it.
     pub world: RuleEnv<'a>,
@@ -257,9 +257,9 @@ pub struct RuleEnv<'a> {
 
 /// An expanded robot.
 pub struct RobotCx<'a> {
-    /// The expansion.
+    /// The expansion of the root.
     pub expansion: &'a Expansion,
-    /// The robot.
+    /// Its links and joints.
     pub robot: &'a Robot,
     /// How its links hang together.
     pub kinematics: &'a Kinematics,

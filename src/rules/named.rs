@@ -74,5 +74,7 @@ pub const UNKNOWN_ATTRIBUTE: &Rule = &xml::unknown_attribute::RULE;
 pub const WRONG_VECTOR_LENGTH: &Rule = &xml::wrong_vector_length::RULE;
 /// `xacro-tags-in-urdf`
 pub const XACRO_TAGS_IN_URDF: &Rule = &xml::xacro_tags_in_urdf::RULE;
+/// `xml-encoding-mismatch`
+pub const XML_ENCODING_MISMATCH: &Rule = &xml::XML_ENCODING_MISMATCH;
 /// `xml-syntax-error`
 pub const XML_SYNTAX_ERROR: &Rule = &xml::xml_syntax_error::RULE;

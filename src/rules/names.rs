@@ -8,9 +8,9 @@ use project::Kind;
 /// Names of links and joints.
 #[derive(Clone, Debug, Default)]
 pub struct Names {
-    /// Links.
+    /// Names of links.
     pub links: FastSet<EcoString>,
-    /// Joints.
+    /// Names of joints.
     pub joints: FastSet<EcoString>,
     /// The places of joints.
     pub places: FastSet<Place>,
@@ -25,9 +25,9 @@ pub struct Names {
 /// The place of a joint in a robot.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Place {
-    /// The joint.
+    /// The name of the joint.
     pub joint: EcoString,
-    /// Its child.
+    /// The name of its child link.
     pub child: EcoString,
     /// Its type.
     pub kind: EcoString,

@@ -6,7 +6,6 @@ use xml::Document;
 
 /// A problem where it is reported.
 pub(super) struct ProblemCx<'a> {
-    /// The problem.
     pub problem: &'a Problem,
     /// The file that is wrong.
     pub document: &'a Document,

@@ -57,7 +57,7 @@ pub fn losses(expansion: &Expansion) -> Vec<Span> {
 /// Which rules run, and until when.
 #[derive(Clone, Copy)]
 pub struct Chosen<'a> {
-    /// The rules.
+    /// The rules that run, in this order.
     pub rules: &'a [&'static Rule],
     /// Set to stop early; findings are missing then.
     pub cancel: &'a CancelFlag,
@@ -162,7 +162,7 @@ pub fn check_expansion(
 /// What can be said of undefined names in files that are not well-formed, while somebody types in them: those
 /// that no text of the expansion gives, in items that are whole themselves.
 pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
-    if expansion.doubtful.is_empty() {
+    if expansion.untrusted.is_empty() {
         return Vec::new();
     }
     let documents = expansion.files.iter().map(|file| &file.source.document);
@@ -197,7 +197,7 @@ pub fn check_recovered(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
                 .iter()
                 .any(|error| own.touches(error.range.start))
     };
-    let sure = expansion.doubtful.iter().filter(sure);
+    let sure = expansion.untrusted.iter().filter(sure);
     sure.filter_map(|problem| problems::finding(expansion, problem, vfs))
         .collect()
 }

@@ -6,7 +6,9 @@ use super::grouping::Group;
 use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
 use base::{FastMap, FastSet, Span, TextRange};
-use expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place, argument, is_partial};
+use expand::{
+    Expansion, FileIdx, Frame, FrameKind, Origin, Place, blamed_argument, depends_on_parameter,
+};
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
 /// reported once, with all the calls that lead there.
@@ -65,7 +67,7 @@ impl<'a> Sink<'a> {
                 calls,
                 instances,
             } = draft;
-            finding.partial = is_partial(self.expansion, &instances);
+            finding.partial = depends_on_parameter(self.expansion, &instances);
             calls.list_in(&mut finding);
             finding
         };
@@ -87,7 +89,7 @@ impl<'a> Sink<'a> {
 
     /// What the call of the macro around `origin` passes, when the text there is a parameter and nothing else.
     pub fn argument(&self, origin: Origin) -> Option<Span> {
-        self.span_of(argument(self.expansion, origin)?)
+        self.span_of(blamed_argument(self.expansion, origin)?)
     }
 
     /// Report a defect at an absolute range of a file.

@@ -6,8 +6,6 @@ use workspace::config::Config;
 pub struct Threshold {
     /// Its name in the configuration; the unit is in the name.
     pub name: &'static str,
-    /// The rule it belongs to, by name.
-    pub rule: &'static str,
     /// Its value when nothing is configured.
     pub default: f64,
     /// What it bounds.
@@ -27,7 +25,6 @@ pub static THRESHOLDS: &[Threshold] = &[
 /// The longest way from one joint to the next, meters.
 pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
     name: "max-joint-offset-m",
-    rule: "origin-units-mm",
     default: 20.0,
     docs: "the greatest length of a joint origin, in meters",
 };
@@ -35,35 +32,30 @@ pub(super) const MAX_JOINT_OFFSET: Threshold = Threshold {
 /// The fastest revolute joint, rad/s.
 pub(super) const MAX_JOINT_VELOCITY: Threshold = Threshold {
     name: "max-joint-velocity-rad-per-s",
-    rule: "joint-velocity-degrees",
     default: 50.0,
     docs: "the highest velocity of a revolute joint, in rad/s",
 };
 
 pub(super) const MAX_COLLISION_TRIANGLES: Threshold = Threshold {
     name: "max-collision-triangles",
-    rule: "collision-mesh-too-detailed",
     default: 5000.0,
     docs: "Number of triangles a collision mesh may have.",
 };
 
 pub(super) const WARN_COLLISION_TRIANGLES: Threshold = Threshold {
     name: "warn-collision-triangles",
-    rule: "collision-mesh-too-detailed",
     default: 20_000.0,
     docs: "Number of triangles of a collision mesh above which the finding is a warning.",
 };
 
 pub(super) const MAX_EXTENT: Threshold = Threshold {
     name: "max-extent-m",
-    rule: "mesh-scale-suspicious",
     default: 10.0,
     docs: "Greatest length of a mesh along an axis, in meters.",
 };
 
 pub(super) const MIN_EXTENT: Threshold = Threshold {
     name: "min-extent-m",
-    rule: "mesh-scale-suspicious",
     default: 1e-4,
     docs: "Least length of a mesh along its longest axis, in meters.",
 };

@@ -16,6 +16,21 @@ pub(super) fn is_free_zone(name: &str) -> bool {
     ) || name.bytes().any(|byte| byte == b':') && !name.starts_with("xacro:")
 }
 
+/// Whether an element without a prefix is most likely a tag of xacro. Names that are common elsewhere (`element`, `attribute`,
+/// `call`) are not.
+pub(super) fn is_forgotten_prefix(name: &str) -> bool {
+    const TAGS: [&str; 7] = [
+        "arg",
+        "if",
+        "include",
+        "insert_block",
+        "macro",
+        "property",
+        "unless",
+    ];
+    TAGS.contains(&name)
+}
+
 /// Whether a link stands for the surroundings of a robot by its name.
 pub(super) fn is_surroundings(link: &str) -> bool {
     matches!(link, "world" | "map" | "odom" | "earth")

@@ -80,7 +80,7 @@ pub(super) fn text_range(document: &Document, range: Range, encoding: Encoding) 
 }
 
 /// The bytes that an edit replaces. Where an edit begins or ends between the halves of a surrogate pair, clients that
-/// count so keep no half of it: the character belongs to what is in front of the place.
+/// count in UTF-16 remove the whole character: it belongs to the text before the edit.
 pub(super) fn edited_range(document: &Document, range: Range, encoding: Encoding) -> TextRange {
     let a = edited_offset(document, range.start, encoding);
     let b = edited_offset(document, range.end, encoding);

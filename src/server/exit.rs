@@ -9,7 +9,7 @@ use tower_lsp::jsonrpc::Request;
 
 use vfs::is_process_alive;
 
-/// Whether `shutdown` was asked for: the exit code hangs on it.
+/// Whether `shutdown` was asked for: the exit code depends on it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shutdown(Arc<AtomicBool>);
 

@@ -1,4 +1,4 @@
-//! F29: files that are made, renamed and deleted in the editor.
+//! Files that are made, renamed and deleted in the editor.
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

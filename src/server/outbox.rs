@@ -1,7 +1,7 @@
 //! What goes out to the client without being asked for.
 //!
 //! Notifications are written as they are: made into bytes once, by who sends them. Requests go through tower-lsp, which
-//! knows whose the replies are.
+//! assigns the replies to them.
 use lsp_types::notification::{LogMessage, Notification, ShowMessage};
 use lsp_types::{
     LogMessageParams, MessageType, Range, Registration, ShowMessageParams, Url, WorkspaceEdit,

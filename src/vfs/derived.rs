@@ -23,7 +23,7 @@ impl Vfs {
     ///
     /// # Errors
     /// Whatever keeps the file from being read; also more than `limit` bytes.
-    pub fn derive<T>(
+    pub fn cached_read<T>(
         &self,
         cache: &FileCache<T>,
         path: &Path,
@@ -144,7 +144,7 @@ mod tests {
                 made.set(made.get() + 1);
                 bytes.len()
             };
-            tree.vfs().derive(&cache, &tree.path("a"), limit, make)
+            tree.vfs().cached_read(&cache, &tree.path("a"), limit, make)
         };
         assert_eq!(
             (*length(9).unwrap(), *length(9).unwrap(), made.get()),

@@ -433,7 +433,7 @@ impl Vfs {
 
     /// Whether there is a file, folder or buffer at `path`.
     pub fn exists(&self, path: &Path) -> bool {
-        self.has_buffer(path) || self.look(path).is_some()
+        self.has_buffer(path) || self.stat_at(path).is_some()
     }
 
     /// Whether there is anything at `path`, be it a link that leads nowhere.
@@ -446,26 +446,26 @@ impl Vfs {
     pub fn is_file(&self, path: &Path) -> bool {
         self.has_buffer(path)
             || self
-                .look(path)
+                .stat_at(path)
                 .is_some_and(|found| found.kind != Kind::Folder)
     }
 
     /// Whether there is a folder at `path`.
     pub fn is_dir(&self, path: &Path) -> bool {
-        self.look(path)
+        self.stat_at(path)
             .is_some_and(|found| found.kind == Kind::Folder)
     }
 
     /// The size of a file on the disk, in bytes.
     pub fn size(&self, path: &Path) -> Option<u64> {
-        let found = self.look(path)?;
+        let found = self.stat_at(path)?;
         (found.kind == Kind::Regular).then_some(found.size)
     }
 
     /// What tells a file or folder from every other one, whatever path led to it; `None` when it does
     /// not exist.
     pub fn identity(&self, path: &Path) -> Option<u128> {
-        let stat = self.look(path)?;
+        let stat = self.stat_at(path)?;
         Some(stat.identity.map_or_else(
             || u128::from(read::hash(&self.canonical(path))),
             Identity::number,

@@ -1,4 +1,4 @@
-//! A time in which files are taken to stay as they are.
+//! Answers of the disk that are kept for some time, in which files are assumed not to change.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -71,7 +71,7 @@ impl Vfs {
 
     /// What there is at a path; none when there is nothing. Paths that are only asked about get no number, which
     /// would never be taken back, unless the answer is to be remembered.
-    pub(super) fn look(&self, path: &Path) -> Option<Stat> {
+    pub(super) fn stat_at(&self, path: &Path) -> Option<Stat> {
         let path = self.absolute(path);
         if !self.shared.stats.are_held() {
             return self.shared.disk.stat(&path).ok();

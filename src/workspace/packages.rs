@@ -4,16 +4,18 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
+use super::cache::Cache;
 use super::hardware::Hardware;
 use super::install::Build;
 use super::left_out::GitRules;
 use super::manifest::{MANIFEST, is_package_name, package_name};
-use super::memo::Memo;
-use super::namesakes::Index;
+use super::package_sources::{
+    Layout, PackageSource, Prefix, distributions, overlays, own_prefixes,
+};
 use super::root::workspace_root;
 use super::scan::{Rules, Tree, scan};
 use super::similar::{edit_distance, has_part, is_another, nearest};
-use super::steps::{Layout, Prefix, Step, distributions, overlays, own_prefixes};
+use super::similar_files::Index;
 use base::FastSet;
 use vfs::{Environment, Vfs, without_parents};
 
@@ -66,9 +68,9 @@ pub struct Found {
     /// Its folder, spelled as the reference would print it.
     pub path: PathBuf,
     /// The kind of place that gave it.
-    pub step: Step,
+    pub step: PackageSource,
     /// The places asked before, in order: a package that appears there would change the answer.
-    pub tried: Vec<(Step, PathBuf)>,
+    pub tried: Vec<(PackageSource, PathBuf)>,
 }
 
 /// A package that was not.
@@ -77,7 +79,7 @@ pub struct NotFound {
     /// The name asked for.
     pub name: String,
     /// The places asked, in order.
-    pub tried: Vec<(Step, PathBuf)>,
+    pub tried: Vec<(PackageSource, PathBuf)>,
     /// A known package that seems to be meant: see [`Packages::find`].
     pub nearest: Option<String>,
 }
@@ -112,7 +114,7 @@ pub struct Entry {
     /// Its folder.
     pub path: PathBuf,
     /// The kind of place that gave it.
-    pub step: Step,
+    pub step: PackageSource,
     /// Whether an entry above has the same name and wins.
     pub shadowed: bool,
 }
@@ -123,20 +125,20 @@ pub struct Packages {
     pub(super) vfs: Arc<Vfs>,
     pub(super) env: Environment,
     options: PackageOptions,
-    trees: Memo<(PathBuf, Rules), Arc<Tree>>,
-    owners: Memo<PathBuf, Option<Package>>,
-    roots: Memo<PathBuf, Option<PathBuf>>,
-    installed: Memo<Prefix, Arc<Vec<String>>>,
-    pub(super) indexes: Memo<PathBuf, Arc<Index>>,
-    pub(super) builds: Memo<PathBuf, Arc<Build>>,
+    trees: Cache<(PathBuf, Rules), Arc<Tree>>,
+    owners: Cache<PathBuf, Option<Package>>,
+    roots: Cache<PathBuf, Option<PathBuf>>,
+    installed: Cache<Prefix, Arc<Vec<String>>>,
+    pub(super) indexes: Cache<PathBuf, Arc<Index>>,
+    pub(super) builds: Cache<PathBuf, Arc<Build>>,
     /// What the sources in C++ say about hardware, by folder.
-    pub(super) hardware: Memo<PathBuf, Arc<Hardware>>,
+    pub(super) hardware: Cache<PathBuf, Arc<Hardware>>,
     /// What Git says about files, by folder.
-    pub(super) git_rules: Memo<PathBuf, Arc<GitRules>>,
+    pub(super) git_rules: Cache<PathBuf, Arc<GitRules>>,
     /// Names of packages without a manifest, by folder.
-    pub(super) unlisted: Memo<PathBuf, Option<String>>,
+    pub(super) unlisted: Cache<PathBuf, Option<String>>,
     /// Whether the build tools pass over a package, by folder.
-    pub(super) unbuilt: Memo<PathBuf, bool>,
+    pub(super) unbuilt: Cache<PathBuf, bool>,
 }
 
 impl Packages {
@@ -146,16 +148,16 @@ impl Packages {
             vfs,
             env: env.clone(),
             options,
-            trees: Memo::default(),
-            owners: Memo::default(),
-            unbuilt: Memo::default(),
-            roots: Memo::default(),
-            installed: Memo::default(),
-            indexes: Memo::default(),
-            builds: Memo::default(),
-            hardware: Memo::default(),
-            git_rules: Memo::default(),
-            unlisted: Memo::default(),
+            trees: Cache::default(),
+            owners: Cache::default(),
+            unbuilt: Cache::default(),
+            roots: Cache::default(),
+            installed: Cache::default(),
+            indexes: Cache::default(),
+            builds: Cache::default(),
+            hardware: Cache::default(),
+            git_rules: Cache::default(),
+            unlisted: Cache::default(),
         }
     }
 
@@ -198,7 +200,9 @@ impl Packages {
             .unwrap_or_default();
         let declared = || between_tags(&manifest);
         // what a package of the workspace depends on is there somewhere
-        let mut others = known.iter().filter(|entry| entry.step == Step::Workspace);
+        let mut others = known
+            .iter()
+            .filter(|entry| entry.step == PackageSource::Workspace);
         let depends = |entry: &Entry| {
             text(&entry.path).is_some_and(|file| between_tags(&file.text).any(|own| own == name))
         };
@@ -212,8 +216,9 @@ impl Packages {
         );
         let near = near.filter(|near| edit_distance(name, near) <= SLIP && !is_another(name, near));
         // only among sources: of all that is installed, something always begins alike
-        let is_source =
-            |entry: &&Entry| entry.step <= Step::Workspace && entry.step != Step::OwnPackage;
+        let is_source = |entry: &&Entry| {
+            entry.step <= PackageSource::Workspace && entry.step != PackageSource::OwnPackage
+        };
         let sources = known.iter().filter(is_source);
         let longer = || {
             let is_alike =
@@ -332,7 +337,7 @@ impl Packages {
         if own_prefixes(&self.vfs, file).is_empty() {
             return None;
         }
-        let mut tops = self.tree_tops(Step::Workspace, file).into_iter();
+        let mut tops = self.tree_tops(PackageSource::Workspace, file).into_iter();
         let folder = tops.find_map(|(top, rules)| {
             Some(self.tree(&top, rules).get(&owner.name, file)?.to_owned())
         })?;
@@ -358,14 +363,14 @@ impl Packages {
         self.tree(top, Rules::Workspace).packages().to_vec()
     }
 
-    fn order(&self) -> Vec<Step> {
-        let mut order: Vec<Step> = Step::ALL.into();
+    fn order(&self) -> Vec<PackageSource> {
+        let mut order: Vec<PackageSource> = PackageSource::ALL.into();
         if !self.options.use_environment {
             order.retain(|step| !step.is_environment());
         }
         if self.options.environment_first {
             order.sort_by_key(|step| match step {
-                Step::PackagePath => 0,
+                PackageSource::PackagePath => 0,
                 step if step.is_environment() => 1,
                 _ => 2,
             });
@@ -376,12 +381,12 @@ impl Packages {
     /// What `step` says about `name`; the places asked are added to `tried`.
     fn look(
         &self,
-        step: Step,
+        step: PackageSource,
         name: &str,
         from: &Path,
-        tried: &mut Vec<(Step, PathBuf)>,
+        tried: &mut Vec<(PackageSource, PathBuf)>,
     ) -> Option<PathBuf> {
-        if step == Step::OwnPackage {
+        if step == PackageSource::OwnPackage {
             let owner = self.containing(from)?;
             tried.push((step, owner.folder.clone()));
             return (owner.name == name).then_some(owner.folder);
@@ -411,8 +416,8 @@ impl Packages {
         None
     }
 
-    fn list(&self, step: Step, from: &Path) -> Vec<(String, PathBuf)> {
-        if step == Step::OwnPackage {
+    fn list(&self, step: PackageSource, from: &Path) -> Vec<(String, PathBuf)> {
+        if step == PackageSource::OwnPackage {
             return self
                 .containing(from)
                 .into_iter()
@@ -431,14 +436,16 @@ impl Packages {
     }
 
     /// The trees `step` searches.
-    fn tree_tops(&self, step: Step, from: &Path) -> Vec<(PathBuf, Rules)> {
+    fn tree_tops(&self, step: PackageSource, from: &Path) -> Vec<(PathBuf, Rules)> {
         let (tops, rules) = match step {
-            Step::PackagePath => (self.options.explicit.clone(), Rules::Explicit),
-            Step::Workspace => (
+            PackageSource::PackagePath => (self.options.explicit.clone(), Rules::Explicit),
+            PackageSource::Workspace => (
                 self.workspaces(from, self.options.search_upward),
                 Rules::Workspace,
             ),
-            Step::RosPackagePath => (self.env.paths("ROS_PACKAGE_PATH"), Rules::RosPackagePath),
+            PackageSource::RosPackagePath => {
+                (self.env.paths("ROS_PACKAGE_PATH"), Rules::RosPackagePath)
+            }
             _ => return Vec::new(),
         };
         tops.into_iter()
@@ -447,19 +454,21 @@ impl Packages {
     }
 
     /// The prefixes of installed packages `step` searches.
-    fn prefixes(&self, step: Step, from: &Path) -> Vec<Prefix> {
+    fn prefixes(&self, step: PackageSource, from: &Path) -> Vec<Prefix> {
         match step {
-            Step::Overlay => self
+            PackageSource::Overlay => self
                 .workspaces(from, true)
                 .iter()
                 .flat_map(|folder| overlays(folder))
                 .collect(),
-            Step::AmentPrefixPath => self.env_prefixes("AMENT_PREFIX_PATH", &[Layout::Indexed]),
-            Step::ColconPrefixPath => {
+            PackageSource::AmentPrefixPath => {
+                self.env_prefixes("AMENT_PREFIX_PATH", &[Layout::Indexed])
+            }
+            PackageSource::ColconPrefixPath => {
                 self.env_prefixes("COLCON_PREFIX_PATH", &[Layout::Isolated, Layout::Merged])
             }
-            Step::OwnPrefix => own_prefixes(&self.vfs, &self.vfs.absolute(from)),
-            Step::Distribution => self.distributions(),
+            PackageSource::OwnPrefix => own_prefixes(&self.vfs, &self.vfs.absolute(from)),
+            PackageSource::Distribution => self.distributions(),
             _ => Vec::new(),
         }
     }

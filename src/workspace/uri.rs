@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use super::package_sources::PackageSource;
 use super::packages::{NotFound, Packages};
-use super::steps::Step;
 use base::paths::HERE;
 
 /// Variables that list the folders `model://` is looked for in.
@@ -53,7 +53,7 @@ pub struct UriResult {
     /// Where it leads.
     pub outcome: UriOutcome,
     /// How its package was found.
-    pub step: Option<Step>,
+    pub step: Option<PackageSource>,
     /// Files and folders looked for, in order.
     pub tried: Vec<PathBuf>,
 }
@@ -210,7 +210,7 @@ pub fn percent_decoded(text: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{UriKind, UriOutcome};
-    use crate::{PackageOptions, Packages, Step};
+    use crate::{PackageOptions, PackageSource, Packages};
     use vfs::testing::Tree;
 
     #[test]
@@ -322,7 +322,7 @@ mod tests {
         }
         let found =
             packages.resolve_uri("package://bot/meshes/a.stl", &tree.path("bot/urdf/x.xacro"));
-        assert_eq!(found.step, Some(Step::OwnPackage));
+        assert_eq!(found.step, Some(PackageSource::OwnPackage));
         let UriOutcome::UnknownPackage(error) = packages
             .resolve_uri("package://bit/a", &tree.path("bot/urdf/x.xacro"))
             .outcome

@@ -26,7 +26,7 @@ struct Chunk {
     /// Whether an item depends on text behind its end.
     far: bool,
     /// Whether an item has errors that do not depend on the prefixes the root declares.
-    loud: bool,
+    has_errors: bool,
     /// Prefixes the root must declare for the rest.
     prefixes: Vec<Box<str>>,
 }
@@ -46,7 +46,7 @@ impl Chunk {
             bytes: 0,
             lines: 0,
             far: false,
-            loud: false,
+            has_errors: false,
             prefixes: Vec::new(),
         };
         chunk.sum();
@@ -57,12 +57,12 @@ impl Chunk {
         self.bytes = self.items.iter().map(|item| item.len()).sum();
         self.lines = self.items.iter().map(|item| item.lines).sum();
         self.far = self.items.iter().any(|item| item.lookahead() > item.len());
-        self.loud = false;
+        self.has_errors = false;
         self.prefixes.clear();
         for item in self.items.iter() {
             for stored in item.errors() {
                 if stored.condition != Condition::UnlessBound {
-                    self.loud = true;
+                    self.has_errors = true;
                     continue;
                 }
                 let prefix = stored.error.range.slice(item.text());
@@ -160,7 +160,7 @@ impl Chunks {
 
     /// The items, with their offsets, of the chunks that may have errors if `bound` says which prefixes the
     /// root declares.
-    pub(super) fn iter_loud(
+    pub(super) fn iter_with_errors(
         &self,
         bound: impl Fn(&str) -> bool,
     ) -> impl Iterator<Item = (u32, &Arc<Item>)> {
@@ -168,8 +168,9 @@ impl Chunks {
         let chunks = self.list.iter().filter_map(move |chunk| {
             let start = next;
             next += chunk.bytes;
-            let loud = chunk.loud || !chunk.prefixes.iter().all(|prefix| bound(prefix));
-            loud.then_some((start, chunk))
+            let may_have_errors =
+                chunk.has_errors || !chunk.prefixes.iter().all(|prefix| bound(prefix));
+            may_have_errors.then_some((start, chunk))
         });
         chunks.flat_map(|(mut start, chunk)| {
             chunk.items.iter().map(move |item| {

@@ -160,7 +160,7 @@ enum Rest {
     Footer(Footer),
 }
 
-/// A stretch of edited text that grows part by part as the parser asks for more.
+/// A range of edited text that grows part by part as the parser asks for more.
 struct Window<I: Iterator> {
     text: String,
     /// Where old parts begin in the text, behind the edit: offset and number.

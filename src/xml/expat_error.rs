@@ -18,7 +18,7 @@ impl Document {
         let head = self.header.len();
         found.add(&self.context, 0, &self.header);
         let quiet = |prefix: &str| self.context.namespaces.contains_key(prefix);
-        for (start, item) in self.items.iter_loud(&quiet) {
+        for (start, item) in self.items.iter_with_errors(&quiet) {
             found.add(&self.context, head + start, item);
             if found.errors.len() > XML_ERRORS_SEEN {
                 break;

@@ -17,7 +17,7 @@ pub struct Item {
     pub(super) attrs: Box<[AttrData]>,
     pub(super) extra: Option<Box<Extra>>,
     /// The only thing that could be wrong: a prefix that the root must declare. Most items of xacro have that.
-    outer: Option<OuterPrefix>,
+    outer: Option<UnboundPrefix>,
     /// Line ends in `text`.
     pub(super) lines: u32,
     cache: OnceLock<Arc<dyn Any + Send + Sync>>,
@@ -25,12 +25,12 @@ pub struct Item {
 
 /// A prefix that the root must declare.
 #[derive(Clone, Copy)]
-struct OuterPrefix {
+struct UnboundPrefix {
     range: TextRange,
     expat_offset: u32,
 }
 
-impl OuterPrefix {
+impl UnboundPrefix {
     /// The only error of an item, if it is one of these.
     fn of(extra: &Extra) -> Option<Self> {
         let Extra {
@@ -104,7 +104,7 @@ impl Item {
         attrs: &[AttrData],
         extra: Option<Extra>,
     ) -> Self {
-        let outer = extra.as_ref().and_then(OuterPrefix::of);
+        let outer = extra.as_ref().and_then(UnboundPrefix::of);
         Self {
             text: text.into(),
             nodes: nodes.into(),

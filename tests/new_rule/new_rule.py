@@ -83,9 +83,13 @@ TODO: the documentation, the code of a program, or the measurement that shows it
 '''
 
 
+def categories(root):
+    return sorted(path.parent.name for path in (root / 'src/rules').glob('*/mod.rs'))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('category')
+    parser.add_argument('category', help='one of ' + ', '.join(categories(ROOT)))
     parser.add_argument('name')
     parser.add_argument('--check', choices=CHECKS, default='document')
     parser.add_argument('--severity', choices=('error', 'warning', 'info', 'hint'), default='warning')
@@ -94,8 +98,7 @@ def main():
     args = parser.parse_args()
     folder = args.root / 'src/rules' / args.category
     if not (folder / 'mod.rs').is_file():
-        known = sorted(path.parent.name for path in (args.root / 'src/rules').glob('*/mod.rs'))
-        sys.exit(f'new_rule: unknown category `{args.category}`; write one of {", ".join(known)}')
+        sys.exit(f'new_rule: unknown category `{args.category}`; write one of {", ".join(categories(args.root))}')
     if not re.fullmatch(r'[a-z0-9]+(-[a-z0-9]+)+', args.name):
         sys.exit(f'new_rule: `{args.name}` is not a name of a rule; write at least two words in lower case, joined by `-`')
     page = args.root / f'docs/rules/{args.name}.md'

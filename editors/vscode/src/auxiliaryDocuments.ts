@@ -12,14 +12,14 @@ import { isCompanion } from "./languages";
 import type { Server } from "./server";
 
 export class AuxiliaryDocuments implements vscode.Disposable {
-  /** Documents that the server has been told of. */
-  private readonly told = new Set<string>();
+  /** Documents that the server knows to be open. */
+  private readonly announced = new Set<string>();
   private readonly subscriptions: vscode.Disposable[];
 
   constructor(private readonly server: Server) {
     this.subscriptions = [
       server.onReady(() => {
-        this.told.clear();
+        this.announced.clear();
         vscode.workspace.textDocuments.forEach((document) => this.opened(document));
       }),
       vscode.workspace.onDidOpenTextDocument((document) => this.opened(document)),
@@ -37,7 +37,7 @@ export class AuxiliaryDocuments implements vscode.Disposable {
   private opened(document: vscode.TextDocument): void {
     if (!isCompanion(document) || !this.server.isRunning) return;
     const uri = document.uri.toString();
-    this.told.add(uri);
+    this.announced.add(uri);
     const { languageId, version } = document;
     const textDocument = { uri, languageId, version, text: document.getText() };
     void this.server.tell(DidOpenTextDocumentNotification.type, { textDocument });
@@ -45,7 +45,7 @@ export class AuxiliaryDocuments implements vscode.Disposable {
 
   private changed(document: vscode.TextDocument): void {
     const uri = document.uri.toString();
-    if (!this.told.has(uri)) return;
+    if (!this.announced.has(uri)) return;
     void this.server.tell(DidChangeTextDocumentNotification.type, {
       textDocument: { uri, version: document.version },
       contentChanges: [{ text: document.getText() }],
@@ -54,7 +54,7 @@ export class AuxiliaryDocuments implements vscode.Disposable {
 
   private closed(document: vscode.TextDocument): void {
     const uri = document.uri.toString();
-    if (this.told.delete(uri)) {
+    if (this.announced.delete(uri)) {
       void this.server.tell(DidCloseTextDocumentNotification.type, { textDocument: { uri } });
     }
   }

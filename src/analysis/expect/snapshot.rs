@@ -144,7 +144,7 @@ fn quoted(text: Option<&str>) -> String {
     text.map_or("missing".to_owned(), |text| format!("`{text}`"))
 }
 
-/// What a stretch of the printed document came from: the innermost entry of the map that holds its start.
+/// What a part of the printed document came from: the innermost entry of the map that holds its start.
 pub(crate) fn entry_at<'m>(
     map: &'m [MapEntry],
     range: &std::ops::Range<usize>,

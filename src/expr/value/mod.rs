@@ -49,23 +49,23 @@ pub enum Value {
     Int(i64),
     /// An integer that does not fit [`Value::Int`].
     Big(Arc<BigInt>),
-    /// A float.
+    /// A float, with `inf` and `nan`.
     Float(f64),
     /// A complex number.
     Complex(f64, f64),
-    /// A string.
+    /// A string of Unicode characters.
     Str(Str),
     /// `bytes`
     Bytes(EcoVec<u8>),
     /// A list, from YAML or not.
     List(List),
-    /// A tuple.
+    /// A tuple, which cannot change in place.
     Tuple(Tuple),
     /// A dict, from YAML or not.
     Dict(Dict),
     /// A set or frozenset.
     Set(Set),
-    /// A range.
+    /// `range(…)`, whose numbers are not stored.
     Range(Arc<Range>),
     /// A slice object.
     Slice(Arc<Slice>),

@@ -170,9 +170,8 @@ fn interfaces(sources: &BesideSources<'_>, is_command: bool) -> Vec<Completion> 
     let mut counts: Vec<(&str, usize)> = counts.into_iter().collect();
     counts.sort_by_key(|(name, count)| (std::cmp::Reverse(*count), *name));
     let item = |(rank, (name, count)): (usize, (&str, usize))| {
-        let plural = if count == 1 { "" } else { "s" };
         Completion::new(ItemKind::Choice, name)
-            .note(format!("{count} joint{plural}"))
+            .note(base::counted(count, "joint"))
             .rank(rank.min(9) as u8)
     };
     counts.into_iter().enumerate().map(item).collect()

@@ -3,7 +3,7 @@
 use super::item::{Completion, Completions, ItemKind};
 use super::scope::Scope;
 use crate::typed::Typed;
-use workspace::{Entry, Step};
+use workspace::{Entry, PackageSource};
 
 /// The commands, what each needs, and what it gives.
 const COMMANDS: &[(&str, &str, &str)] = &[
@@ -111,7 +111,9 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
         .map(|entry| {
             let rank = match entry.step {
                 _ if Some(&entry.name) == own.as_ref() => 0,
-                Step::OwnPackage | Step::PackagePath | Step::Workspace => 1,
+                PackageSource::OwnPackage
+                | PackageSource::PackagePath
+                | PackageSource::Workspace => 1,
                 _ => 2,
             };
             let note = super::item::shortened(&vfs::slashed(&entry.path), 60);

@@ -1,6 +1,6 @@
 //! Formatting: white space between tags and between attributes is set again, everything else stays byte by byte.
 //!
-//! Every change is a replacement of one stretch of white space, so that the changes of a range are those of the
+//! Every change is a replacement of one range of white space, so that the changes of a range are those of the
 //! whole document that lie in it. Text is never touched: an element with text in it is left alone as a whole.
 //! Between a comment and the tag behind it, one line end stays one and more stay more: xacro drops the comments
 //! that stand directly above its own tags.

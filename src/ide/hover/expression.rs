@@ -4,9 +4,9 @@ use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
 use super::super::locate::At;
 use super::super::values::{Instance, UNKNOWN, distinct, instances, part_values, short};
-use super::page::{Page, code, count};
+use super::page::{Page, code};
 use super::{files, numbers, symbols};
-use base::TextRange;
+use base::{TextRange, counted};
 use expand::{FrameId, FrameKind, Origin};
 use expr::ast::{Expr, ExprKind};
 use expr::{Token, Value, display, global_symbols};
@@ -168,7 +168,7 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
                 .collect();
         }
         [_] if values.len() > 1 => {
-            return vec![format!("the same in all {}", count(values.len(), "call"))];
+            return vec![format!("the same in all {}", counted(values.len(), "call"))];
         }
         [_] => return Vec::new(),
         _ => {}
@@ -186,7 +186,7 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
         ));
     }
     if different.len() > MOST {
-        lines.push(format!("- … ({})", count(values.len(), "call")));
+        lines.push(format!("- … ({})", counted(values.len(), "call")));
     }
     vec![lines.join("\n")]
 }

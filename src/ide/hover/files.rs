@@ -5,8 +5,8 @@ use super::super::expressions::ExprText;
 use super::super::locate::{At, Part};
 use super::super::paths::{FileKind, FileName, FileTarget, file_name_at};
 use super::super::values::number_text;
-use super::page::{Page, code, count};
-use base::TextRange;
+use super::page::{Page, code};
+use base::{TextRange, counted};
 use model::{Mesh, Text};
 use rules::RuleEnv;
 
@@ -83,7 +83,7 @@ fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {
         lines.push(format!(
             "{:?}, {}",
             mesh.format,
-            count(surface.triangles, "triangle")
+            counted(surface.triangles, "triangle")
         ));
         match factors {
             Some(factors) => {

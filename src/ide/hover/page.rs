@@ -68,9 +68,3 @@ pub(super) fn plain(text: &str) -> String {
     }
     out
 }
-
-/// `1 call`, `2 calls`
-pub(super) fn count(number: usize, noun: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{number} {noun}{plural}")
-}

@@ -9,9 +9,9 @@ use super::super::expressions::{ExprText, parsed, path_to};
 use super::super::locate::{At, locate};
 use super::Hover;
 use super::expression::{function, shown};
-use super::page::{Page, code, count};
+use super::page::{Page, code};
 use super::symbols::comment_above;
-use base::{Encoding, FastSet, IdVec};
+use base::{Encoding, FastSet, IdVec, counted};
 use expand::{DefinitionId, FileIdx, Source, SrcId, SymbolKind, UseKind, parse_params};
 use expr::ast::ExprKind;
 use expr::{Value, names};
@@ -179,7 +179,7 @@ impl<'a, 'c> Changes<'a, 'c> {
         let place = format!("{}:{line}", file.path.file_name()?.to_string_lossy());
         page.add(format!(
             "defined in {place}, used {}",
-            count(self.uses(id, name), "time")
+            counted(self.uses(id, name), "time")
         ));
         page.add(comment_above(self.cx, id).unwrap_or_default());
         Some(page)

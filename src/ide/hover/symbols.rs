@@ -8,11 +8,13 @@ use super::super::instances::is_call_of;
 use super::super::locate::At;
 use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
-use super::page::{Page, code, count, plain};
+use super::page::{Page, code, plain};
 use crate::rename::definition_at;
 use crate::text_names::{Given, TextNames};
-use base::{Encoding, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId};
+use base::{Encoding, FastSet, TextRange, counted};
+use expand::{
+    Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId,
+};
 use expr::Value;
 use rules::RuleEnv;
 use xml::{Node, NodeKind};
@@ -180,7 +182,7 @@ fn value_page(cx: &Cx<'_>, id: DefinitionId, definition: &Definition, here: Vec<
             let listed = all.iter().take(3).cloned().collect::<Vec<_>>().join(", ");
             page.add(format!(
                 "over {}: {listed}{more}",
-                count(given.len(), "call")
+                counted(given.len(), "call")
             ));
         }
     }
@@ -237,7 +239,7 @@ fn origin_line(cx: &Cx<'_>, id: DefinitionId, definition: &Definition) -> String
     let of = of
         .map(|of| format!("of macro {}, ", code(&of.name)))
         .unwrap_or_default();
-    format!("{of}defined in {place}, used {}", count(uses, "time"))
+    format!("{of}defined in {place}, used {}", counted(uses, "time"))
 }
 
 /// The text of the default of a parameter or argument.
@@ -416,20 +418,20 @@ fn made_line(cx: &Cx<'_>, definition: &Definition) -> String {
             let (links, joints) = (links / calls.len(), joints / calls.len());
             let made = format!(
                 "creates {}, {}",
-                count(links, "link"),
-                count(joints, "joint")
+                counted(links, "link"),
+                counted(joints, "joint")
             );
             match calls.len() {
                 1 => format!("{made} in its only call"),
-                calls => format!("{made} in each of {}", count(calls, "call")),
+                calls => format!("{made} in each of {}", counted(calls, "call")),
             }
         }
         _ => {
             format!(
                 "{} create {}, {}",
-                count(calls.len(), "call"),
-                count(links, "link"),
-                count(joints, "joint")
+                counted(calls.len(), "call"),
+                counted(links, "link"),
+                counted(joints, "joint")
             )
         }
     }

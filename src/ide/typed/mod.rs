@@ -23,7 +23,7 @@ use xml::{Document, Node};
 pub enum Typing<'a> {
     /// Nothing that could be completed: CDATA, an instruction, a place between attributes.
     Nothing,
-    /// A comment.
+    /// The text of a comment.
     Comment,
     /// Text between tags.
     Content,
@@ -40,7 +40,7 @@ pub enum Typing<'a> {
 /// What is being typed at an offset.
 #[derive(Clone, Debug)]
 pub struct Typed<'a> {
-    /// What it is.
+    /// In which part of the markup the offset is.
     pub what: Typing<'a>,
     /// The elements around it, the outermost first; of a value or a tag, that element left out.
     pub open: Vec<Node<'a>>,
@@ -52,7 +52,7 @@ pub struct Typed<'a> {
     pub just_opened: Option<(u32, u32)>,
     /// The text of the item behind the offset.
     pub after: &'a str,
-    /// The offset.
+    /// The offset in the document.
     pub offset: u32,
     /// The start tag that is typed.
     tag: Option<Tag<'a>>,

@@ -58,7 +58,7 @@ impl Meshes {
     pub fn get(&self, vfs: &Vfs, path: &Path) -> Arc<Mesh> {
         let make =
             |bytes: Vec<u8>| Mesh::read(&ending(path), &bytes, &|name| beside(vfs, path, name));
-        let read = vfs.derive(&self.meshes, path, MESH_BYTES, make);
+        let read = vfs.cached_read(&self.meshes, path, MESH_BYTES, make);
         read.unwrap_or_else(|error| {
             let (format, dependencies) = (MeshFormat::Other, Vec::new());
             let defect = Some(unreadable(&error));
@@ -138,7 +138,7 @@ impl Meshes {
             };
             for (_, library) in found.iter().filter(|_| *is_material_library) {
                 let make = |bytes: Vec<u8>| obj::textures(&bytes);
-                let read = vfs.derive(&self.textures, library, MATERIAL_BYTES, make);
+                let read = vfs.cached_read(&self.textures, library, MATERIAL_BYTES, make);
                 files.extend(
                     read.unwrap_or_default()
                         .iter()
@@ -153,7 +153,7 @@ impl Meshes {
     fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
         let make = |bytes: Vec<u8>| obj::textures(&bytes);
         let textures = vfs
-            .derive(&self.textures, library, MATERIAL_BYTES, make)
+            .cached_read(&self.textures, library, MATERIAL_BYTES, make)
             .unwrap_or_default();
         let gone = textures
             .iter()

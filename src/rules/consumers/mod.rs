@@ -31,7 +31,7 @@ pub use met::Met;
 pub use rows::{Row, rows};
 pub use table::{CONSTRUCTS, Construct, Outcome};
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[&verdict::REJECTS, &verdict::CHANGES];
 
 /// The rule that says that a program rejects or changes something.

@@ -38,7 +38,7 @@ use super::rule::Rule;
 pub(crate) use joints::range as limits_of;
 pub(crate) use plugin_unknown_joint::driven;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &ros2_control_unknown_joint::RULE,
     &ros2_control_missing_plugin::RULE,

@@ -14,7 +14,7 @@ use super::rule::Rule;
 
 pub(super) use names::{Named, names, rename};
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &invalid_name::RULE,
     &empty_name::RULE,

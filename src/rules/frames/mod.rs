@@ -24,7 +24,7 @@ mod two_rotations;
 
 use super::rule::Rule;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &rpy_degrees::RULE,
     &approximate_pi::RULE,

@@ -58,7 +58,7 @@ pub(super) use shapes::{
 };
 pub(super) use target::Resources;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &mesh_not_found::RULE,
     &mesh_case_mismatch::RULE,

@@ -21,7 +21,7 @@ use super::rule::Rule;
 pub(super) use moments::principal;
 pub(super) use root_link_inertia::{ADD_ROOT, massless_root};
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &negative_mass::RULE,
     &zero_mass::RULE,

@@ -33,7 +33,7 @@ mod zero_effort_or_velocity;
 
 use super::rule::Rule;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &unknown_joint_type::RULE,
     &missing_joint_limit::RULE,

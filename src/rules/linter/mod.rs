@@ -15,7 +15,7 @@ pub use invalid_config::invalid_config;
 pub use suppression::{Malformed, Suppressions};
 pub use unused_suppression::unused_suppression;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &unused_suppression::RULE,
     &unknown_rule_in_suppression::RULE,

@@ -19,7 +19,7 @@ pub use setup_assistant_file_not_found::setup_assistant_file_not_found;
 pub use setup_assistant_robot_fails::setup_assistant_robot_fails;
 pub use setup_assistant_unknown_argument::setup_assistant_unknown_argument;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &joint_limits_unknown_joint::RULE,
     &joint_limits_above_urdf::RULE,

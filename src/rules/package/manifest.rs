@@ -40,7 +40,7 @@ impl Manifests {
 pub(super) struct Manifest {
     /// The name of the package.
     pub name: String,
-    /// Its folder.
+    /// The folder that holds the manifest.
     pub folder: PathBuf,
     file: FileId,
     /// Packages that come along at run time.

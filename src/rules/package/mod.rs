@@ -36,7 +36,7 @@ pub use unknown_launch_argument::unknown_launch_argument;
 pub use value_never_compared::value_never_compared;
 pub use value_outside_choices::value_outside_choices;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &package_not_found::RULE,
     &missing_package_dependency::RULE,

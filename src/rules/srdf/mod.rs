@@ -17,7 +17,7 @@ pub(super) mod srdf_unknown_link;
 
 use super::rule::Rule;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &srdf_robot_name::RULE,
     &srdf_unknown_link::RULE,

@@ -18,7 +18,7 @@ pub(super) mod undefined_link;
 
 use super::rule::Rule;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &duplicate_link_name::RULE,
     &duplicate_joint_name::RULE,

@@ -7,7 +7,7 @@ mod todo_comment;
 
 use super::rule::Rule;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &redundant_identity_origin::RULE,
     &redundant_expression::RULE,

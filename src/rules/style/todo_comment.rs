@@ -17,7 +17,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 /// Words that say something is left to do.
-const LEFT_TO_DO: [&str; 2] = ["TODO", "FIXME"];
+const TODO_MARKERS: [&str; 2] = ["TODO", "FIXME"];
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
     for (base, item) in cx.source.document.parts() {
@@ -26,7 +26,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             .filter(|node| node.kind() == NodeKind::Comment)
         {
             let mut words = node.raw().split(|c: char| !c.is_alphanumeric());
-            if let Some(word) = words.find(|word| LEFT_TO_DO.contains(word)) {
+            if let Some(word) = words.find(|word| TODO_MARKERS.contains(word)) {
                 out.report_in(
                     cx.file,
                     node.range().shift(base),

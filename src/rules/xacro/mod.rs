@@ -33,7 +33,7 @@ pub use source::include_tags;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
 pub(super) use words::Mentions;
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &found::UNDEFINED_PROPERTY,
     &found::UNDEFINED_MACRO,

@@ -2,7 +2,7 @@
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::super::vocabulary::outside_free_zones;
+use super::super::vocabulary::{is_forgotten_prefix, outside_free_zones};
 use base::TextRange;
 use expand::Expansion;
 use xml::{Document, Node};
@@ -19,17 +19,7 @@ pub(in super::super) static RULE: Rule = Rule {
     check: Check::File(check),
 };
 
-const TAGS: [&str; 7] = [
-    "arg",
-    "if",
-    "include",
-    "insert_block",
-    "macro",
-    "property",
-    "unless",
-];
-
-/// Those that nothing but xacro knows; nothing else knows an `include` with a file name either.
+/// The tags that nothing but xacro knows; nothing else knows an `include` with a file name either.
 const OWN_TAGS: [&str; 3] = ["insert_block", "macro", "property"];
 
 /// Whether an element outside of free zones is a tag of xacro without its prefix. A file that a robot in xacro includes is
@@ -39,7 +29,7 @@ pub(in super::super) fn is_unprefixed(
     document: &Document,
     node: Node<'_>,
 ) -> bool {
-    TAGS.contains(&node.name()) && declares(document)
+    is_forgotten_prefix(node.name()) && declares(document)
         || (OWN_TAGS.contains(&node.name())
             || node.name() == "include" && node.attr("filename").is_some())
             && document.root().is_some_and(|root| root.name() == "robot")

@@ -8,6 +8,7 @@ use super::words::Mentions;
 use super::{source, unused};
 use base::{FastMap, FastSet};
 use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
+use facts::is_keyword;
 use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -97,21 +98,6 @@ fn is_blank(node: Node<'_>) -> bool {
     node.kind() == NodeKind::Text && node.raw().trim().is_empty()
 }
 
-fn is_keyword(tag: &str) -> bool {
-    const KEYWORDS: [&str; 9] = [
-        "arg",
-        "attribute",
-        "element",
-        "if",
-        "insert_block",
-        "macro",
-        "property",
-        "unless",
-        "call",
-    ];
-    KEYWORDS.contains(&tag)
-}
-
 fn is_mentioned(body: &Mentions, param: &Definition, forwards: &Forwards) -> bool {
     let name = param.name.as_str();
     match param.kind {
@@ -186,11 +172,11 @@ fn places_parts(cx: &DocumentCx<'_>, of: DefinitionId) -> bool {
         .and_then(|owner| source::tag(cx.expansion, owner.place));
     let mut open: Vec<Node<'_>> = found.map(|(_, node)| node).into_iter().collect();
     while let Some(node) = open.pop() {
-        let is_call = node
+        let may_place = node
             .name()
             .strip_prefix("xacro:")
-            .is_some_and(|tag| !is_keyword(tag));
-        if is_call
+            .is_some_and(|tag| tag == "include" || !is_keyword(tag));
+        if may_place
             || matches!(
                 node.name(),
                 "link" | "joint" | "inertial" | "visual" | "collision"

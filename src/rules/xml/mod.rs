@@ -37,7 +37,7 @@ pub(super) static XML_ENCODING_MISMATCH: Rule = Rule::found(
     page("xml-encoding-mismatch"),
 );
 
-/// The rules.
+/// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[
     &xml_syntax_error::RULE,
     &missing_xacro_namespace::RULE,

@@ -1,7 +1,7 @@
 //! The expanded document seen through the schema.
 use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
-use super::super::vocabulary::is_free_zone;
+use super::super::vocabulary::{is_forgotten_prefix, is_free_zone};
 use super::super::xml::seen::Seen;
 use base::FastSet;
 use expand::{Expansion, Origin, XId, XKind};
@@ -177,18 +177,9 @@ fn defined_macros(expansion: &Expansion) -> FastSet<&str> {
 
 /// Whether an element is one that a rule about forgotten `xacro:` speaks about.
 pub(super) fn lacks_prefix(cx: &DocumentCx<'_>, element: XId) -> bool {
-    const TAGS: [&str; 7] = [
-        "arg",
-        "if",
-        "include",
-        "insert_block",
-        "macro",
-        "property",
-        "unless",
-    ];
     let node = cx.expansion.tree.get(element);
     let name = node.text.as_str();
-    macros(cx).contains(name) || TAGS.contains(&name) && is_in_xacro(cx.expansion, node.origin)
+    macros(cx).contains(name) || is_forgotten_prefix(name) && is_in_xacro(cx.expansion, node.origin)
 }
 
 /// Whether the file of an element declares the prefix of xacro.

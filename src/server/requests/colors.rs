@@ -1,4 +1,4 @@
-//! F26: colors.
+//! Colors.
 use lsp_types::{
     Color, ColorInformation, ColorPresentation, ColorPresentationParams, DocumentColorParams,
     TextEdit,

@@ -1,4 +1,4 @@
-//! F34: what one place expands to, and which call of a macro is looked at.
+//! What one place expands to, and which call of a macro is looked at.
 use lsp_types::{Range, TextDocumentPositionParams};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

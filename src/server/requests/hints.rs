@@ -1,4 +1,4 @@
-//! F6: inlay hints.
+//! Inlay hints.
 use lsp_types::{
     InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, TextDocumentIdentifier,
     TextDocumentPositionParams,

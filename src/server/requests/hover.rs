@@ -1,4 +1,4 @@
-//! F4: what is shown under the pointer.
+//! What is shown under the pointer.
 use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
 
 use crate::convert;

@@ -1,4 +1,4 @@
-//! F23: lines above macros and the robot: how often it is called, commands.
+//! Lines above macros and the robot: how often it is called, commands.
 use std::collections::BTreeMap;
 
 use lsp_types::{
@@ -148,11 +148,10 @@ pub fn resolve_lens(
     let Some(calls) = calls else { return Ok(lens) };
     let calls = where_now(state, calls, cancel)?;
     let (root, places) = calls_of(state, &calls, cancel)?;
-    let number = places.len();
-    let plural = if number == 1 { "" } else { "s" };
+    let calls_in = base::counted(places.len(), "call");
     let arguments = vec![json!(calls), json!(places)];
     lens.command = Some(Command {
-        title: format!("{number} call{plural} in {root}"),
+        title: format!("{calls_in} in {root}"),
         command: "xacro.showReferences".to_owned(),
         arguments: Some(arguments),
     });

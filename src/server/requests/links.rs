@@ -1,4 +1,4 @@
-//! F22: names of files as links.
+//! Names of files as links.
 use lsp_types::{DocumentLink, DocumentLinkParams};
 
 use crate::convert;

@@ -131,7 +131,7 @@ fn inlined_macro(
     let Some(action) = ide::inline_macro(&asked.cx(), offset).filter(|_| is_tried) else {
         return Ok(None);
     };
-    if stays_the_same(state, asked, &action, cancel)? {
+    if expansion_unchanged(state, asked, &action, cancel)? {
         return Ok(code_action(state, action, None));
     }
     let reason =
@@ -185,7 +185,7 @@ pub fn resolve_action(
 }
 
 /// Whether every robot is the same with the edits of an action, which are all in the file that was asked about.
-fn stays_the_same(
+fn expansion_unchanged(
     state: &State,
     asked: &Asked,
     action: &Action,
@@ -202,7 +202,7 @@ fn stays_the_same(
     let is_same = state
         .world
         .session()
-        .stays_the_same(&asked.source.path, edits, &effort);
+        .expansion_unchanged(&asked.source.path, edits, &effort);
     if cancel.is_cancelled() {
         Err(Failure::Cancelled)
     } else {

@@ -1,4 +1,4 @@
-//! F28: semantic tokens, all, changed or of a range.
+//! Semantic tokens, all, changed or of a range.
 use std::path::{Path, PathBuf};
 
 use lsp_types::{

@@ -1,4 +1,4 @@
-//! F13: named things of the whole workspace.
+//! Named things of the whole workspace.
 use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 
 use crate::convert;

@@ -20,9 +20,9 @@ pub struct Excluded {
     pub giver: PathBuf,
     /// What gives it: a declaration or an include.
     pub range: TextRange,
-    /// The argument.
+    /// The name of the argument.
     pub name: String,
-    /// The value.
+    /// A value that is none of its choices.
     pub value: String,
     /// The values that it may have.
     pub choices: Vec<String>,

@@ -30,17 +30,17 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Packages;
-use super::memo::Memo;
+use super::cache::Cache;
 use file_names::name_of;
 use uses::{Uses, search};
 
 /// The callers below some folders, found when somebody asks for them.
 #[derive(Default)]
 pub struct Callers {
-    below: Memo<PathBuf, Arc<Uses>>,
-    called: Memo<PathBuf, Arc<called::Called>>,
-    copies: Memo<PathBuf, Arc<copied::Copies>>,
-    mentions: Memo<PathBuf, Arc<mentions::Mentions>>,
+    below: Cache<PathBuf, Arc<Uses>>,
+    called: Cache<PathBuf, Arc<called::Called>>,
+    copies: Cache<PathBuf, Arc<copied::Copies>>,
+    mentions: Cache<PathBuf, Arc<mentions::Mentions>>,
 }
 
 impl Callers {

@@ -100,7 +100,7 @@ pub struct Command {
 pub enum What {
     /// One text, which is split as a shell does.
     Line(Text),
-    /// Words.
+    /// A list of words, which is not split again.
     Words(Vec<Text>),
     /// A call of xacro from Python.
     Process {
@@ -120,14 +120,14 @@ pub struct Given {
     pub name: String,
     /// Where the name stands.
     pub range: Option<TextRange>,
-    /// Its value.
+    /// Its value, as far as the program spells it.
     pub value: Text,
 }
 
 /// Another launch file that is included.
 #[derive(Clone, Debug)]
 pub struct Include {
-    /// The file.
+    /// Its path, as far as the text spells it.
     pub file: Text,
     /// The arguments it is given.
     pub args: Vec<(String, Text)>,

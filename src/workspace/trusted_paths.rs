@@ -10,7 +10,7 @@ pub const UNQUOTED: &str =
     "the file is outside the packages and folders of this robot, so its text is not shown";
 
 /// What belongs to some robots: see [`Packages::around`].
-pub struct Vicinity<'p> {
+pub struct TrustedPaths<'p> {
     packages: &'p Packages,
     folders: FastSet<PathBuf>,
 }
@@ -19,7 +19,7 @@ impl Packages {
     /// What belongs to the robots of these root files: whatever lies in a package, near a root file (its folder, the one
     /// above), or below the working directory. The home folder and what is above it are near to nothing, unless a root
     /// file itself lies there.
-    pub fn around<'r>(&self, roots: impl IntoIterator<Item = &'r Path>) -> Vicinity<'_> {
+    pub fn around<'r>(&self, roots: impl IntoIterator<Item = &'r Path>) -> TrustedPaths<'_> {
         let home = self
             .env
             .home()
@@ -41,7 +41,7 @@ impl Packages {
             );
             folders.extend(Some(own).filter(|own| !has_all(own)));
         }
-        Vicinity {
+        TrustedPaths {
             packages: self,
             folders,
         }
@@ -58,7 +58,7 @@ fn is_wide(folder: &Path, home: Option<&Path>) -> bool {
     has_all(folder) || home.is_some_and(|home| home.starts_with(folder))
 }
 
-impl Vicinity<'_> {
+impl TrustedPaths<'_> {
     /// Whether a file belongs to them. Links are followed first: one that lies in a package and leads to a key at home
     /// makes that key no part of it.
     pub fn hold(&self, file: &Path) -> bool {

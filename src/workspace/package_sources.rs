@@ -10,7 +10,7 @@ const INDEX: &str = "share/ament_index/resource_index/packages";
 
 /// The kinds of places, in the order they are asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Step {
+pub enum PackageSource {
     /// A folder of `package-path`.
     PackagePath,
     /// The package that holds the file being read.
@@ -31,41 +31,43 @@ pub enum Step {
     Distribution,
 }
 
-impl Step {
+impl PackageSource {
     /// All of them in the usual order.
-    pub const ALL: [Step; 9] = [
-        Step::PackagePath,
-        Step::OwnPackage,
-        Step::Workspace,
-        Step::Overlay,
-        Step::AmentPrefixPath,
-        Step::ColconPrefixPath,
-        Step::RosPackagePath,
-        Step::OwnPrefix,
-        Step::Distribution,
+    pub const ALL: [PackageSource; 9] = [
+        PackageSource::PackagePath,
+        PackageSource::OwnPackage,
+        PackageSource::Workspace,
+        PackageSource::Overlay,
+        PackageSource::AmentPrefixPath,
+        PackageSource::ColconPrefixPath,
+        PackageSource::RosPackagePath,
+        PackageSource::OwnPrefix,
+        PackageSource::Distribution,
     ];
 
     /// Whether the environment decides.
     pub(super) fn is_environment(self) -> bool {
         matches!(
             self,
-            Step::AmentPrefixPath | Step::ColconPrefixPath | Step::RosPackagePath
+            PackageSource::AmentPrefixPath
+                | PackageSource::ColconPrefixPath
+                | PackageSource::RosPackagePath
         )
     }
 }
 
-impl fmt::Display for Step {
+impl fmt::Display for PackageSource {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Step::PackagePath => "package-path",
-            Step::OwnPackage => "own package",
-            Step::Workspace => "workspace",
-            Step::Overlay => "overlay",
-            Step::AmentPrefixPath => "AMENT_PREFIX_PATH",
-            Step::ColconPrefixPath => "COLCON_PREFIX_PATH",
-            Step::RosPackagePath => "ROS_PACKAGE_PATH",
-            Step::OwnPrefix => "installed beside",
-            Step::Distribution => "/opt/ros",
+            PackageSource::PackagePath => "package-path",
+            PackageSource::OwnPackage => "own package",
+            PackageSource::Workspace => "workspace",
+            PackageSource::Overlay => "overlay",
+            PackageSource::AmentPrefixPath => "AMENT_PREFIX_PATH",
+            PackageSource::ColconPrefixPath => "COLCON_PREFIX_PATH",
+            PackageSource::RosPackagePath => "ROS_PACKAGE_PATH",
+            PackageSource::OwnPrefix => "installed beside",
+            PackageSource::Distribution => "/opt/ros",
         })
     }
 }
