@@ -36,8 +36,10 @@ fn announce_context(state: &mut State, path: &std::path::Path, cancel: &CancelFl
         .root
         .as_ref()
         .and_then(|root| named(state, root).ok());
-    let text = context_text(state, path, &context, cancel);
-    let params = json!({ "textDocument": { "uri": uri }, "active": active, "text": text });
+    let Seen { text, instance } = seen_as(state, path, &context, cancel);
+    let params = json!({
+        "textDocument": { "uri": uri }, "active": active, "text": text, "instance": instance,
+    });
     if state
         .sent
         .contexts
@@ -50,17 +52,33 @@ fn announce_context(state: &mut State, path: &std::path::Path, cancel: &CancelFl
     state.outbox.notify("xacro/contextChanged", &params);
 }
 
-/// The call that was picked, or else the root with its arguments, or else why there is none.
-pub(super) fn context_text(
+/// What a file is seen as.
+pub(super) struct Seen {
+    /// For a status line: the call that was picked, or else the root with its arguments, or else why there is none.
+    pub text: String,
+    /// The call that was picked.
+    pub instance: Option<String>,
+}
+
+/// What a file is seen as in a context.
+pub(super) fn seen_as(
     state: &mut State,
     path: &std::path::Path,
     context: &Context,
     cancel: &CancelFlag,
-) -> String {
+) -> Seen {
     let Some(root) = &context.root else {
-        return context.reason.text().to_owned();
+        let text = context.reason.text().to_owned();
+        return Seen {
+            text,
+            instance: None,
+        };
     };
-    pinned_label(state, path, root, cancel).unwrap_or_else(|| root.label())
+    let instance = pinned_label(state, path, root, cancel);
+    Seen {
+        text: instance.clone().unwrap_or_else(|| root.label()),
+        instance,
+    }
 }
 
 /// The call that was picked under a root, when it is a call of a macro of the file.

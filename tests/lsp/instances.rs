@@ -208,6 +208,7 @@ fn values_follow_the_call_that_was_picked() {
     status(&mut client, UNIT, "unit @ pan_tilt.urdf.xacro:8");
     let roots = client.request("xacro/roots", client.of(UNIT));
     assert_eq!(roots["text"], "unit @ pan_tilt.urdf.xacro:8");
+    assert_eq!(roots["instance"], roots["text"]);
     let hover = client.request("textDocument/hover", client.at(UNIT, "${na|me}_body"));
     let text = hover["contents"]["value"].as_str().unwrap();
     assert!(

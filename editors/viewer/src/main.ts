@@ -1,7 +1,7 @@
 // The viewer: takes models in, shows them, and says what was clicked.
 
 import * as THREE from 'three';
-import type { Problem } from './bodies';
+import { Banner } from './banner';
 import { Details } from './details';
 import { button, el, short } from './dom';
 import { connect } from './host';
@@ -10,40 +10,30 @@ import type { FromHost, Location, Model, ModelMessage, SelectMessage, Side } fro
 import { Meshes } from './meshes';
 import { Pointer } from './pointer';
 import { ProgramsPanel } from './programs';
-import { type Layers, RobotView } from './robot';
+import { RobotView } from './robot';
 import { Share } from './share';
 import { Stage } from './stage';
+import { State } from './state';
 import { applyStyle } from './style';
 import { label, Toolbar } from './toolbar';
 import { TreePanel } from './tree';
 import { Values } from './values';
 
 applyStyle();
-const layers: Layers = {
-  visual: true, collision: false, frames: false, names: false, axes: false, inertia: false, com: false, bbox: false, grid: true,
-};
-const settings = { meshMaxMB: 64 };
+const state = new State();
+const { layers, settings, views, latest, times } = state;
 const stage = new Stage();
-const views = new Map<Side, RobotView>();
-const latest = new Map<Side, ModelMessage>();
-const times = new Map<number, string>();
 const CORNER = new THREE.Vector3(1.1, -1.3, 0.75);
-let selected: { links: Set<string>; joints: Set<string> } = { links: new Set(), joints: new Set() };
-let fitted = false;
-let touched = false;
-/** A model is being taken over: nothing is final yet. */
-let busy = false;
-let held: string | undefined;
 
 const values = new Values(() => {
   for (const view of views.values()) view.pose();
   joints.show();
   details.update();
 });
-stage.orbit.addEventListener('start', () => (touched = true));
+stage.orbit.addEventListener('start', () => (state.touched = true));
 // panels and the list of errors take room from the picture: a view that nobody turned still shows the whole robot
 stage.resized = () => {
-  if (fitted && !touched) fit();
+  if (state.fitted && !state.touched) fit();
 };
 stage.before.push((now) => values.step(now));
 
@@ -88,15 +78,18 @@ const toolbar = new Toolbar(layers, {
   },
   help: () => (help.hidden = !help.hidden),
 });
-const banner = el('div', { class: 'banner', role: 'alert' });
+const banner = new Banner({
+  open: (location) => host.send({ type: 'open', location }),
+  select: (link) => selectLink(link, false),
+});
 const status = el('div', { class: 'status' });
 const tip = el('div', { class: 'tip' });
 const menu = el('div', { class: 'menu', role: 'menu' });
 const help = el('div', { class: 'help' });
 const empty = el('div', { class: 'empty', text: 'waiting for the robot …' });
-for (const box of [banner, tip, menu, help]) box.hidden = true;
+for (const box of [banner.element, tip, menu, help]) box.hidden = true;
 stage.element.append(status, empty, help);
-const app = el('div', {}, toolbar.element, banner, tree.element, stage.element, joints.element, programs.element);
+const app = el('div', {}, toolbar.element, banner.element, tree.element, stage.element, joints.element, programs.element);
 app.id = 'app';
 document.body.append(app, toolbar.menu, menu, tip);
 // in half a window the joints stay: they are what a preview is opened for
@@ -110,8 +103,8 @@ const pointer = new Pointer(stage, () => [...views.values()], values, {
   clickNothing: () => select([], []),
   menu: openMenu,
   dragging: (joint) => {
-    if (joint !== held) joints.mark(joint ? [joint] : selected.joints, true);
-    held = joint;
+    if (joint !== state.held) joints.mark(joint ? [joint] : state.selected.joints, true);
+    state.held = joint;
   },
 });
 
@@ -129,9 +122,9 @@ toolbar.urdf.hidden = document.body.dataset['host'] === 'webview';
 const share = new Share({
   stage, values, layers, views,
   main: () => latest.get('main'),
-  touched: () => touched,
-  touch: () => ([touched, fitted] = [true, true]),
-  selected: () => selected.links,
+  touched: () => state.touched,
+  touch: () => ([state.touched, state.fitted] = [true, true]),
+  selected: () => state.selected.links,
   select: (links) => {
     select(links, links.flatMap((link) => find(link)?.view.jointAbove(link)?.name ?? []));
     tree.eyes();
@@ -185,9 +178,9 @@ function show(message: ModelMessage): void {
   if (model) view.model = model;
   const models = [...views.values()].map((one) => one.model);
   values.update(models);
-  busy = true;
+  state.busy = true;
   if (model) view.update(model);
-  busy = false;
+  state.busy = false;
   meshes.keep(models);
   if (side === 'main') {
     toolbar.update(message);
@@ -195,7 +188,7 @@ function show(message: ModelMessage): void {
     tree.update(view.model);
   }
   joints.update(together(models));
-  if (!fitted && view.model.links.length > 0) fit(CORNER);
+  if (!state.fitted && view.model.links.length > 0) fit(CORNER);
   showDetails();
   sideLabels();
   showState();
@@ -228,72 +221,25 @@ function sideLabels(): void {
 
 /** Write down what is shown: revision, errors, what is missing. */
 function showState(): void {
-  if (busy) return;
+  if (state.busy) return;
   const main = latest.get('main');
   const view = views.get('main');
   empty.hidden = !!view && view.model.links.length > 0;
   if (main && !empty.hidden) empty.textContent = 'this file makes no links';
   const lost = document.body.dataset['connection'] === 'lost' ? ' · connection lost, trying again' : '';
   const pending = [...views.values()].reduce((all, one) => all + one.loading, meshes.pending);
-  if (view && view.model.links.length > 0 && pending === 0 && !fitted) {
+  if (view && view.model.links.length > 0 && pending === 0 && !state.fitted) {
     // with all its meshes for the first time
-    fitted = true;
-    if (!touched) fit(CORNER);
+    state.fitted = true;
+    if (!state.touched) fit(CORNER);
   }
   const loading = meshes.pending > 0 ? ` · ${meshes.progress}` : '';
   status.textContent = main ? `revision ${main.revision} · ${times.get(main.revision) ?? ''} · Z is up${loading}${lost}` : lost;
   document.body.dataset['revision'] = String(main?.revision ?? 0);
   document.body.dataset['ok'] = String(main?.ok ?? '');
   document.body.dataset['loading'] = String(pending);
-  showBanner();
+  banner.update(state);
   stage.invalidate();
-}
-
-/** Whether the user wants to see the list in the banner; undefined: as it fits. */
-let unfolded: boolean | undefined;
-
-function showBanner(): void {
-  const rows: HTMLElement[] = [];
-  let title = '';
-  const broken = [...latest.values()].some((message) => !message.ok);
-  for (const message of latest.values()) {
-    if (message.ok) continue;
-    const count = message.errors.length;
-    const good = message.goodRevision !== undefined ? `revision ${message.goodRevision} of ${times.get(message.goodRevision) ?? 'before'}` : 'the last good revision';
-    const shown = message.lastGood ? `shows ${good}` : 'shows what could be made';
-    title ||= count === 0 ? shown : `${shown}, ${count} error${count === 1 ? '' : 's'}`;
-    for (const error of message.errors) {
-      const line = error.location.range.start.line + 1;
-      const file = decodeURI(error.location.uri.split('/').pop() ?? '');
-      const entry = button(error.message, 'go there', () => host.send({ type: 'open', location: error.location }), 'error');
-      entry.append(el('small', { text: `${file}:${line} · ${error.code}` }));
-      rows.push(el('li', {}, entry));
-    }
-  }
-  for (const view of views.values()) {
-    for (const problem of view.bodies.problems.values()) {
-      const entry = button(problem.text, `select ${problem.link}`, () => selectLink(problem.link, false), 'problem');
-      entry.append(el('small', { text: `link ${problem.link}` }));
-      rows.push(el('li', {}, entry));
-    }
-    if (view.bodies.problems.size > 0) title ||= problemsTitle([...view.bodies.problems.values()]);
-  }
-  banner.hidden = rows.length === 0 && !title;
-  const text = JSON.stringify([title, rows.map((row) => row.textContent)]);
-  if (banner.dataset['text'] === text) return;
-  banner.dataset['text'] = text;
-  const summary = el('summary', { title: 'show or hide the list' }, el('b', { text: title }));
-  const list = el('details', {}, summary, el('ul', {}, ...rows));
-  list.open = unfolded ?? (broken || rows.length < 4);
-  summary.addEventListener('click', () => (unfolded = !list.open));
-  banner.replaceChildren(list);
-}
-
-/** `2 meshes are missing`, or how many shapes are not drawn as they are. */
-function problemsTitle(problems: Problem[]): string {
-  const many = problems.length !== 1;
-  if (problems.every(({ missing }) => missing)) return `${problems.length} mesh${many ? 'es are' : ' is'} missing`;
-  return `${problems.length} shape${many ? 's' : ''} cannot be drawn`;
 }
 
 function find(link: string): { model: Model; view: RobotView } | undefined {
@@ -303,27 +249,27 @@ function find(link: string): { model: Model; view: RobotView } | undefined {
 
 /** The links that are selected, by themselves or by the joints that hold them. */
 function outlined(): Set<string> {
-  const links = new Set(selected.links);
+  const links = new Set(state.selected.links);
   for (const { model } of views.values()) {
-    for (const joint of model.joints) if (selected.joints.has(joint.name)) links.add(joint.child);
+    for (const joint of model.joints) if (state.selected.joints.has(joint.name)) links.add(joint.child);
   }
   return links;
 }
 
 /** Outline links and mark joints. */
 function select(links: Iterable<string>, moved: Iterable<string>): void {
-  selected = { links: new Set(links), joints: new Set(moved) };
-  document.body.dataset['selected'] = [...selected.links, ...selected.joints].join(' ');
+  state.selected = { links: new Set(links), joints: new Set(moved) };
+  document.body.dataset['selected'] = [...state.selected.links, ...state.selected.joints].join(' ');
   const names = outlined();
   for (const view of views.values()) view.select(names);
   tree.mark(names, true);
-  joints.mark(selected.joints, true);
+  joints.mark(state.selected.joints, true);
   showDetails();
 }
 
 /** Write down the link that is selected, when it is one. */
 function showDetails(): void {
-  const [name] = selected.links.size > 0 ? selected.links : outlined();
+  const [name] = state.selected.links.size > 0 ? state.selected.links : outlined();
   const found = name === undefined ? undefined : find(name);
   details.show(found?.view, name);
 }
@@ -343,21 +289,17 @@ function selectJoint(name: string): void {
   tell({ joint: name }, joint.origin);
 }
 
-/** What was clicked here last: the program says it back to all viewers, also to this one. */
-let told = { name: '', until: 0 };
-const ANSWERED_WITHIN_MS = 2000;
-
 function tell(what: { link: string } | { joint: string }, location: Location | undefined): void {
-  told = { name: 'link' in what ? what.link : what.joint, until: performance.now() + ANSWERED_WITHIN_MS };
+  state.sends('link' in what ? what.link : what.joint);
   host.send({ type: 'select', ...what, ...(location ? { location } : {}) });
 }
 
 /** The cursor in the source is somewhere else. */
 function take(message: SelectMessage): void {
   // what was clicked here comes back, perhaps when something else is selected by now
-  if (performance.now() < told.until && (message.link === told.name || message.joint === told.name)) return;
-  if (message.link !== undefined && selected.links.has(message.link)) return;
-  if (message.joint !== undefined && selected.joints.has(message.joint)) return;
+  if (state.isAnswer(message)) return;
+  if (message.link !== undefined && state.selected.links.has(message.link)) return;
+  if (message.joint !== undefined && state.selected.joints.has(message.joint)) return;
   const links = message.links ?? (message.link === undefined ? [] : [message.link]);
   const names = message.joints ?? (message.joint === undefined ? [] : [message.joint]);
   select(links, names);

@@ -40,8 +40,8 @@ export class Contexts implements vscode.Disposable {
   readonly onChange = this.changed.event;
   private shown: vscode.TextDocument | undefined;
   private answer: Roots | undefined;
-  /** What the server wants to have in the status bar, by file. */
-  private readonly texts = new Map<string, string>();
+  /** The call that was picked, by file. */
+  private readonly instances = new Map<string, string | null>();
   private asked = 0;
   private timer: NodeJS.Timeout | undefined;
   private readonly subscriptions: vscode.Disposable[] = [];
@@ -51,15 +51,15 @@ export class Contexts implements vscode.Disposable {
     private readonly memory: vscode.Memento,
   ) {
     this.shown = activeDescription();
-    server.on(protocol.contextChanged, ({ textDocument, text }) => {
-      this.texts.set(textDocument.uri, text);
+    server.on(protocol.contextChanged, ({ textDocument, instance }) => {
+      this.instances.set(textDocument.uri, instance);
       this.refreshSoon();
     });
     this.subscriptions.push(
       this.changed,
       server.onReady(() => void this.reapply()),
       server.onGone(() => {
-        this.texts.clear();
+        this.instances.clear();
         this.take(undefined);
       }),
       vscode.window.onDidChangeActiveTextEditor(() => this.look()),
@@ -92,8 +92,7 @@ export class Contexts implements vscode.Disposable {
 
   /** The call that the file is looked at in, when one was picked: `leg @ robot.urdf.xacro:41`. */
   get instance(): string | undefined {
-    const text = this.texts.get(this.shown?.uri.toString() ?? "");
-    return text?.includes(" @ ") === true ? text : undefined;
+    return this.instances.get(this.shown?.uri.toString() ?? "") ?? undefined;
   }
 
   /** Pick a root, for the file that is looked at and all open files that it reaches; none: automatically. */

@@ -105,6 +105,8 @@ export interface ContextChanged {
   textDocument: TextDocumentIdentifier;
   active: Root | null;
   text: string;
+  /** The call of a macro of the file that was picked, such as `leg @ robot.urdf.xacro:41`. */
+  instance: string | null;
 }
 
 export const expand = new RequestType<ExpandParams, Expanded, void>("xacro/expand");

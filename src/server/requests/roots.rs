@@ -5,7 +5,7 @@ use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::contexts::{context_changed, context_text};
+use crate::contexts::{Seen, context_changed, seen_as};
 use crate::failure::Failure;
 use crate::locations::location;
 use crate::requests::expansion::{ExpandError, errors};
@@ -27,6 +27,9 @@ pub(crate) struct Roots {
     pub active: Option<Root>,
     /// What the file is seen as, for a status line: as `xacro/contextChanged` says it.
     pub text: String,
+    /// The call of a macro of the file that was picked, such as `leg @ robot.urdf.xacro:41`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub instance: Option<String>,
     pub reason: &'static str,
     pub candidates: Vec<Candidate>,
     pub args: Vec<Argument>,
@@ -129,7 +132,7 @@ pub fn roots(
             }
         }));
     }
-    let text = context_text(state, &path, &context, cancel);
+    let Seen { text, instance } = seen_as(state, &path, &context, cancel);
     let candidates = with_calls(state, &context.candidates);
     let candidates = candidates.iter().filter_map(|(root, distance)| {
         Some(Candidate {
@@ -143,6 +146,7 @@ pub fn roots(
             .as_ref()
             .and_then(|root| named(state, root).ok()),
         text,
+        instance,
         reason: context.reason.text(),
         candidates: candidates.collect(),
         args,

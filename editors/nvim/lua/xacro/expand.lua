@@ -39,33 +39,33 @@ local function cut(text, width)
 end
 
 --- The line above the expanded text: the robot, or what keeps the text from being up to date.
+---@param shown xacro.View
 ---@param width integer
 ---@return string
-local function banner(width)
-  assert(view)
-  if not view.root then
+local function banner(shown, width)
+  if not shown.root then
     return 'expanding'
   end
-  if view.fresh then
-    local title = vim.trim(base(view.root.uri) .. ' ' .. require('xacro.status').args(view.root))
-    local left = cut(title, width - vim.fn.strdisplaywidth(view.way) - 3)
-    return ('%%#XacroTitle# %s %%*%%=%s '):format(left, scratch.escaped(view.way))
+  if shown.fresh then
+    local title = vim.trim(base(shown.root.uri) .. ' ' .. require('xacro.status').args(shown.root))
+    local left = cut(title, width - vim.fn.strdisplaywidth(shown.way) - 3)
+    return ('%%#XacroTitle# %s %%*%%=%s '):format(left, scratch.escaped(shown.way))
   end
-  local first = view.errors[1]
+  local first = shown.errors[1]
   local why = 'no answer'
   if first then
     local line = first.location.range.start.line + 1
-    local more = #view.errors > 1 and (' (and %d more)'):format(#view.errors - 1) or ''
+    local more = #shown.errors > 1 and (' (and %d more)'):format(#shown.errors - 1) or ''
     why = ('%s:%d: %s%s'):format(base(first.location.uri), line, first.message, more)
   end
-  local what = view.shown and 'last valid text' or 'incomplete'
+  local what = shown.shown and 'last valid text' or 'incomplete'
   return ('%%#XacroBanner# %s '):format(cut(what .. ': ' .. why, width - 2))
 end
 
 local function show_banner()
   if view then
     for _, window in ipairs(vim.fn.win_findbuf(view.bufnr)) do
-      vim.wo[window].winbar = banner(vim.api.nvim_win_get_width(window))
+      vim.wo[window].winbar = banner(view, vim.api.nvim_win_get_width(window))
     end
   end
 end
@@ -116,11 +116,11 @@ function M.refresh()
 end
 
 --- Move the cursor of the window with the expanded text, unless it is at one of the places already.
+---@param shown xacro.View
 ---@param ranges lsp.Range[]
 ---@param client vim.lsp.Client
-local function move_to(ranges, client)
-  assert(view)
-  for _, window in ipairs(vim.fn.win_findbuf(view.bufnr)) do
+local function move_to(shown, ranges, client)
+  for _, window in ipairs(vim.fn.win_findbuf(shown.bufnr)) do
     local now = vim.api.nvim_win_get_cursor(window)[1] - 1
     local best
     for _, range in ipairs(ranges) do
@@ -128,7 +128,7 @@ local function move_to(ranges, client)
         best = range
       end
     end
-    local row, column = lsp.place(view.bufnr, best.start, client)
+    local row, column = lsp.place(shown.bufnr, best.start, client)
     vim.api.nvim_win_set_cursor(window, { row + 1, column })
     vim.api.nvim_win_call(window, function()
       if row + 1 < vim.fn.line('w0') or row + 1 > vim.fn.line('w$') then
@@ -151,45 +151,45 @@ local function tag_of_line(client)
 end
 
 --- Show what a place of a source made.
+---@param shown xacro.View
 ---@param instances { range: lsp.Range, label: string }[]
 ---@param client vim.lsp.Client
-local function show_instances(instances, client)
-  assert(view)
+local function show_instances(shown, instances, client)
   local ranges, labels = {}, {}
   for _, instance in ipairs(instances) do
     ranges[#ranges + 1] = instance.range
     labels[#labels + 1] = instance.label
   end
-  scratch.mark(view.bufnr, ranges, client, marks)
-  view.way = #labels == 1 and labels[1] or #labels > 1 and ('%d instances'):format(#labels) or ''
+  scratch.mark(shown.bufnr, ranges, client, marks)
+  shown.way = #labels == 1 and labels[1] or #labels > 1 and ('%d instances'):format(#labels) or ''
   show_banner()
   if #ranges > 0 then
-    move_to(ranges, client)
+    move_to(shown, ranges, client)
   end
 end
 
+---@param shown xacro.View
 ---@param bufnr integer
 ---@param client vim.lsp.Client
 ---@param place { textDocument: { uri: string }, position: lsp.Position }
 ---@param otherwise? { textDocument: { uri: string }, position: lsp.Position } asked when the first made nothing
-local function ask_instances(bufnr, client, place, otherwise)
-  assert(view)
+local function ask_instances(shown, bufnr, client, place, otherwise)
   -- under the robot that is shown, whichever the file is shown under elsewhere
-  local shown = view.root
-  local args = shown.args and next(shown.args) and shown.args or vim.empty_dict()
-  local root = { uri = shown.uri, preset = shown.preset, args = args }
+  local active = shown.root
+  local args = active.args and next(active.args) and active.args or vim.empty_dict()
+  local root = { uri = active.uri, preset = active.preset, args = args }
   local params = vim.tbl_extend('error', place, { root = root })
-  view.cancel_cursor = lsp.ask(bufnr, 'xacro/toExpanded', params, function(answer)
-    if not view or not view.fresh then
+  shown.cancel_cursor = lsp.ask(bufnr, 'xacro/toExpanded', params, function(answer)
+    if view ~= shown or not shown.fresh then
       return
     end
-    view.cancel_cursor = nil
-    if answer.root.uri ~= view.root.uri then
+    shown.cancel_cursor = nil
+    if answer.root.uri ~= shown.root.uri then
       return
     elseif #answer.instances == 0 and otherwise then
-      return ask_instances(bufnr, client, otherwise)
+      return ask_instances(shown, bufnr, client, otherwise)
     end
-    show_instances(answer.instances, client)
+    show_instances(shown, answer.instances, client)
   end, true)
 end
 
@@ -205,7 +205,7 @@ function M.from_source()
     view.cancel_cursor()
   end
   scratch.unmark(bufnr)
-  ask_instances(bufnr, client, lsp.position_params(client), tag_of_line(client))
+  ask_instances(view, bufnr, client, lsp.position_params(client), tag_of_line(client))
 end
 
 ---@param on_places fun(places: table[], client: vim.lsp.Client)
@@ -310,9 +310,10 @@ function M.close()
   end
 end
 
-local function prepare()
-  assert(view)
-  local bufnr = view.bufnr
+--- Give the buffer of the expanded text its keys, and follow cursors and changes.
+---@param shown xacro.View
+local function prepare(shown)
+  local bufnr = shown.bufnr
   vim.bo[bufnr].syntax = 'xml'
   pcall(vim.treesitter.start, bufnr, 'xml')
   local function map(key, run, what)
@@ -371,7 +372,7 @@ function M.open()
       errors = {},
       way = '',
     }
-    prepare()
+    prepare(view)
   end
   view.source, view.window = source, vim.api.nvim_get_current_win()
   if #vim.fn.win_findbuf(view.bufnr) == 0 then
