@@ -5,10 +5,11 @@ use std::sync::{Arc, Mutex};
 
 use super::change::Change;
 use super::includes::{self, Reach};
+use super::lock::locked;
 use super::options::CheckOptions;
 use super::report::Report;
 use super::run_cache::Runs;
-use super::session::{Session, locked};
+use super::session::Session;
 use super::task::Job;
 use base::FastMap;
 use vfs::SourceFile;

@@ -2,7 +2,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
-use super::session::locked;
+use super::lock::locked;
 use base::FastMap;
 use rules::{
     Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,

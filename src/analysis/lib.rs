@@ -33,6 +33,7 @@ mod launch_names;
 mod launch_values;
 mod launched;
 mod left_over;
+mod lock;
 mod made_elsewhere;
 mod merge;
 mod named;

@@ -3,8 +3,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::job;
+use super::lock::locked;
 use super::run_cache::{Run, Runs, Setting};
-use super::session::{Session, locked};
+use super::session::Session;
 use super::task::Job;
 use base::{CancelFlag, TextRange};
 use expand::{

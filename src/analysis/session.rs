@@ -1,11 +1,12 @@
 //! Files, packages, environment and configuration that checks and commands share.
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard};
 
 use super::beside::Pairing;
 use super::configs::{Configs, Overrides, Settings};
 use super::includes::Included;
+use super::lock::locked;
 use super::run_cache::Runs;
 use base::{FastMap, FastSet};
 use model::Meshes;
@@ -464,9 +465,4 @@ impl Session {
             config,
         }
     }
-}
-
-/// What a lock guards, also after a panic elsewhere.
-pub(super) fn locked<T>(lock: &Mutex<T>) -> MutexGuard<'_, T> {
-    lock.lock().unwrap_or_else(PoisonError::into_inner)
 }

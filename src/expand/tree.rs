@@ -402,7 +402,7 @@ impl XTree {
     }
 }
 
-/// The new number of a node whose old one is in a range that begins anew at `start`; none of a node outside of it.
+/// The new number of a node whose old one is in a range that begins again at `start`; none of a node outside of it.
 fn moved(id: XId, old: &Range<u32>, start: u32) -> XId {
     if old.contains(&id.0) {
         XId(id.0 - old.start + start)

@@ -12,9 +12,7 @@ use super::page::{Page, code, plain};
 use crate::rename::definition_at;
 use crate::text_names::{Given, TextNames};
 use base::{Encoding, FastSet, TextRange, counted};
-use expand::{
-    Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId,
-};
+use expand::{Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId};
 use expr::Value;
 use rules::RuleEnv;
 use xml::{Node, NodeKind};
