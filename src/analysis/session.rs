@@ -233,6 +233,11 @@ impl Session {
         self.callers.load_in_bullet(file, &self.packages)
     }
 
+    /// Whether programs load a description into RaiSim, and nothing else loads it.
+    pub(super) fn is_for_raisim(&self, file: &Path) -> bool {
+        self.callers.load_in_raisim(file, &self.packages)
+    }
+
     /// Whether launch files only show a description, and simulate another one.
     pub(super) fn is_only_shown(&self, file: &Path) -> bool {
         self.callers.only_show(file, &self.packages)

@@ -109,6 +109,12 @@ impl Session {
         self.lower_where(findings, about_bullet, || {
             self.is_for_bullet(&job.file).then_some(Severity::Info)
         });
+        let about_raisim = |finding: &Finding| {
+            is_before_declaration(finding) || finding.rule.has(Trait::AcceptedByRaiSim)
+        };
+        self.lower_where(findings, about_raisim, || {
+            self.is_for_raisim(&job.file).then_some(Severity::Info)
+        });
         // urdfdom and the readers that use it skip what is blank
         self.lower_where(findings, is_before_declaration, || {
             self.is_read_without_xacro(&job.file)

@@ -405,6 +405,24 @@ fn what_bullet_takes() {
 }
 
 #[test]
+fn what_raisim_takes() {
+    let robot = "<robot name='r'><link name='base'/><link name='arm'/><joint name='j' type='revolute'>\
+                 <origin xyz='0, 0, 1'/><parent link='base'/><child link='arm'/></joint></robot>";
+    let severity = |rule: &str, program: &str| {
+        found(&[("urdf/r.urdf", robot), ("run.py", program)], rule)[0].1
+    };
+    let loads = "import raisimpy as raisim\nworld.addArticulatedSystem('urdf/r.urdf')";
+    for rule in ["missing-joint-limit", "invalid-number"] {
+        assert_eq!(severity(rule, loads), Severity::Info, "{rule}");
+        assert_eq!(
+            severity(rule, "p.load('urdf/r.urdf')"),
+            Severity::Error,
+            "{rule}"
+        );
+    }
+}
+
+#[test]
 fn blanks_in_front_of_the_declaration() {
     let robot = "\n<?xml version='1.0'?>\n<robot name='r'><link name='base'/></robot>";
     let severity = |name: &str, launch: &str| {

@@ -360,6 +360,33 @@ fn tags_without_prefix_in_a_container_of_an_old_distribution() {
 }
 
 #[test]
+fn tags_without_prefix_where_the_first_page_installs_an_old_distribution() {
+    let robot = "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro'>\
+                 <xacro:macro name='base'><link name='base'/></xacro:macro><base/></robot>";
+    let of = |page: &str| {
+        let files = [
+            (
+                "src/arm/package.xml",
+                "<package><name>arm</name><buildtool_depend>catkin</buildtool_depend></package>",
+            ),
+            ("src/arm/urdf/arm.urdf.xacro", robot),
+            ("src/camera/README.md", "apt install ros-noetic-camera"),
+            ("README.md", page),
+        ];
+        severity("unprefixed-macro-call", &files)
+    };
+    assert_eq!(
+        of("source /opt/ros/melodic/setup.bash"),
+        Some(Severity::Info)
+    );
+    assert_eq!(of("apt install ros-noetic-xacro"), Some(Severity::Error));
+    assert_eq!(
+        of("apt install ros-melodic-xacro or ros-noetic-xacro"),
+        Some(Severity::Error)
+    );
+}
+
+#[test]
 fn files_of_a_distribution_that_is_not_here() {
     let of = |path: &str| {
         let robot = format!(

@@ -18,6 +18,8 @@ pub struct Controller {
     pub commands: Vec<Named>,
     /// `state_interfaces` of each joint.
     pub states: Vec<Named>,
+    /// Whether it has a list of `interfaces`.
+    pub has_interfaces: bool,
     /// `interface_name`: the one interface that it commands.
     pub interface: Option<Named>,
     /// Whether these are parameters of a node of ROS 2.
@@ -142,6 +144,7 @@ fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controlle
         joints: joints.collect(),
         commands: [list("command_interfaces"), list("interface_names")].concat(),
         states: list("state_interfaces"),
+        has_interfaces: get(parameters, "interfaces").is_some(),
         interface: text(parameters, "interface_name"),
         name,
         is_ros2,

@@ -16,6 +16,9 @@ pub enum Trait {
     Contact,
     /// urdfdom rejects it, and Bullet accepts it. Source: `UrdfParser.cpp` of Bullet 3.25, and loading with PyBullet.
     AcceptedByBullet,
+    /// urdfdom rejects it, and RaiSim accepts it: vectors with commas, joints without limits, spherical joints, a material twice.
+    /// Source: `RaiSimTinyXmlWrapper.hpp` and `loaders.hpp` of RaiSim, and its documentation of joints.
+    AcceptedByRaiSim,
     /// A mass or an inertia is below zero, which nobody means.
     WrongSign,
     /// About what a controller of the parameters moves.
@@ -74,6 +77,15 @@ static ACCEPTED_BY_BULLET: [&Rule; 10] = [
     &joint::unknown_joint_type::RULE,
     &xml::wrong_vector_length::RULE,
     &inertia::zero_mass::RULE,
+];
+
+static ACCEPTED_BY_RAISIM: [&Rule; 6] = [
+    &geometry::duplicate_material::RULE,
+    &xml::invalid_number::RULE,
+    &joint::missing_joint_limit::RULE,
+    &joint::missing_limit_attribute::RULE,
+    &geometry::undefined_material::RULE,
+    &joint::unknown_joint_type::RULE,
 ];
 
 static REVEALS: [&Rule; 12] = [
@@ -154,6 +166,7 @@ impl Trait {
             Trait::Deprecated => &DEPRECATED,
             Trait::Contact => &CONTACT,
             Trait::AcceptedByBullet => &ACCEPTED_BY_BULLET,
+            Trait::AcceptedByRaiSim => &ACCEPTED_BY_RAISIM,
             Trait::WrongSign => &WRONG_SIGN,
             Trait::Controller => &CONTROLLER,
             Trait::Reveals => &REVEALS,

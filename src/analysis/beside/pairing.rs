@@ -239,7 +239,7 @@ impl Session {
     }
 
     /// The robots in a file of the same name in the same folder, `arm.urdf` for `arm.srdf`; else those of the name that an
-    /// SRDF says in the same package, in a file of the same name elsewhere, or anywhere.
+    /// SRDF says in the same package; else those of the name and those in a file of the same name elsewhere.
     fn of_the_name(&self, path: &Path) -> Pairing {
         let all = self.descriptions_around(path);
         let is_it = |file: &&PathBuf| stem(file) == stem(path) && self.is_robot(file);
@@ -251,11 +251,13 @@ impl Session {
             let is_near = self.near(path);
             let mut near = named.clone();
             near.retain(|file| is_near(file));
-            // a file of the same name is meant rather than one of a name that copies share
-            [near, of_the_stem, named]
-                .into_iter()
-                .find(|found| !found.is_empty())
-                .unwrap_or_default()
+            if near.is_empty() {
+                // copies share names: a file of the same name may be meant as well
+                let further = named.into_iter().filter(|file| !of_the_stem.contains(file));
+                of_the_stem.iter().copied().chain(further).collect()
+            } else {
+                near
+            }
         } else {
             beside
         };

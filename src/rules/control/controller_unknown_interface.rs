@@ -188,7 +188,7 @@ fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a
 }
 
 /// The class of a controller: its own parameter, or what a controller manager says.
-fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Option<&'a str> {
+pub(super) fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Option<&'a str> {
     let mut listed = cx.all_settings().flat_map(|settings| &settings.listed);
     let own = controller.class.as_ref();
     let class = own.or_else(|| {

@@ -2,6 +2,7 @@
 use super::super::beside::{BesideCx, PairedRobot};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
+use super::controller_unknown_interface::class_of;
 use project::{Controller, Kind, is_computed};
 
 pub(in super::super) static RULE: Rule = Rule::beside(
@@ -41,7 +42,11 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name))
             .collect();
         let is_for_another = unknown.len() == joints.len() && joints.len() > MOST_RENAMED;
-        if unknown.is_empty() || is_for_another || has_variant(cx, controller) {
+        if unknown.is_empty()
+            || is_for_another
+            || publishes_all(cx, controller)
+            || has_variant(cx, controller)
+        {
             continue;
         }
         for (key, joint) in unknown {
@@ -61,6 +66,13 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 .done();
         }
     }
+}
+
+/// Whether a controller is a broadcaster of joint states that publishes all joints: without `interfaces`, it does so whatever
+/// joints are listed. Source: `joint_state_broadcaster` of ros2_controllers, whose documentation says that both are needed.
+fn publishes_all(cx: &BesideCx<'_>, controller: &Controller) -> bool {
+    const CLASS: &str = "joint_state_broadcaster/JointStateBroadcaster";
+    !controller.has_interfaces && class_of(cx, controller) == Some(CLASS)
 }
 
 /// With more joints than these, all of them unknown, a controller is for another robot.

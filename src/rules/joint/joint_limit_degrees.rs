@@ -29,17 +29,29 @@ fn is_in_half_turns(value: f64) -> bool {
     turns <= MOST_TURNS && (turns - turns.round()).abs() < 1e-6
 }
 
-/// Whether limits stand for none: equal both ways, and a number that no joint has in degrees either, such as 999 or 10000.
-fn is_for_none(limit: &Limit) -> bool {
+/// Whether limits stand for none: equal both ways, and a number that no joint has in degrees either, such as 999 or 10000, or one
+/// that a joint along a line has as well.
+fn is_for_none(cx: &DocumentCx<'_>, limit: &Limit) -> bool {
     /// From here on, a number is no angle in degrees.
     const LEAST: f64 = 999.0;
-    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
-    let (Some(lower), Some(upper)) = (number(&limit.lower), number(&limit.upper)) else {
+    let Some((lower, upper)) = range(limit) else {
         return false;
+    };
+    let is_along_a_line = || {
+        let joints = cx.joints().iter();
+        let mut sliding = joints.filter(|joint| joint.is(&[JointType::Prismatic]));
+        sliding.any(|joint| joint.limit.as_ref().and_then(range) == Some((lower, upper)))
     };
     // 999 or 1000
     let is_power = |value: f64| value.log10().fract() == 0.0;
-    lower == -upper && upper >= LEAST && [upper + 1.0, upper].into_iter().any(is_power)
+    lower == -upper
+        && (upper >= LEAST && [upper + 1.0, upper].into_iter().any(is_power) || is_along_a_line())
+}
+
+/// Both ends.
+fn range(limit: &Limit) -> Option<(f64, f64)> {
+    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
+    Some((number(&limit.lower)?, number(&limit.upper)?))
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
@@ -48,7 +60,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         .iter()
         .filter(|joint| joint.is(&[JointType::Revolute]))
     {
-        let Some(limit) = joint.limit.as_ref().filter(|limit| !is_for_none(limit)) else {
+        let Some(limit) = joint.limit.as_ref().filter(|limit| !is_for_none(cx, limit)) else {
             continue;
         };
         for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {

@@ -23,6 +23,8 @@ pub struct Caller {
     pub(super) simulates: bool,
     /// Whether it loads files into Bullet.
     pub(super) is_bullet: bool,
+    /// Whether it loads files into RaiSim.
+    pub(super) is_raisim: bool,
     /// Whether it starts RViz.
     pub(super) shows: bool,
     /// The arguments it gives, in order.

@@ -53,22 +53,39 @@ impl Callers {
         own.or_else(around).unwrap_or(Era::Any)
     }
 
-    /// Whether programs load the description `file` into Bullet, and no launch file does. Where no program names a description
-    /// that belongs to no package, those around it count that load others.
+    /// Whether programs load the description `file` into Bullet, and no launch file does.
     pub fn load_in_bullet(&self, file: &Path, packages: &Packages) -> bool {
+        self.load_in(file, packages, |caller| caller.is_bullet)
+    }
+
+    /// Whether programs load the description `file` into RaiSim, and no launch file does.
+    pub fn load_in_raisim(&self, file: &Path, packages: &Packages) -> bool {
+        self.load_in(file, packages, |caller| {
+            caller.is_raisim && !caller.is_bullet
+        })
+    }
+
+    /// Whether all programs that load a description are of a kind, and no launch file does. Where no program names a description
+    /// that belongs to no package, those around it count that load others.
+    fn load_in(
+        &self,
+        file: &Path,
+        packages: &Packages,
+        is_of_kind: impl Fn(&Caller) -> bool,
+    ) -> bool {
         let all = self.of(file, packages);
         let is_free =
             |caller: &Caller| !caller.says(file) || !caller.is_launch() && !caller.is_program();
         if all.iter().all(is_free) && packages.containing(file).is_none() {
             return self
                 .around(file, packages)
-                .is_some_and(|uses| uses.callers.iter().any(|one| one.is_bullet));
+                .is_some_and(|uses| uses.callers.iter().any(&is_of_kind));
         }
         let mut loaders = all
             .iter()
             .filter(|caller| caller.says(file) && (caller.is_launch() || caller.is_program()))
             .peekable();
-        loaders.peek().is_some() && loaders.all(|caller| caller.is_bullet && !caller.is_launch())
+        loaders.peek().is_some() && loaders.all(|caller| is_of_kind(caller) && !caller.is_launch())
     }
 
     /// Whether a file that names the description `file` also says `word`.

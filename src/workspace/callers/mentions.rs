@@ -100,10 +100,11 @@ impl Callers {
     }
 
     /// Whether the pages around a file name only distributions whose xacro takes tags without their prefix, or it belongs to a
-    /// container with one of these.
+    /// container or an installation with one of these.
     pub fn is_for_old_ros(&self, file: &Path, packages: &Packages) -> bool {
         self.mentions(file, packages).is_some_and(|mentions| {
             is_run_in_old(file, packages)
+                || is_installed_for_old(file, packages)
                 || mentions.distributions == (true, false)
                 || !mentions.distributions.1 && is_edited_for_old(file, packages)
         })
@@ -277,19 +278,36 @@ fn is_run_in_old(file: &Path, packages: &Packages) -> bool {
         .take_while(|folder| folder.starts_with(&top))
         .map(|folder| folder.join("Dockerfile"));
     let nearest = paths.find(|path| packages.vfs.is_file(path));
-    let text = nearest.and_then(|path| packages.vfs.text(&path).ok());
-    text.is_some_and(|file| {
-        let is_installed = |name: &&str| {
-            [
-                format!("ros-{name}"),
-                format!("ros:{name}"),
-                format!("/opt/ros/{name}"),
-            ]
-            .iter()
-            .any(|text| file.text.contains(text.as_str()))
-        };
-        OLD.iter().any(is_installed) && !NEW.iter().any(is_installed)
-    })
+    nearest.is_some_and(|path| packages.is_text(&path, installs_old))
+}
+
+/// Whether the page or a script at the top of the sources around a file installs or sets up an old distribution, and none there a
+/// newer one: these say more than the pages of packages that were copied.
+fn is_installed_for_old(file: &Path, packages: &Packages) -> bool {
+    let Some(top) = packages.sources_around(file) else {
+        return false;
+    };
+    let names = packages.vfs.list_dir(&top);
+    let mut texts = names
+        .iter()
+        .filter(|entry| entry.name.starts_with("README") || entry.name.ends_with(".sh"))
+        .filter_map(|entry| packages.vfs.text(&top.join(&entry.name)).ok())
+        .filter(|file| installs(&file.text, &OLD) || installs(&file.text, &NEW))
+        .peekable();
+    texts.peek().is_some() && texts.all(|file| installs_old(&file.text))
+}
+
+/// Whether a text installs or sets up an old distribution, and no newer one.
+fn installs_old(text: &str) -> bool {
+    installs(text, &OLD) && !installs(text, &NEW)
+}
+
+/// Whether a text installs or sets up one of these distributions.
+fn installs(text: &str, names: &[&str]) -> bool {
+    let is_one = |(before, name): (&str, &str)| text.contains(&format!("{before}{name}"));
+    let ways = ["ros-", "ros:", "/opt/ros/"];
+    ways.into_iter()
+        .any(|before| names.iter().any(|name| is_one((before, name))))
 }
 
 /// Whether an editor was set up for an old distribution, in the folder of sources around a file.

@@ -75,9 +75,8 @@ pub(super) fn caller(path: &Path, text: &str) -> Option<Caller> {
         endings,
         is_open: takes_any(text),
         era: era(text),
-        is_bullet: ["loadURDF(", "Bullet", "pybullet"]
-            .iter()
-            .any(|word| text.contains(word)),
+        is_bullet: has_any(text, &["loadURDF(", "Bullet", "pybullet"]),
+        is_raisim: has_any(text, &["addArticulatedSystem", "raisim"]),
         simulates: simulates(text),
         shows: text.contains("rviz"),
         args,
