@@ -55,25 +55,15 @@ fn range(limit: &Limit) -> Option<(f64, f64)> {
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    for joint in cx
-        .joints()
-        .iter()
-        .filter(|joint| joint.is(&[JointType::Revolute]))
-    {
-        let Some(limit) = joint.limit.as_ref().filter(|limit| !is_for_none(cx, limit)) else {
+    let joints = cx.joints().iter();
+    for joint in joints.filter(|joint| joint.is(&[JointType::Revolute])) {
+        let Some(limit) = &joint.limit else { continue };
+        let ends = [("lower", &limit.lower), ("upper", &limit.upper)];
+        let large: Vec<_> = ends.into_iter().filter_map(large).collect();
+        if large.is_empty() || is_for_none(cx, limit) {
             continue;
-        };
-        for (name, text) in [("lower", &limit.lower), ("upper", &limit.upper)] {
-            let Some(text) = text else { continue };
-            let is_large = |value: &f64| {
-                value.abs() > MOST
-                    && value.abs() < UNLIMITED
-                    && !is_part_of_pi(*value)
-                    && !is_in_half_turns(*value)
-            };
-            let Some(value) = text.number().filter(is_large) else {
-                continue;
-            };
+        }
+        for (name, text, value) in large {
             let turns = short((value / std::f64::consts::TAU).abs().round());
             let message = format!(
                 "{name} limit of joint `{}` is {} rad ({turns} turns); this looks like degrees",
@@ -86,4 +76,17 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             from_degrees(report, cx.expansion, text, whole(text)).done();
         }
     }
+}
+
+/// The end of a range, if it is no angle in radians.
+fn large<'a>(
+    (name, text): (&'static str, &'a Option<Text>),
+) -> Option<(&'static str, &'a Text, f64)> {
+    let text = text.as_ref()?;
+    let value = text.number()?;
+    let is_large = value.abs() > MOST
+        && value.abs() < UNLIMITED
+        && !is_part_of_pi(value)
+        && !is_in_half_turns(value);
+    is_large.then_some((name, text, value))
 }
