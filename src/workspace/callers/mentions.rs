@@ -304,10 +304,12 @@ fn installs_old(text: &str) -> bool {
 
 /// Whether a text installs or sets up one of these distributions.
 fn installs(text: &str, names: &[&str]) -> bool {
-    let is_one = |(before, name): (&str, &str)| text.contains(&format!("{before}{name}"));
-    let ways = ["ros-", "ros:", "/opt/ros/"];
-    ways.into_iter()
-        .any(|before| names.iter().any(|name| is_one((before, name))))
+    const BEFORE: [&str; 3] = ["ros-", "ros:", "/opt/ros/"];
+    BEFORE.iter().any(|before| {
+        names
+            .iter()
+            .any(|name| text.contains(&format!("{before}{name}")))
+    })
 }
 
 /// Whether an editor was set up for an old distribution, in the folder of sources around a file.
