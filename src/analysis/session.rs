@@ -319,9 +319,24 @@ impl Session {
         self.callers.never_simulate(file, &self.packages)
     }
 
+    /// Whether launch files and programs simulate what lies around a file, and no simulator refuses a tensor that no body has.
+    pub(super) fn is_never_refused(&self, file: &Path) -> bool {
+        self.callers.never_refuse(file, &self.packages)
+    }
+
     /// Whether launch files and programs use what lies around a file, and none of them needs masses and inertia.
     pub(super) fn is_never_weighed(&self, file: &Path) -> bool {
         self.callers.never_weigh(file, &self.packages)
+    }
+
+    /// Whether nothing but programs loads a description, and none of them needs masses and inertia.
+    pub(super) fn is_loaded_without_masses(&self, file: &Path) -> bool {
+        self.callers.load_without_masses(file, &self.packages)
+    }
+
+    /// Whether nothing but programs loads a description, and none of them computes with triangles of collision meshes.
+    pub(super) fn is_loaded_without_triangles(&self, file: &Path) -> bool {
+        self.callers.load_without_triangles(file, &self.packages)
     }
 
     /// Whether launch files and programs use what lies around a file, and nothing there needs collisions.
@@ -383,6 +398,16 @@ impl Session {
     pub(super) fn is_unused_copy(&self, file: &Path) -> bool {
         self.callers
             .is_unused_copy(file, &self.packages, |file| self.includers(file))
+    }
+
+    /// Whether a file belongs to a package that was copied with a repository of others, and nothing else in the workspace leads there.
+    pub(super) fn is_in_unused_package(&self, file: &Path) -> bool {
+        self.callers.is_in_unused_package(file, &self.packages)
+    }
+
+    /// Whether launch files and programs load a description, and all of them give it an argument.
+    pub(super) fn is_always_given(&self, file: &Path, name: &str) -> bool {
+        self.callers.always_give(file, name, &self.packages)
     }
 
     /// What the descriptions below a folder include, as `make` finds it the first time.

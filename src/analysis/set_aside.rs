@@ -91,12 +91,20 @@ impl Session {
             finding.rule.category == Category::Inertia && !finding.rule.has(Trait::WrongSign)
         };
         self.lower_where(findings, about_inertia, || {
-            let is_idle = self.is_never_weighed(&job.file) || self.is_handled_elsewhere(&job.file);
+            let is_idle = self.is_never_weighed(&job.file)
+                || self.is_handled_elsewhere(&job.file)
+                || self.is_loaded_without_masses(&job.file);
             is_idle.then_some(Severity::Info)
+        });
+        let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
+        self.lower_where(findings, is_impossible, || {
+            self.is_never_refused(&job.file)
+                .then_some(Severity::Warning)
         });
         let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
         self.lower_where(findings, about_contact, || {
-            let is_idle = self.is_loaded(&job.file) && self.is_never_met(&job.file);
+            let is_idle = self.is_loaded(&job.file) && self.is_never_met(&job.file)
+                || self.is_loaded_without_triangles(&job.file);
             is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise

@@ -46,11 +46,13 @@ impl Session {
     /// Whether a file belongs to a repository of others that nothing in the workspace leads to, and that nobody asks for.
     fn is_other(&self, file: &Path, asked: &[PathBuf]) -> bool {
         // settings are found by names that are put together
-        sort(file).is_none()
-            && self
-                .copied_with(file)
-                .is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))
-            && self.is_unused_copy(file)
+        let is_unused = |file: &Path| match sort(file).is_some() {
+            true => self.is_in_unused_package(file),
+            false => self.is_unused_copy(file),
+        };
+        self.copied_with(file)
+            .is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))
+            && is_unused(file)
     }
 
     /// What is wrong in settings of controllers is an info where no text names the file, and others name such a file of the same

@@ -134,6 +134,71 @@ fn copied_repositories() {
 }
 
 #[test]
+fn settings_in_copied_repositories() {
+    let arm = "<robot name='arm'><link name='base'/><link name='tip'/><joint name='elbow' type='revolute'>\
+               <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/>\
+               <limit lower='-1' upper='1' effort='1' velocity='2'/></joint></robot>";
+    let limits = "joint_limits:\n  elbow:\n    has_velocity_limits: true\n    max_velocity: 3.5\n";
+    let of = |others: &[(&'static str, String)]| {
+        let stack = "src/gripper_stack/arm_moveit_config";
+        let mut files = workspace();
+        let own = [
+            ("package.xml", manifest("arm_moveit_config", "they@lab.org")),
+            (".setup_assistant", ASSISTANT.to_owned()),
+            ("config/arm.srdf", "<robot name='arm'/>".to_owned()),
+            ("config/joint_limits.yaml", limits.to_owned()),
+            (
+                "launch/demo.launch",
+                "<rosparam file='$(find arm_moveit_config)/config/joint_limits.yaml'/>".to_owned(),
+            ),
+        ];
+        let names: Vec<(String, String)> = own
+            .into_iter()
+            .map(|(name, text)| (format!("{stack}/{name}"), text))
+            .collect();
+        files.push((
+            "src/gripper_stack/arm_description/package.xml",
+            manifest("arm_description", "they@lab.org"),
+        ));
+        files.push((
+            "src/gripper_stack/arm_description/urdf/arm.urdf",
+            arm.to_owned(),
+        ));
+        files.extend_from_slice(others);
+        let files: Vec<(&str, &str)> = files
+            .iter()
+            .map(|(name, text)| (*name, text.as_str()))
+            .chain(
+                names
+                    .iter()
+                    .map(|(name, text)| (name.as_str(), text.as_str())),
+            )
+            .collect();
+        severity_below("", &files, "joint_limits.yaml", "joint-limits-above-urdf")
+    };
+    assert_eq!(of(&[]), Some(Severity::Info));
+    // another launch file of the repository starts it, and nothing here starts that one
+    let bringup = (
+        "src/gripper_stack/gripper_description/launch/bringup.launch",
+        "<include file='$(find arm_moveit_config)/launch/demo.launch'/>".to_owned(),
+    );
+    assert_eq!(of(&[bringup.clone()]), Some(Severity::Info));
+    let own = (
+        "src/rover_description/launch/all.launch",
+        "<include file='$(find gripper_description)/launch/bringup.launch'/>".to_owned(),
+    );
+    assert_eq!(of(&[bringup, own]), Some(Severity::Warning));
+    let direct = (
+        "src/rover_description/launch/all.launch",
+        "<include file='$(find arm_moveit_config)/launch/demo.launch'/>".to_owned(),
+    );
+    assert_eq!(of(&[direct]), Some(Severity::Warning));
+}
+
+/// What the setup assistant of MoveIt remembers.
+const ASSISTANT: &str = "moveit_setup_assistant_config:\n  URDF:\n    package: arm_description\n    relative_path: urdf/arm.urdf\n  SRDF:\n    relative_path: config/arm.srdf\n";
+
+#[test]
 fn copied_repositories_that_are_used() {
     for (name, text) in [
         (

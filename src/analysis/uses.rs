@@ -45,6 +45,13 @@ impl Session {
                 && missing_file(finding).is_some_and(|path| path.starts_with("/opt/ros/"))
         };
         self.lower_where(findings, is_of_system, info);
+        let is_given = |finding: &Finding| {
+            let name = finding.message.split('`').nth(1).unwrap_or_default();
+            finding.problem == Some(ProblemKind::UseBeforeDefinition)
+                && finding.message.starts_with("argument")
+                && self.is_always_given(file, name)
+        };
+        self.lower_where(findings, is_given, info);
         let is_unread = |finding: &Finding| {
             finding.rule == named::MISSING_PACKAGE_DEPENDENCY
                 && self.is_in_idle_default(file, finding)

@@ -1,7 +1,8 @@
 //! Rules that others than the rules themselves speak about.
 use super::rule::Rule;
 use super::{
-    control, conventions, geometry, joint, linter, moveit, package, srdf, structure, xacro, xml,
+    control, conventions, geometry, inertia, joint, linter, moveit, package, srdf, structure,
+    xacro, xml,
 };
 
 /// `gazebo-unknown-reference`
@@ -22,6 +23,8 @@ pub const BINARY_STL_SOLID_HEADER: &Rule = &geometry::binary_stl_solid_header::R
 pub const UNDEFINED_MATERIAL: &Rule = &geometry::undefined_material::RULE;
 /// `unknown-geometry-type`
 pub const UNKNOWN_GEOMETRY_TYPE: &Rule = &geometry::unknown_geometry_type::RULE;
+/// `inertia-triangle-inequality`
+pub const INERTIA_TRIANGLE_INEQUALITY: &Rule = &inertia::inertia_triangle_inequality::RULE;
 /// `missing-joint-limit`
 pub const MISSING_JOINT_LIMIT: &Rule = &joint::missing_joint_limit::RULE;
 /// `missing-limit-attribute`

@@ -5,11 +5,11 @@ use super::super::context::DocumentCx;
 use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::joined::is_small_part;
+use super::joined::{is_in_world, is_small_part};
 use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
 use model::{Inertial, JointType, Link, transform};
 
-pub(super) static RULE: Rule = Rule {
+pub(in super::super) static RULE: Rule = Rule {
     code: "INR005",
     name: "inertia-triangle-inequality",
     category: Category::Inertia,
@@ -101,5 +101,5 @@ pub(super) fn is_error(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) ->
     let is_added = inertial
         .mass()
         .is_some_and(|mass| is_small_part(cx, link, mass));
-    !is_added && a + b < c * (1.0 - COARSE) && c - a - b > LAST_DIGIT
+    !is_added && !is_in_world(cx, link) && a + b < c * (1.0 - COARSE) && c - a - b > LAST_DIGIT
 }

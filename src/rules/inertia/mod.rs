@@ -5,7 +5,7 @@ mod implausible_density;
 mod implausible_inertia;
 mod inertia_axes_swapped;
 pub(super) mod inertia_not_positive_definite;
-mod inertia_triangle_inequality;
+pub(super) mod inertia_triangle_inequality;
 mod joined;
 mod missing_inertial;
 mod moments;

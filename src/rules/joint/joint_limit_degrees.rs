@@ -48,6 +48,12 @@ fn is_for_none(cx: &DocumentCx<'_>, limit: &Limit) -> bool {
         && (upper >= LEAST && [upper + 1.0, upper].into_iter().any(is_power) || is_along_a_line())
 }
 
+/// Whether the one large end is the number of the effort as well, which no angle is: both stand for no limit.
+fn is_filled_in(limit: &Limit, large: &[(&str, &Text, f64)]) -> bool {
+    let effort = limit.effort.as_ref().and_then(Text::number);
+    matches!(large, [(_, _, value)] if effort == Some(value.abs()))
+}
+
 /// Both ends.
 fn range(limit: &Limit) -> Option<(f64, f64)> {
     let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
@@ -60,7 +66,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(limit) = &joint.limit else { continue };
         let ends = [("lower", &limit.lower), ("upper", &limit.upper)];
         let large: Vec<_> = ends.into_iter().filter_map(large).collect();
-        if large.is_empty() || is_for_none(cx, limit) {
+        if large.is_empty() || is_for_none(cx, limit) || is_filled_in(limit, &large) {
             continue;
         }
         for (name, text, value) in large {

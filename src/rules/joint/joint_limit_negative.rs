@@ -1,7 +1,7 @@
 //! A negative effort or velocity.
 use super::super::context::DocumentCx;
 use super::super::control::driven;
-use super::super::numbers::rewrite;
+use super::super::numbers::{UNLIMITED, rewrite};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use model::{Joint, JointType, Limit, Robot, Version};
@@ -35,7 +35,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             if let Some(value) = text.number().filter(|&value| value < 0.0) {
                 // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
                 let severity = match value == -1.0 && !is_new {
-                    true if is_only_driven(cx, joint) => Severity::Info,
+                    true if is_only_driven(cx, joint) || is_endless(limit) => Severity::Info,
                     true => Severity::Warning,
                     false => Severity::Error,
                 };
@@ -58,6 +58,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             }
         }
     }
+}
+
+/// Whether the range of a joint stands for none as well, as SDFormat writes it: nobody has limits in mind.
+fn is_endless(limit: &Limit) -> bool {
+    limit
+        .range()
+        .is_some_and(|(lower, upper)| -lower >= UNLIMITED && upper >= UNLIMITED)
 }
 
 /// Whether a plugin of Gazebo for drives moves a joint, and nothing else does: there, `-1` means what it says.

@@ -4,7 +4,6 @@ use super::super::grouping::Group;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use expand::FileIdx;
 use model::tag_start;
 use project::Pair;
 
@@ -12,7 +11,7 @@ pub(super) static RULE: Rule = Rule::semantic(
     "SRD010",
     "srdf-duplicate-pair",
     Category::Srdf,
-    Severity::Warning,
+    Severity::Info,
     page("srdf-duplicate-pair"),
     check,
 );
@@ -33,26 +32,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         let report = out
             .report(tag_start(cx.expansion, pair.element), message)
             .group(Group::File);
-        // a full matrix has each pair both ways
-        let [own_reason, known_reason] =
-            [pair, known].map(|pair| pair.reason.as_ref().map(|reason| &reason.value));
-        // nobody looks through the lists of a file that is included
-        let is_same = own_reason == known_reason || file(cx, pair) != file(cx, known);
-        let report = report.severity(if is_same {
-            Severity::Info
-        } else {
-            RULE.severity
-        });
         let known = tag_start(cx.expansion, known.element);
         report
             .also(known, "first disabled here")
             .help("remove this element")
             .done();
     }
-}
-
-/// The file that a pair stands in.
-fn file(cx: &BesideCx<'_>, pair: &Pair) -> Option<FileIdx> {
-    let place = cx.expansion.place(tag_start(cx.expansion, pair.element));
-    place.map(|place| place.file)
 }

@@ -98,6 +98,30 @@ impl Callers {
         true
     }
 
+    /// Whether a file belongs to a package of a repository of others that was copied into this workspace, and nothing else in the
+    /// workspace names the package or one of that repository whose files name it.
+    pub fn is_in_unused_package(&self, file: &Path, packages: &Packages) -> bool {
+        let copies = self.copies(file, packages);
+        let mentions = self.mentions(file, packages).filter(|all| all.is_whole);
+        let (Some(mentions), Some(package)) = (mentions, packages.containing(file)) else {
+            return false;
+        };
+        let mut open = vec![package.name];
+        let mut seen: FastSet<String> = FastSet::default();
+        while let Some(name) = open.pop() {
+            if !seen.insert(name.clone()) {
+                continue;
+            }
+            for by in mentions.uses(&name) {
+                if around(&copies, by).is_none() {
+                    return false;
+                }
+                open.extend(packages.containing(by).map(|package| package.name));
+            }
+        }
+        around(&copies, file).is_some()
+    }
+
     /// Whether nothing but tests names a file in a folder of tests of its package: it is what they need, right or wrong.
     pub fn is_for_tests(
         &self,

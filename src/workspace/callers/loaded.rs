@@ -88,6 +88,28 @@ impl Callers {
         loaders.peek().is_some() && loaders.all(|caller| is_of_kind(caller) && !caller.is_launch())
     }
 
+    /// Whether launch files load the description `file`, and all of them give it the argument `name`; programs where no launch file
+    /// does. What runs xacro by a function of its own has the name as a key.
+    pub fn always_give(&self, file: &Path, name: &str, packages: &Packages) -> bool {
+        let keys = [format!("'{name}':"), format!("\"{name}\":")];
+        let gives = |caller: &&Caller| {
+            caller.args.iter().any(|argument| argument.name == name)
+                || packages.is_text(&caller.path, |text| {
+                    keys.iter().any(|key| text.contains(key.as_str()))
+                })
+        };
+        let all = self.of(file, packages);
+        let loaders = || all.iter().filter(|caller| caller.says(file));
+        let launches: Vec<&Caller> = loaders().filter(|caller| caller.is_launch()).collect();
+        let programs = loaders().filter(|caller| caller.is_program());
+        let loaders = if launches.is_empty() {
+            programs.collect()
+        } else {
+            launches
+        };
+        !loaders.is_empty() && loaders.iter().all(gives)
+    }
+
     /// Whether a file that names the description `file` also says `word`.
     pub fn mention(&self, file: &Path, word: &str, packages: &Packages) -> bool {
         self.of(file, packages)

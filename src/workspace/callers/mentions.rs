@@ -48,6 +48,8 @@ pub(super) struct Mentions {
     pub moves: bool,
     /// Whether a launch file or program needs masses, or a description is prepared for one that does.
     pub weighs: bool,
+    /// Whether a text is for a simulator that refuses a tensor that no body has.
+    pub refuses: bool,
     /// Whether there is a launch file or a program.
     pub runs: bool,
     /// Whether a launch file spawns a model of SDF.
@@ -157,6 +159,7 @@ impl Mentions {
             true => purpose::is_for_gazebo(text),
             false => !is_page && purpose::weighs(text),
         };
+        self.refuses |= !is_page && purpose::refuses(text);
         self.runs |=
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
         self.spawns_models |= name_of(path).contains("launch") && purpose::spawns_model(text);

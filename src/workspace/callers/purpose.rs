@@ -10,7 +10,7 @@ use super::uses::Uses;
 use crate::Packages;
 
 /// Words in launch files and programs that run something that needs masses: simulators, and libraries for dynamics.
-const WEIGHS: [&str; 16] = [
+const WEIGHS: [&str; 21] = [
     "gazebo",
     "ros_gz",
     "ros_ign",
@@ -23,6 +23,11 @@ const WEIGHS: [&str; 16] = [
     "vrep",
     "drake",
     "pinocchio",
+    "raisim",
+    "genesis",
+    "sapien",
+    "dartsim",
+    "RigidBody",
     "rbdl",
     "RBDL",
     "dynamics",
@@ -32,6 +37,24 @@ const WEIGHS: [&str; 16] = [
 /// Whether a text runs something that needs masses and inertia.
 pub(super) fn weighs(text: &str) -> bool {
     has_any(text, &WEIGHS)
+}
+
+/// Words of simulators that refuse a robot with a tensor that no body has: Gazebo Sim, MuJoCo, Drake. Gazebo Classic takes it.
+const REFUSES: [&str; 9] = [
+    "ros_gz",
+    "ros_ign",
+    "gz_sim",
+    "gz-sim",
+    "gz_ros2_control",
+    "ign_ros2_control",
+    "ignition",
+    "mujoco",
+    "drake",
+];
+
+/// Whether a text runs a simulator that refuses a tensor that no body has, or is for one.
+pub(super) fn refuses(text: &str) -> bool {
+    has_any(text, &REFUSES)
 }
 
 /// Whether a launch file spawns a model of SDF in Gazebo.
@@ -66,11 +89,48 @@ impl Callers {
             .is_some_and(|all| all.is_whole && all.moves && !all.weighs)
     }
 
+    /// Whether launch files and programs simulate what lies around a file, none of them with a simulator that refuses a tensor that no
+    /// body has.
+    pub fn never_refuse(&self, file: &Path, packages: &Packages) -> bool {
+        self.mentions(file, packages)
+            .is_some_and(|all| all.is_whole && all.weighs && all.runs && !all.refuses)
+    }
+
     /// Whether launch files and programs use what lies around a file, and no text there simulates or plans with the triangles of
     /// its collision meshes.
     pub fn never_meet(&self, file: &Path, packages: &Packages) -> bool {
         self.mentions(file, packages)
             .is_some_and(|all| all.is_whole && all.runs && !all.meets)
+    }
+
+    /// Whether nothing but programs loads the description `file`, and none of them needs masses and inertia.
+    pub fn load_without_masses(&self, file: &Path, packages: &Packages) -> bool {
+        self.load_in_programs_without(weighs, file, packages)
+    }
+
+    /// Whether nothing but programs loads the description `file`, and none of them computes with triangles of collision meshes.
+    pub fn load_without_triangles(&self, file: &Path, packages: &Packages) -> bool {
+        self.load_in_programs_without(meets, file, packages)
+    }
+
+    /// Whether nothing but programs loads a description, and none of them says that it does something with it.
+    fn load_in_programs_without(
+        &self,
+        does: impl Fn(&str) -> bool,
+        file: &Path,
+        packages: &Packages,
+    ) -> bool {
+        let all = self.of(file, packages);
+        let mut loaders = all
+            .iter()
+            .filter(|caller| caller.says(file) && !caller.is_page())
+            .peekable();
+        loaders.peek().is_some()
+            && loaders.all(|caller| {
+                caller.is_program()
+                    && !caller.is_launch()
+                    && packages.is_text(&caller.path, |text| !does(text))
+            })
     }
 
     /// Whether launch files load the description `file` and neither they nor the texts that name them need masses, while others
