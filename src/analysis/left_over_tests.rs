@@ -342,31 +342,6 @@ fn descriptions_for_a_controller_manager_alone() {
 }
 
 #[test]
-fn pairs_of_an_included_file() {
-    let robot = "<robot name='lamp'><link name='a'/><link name='b'/><joint name='j' type='fixed'><parent link='a'/><child link='b'/></joint></robot>";
-    let pair =
-        |reason: &str| format!("<disable_collisions link1='a' link2='b' reason='{reason}'/>");
-    let of = |own: &str, included: &str| {
-        let srdf = format!(
-            "<robot name='lamp' xmlns:xacro='x'><xacro:include filename='list.srdf.xacro'/>{own}</robot>"
-        );
-        let list = format!("<robot xmlns:xacro='x'>{included}</robot>");
-        let files = [
-            MANIFEST,
-            ("urdf/lamp.urdf", robot),
-            ("config/lamp.srdf.xacro", srdf.as_str()),
-            ("config/list.srdf.xacro", list.as_str()),
-        ];
-        found(&files, "srdf-duplicate-pair")
-            .first()
-            .map(|found| found.1)
-    };
-    let (one, two) = (pair("Never"), pair("Adjacent"));
-    assert_eq!(of(&one, &two), Some(Severity::Info));
-    assert_eq!(of(&[one, two].concat(), ""), Some(Severity::Warning));
-}
-
-#[test]
 fn semantic_descriptions_that_a_program_makes() {
     let assistant = "moveit_setup_assistant_config:\n  URDF:\n    package: lamp\n    relative_path: urdf/lamp.urdf\n  SRDF:\n    relative_path: config/lamp.srdf\n";
     let of = |assistant: &str, others: &[(&str, &str)]| {
@@ -452,7 +427,7 @@ fn kinematics_of_matlab() {
     let loads = "robot = importrobot('lamp.urdf');";
     assert_eq!(of(loads), Some(Severity::Info));
     let computes = format!("{loads} t = inverseDynamics(robot, q);");
-    assert_eq!(of(&computes), Some(Severity::Error));
+    assert_eq!(of(&computes), Some(Severity::Warning));
 }
 
 #[test]

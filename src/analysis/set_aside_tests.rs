@@ -249,10 +249,15 @@ fn robots_that_are_only_shown() {
     assert_eq!(severity(shows, ""), Severity::Error);
     assert_eq!(
         severity(shows, &simulates.replace("arm.urdf", "view.urdf")),
-        Severity::Error
+        Severity::Warning
     );
     assert_eq!(
         severity(&shows.replace("rviz", "gazebo_ros"), simulates),
+        Severity::Warning
+    );
+    // Gazebo Sim refuses it
+    assert_eq!(
+        severity(&shows.replace("rviz", "ros_gz_sim"), simulates),
         Severity::Error
     );
 }
