@@ -71,7 +71,7 @@ const TESTS: &[(&str, &str)] = &[
 const OF_THE_SERVER: [&str; 2] = ["Language server", "Preview in a browser"];
 
 /// Where the test of a limit stands: file and function.
-fn test_of(limit: &Limit) -> (String, String) {
+fn test_of(limit: &DocumentedLimit) -> (String, String) {
     if let Some((_, place)) = TESTS.iter().find(|(name, _)| *name == limit.name) {
         let (file, function) = place.split_once("::").unwrap();
         return (file.to_owned(), function.to_owned());
@@ -1211,7 +1211,7 @@ fn caller_files() {
 /// The calls of robots that a launch file makes, as text.
 fn launched(name: &str, text: &str) -> Vec<String> {
     let file = launch::read(Path::new(name), text);
-    let shown = |call: launch::Call| {
+    let shown = |call: launch::LaunchCall| {
         let args = call
             .args
             .iter()

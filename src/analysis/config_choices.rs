@@ -8,7 +8,7 @@ use super::world::World;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;
 use workspace::config::{
-    self, CONFIG_NAMES, ConfigPlace, PlaceKind, Wanted, files_named, place_at, wanted,
+    self, CONFIG_NAMES, ConfigPlace, ExpectedValue, PlaceKind, files_named, place_at, wanted,
 };
 
 /// Files of a folder that are offered.
@@ -70,21 +70,21 @@ impl World {
         let text = self.session().vfs.text(path).ok()?;
         let place = place_at(&text.text, offset)?;
         let (kind, names) = match wanted(&place)? {
-            Wanted::Keys(keys) => {
+            ExpectedValue::Keys(keys) => {
                 let names = keys
                     .into_iter()
                     .map(|(name, doc)| (name.to_owned(), doc.to_owned()));
                 (ConfigChoiceKind::Key, names.collect())
             }
-            Wanted::Words(words) => (
+            ExpectedValue::Words(words) => (
                 ConfigChoiceKind::Value,
                 plain(words.iter().map(|word| (*word).to_owned())),
             ),
-            Wanted::Bool => (
+            ExpectedValue::Bool => (
                 ConfigChoiceKind::Value,
                 plain(["true", "false"].map(str::to_owned)),
             ),
-            Wanted::Free => self.names_at(path, &place, cancel)?,
+            ExpectedValue::Free => self.names_at(path, &place, cancel)?,
         };
         let after = text.text.get(place.range.end as usize..).unwrap_or("");
         let item = |(name, detail): (String, String)| {

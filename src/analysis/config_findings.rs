@@ -13,7 +13,7 @@ use base::FastSet;
 use facts::{FactKind, MentionKind as Mentioned, facts_of};
 use rules::{Finding, invalid_config};
 use vfs::SourceFile;
-use workspace::config::{ConfigWarning, MentionKind, Place, Root};
+use workspace::config::{ConfigLocation, ConfigMentionKind, ConfigWarning, Root};
 use workspace::nearest;
 
 impl Session {
@@ -42,7 +42,7 @@ impl Session {
         }
         let mut seen: FastSet<(PathBuf, u32, String)> = FastSet::default();
         let in_files = warnings.iter().filter(|warning| {
-            let Place { path, range, .. } = &warning.place;
+            let ConfigLocation { path, range, .. } = &warning.place;
             holding.contains(path)
                 && seen.insert((path.clone(), range.start, warning.message.clone()))
         });
@@ -65,7 +65,7 @@ impl Session {
                 .path
                 .parent()
                 .map(|own| own.join(&mention.text));
-            mention.kind == MentionKind::Folder
+            mention.kind == ConfigMentionKind::Folder
                 && !folder.is_some_and(|folder| self.vfs.is_dir(&folder))
         });
         let folders = folders.map(|mention| {
@@ -74,7 +74,7 @@ impl Session {
                 format!("`{}` is not a folder", mention.text),
             )
         });
-        let warning = |(place, message): (&Place, String)| ConfigWarning {
+        let warning = |(place, message): (&ConfigLocation, String)| ConfigWarning {
             place: place.clone(),
             message,
             nearest: None,
@@ -123,7 +123,7 @@ impl Session {
             .given
             .iter()
             .filter(|(name, _)| !known.contains(name.as_str()));
-        let warning = |(name, place): &(String, Place)| ConfigWarning {
+        let warning = |(name, place): &(String, ConfigLocation)| ConfigWarning {
             place: place.clone(),
             message: format!("unknown argument `{name}` of `{}`", root.file),
             nearest: nearest(name, known.iter().map(EcoString::as_str)).map(str::to_owned),

@@ -9,7 +9,8 @@ use rules::{
 };
 use vfs::{LoadError, Vfs};
 use workspace::config::{
-    Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
+    Config, ConfigMention, ConfigMentionKind, ConfigWarning, LoadedConfig, Profile, RuleLevel,
+    find_config,
 };
 use workspace::nearest;
 
@@ -207,11 +208,13 @@ impl Configs {
             Some(settings) => settings.clone(),
             None => {
                 let path = origin.0.as_ref();
-                let loaded =
-                    path.map_or_else(|| Ok(Loaded::default()), |path| Config::load(vfs, path));
+                let loaded = path.map_or_else(
+                    || Ok(LoadedConfig::default()),
+                    |path| Config::load(vfs, path),
+                );
                 let loaded = loaded.unwrap_or_else(|error| {
                     state.unreadable.push(error);
-                    Loaded::default()
+                    LoadedConfig::default()
                 });
                 state.add(origin, loaded, &self.overrides)
             }
@@ -242,8 +245,13 @@ impl Configs {
 }
 
 impl State {
-    fn add(&mut self, origin: Origin, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
-        let Loaded {
+    fn add(
+        &mut self,
+        origin: Origin,
+        loaded: LoadedConfig,
+        overrides: &Overrides,
+    ) -> Arc<Settings> {
+        let LoadedConfig {
             mut config,
             mut warnings,
         } = loaded;
@@ -266,16 +274,18 @@ impl State {
 
 /// Names in a configuration that mean no rule.
 fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
-    let warning = |mention: &Mention| {
+    let warning = |mention: &ConfigMention| {
         let name = mention.text.as_str();
         let (kind, near) = match mention.kind {
-            MentionKind::Threshold if THRESHOLDS.iter().all(|threshold| threshold.name != name) => {
+            ConfigMentionKind::Threshold
+                if THRESHOLDS.iter().all(|threshold| threshold.name != name) =>
+            {
                 (
                     "threshold of a rule",
                     nearest(name, THRESHOLDS.iter().map(|t| t.name)),
                 )
             }
-            MentionKind::Rule if name != "ALL" && find(name).next().is_none() => {
+            ConfigMentionKind::Rule if name != "ALL" && find(name).next().is_none() => {
                 ("rule", nearest_selector(name))
             }
             _ => return None,
@@ -291,13 +301,13 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
 }
 
 /// None switches off.
-fn severity(level: Level) -> Option<Severity> {
+fn severity(level: RuleLevel) -> Option<Severity> {
     match level {
-        Level::Off => None,
-        Level::Hint => Some(Severity::Hint),
-        Level::Info => Some(Severity::Info),
-        Level::Warning => Some(Severity::Warning),
-        Level::Error => Some(Severity::Error),
+        RuleLevel::Off => None,
+        RuleLevel::Hint => Some(Severity::Hint),
+        RuleLevel::Info => Some(Severity::Info),
+        RuleLevel::Warning => Some(Severity::Warning),
+        RuleLevel::Error => Some(Severity::Error),
     }
 }
 

@@ -13,7 +13,7 @@ use super::session::Session;
 use super::walk::is_launch;
 use base::{CancelFlag, FastSet, Span, TextRange};
 use rules::{Finding, Severity, launched_file_not_found, unknown_launch_argument};
-use workspace::launch::{Argument, Call};
+use workspace::launch::{CallArgument, LaunchCall};
 use workspace::{RobotCall, has_name, nearest};
 
 /// Descriptions that are read for the arguments of one robot.
@@ -253,7 +253,7 @@ impl Session {
     }
 
     /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
-    fn is_used_otherwise(&self, call: &Call, name: &str) -> bool {
+    fn is_used_otherwise(&self, call: &LaunchCall, name: &str) -> bool {
         let Ok(file) = self.vfs.text(&call.caller) else {
             return false;
         };
@@ -315,7 +315,7 @@ impl Session {
     }
 
     /// Where a call writes the name of an argument; else where the call stands.
-    pub(super) fn place_of(&self, call: &Call, argument: &Argument) -> Span {
+    pub(super) fn place_of(&self, call: &LaunchCall, argument: &CallArgument) -> Span {
         let whole = || Span {
             file: self.vfs.file_id(&call.caller),
             range: call.range,
@@ -324,7 +324,7 @@ impl Session {
     }
 
     /// Where a call writes the name of an argument, as far as its text tells.
-    pub(super) fn spelled(&self, call: &Call, argument: &Argument) -> Option<Span> {
+    pub(super) fn spelled(&self, call: &LaunchCall, argument: &CallArgument) -> Option<Span> {
         let file = self.vfs.file_id(&call.caller);
         let text = self.vfs.text(&call.caller);
         let text = text.as_ref().map_or("", |file| &*file.text);
@@ -400,11 +400,11 @@ fn whole(text: &str, form: &str) -> Option<usize> {
     })
 }
 
-fn place(call: &Call) -> (&Path, u32, u32) {
+fn place(call: &LaunchCall) -> (&Path, u32, u32) {
     (&call.caller, call.range.start, call.range.end)
 }
 
-fn order(call: &Call) -> impl Ord + use<'_> {
+fn order(call: &LaunchCall) -> impl Ord + use<'_> {
     (place(call), &call.through)
 }
 

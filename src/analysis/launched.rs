@@ -12,7 +12,7 @@ use base::limits::CALL_RUNS;
 use base::{FastMap, FastSet, Span};
 use rules::{Finding, missing_launch_argument};
 use workspace::RobotCall;
-use workspace::config::Args;
+use workspace::config::XacroArgs;
 
 /// One way in which launch files call a robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub(super) struct Launched {
     /// The name of the launch file that is started, with a number from its second call on.
     pub name: String,
     /// All arguments.
-    pub args: Args,
+    pub args: XacroArgs,
     /// Where the launch files make these calls.
     pub calls: Vec<Span>,
 }
@@ -97,8 +97,8 @@ impl Session {
     }
 
     /// The arguments of a call, where all of them are known.
-    fn known_args(&self, call: &RobotCall) -> Option<Args> {
-        let value = |argument: &workspace::launch::Argument| {
+    fn known_args(&self, call: &RobotCall) -> Option<XacroArgs> {
+        let value = |argument: &workspace::launch::CallArgument| {
             let value = argument.value.value(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         };
@@ -235,11 +235,11 @@ fn is_not_given(finding: &Finding) -> bool {
 }
 
 /// Whether two lists give the same arguments the same values.
-fn same(a: &Args, b: &Args) -> bool {
+fn same(a: &XacroArgs, b: &XacroArgs) -> bool {
     by_name(a) == by_name(b)
 }
 
-fn by_name(args: &Args) -> BTreeMap<&str, &str> {
+fn by_name(args: &XacroArgs) -> BTreeMap<&str, &str> {
     let args = args.iter();
     args.map(|(name, value)| (name.as_str(), value.as_str()))
         .collect()

@@ -10,7 +10,7 @@ use expand::ProblemKind;
 use model::{Joint, Robot};
 use rules::{Category, Edit, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
-use workspace::{Caller, Era, Target};
+use workspace::{Caller, Era, RosVersion};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 17] = [
@@ -225,7 +225,7 @@ impl Session {
             Era::Melodic if self.is_for_old_ros(file) => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
             // to read all pages takes longer than to expand the robot
-            Era::Any if self.packages.generation(file) == Some(Target::Ros2) => None,
+            Era::Any if self.packages.generation(file) == Some(RosVersion::Ros2) => None,
             Era::Any => self.is_for_old_ros(file).then_some(Severity::Info),
         }
     }

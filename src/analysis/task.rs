@@ -3,7 +3,7 @@ use std::path::PathBuf;
 
 use super::root_choice::RootChoice;
 use base::Span;
-use workspace::config::Args;
+use workspace::config::XacroArgs;
 
 /// Why a file is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -26,7 +26,7 @@ pub(super) struct Job {
     /// What the file is expanded for.
     pub(super) reason: Reason,
     /// Arguments; later ones win.
-    pub(super) args: Args,
+    pub(super) args: XacroArgs,
     /// Name of the preset.
     pub(super) preset: Option<String>,
     /// The calls in launch files that it is made for.
@@ -35,7 +35,7 @@ pub(super) struct Job {
 
 impl Job {
     /// A file with arguments.
-    pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
+    pub(super) fn new(file: PathBuf, reason: Reason, args: XacroArgs) -> Self {
         Self {
             file,
             reason,

@@ -6,7 +6,7 @@ use super::task::Job;
 use expand::ProblemKind;
 use rules::{Finding, Rule, Severity, named};
 use vfs::without_parents;
-use workspace::{RobotCall, Target};
+use workspace::{RobotCall, RosVersion};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
@@ -66,7 +66,7 @@ impl Session {
     fn is_for_ament(&self, file: &Path) -> bool {
         let package = self.packages.containing(file);
         let manifest = package.map(|package| self.vfs.text(&package.folder.join("package.xml")));
-        self.packages.generation(file) == Some(Target::Ros2)
+        self.packages.generation(file) == Some(RosVersion::Ros2)
             && manifest
                 .is_some_and(|manifest| manifest.is_ok_and(|file| file.text.contains("ament_")))
     }

@@ -13,7 +13,7 @@ use super::yaml_value::file_value;
 use base::TextRange;
 use expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
 use vfs::{LoadError, LoadErrorKind, YamlFile};
-use yaml::{Kind, Node, YamlError};
+use yaml::{YamlError, YamlKind, YamlNode};
 
 /// The host of one expression.
 pub(super) struct ExprHost<'m, 'w, 't> {
@@ -249,8 +249,8 @@ impl ExprHost<'_, '_, '_> {
 
 /// Whether a loaded file is one bare text, as any key, token or table of passwords reads as YAML; or none that can be
 /// loaded, where the error may quote it.
-fn is_telling(value: &Result<Node, YamlError>) -> bool {
-    !matches!(value, Ok(node) if !matches!(node.kind, Kind::Str(_)))
+fn is_telling(value: &Result<YamlNode, YamlError>) -> bool {
+    !matches!(value, Ok(node) if !matches!(node.kind, YamlKind::Str(_)))
 }
 
 /// Why such a file is not loaded from outside of the robot. Its text is not quoted: the message may stand in a public log.

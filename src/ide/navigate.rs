@@ -11,7 +11,7 @@ use super::names::{Target, definition_of};
 use super::paths::{FileKind, FileTarget, file_name_at, file_names};
 use base::TextRange;
 use expand::{DefinitionId, SymbolKind, Written};
-use expr::Token;
+use expr::TemplateToken;
 use expr::ast::{Const, Expr, ExprKind};
 use rules::RuleEnv;
 
@@ -146,7 +146,7 @@ impl Loaded {
             return None;
         };
         // with a package in it, the code is put together when it is evaluated
-        let Token::Expr { inner: range, .. } = token else {
+        let TemplateToken::Expr { inner: range, .. } = token else {
             return None;
         };
         let code = range.slice(&text.text).trim();
@@ -175,10 +175,10 @@ impl Loaded {
         let mut node = file.value.as_ref().ok()?;
         let mut range = TextRange::default();
         for key in &self.keys {
-            let yaml::Kind::Map(entries) = &node.kind else {
+            let yaml::YamlKind::Map(entries) = &node.kind else {
                 return None;
             };
-            let is_it = |(name, _): &&(yaml::Node, yaml::Node)| matches!(&name.kind, yaml::Kind::Str(name) if name == key);
+            let is_it = |(name, _): &&(yaml::YamlNode, yaml::YamlNode)| matches!(&name.kind, yaml::YamlKind::Str(name) if name == key);
             let (name, value) = entries.iter().find(is_it)?;
             (range, node) = (name.range, value);
         }

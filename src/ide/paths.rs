@@ -8,7 +8,7 @@ use super::expressions::ExprText;
 use super::locate::{At, Part};
 use super::values::{distinct, instances};
 use base::TextRange;
-use expr::{self, Subst, Token, Value, WordKind, display, parse_substitution, words};
+use expr::{self, Subst, TemplateToken, Value, WordKind, display, parse_substitution, words};
 use rules::RuleEnv;
 use workspace::UriOutcome;
 use xml::{Attr, Node, NodeKind};
@@ -200,8 +200,13 @@ fn resource(
 }
 
 /// The name that `load_yaml` reads in an expression.
-fn yaml(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, token: &Token) -> Option<FileName> {
-    let Token::Expr { inner, .. } = token else {
+fn yaml(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    text: &ExprText<'_>,
+    token: &TemplateToken,
+) -> Option<FileName> {
+    let TemplateToken::Expr { inner, .. } = token else {
         return None;
     };
     let range = loaded_name(inner.slice(&text.text))?.shift(inner.start);
@@ -243,8 +248,8 @@ fn folded(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, part: TextRange)
     for token in &template.tokens {
         let range = token.range().shift(part.start);
         match token {
-            Token::Text(_) => out.push_str(range.slice(&text.text)),
-            Token::Expr { .. } | Token::Subst { .. } => {
+            TemplateToken::Text(_) => out.push_str(range.slice(&text.text)),
+            TemplateToken::Expr { .. } | TemplateToken::Subst { .. } => {
                 let values = instances(cx, text.range(range));
                 let values = distinct(values.iter().map(|instance| &instance.value));
                 match values.as_slice() {

@@ -9,7 +9,7 @@ use ecow::EcoString;
 
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
 use expand::{FrameKind, Origin, SourceRange, blamed_argument};
-use expr::Token;
+use expr::TemplateToken;
 use model::Text;
 use vfs::SourceFile;
 
@@ -125,7 +125,7 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
     let (mut at, mut open) = (of.start, None);
     for (number, token) in tokens.iter().enumerate() {
         match token {
-            Token::Text(literal) => {
+            TemplateToken::Text(literal) => {
                 let (literal, rest) = (literal.slice(raw), value.get(at as usize..)?);
                 let is_last = number + 1 == tokens.len();
                 let found = if is_last {
@@ -144,7 +144,7 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
                 at += literal.len() as u32;
             }
             // where one expression follows another, nothing says where it begins
-            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
+            TemplateToken::Expr { .. } | TemplateToken::Subst { .. } if open.is_none() => {
                 open = Some(token.range().shift(start));
             }
             _ => return None,

@@ -3,7 +3,7 @@
 use super::locate::{Part, locate};
 use base::TextRange;
 use base::limits::SELECTIONS;
-use expr::{self, Token};
+use expr::{self, TemplateToken};
 use xml::{Document, Node};
 
 /// The ranges around an offset, the smallest first; each holds the one in front of it.
@@ -73,7 +73,7 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
     else {
         return;
     };
-    if let Token::Expr {
+    if let TemplateToken::Expr {
         inner,
         code: expr::Code::Static(parsed),
         ..
@@ -102,6 +102,6 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
     ranges.push(token.range().shift(start));
 }
 
-fn is_text(token: &Token) -> bool {
-    matches!(token, Token::Text(_) | Token::Escape(_))
+fn is_text(token: &TemplateToken) -> bool {
+    matches!(token, TemplateToken::Text(_) | TemplateToken::Escape(_))
 }

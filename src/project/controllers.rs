@@ -3,7 +3,7 @@
 use ecow::EcoString;
 
 use super::value::{Named, entries, get, text};
-use yaml::{Kind, Node};
+use yaml::{YamlKind, YamlNode};
 
 /// The parameters of one controller.
 #[derive(Clone, Debug)]
@@ -85,11 +85,11 @@ impl Controller {
 const DEPTH: u32 = 4;
 
 /// Add the controllers below a node, and those that controller managers list.
-pub(super) fn read(node: &Node, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
+pub(super) fn read(node: &YamlNode, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
     below(node, DEPTH, listed, found);
 }
 
-fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
+fn below(node: &YamlNode, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
     for (key, value) in entries(node) {
         let name = Named {
             name: key.name.rsplit('/').next().unwrap_or_default().into(),
@@ -106,7 +106,7 @@ fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Cont
 }
 
 /// `type: position_controllers/JointTrajectoryController`
-fn is_ros1(node: &Node) -> bool {
+fn is_ros1(node: &YamlNode) -> bool {
     text(node, "type").is_some_and(|class| {
         let mut parts = class.name.split('/');
         parts
@@ -116,7 +116,7 @@ fn is_ros1(node: &Node) -> bool {
     })
 }
 
-fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
+fn manager(parameters: &YamlNode, listed: &mut Vec<Listed>) {
     let with_class = entries(parameters).filter_map(|(name, value)| {
         let has_file = ["params_file", "params_files"]
             .iter()
@@ -130,7 +130,7 @@ fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
     listed.extend(with_class);
 }
 
-fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {
+fn controller(name: Named, parameters: &YamlNode, is_ros2: bool) -> Option<Controller> {
     let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
     let named = entries(parameters).filter(|(key, _)| may_hold_joints(&key.name));
     let joints = named.flat_map(|(key, value)| {
@@ -138,7 +138,7 @@ fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controlle
             .into_iter()
             .map(move |name| (key.name.clone(), name))
     });
-    let is_map = matches!(parameters.kind, Kind::Map(_));
+    let is_map = matches!(parameters.kind, YamlKind::Map(_));
     is_map.then(|| Controller {
         class: text(parameters, "type"),
         joints: joints.collect(),

@@ -4,7 +4,7 @@ use super::controllers::{self, Controller, Listed};
 use super::moveit::{self, Assistant, JointLimit, MoveitController};
 use super::value::Named;
 use super::{Kind, is_computed};
-use yaml::Node;
+use yaml::YamlNode;
 
 /// What a YAML file says about links, joints and groups of a robot; everything in the order of the text.
 #[derive(Clone, Debug, Default)]
@@ -61,7 +61,7 @@ fn has_repeated(text: &str) -> bool {
 
 impl Settings {
     /// The settings in a text, with its value. The parameters in several blocks of one name are those of all blocks.
-    pub fn read(text: &str, root: &Node) -> Option<Self> {
+    pub fn read(text: &str, root: &YamlNode) -> Option<Self> {
         match has_repeated(text) {
             true => Self::of(&yaml::load_repeated(text, "").ok()?),
             false => Self::of(root),
@@ -69,7 +69,7 @@ impl Settings {
     }
 
     /// The settings in a YAML document; none when it says nothing about a robot.
-    pub fn of(root: &Node) -> Option<Self> {
+    pub fn of(root: &YamlNode) -> Option<Self> {
         let mut settings = Self {
             moveit: moveit::controllers(root),
             limits: moveit::limits(root),

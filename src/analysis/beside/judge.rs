@@ -18,7 +18,7 @@ use rules::{
     Chosen, Content, Finding, Names, Offered, PairedRobot, Place, all, check_beside,
     has_ignored_tags, is_semantic_name, is_whole,
 };
-use workspace::Target;
+use workspace::RosVersion;
 use xml::Node;
 
 /// What a comparison of files with their robots gave.
@@ -214,7 +214,7 @@ impl Session {
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
         let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
         let has_controllers = matches!(own.content(), Content::Settings(settings) if !settings.controllers.is_empty());
-        let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
+        let is_ros2 = self.packages.generation(&own.path) == Some(RosVersion::Ros2);
         let cx = rules::BesideCx::new(
             (own.file, own.content(), expansion),
             &robots,

@@ -11,7 +11,7 @@ use expand::{Expansion, Forced, Request, World, expand};
 use model::Robot;
 use rules::Names;
 use vfs::Environment;
-use workspace::config::Args;
+use workspace::config::XacroArgs;
 
 /// Arguments of a robot that are turned over.
 const MOST_SWITCHES: usize = 8;
@@ -50,7 +50,7 @@ impl Session {
         // one package may hold the settings of several robots, which its launch files make of one description
         let called = self.called_otherwise(&analyzed.root).into_iter();
         let called = called.flat_map(|args| {
-            let with_turned: Args = args.iter().chain(&switches).cloned().collect();
+            let with_turned: XacroArgs = args.iter().chain(&switches).cloned().collect();
             [args, with_turned]
         });
         for more in single
@@ -73,14 +73,14 @@ impl Session {
 
     /// The arguments with which launch files call a description, as far as they are known, and none: what a setup assistant was
     /// given is one robot of several then.
-    fn called_otherwise(&self, root: &RootChoice) -> Vec<Args> {
-        let mut found: Vec<Args> = Vec::new();
+    fn called_otherwise(&self, root: &RootChoice) -> Vec<XacroArgs> {
+        let mut found: Vec<XacroArgs> = Vec::new();
         for call in self.robot_calls(&root.file).iter() {
             let known = call.call.args.iter().filter_map(|argument| {
                 let value = argument.value.value(&self.packages, &call.call.caller)?;
                 Some((argument.name.clone(), value))
             });
-            let known: Args = known.collect();
+            let known: XacroArgs = known.collect();
             let is_own = call.target.as_deref() == Some(&*root.file);
             if is_own && !known.is_empty() && !found.contains(&known) {
                 found.push(known);

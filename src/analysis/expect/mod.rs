@@ -25,7 +25,7 @@ use base::limits::MATRIX_RUNS;
 use base::{FastMap, FastSet, Span};
 use expand::large_stacks;
 use rules::{Activation, Category, Check, Finding, Rule, Severity};
-use workspace::config::{Axes, ConfigWarning, Place};
+use workspace::config::{Axes, ConfigLocation, ConfigWarning};
 
 /// What failed expectations are reported as. It is in no list of rules: nothing selects it.
 static RULE: Rule = Rule {
@@ -199,7 +199,7 @@ impl Session {
     /// Expectations that apply to none of the robots they are made for: a value in `when` is probably wrong.
     fn never_applied(&self, cases: &[Case], ran: &[Ran]) -> Vec<Ran> {
         let mut applied: FastMap<(PathBuf, u32), bool> = FastMap::default();
-        let mut places: Vec<(&Place, &Axes)> = Vec::new();
+        let mut places: Vec<(&ConfigLocation, &Axes)> = Vec::new();
         for (case, ran) in cases.iter().zip(ran) {
             for (number, expected) in case.expectations().iter().enumerate() {
                 let key = (expected.place.path.clone(), expected.place.range.start);
@@ -232,7 +232,7 @@ impl Session {
         unused.collect()
     }
 
-    fn span_of_place(&self, place: &Place) -> Span {
+    fn span_of_place(&self, place: &ConfigLocation) -> Span {
         Span {
             file: self.vfs.file_id(&place.path),
             range: place.range,
@@ -304,7 +304,7 @@ impl Session {
     }
 }
 
-fn warning(place: &Place, message: String) -> ConfigWarning {
+fn warning(place: &ConfigLocation, message: String) -> ConfigWarning {
     ConfigWarning {
         place: place.clone(),
         message,

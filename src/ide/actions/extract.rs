@@ -4,7 +4,7 @@ use super::place::{before, top_level};
 use super::{Action, ActionKind, edit};
 use crate::{At, Cx, Part, locate};
 use base::TextRange;
-use expr::{Code, Token, WordKind, is_identifier, split, words};
+use expr::{Code, TemplateToken, WordKind, is_identifier, split, words};
 use facts::{FactKind, facts};
 use vfs::SourceFile;
 use xml::Attr;
@@ -162,15 +162,15 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
 fn in_expression(text: &str, offset: usize) -> Option<bool> {
     let offset = u32::try_from(offset).ok()?;
     let template = split(text);
-    let is_broken = |token: &Token| matches!(token, Token::Expr { code: Code::Static(parsed), .. } if !parsed.errors.is_empty());
+    let is_broken = |token: &TemplateToken| matches!(token, TemplateToken::Expr { code: Code::Static(parsed), .. } if !parsed.errors.is_empty());
     if template.tokens.iter().any(is_broken) {
         return None;
     }
     let mut tokens = template.tokens.iter();
     let token = tokens.find(|token| holds(token.range(), offset));
     match token {
-        None | Some(Token::Text(_)) => Some(false),
-        Some(Token::Expr {
+        None | Some(TemplateToken::Text(_)) => Some(false),
+        Some(TemplateToken::Expr {
             inner,
             code: Code::Static(_),
             ..

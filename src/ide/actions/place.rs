@@ -4,7 +4,7 @@ use crate::{At, format_range, indentation, locate};
 use base::TextRange;
 use vfs::SourceFile;
 use workspace::config::Format;
-use xml::{Document, Node, NodeKind, Part};
+use xml::{Document, DocumentPart, Node, NodeKind};
 
 /// The line end of a document.
 pub(super) fn line_end(document: &Document) -> &'static str {
@@ -52,7 +52,7 @@ pub(super) fn enclosing<'a>(
 /// tag, in front of the comments that belong to the element there.
 pub(super) fn before(document: &Document, offset: u32) -> Option<u32> {
     let place = document.item_at(offset);
-    if !matches!(place.part, Part::Item(_)) {
+    if !matches!(place.part, DocumentPart::Item(_)) {
         return first_child(document);
     }
     let element = place.item.element()?;

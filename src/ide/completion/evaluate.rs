@@ -13,7 +13,9 @@ use super::scope::{PropertyInfo, Scope};
 use crate::host::{self, Names};
 use base::FastMap;
 use expand::yaml_value;
-use expr::{self, Code, Lookup, Subst, SubstError, Template, Token, Value, display, literal};
+use expr::{
+    self, Code, Lookup, Subst, SubstError, Template, TemplateToken, Value, display, literal,
+};
 
 /// Where a property's value stands.
 struct Given {
@@ -139,32 +141,34 @@ impl<'a> Evaluator<'a> {
         let mut result = String::new();
         for token in &template.tokens {
             let value = match token {
-                Token::Text(range) | Token::Escape(range) => Value::str(range.slice(text)),
-                Token::Expr {
+                TemplateToken::Text(range) | TemplateToken::Escape(range) => {
+                    Value::str(range.slice(text))
+                }
+                TemplateToken::Expr {
                     inner,
                     code: Code::Static(_),
                     ..
                 } => self.code(inner.slice(text)),
-                Token::Expr {
+                TemplateToken::Expr {
                     code: Code::Dynamic(nested),
                     ..
                 } => match self.template(text, nested) {
                     Value::Str(code) => self.code(&code),
                     _ => Value::Unknown,
                 },
-                Token::Subst {
+                TemplateToken::Subst {
                     inner,
                     nested: None,
                     ..
                 } => self.substitution(inner.slice(text)),
-                Token::Subst {
+                TemplateToken::Subst {
                     nested: Some(nested),
                     ..
                 } => match self.template(text, nested) {
                     Value::Str(inner) => self.substitution(&inner),
                     _ => Value::Unknown,
                 },
-                Token::Invalid { .. } => Value::Unknown,
+                TemplateToken::Invalid { .. } => Value::Unknown,
             };
             if template.tokens.len() == 1 {
                 return value;

@@ -10,7 +10,7 @@ use super::substitutions;
 use crate::typed::{Cursor, Opened, Typed, Unclosed, attr_text, cursor, unclosed};
 use base::limits::COMPLETIONS;
 use expand::parse_params;
-use expr::{SymbolKind, Value, display, global_symbols};
+use expr::{BuiltinKind, Value, display, global_symbols};
 
 /// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
 pub(super) fn expression(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<Completions> {
@@ -260,9 +260,9 @@ pub(super) fn show_values(scope: &Scope<'_>, offset: u32, items: &mut [Completio
 fn global(symbol: &expr::GlobalSymbol) -> Completion {
     let module = symbol.namespace.map_or("", expr::Module::name).to_owned();
     let (kind, rank) = match symbol.kind {
-        SymbolKind::Constant => (ItemKind::Constant, 4),
-        SymbolKind::Function | SymbolKind::Type => (ItemKind::Function, 4),
-        SymbolKind::Namespace => (ItemKind::Module, 3),
+        BuiltinKind::Constant => (ItemKind::Constant, 4),
+        BuiltinKind::Function | BuiltinKind::Type => (ItemKind::Function, 4),
+        BuiltinKind::Namespace => (ItemKind::Module, 3),
     };
     let item = Completion::new(kind, symbol.name)
         .detail(symbol.doc)
@@ -272,10 +272,10 @@ fn global(symbol: &expr::GlobalSymbol) -> Completion {
             name: symbol.name.to_owned(),
         });
     match symbol.kind {
-        SymbolKind::Function | SymbolKind::Type => item
+        BuiltinKind::Function | BuiltinKind::Type => item
             .note(format!("({})", symbol.params))
             .snippet(format!("{}($1)$0", symbol.name)),
-        SymbolKind::Constant => {
+        BuiltinKind::Constant => {
             let value = expr::global_symbol(symbol.name);
             item.note(
                 value
@@ -284,6 +284,6 @@ fn global(symbol: &expr::GlobalSymbol) -> Completion {
                     .unwrap_or_default(),
             )
         }
-        SymbolKind::Namespace => item,
+        BuiltinKind::Namespace => item,
     }
 }

@@ -11,7 +11,7 @@ use super::members::is_word;
 use super::scope::{MacroInfo, Scope, macro_around, macro_at};
 use crate::typed::Typed;
 use base::FastMap;
-use expr::Token;
+use expr::TemplateToken;
 use facts::{Fact, FactKind, facts_of};
 use xml::{Entities, Item, Node};
 
@@ -152,7 +152,7 @@ fn own_properties(item: &Arc<Item>, of: xml::NodeId) -> impl Iterator<Item = Eco
 fn spelled(text: &str, given: &Given) -> Option<EcoString> {
     let mut found = EcoString::new();
     for token in expr::split(text).tokens {
-        let Token::Expr { range, inner, .. } = &token else {
+        let TemplateToken::Expr { range, inner, .. } = &token else {
             found.push_str(token.range().slice(text));
             continue;
         };

@@ -8,7 +8,7 @@ use super::scope::Scope;
 use crate::typed::Typed;
 use base::FastSet;
 use expand::{BindingKind, Expansion};
-use expr::{Token, display};
+use expr::{TemplateToken, display};
 use facts::FactKind;
 use model::Text;
 use xml::Node;
@@ -80,7 +80,7 @@ fn reference(node: Node<'_>, kind: ItemKind) -> Option<xml::Attr<'_>> {
 fn lead(text: &str) -> &str {
     let tokens = expr::split(text).tokens;
     let computed = tokens.iter().filter_map(|token| match token {
-        Token::Expr { range, .. } | Token::Subst { range, .. } => Some(range.end),
+        TemplateToken::Expr { range, .. } | TemplateToken::Subst { range, .. } => Some(range.end),
         _ => None,
     });
     text.get(..computed.max().unwrap_or(0) as usize)

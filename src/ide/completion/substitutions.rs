@@ -3,7 +3,7 @@
 use super::item::{Completion, Completions, ItemKind};
 use super::scope::Scope;
 use crate::typed::Typed;
-use workspace::{Entry, PackageSource};
+use workspace::{PackageEntry, PackageSource};
 
 /// The commands, what each needs, and what it gives.
 const COMMANDS: &[(&str, &str, &str)] = &[
@@ -126,7 +126,7 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
         .collect()
 }
 
-fn has(packages: &[Entry], name: &str) -> bool {
+fn has(packages: &[PackageEntry], name: &str) -> bool {
     packages.iter().any(|entry| entry.name == name)
 }
 

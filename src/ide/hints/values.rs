@@ -6,7 +6,7 @@ use crate::expressions::{ExprText, parsed};
 use crate::schema;
 use crate::values::{cut, distinct, instances, short};
 use base::{Encoding, LineCol, TextRange};
-use expr::{self, Code, Subst, Token, Value, parse_substitution};
+use expr::{self, Code, Subst, TemplateToken, Value, parse_substitution};
 use xml::{Attr, Document, Node};
 
 /// The values of a file, collected.
@@ -165,17 +165,17 @@ fn joined(values: &[Found]) -> String {
 }
 
 /// What stands in front of the value; none for tokens without one, and for expressions without names.
-fn arrow(text: &ExprText<'_>, token: &Token) -> Option<&'static str> {
+fn arrow(text: &ExprText<'_>, token: &TemplateToken) -> Option<&'static str> {
     match token {
-        Token::Expr {
+        TemplateToken::Expr {
             code: Code::Static(_),
             ..
         } => {
             let has_names = parsed(token).is_some_and(|(expr, _)| !expr::names(expr).is_empty());
             has_names.then_some("= ")
         }
-        Token::Expr { .. } => Some("= "),
-        Token::Subst {
+        TemplateToken::Expr { .. } => Some("= "),
+        TemplateToken::Subst {
             inner,
             nested: None,
             ..
@@ -190,9 +190,9 @@ fn arrow(text: &ExprText<'_>, token: &Token) -> Option<&'static str> {
 }
 
 /// Whether a reader knows the value, or sees it passed on as it is.
-fn is_evident(text: &ExprText<'_>, token: &Token, around: Around) -> bool {
+fn is_evident(text: &ExprText<'_>, token: &TemplateToken, around: Around) -> bool {
     const CONSTANTS: [&str; 6] = ["pi", "math.pi", "-pi", "pi/2", "-pi/2", "tau"];
-    let Token::Expr { inner, .. } = token else {
+    let TemplateToken::Expr { inner, .. } = token else {
         return false;
     };
     let written = inner.slice(&text.text).replace(' ', "");

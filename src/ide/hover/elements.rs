@@ -7,7 +7,7 @@ use super::super::schema;
 use super::super::values::{distinct, instances};
 use super::page::{Page, code};
 use base::TextRange;
-use expr::{Token, Value, literal};
+use expr::{TemplateToken, Value, literal};
 use rules::is_semantic_file;
 use rules::schema::{AttributeKind, AttributeSpec, ElementSpec, robot, semantic_robot};
 use xml::{Attr, Node};
@@ -269,7 +269,8 @@ pub(in super::super) fn condition(
             text.text.as_ref().into(),
         ))]);
     }
-    let [token @ (Token::Expr { .. } | Token::Subst { .. })] = text.template.tokens.as_slice()
+    let [token @ (TemplateToken::Expr { .. } | TemplateToken::Subst { .. })] =
+        text.template.tokens.as_slice()
     else {
         return None;
     };

@@ -9,7 +9,7 @@ use super::{files, numbers, symbols};
 use base::{TextRange, counted};
 use expand::{FrameId, FrameKind, Origin};
 use expr::ast::{Expr, ExprKind};
-use expr::{Token, Value, display, global_symbols};
+use expr::{TemplateToken, Value, display, global_symbols};
 use rules::RuleEnv;
 
 /// Most characters of a value.
@@ -69,7 +69,7 @@ pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
     let token = text.token_at(at.offset)?;
     let range = text.range(token.range());
     let source = match token {
-        Token::Expr { inner, .. } => inner.slice(&text.text),
+        TemplateToken::Expr { inner, .. } => inner.slice(&text.text),
         other => other.range().slice(&text.text),
     };
     Some(valued(cx, at, source.trim(), &instances(cx, range)))
@@ -255,7 +255,7 @@ pub(super) fn function(path: &[&Expr]) -> Option<Page> {
     })?;
     if symbol.params.is_empty()
         && symbol.namespace.is_none()
-        && symbol.kind == expr::SymbolKind::Constant
+        && symbol.kind == expr::BuiltinKind::Constant
     {
         return None;
     }

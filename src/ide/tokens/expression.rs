@@ -3,7 +3,7 @@
 use super::super::expressions::ExprText;
 use super::{Collector, Modifiers, TokenKind};
 use base::TextRange;
-use expr::{Code, Subst, Template, Token, WordKind, parse_substitution, words};
+use expr::{Code, Subst, Template, TemplateToken, WordKind, parse_substitution, words};
 use xml::Node;
 
 const PLAIN: Modifiers = Modifiers(0);
@@ -24,7 +24,7 @@ impl Collector<'_> {
     ) {
         let site = Site { text, node };
         for token in &text.template.tokens {
-            if let (Token::Text(range), Some((kind, modifiers))) = (token, plain) {
+            if let (TemplateToken::Text(range), Some((kind, modifiers))) = (token, plain) {
                 self.add(text.range(*range), kind, modifiers);
             }
         }
@@ -34,7 +34,7 @@ impl Collector<'_> {
     fn tokens_of(&mut self, site: &Site<'_, '_>, template: &Template) {
         for token in &template.tokens {
             match token {
-                Token::Expr { range, inner, code } => {
+                TemplateToken::Expr { range, inner, code } => {
                     self.brackets(site, *range, *inner);
                     let nested = match code {
                         Code::Dynamic(nested) => {
@@ -42,15 +42,16 @@ impl Collector<'_> {
                             nested
                                 .tokens
                                 .iter()
-                                .filter(|token| !matches!(token, Token::Text(_)))
+                                .filter(|token| !matches!(token, TemplateToken::Text(_)))
                                 .collect()
                         }
                         Code::Static(_) => Vec::new(),
                     };
-                    let holes: Vec<TextRange> = nested.into_iter().map(Token::range).collect();
+                    let holes: Vec<TextRange> =
+                        nested.into_iter().map(TemplateToken::range).collect();
                     self.words(site, *inner, &holes, false);
                 }
-                Token::Subst {
+                TemplateToken::Subst {
                     range,
                     inner,
                     nested,
@@ -62,7 +63,7 @@ impl Collector<'_> {
                     }
                 }
                 // half-typed: what stands behind `${` is an expression all the same
-                Token::Invalid {
+                TemplateToken::Invalid {
                     range,
                     unclosed: Some("${"),
                 } => {

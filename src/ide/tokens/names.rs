@@ -4,7 +4,7 @@ use super::super::context::Cx;
 use super::{Modifiers, TokenKind};
 use base::{FastMap, FastSet, TextRange};
 use expand::SymbolKind;
-use expr::{SymbolKind as GlobalKind, global_symbols};
+use expr::{BuiltinKind as GlobalKind, global_symbols};
 use xml::Node;
 
 /// The names of a file that expansion came by, and those that all expressions know.

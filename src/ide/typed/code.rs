@@ -2,7 +2,7 @@
 //! the lexer, so that quotes, escapes and brackets mean here what they mean when the expression is evaluated.
 
 use base::TextRange;
-use expr::{Token, WordKind, split, words};
+use expr::{TemplateToken, WordKind, split, words};
 
 /// Brackets of `${…}` and `$(…)` that are open inside of each other and that are looked into.
 const MOST_NESTED: usize = 8;
@@ -25,11 +25,11 @@ pub fn unclosed(text: &str) -> Option<Unclosed<'_>> {
     for _ in 0..MOST_NESTED {
         let rest = text.get(start..)?;
         match split(rest).tokens.last() {
-            Some(Token::Text(_)) if rest.ends_with('$') => {
+            Some(TemplateToken::Text(_)) if rest.ends_with('$') => {
                 return Some(Unclosed::Dollar);
             }
             // what is open inside is what is typed: `${xacro.load_yaml('$(find `
-            Some(Token::Invalid {
+            Some(TemplateToken::Invalid {
                 range,
                 unclosed: Some(lead),
             }) => {
@@ -37,7 +37,7 @@ pub fn unclosed(text: &str) -> Option<Unclosed<'_>> {
                 found = Some(of_bracket(lead, text.get(start..)?));
             }
             // `$$`, which the reference refuses: what is typed behind it can be helped all the same
-            Some(Token::Invalid {
+            Some(TemplateToken::Invalid {
                 range,
                 unclosed: None,
             }) => {

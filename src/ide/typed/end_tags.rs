@@ -1,6 +1,6 @@
 //! End tags that are missing, and those that are too many.
 
-use xml::{Document, Node, NodeKind, Part};
+use xml::{Document, DocumentPart, Node, NodeKind};
 
 /// Whether an element of the document has an end tag, and one of its own name.
 pub fn has_end_tag(document: &Document, node: Node<'_>) -> bool {
@@ -102,7 +102,7 @@ fn behind_item(document: &Document, end: u32, name: &str) -> Next {
     }
     let root = document
         .root_end_tag()
-        .filter(|_| place.part == Part::Footer);
+        .filter(|_| place.part == DocumentPart::Footer);
     let is_named = document.root().is_some_and(|root| root.name() == name);
     match root {
         Some(tag) if is_named => Next::EndTag(tag.start),

@@ -6,7 +6,7 @@
 use super::Typing;
 use super::tag::{Tag, has_bracket};
 use base::TextRange;
-use xml::{Document, Item, Node, NodeKind, Part};
+use xml::{Document, DocumentPart, Item, Node, NodeKind};
 
 /// What is typed, and where that begins in the document.
 pub(super) struct Found<'a> {
@@ -21,7 +21,7 @@ pub(super) struct Found<'a> {
 
 /// A place in an item, and the last node that begins in front of it.
 pub(super) struct Spot<'a> {
-    pub part: Part,
+    pub part: DocumentPart,
     pub base: u32,
     pub item: &'a Item,
     pub inside: u32,
@@ -128,7 +128,7 @@ fn is_open(node: Node<'_>, inside: u32) -> bool {
 /// The elements whose content is around an offset, the outermost first.
 pub(super) fn open_at<'a>(document: &'a Document, offset: u32) -> Vec<Node<'a>> {
     let spot = Spot::of(document, offset);
-    let in_header = spot.part == Part::Header;
+    let in_header = spot.part == DocumentPart::Header;
     let is_root_open = |root: &Node<'_>| {
         let tag = root.start_tag_range();
         !root.is_self_closing() && tag.end <= offset && (!in_header || has_bracket(*root))

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
 use model::Text;
-use workspace::Target;
+use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL018",
@@ -19,7 +19,7 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if cx.world.config.target != Target::Ros2 {
+    if cx.world.config.target != RosVersion::Ros2 {
         return;
     }
     let tree = &cx.expansion.tree;

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use model::Text;
-use workspace::{Target, misspelled};
+use workspace::{RosVersion, misspelled};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL012",
@@ -31,7 +31,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
         // nothing in ROS 2 reads these elements: what resembles no joint is left over from ROS 1
-        Some(Target::Ros2) => {
+        Some(RosVersion::Ros2) => {
             let is_slip = |text: &&Text| {
                 let joints = cx.robot.joints.iter().map(|joint| joint.shown());
                 text.name()

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::Severity;
 use expand::{XId, XTree};
 use model::Text;
-use workspace::Target;
+use workspace::RosVersion;
 
 /// The text of the `type` of a transmission.
 pub(super) fn type_of(tree: &XTree, transmission: XId) -> Option<Text> {
@@ -17,7 +17,7 @@ pub(super) fn type_of(tree: &XTree, transmission: XId) -> Option<Text> {
 pub(super) fn severity(cx: &DocumentCx<'_>) -> Severity {
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     match root.and_then(|root| cx.world.packages.generation(root)) {
-        Some(Target::Ros2) => Severity::Info,
+        Some(RosVersion::Ros2) => Severity::Info,
         _ => Severity::Warning,
     }
 }

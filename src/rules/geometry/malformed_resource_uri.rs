@@ -9,7 +9,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
 use model::Text;
-use workspace::Target;
+use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO021",
@@ -105,7 +105,7 @@ fn is_of_model(cx: &DocumentCx<'_>, file: &Path) -> bool {
 }
 
 fn is_of_ros1(cx: &DocumentCx<'_>, file: &Path) -> bool {
-    cx.world.packages.generation(file) == Some(Target::Ros1)
+    cx.world.packages.generation(file) == Some(RosVersion::Ros1)
 }
 
 /// Whether a URI that is computed has spaces only in the folders above its package: it is installed elsewhere.

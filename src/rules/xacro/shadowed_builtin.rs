@@ -4,7 +4,7 @@ use super::source;
 use expand::{Expansion, Place, Problem};
 use expr::{Value, global_symbol};
 use model::decimal;
-use workspace::Target;
+use workspace::RosVersion;
 use xml::Node;
 
 pub(in super::super) static RULE: Rule = Rule::found(
@@ -38,9 +38,9 @@ const ROUGH: f64 = 1e-3;
 pub(in super::super) fn is_harmless(
     expansion: &Expansion,
     problem: &Problem,
-    generation: Option<Target>,
+    generation: Option<RosVersion>,
 ) -> bool {
-    generation == Some(Target::Ros1)
+    generation == Some(RosVersion::Ros1)
         && definition(expansion, problem)
             .is_some_and(|node| has_value(expansion, problem.place, node, ROUGH))
 }

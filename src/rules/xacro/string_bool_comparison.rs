@@ -10,7 +10,7 @@ use super::source;
 use base::{FastMap, FastSet, TextRange};
 use expand::{Definition, DefinitionId, Place, SourceRange, SymbolKind, UseKind};
 use expr::ast::{CmpOp, Const, Expr, ExprKind};
-use expr::{Code, Token, split, visit};
+use expr::{Code, TemplateToken, split, visit};
 
 pub(super) static RULE: Rule = Rule {
     code: "XAC028",
@@ -97,7 +97,7 @@ struct Comparison {
 fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
     let mut found = Vec::new();
     for token in split(text).tokens {
-        if let Token::Expr {
+        if let TemplateToken::Expr {
             inner,
             code: Code::Static(parsed),
             ..
@@ -260,7 +260,7 @@ fn is_converted_text(
     let tokens = split(text).tokens;
     match tokens.as_slice() {
         [
-            Token::Expr {
+            TemplateToken::Expr {
                 inner,
                 code: Code::Static(parsed),
                 ..
@@ -274,7 +274,7 @@ fn is_converted_text(
         }
         tokens => tokens
             .iter()
-            .all(|token| matches!(token, Token::Text(_) | Token::Subst { .. })),
+            .all(|token| matches!(token, TemplateToken::Text(_) | TemplateToken::Subst { .. })),
     }
 }
 

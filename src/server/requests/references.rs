@@ -17,7 +17,7 @@ use base::{CancelFlag, Span, TextRange};
 use expand::Read;
 use ide::{self, Cx, NameUse, RobotThing, TextNames};
 use vfs::SourceFile;
-use yaml::{Kind, Node};
+use yaml::{YamlKind, YamlNode};
 
 pub fn references(
     state: &mut State,
@@ -179,11 +179,11 @@ fn in_robot(
 }
 
 /// The places of the texts of a YAML value that are a name; keys are none.
-fn values(node: &Node, name: &str, found: &mut Vec<TextRange>) {
+fn values(node: &YamlNode, name: &str, found: &mut Vec<TextRange>) {
     match &node.kind {
-        Kind::Str(text) if *text == name => found.push(node.range),
-        Kind::List(items) => items.iter().for_each(|item| values(item, name, found)),
-        Kind::Map(entries) => entries
+        YamlKind::Str(text) if *text == name => found.push(node.range),
+        YamlKind::List(items) => items.iter().for_each(|item| values(item, name, found)),
+        YamlKind::Map(entries) => entries
             .iter()
             .for_each(|(_, value)| values(value, name, found)),
         _ => {}

@@ -38,9 +38,9 @@ use uses::{Uses, search};
 #[derive(Default)]
 pub struct Callers {
     below: Cache<PathBuf, Arc<Uses>>,
-    called: Cache<PathBuf, Arc<called::Called>>,
-    copies: Cache<PathBuf, Arc<copied::Copies>>,
-    mentions: Cache<PathBuf, Arc<mentions::Mentions>>,
+    called: Cache<PathBuf, Arc<called::LaunchCalls>>,
+    copies: Cache<PathBuf, Arc<copied::CopiedFolders>>,
+    mentions: Cache<PathBuf, Arc<mentions::TextMentions>>,
 }
 
 impl Callers {

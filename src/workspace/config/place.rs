@@ -49,7 +49,7 @@ pub fn place_at(text: &str, offset: u32) -> Option<ConfigPlace> {
     let after = text.get(offset as usize..)?;
     let end = before.len() + rest(after, quote);
     let head = before.get(..start)?;
-    let mut reader = Reader::read(head);
+    let mut reader = TomlReader::read(head);
     let (path, kind) = reader.place()?;
     let mut file = reader
         .files
@@ -109,10 +109,10 @@ pub fn is_bare(c: char) -> bool {
 fn file_below(after: &str) -> Option<String> {
     let lines = after.get(after.find('\n')?..)?;
     let end = lines.find("\n[").unwrap_or(lines.len());
-    let mut reader = Reader {
+    let mut reader = TomlReader {
         header: vec!["roots".to_owned()],
         files: vec![None],
-        ..Reader::new(lines.get(..end)?)
+        ..TomlReader::new(lines.get(..end)?)
     };
     reader.run();
     reader.files.pop().flatten()
@@ -120,7 +120,7 @@ fn file_below(after: &str) -> Option<String> {
 
 /// A table or list that is open.
 #[derive(Default)]
-struct Level {
+struct OpenTable {
     keys: Vec<String>,
     is_list: bool,
     in_value: bool,
@@ -129,18 +129,18 @@ struct Level {
 }
 
 /// Follows the events of a text to its end.
-struct Reader<'t> {
+struct TomlReader<'t> {
     text: &'t str,
     header: Vec<String>,
     open_header: Option<bool>,
-    levels: Vec<Level>,
+    levels: Vec<OpenTable>,
     /// The `file` of each entry of `roots`.
     files: Vec<Option<String>>,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> TomlReader<'t> {
     fn new(text: &'t str) -> Self {
-        let levels = vec![Level::default()];
+        let levels = vec![OpenTable::default()];
         Self {
             text,
             header: Vec::new(),
@@ -189,13 +189,13 @@ impl<'t> Reader<'t> {
                 if self.path() == ["roots"] {
                     self.files.push(None);
                 }
-                self.levels.push(Level::default());
+                self.levels.push(OpenTable::default());
             }
             EventKind::ArrayOpen => {
-                self.levels.push(Level {
+                self.levels.push(OpenTable {
                     is_list: true,
                     in_value: true,
-                    ..Level::default()
+                    ..OpenTable::default()
                 });
             }
             EventKind::InlineTableClose | EventKind::ArrayClose if self.levels.len() > 1 => {
@@ -211,9 +211,9 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn level(&mut self) -> &mut Level {
+    fn level(&mut self) -> &mut OpenTable {
         if self.levels.is_empty() {
-            self.levels.push(Level::default());
+            self.levels.push(OpenTable::default());
         }
         let last = self.levels.len() - 1;
         #[allow(clippy::indexing_slicing, reason = "there is one")]
@@ -221,7 +221,7 @@ impl<'t> Reader<'t> {
     }
 
     fn header_opens(&mut self, is_list: bool) {
-        self.levels = vec![Level::default()];
+        self.levels = vec![OpenTable::default()];
         self.header.clear();
         self.open_header = Some(is_list);
     }
