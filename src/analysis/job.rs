@@ -14,7 +14,8 @@ use super::session::Session;
 use super::task::{Job, Reason};
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{
-    Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand_again,
+    Expansion, ExpansionLimits, FileUse, Forced, FrameKind, Origin, Read, Request, Sources,
+    expand_again,
 };
 use model::Robot;
 use rules::consumers::{self, Tally};
@@ -90,8 +91,8 @@ pub(super) fn expanded(
     }
 }
 
-pub(super) fn world(session: &Session) -> World<'_> {
-    World {
+pub(super) fn world(session: &Session) -> Sources<'_> {
+    Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
@@ -106,7 +107,7 @@ pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Requ
         args: job.args.clone(),
         probe: true,
         ros_shell: true,
-        limits: Limits::configured(&settings.config.limits),
+        limits: ExpansionLimits::configured(&settings.config.limits),
         cancel: cancel.clone(),
         ..Request::default()
     }

@@ -9,15 +9,15 @@ use super::session::Session;
 use super::task::Job;
 use base::{CancelFlag, TextRange};
 use expand::{
-    Expansion, FileUse, FrameKind, Problem, ProblemKind, Read, Request, Severity, World, expand,
-    write,
+    Expansion, FileUse, FrameKind, Problem, ProblemKind, ProblemSeverity, Read, Request, Sources,
+    expand, write,
 };
 use vfs::Vfs;
 
 impl Run {
     /// Expand a robot from the files that `vfs` shows.
     fn of(session: &Session, vfs: &Vfs, cancel: &CancelFlag, job: &Job, setting: &Setting) -> Self {
-        let World { packages, env, .. } = job::world(session);
+        let Sources { packages, env, .. } = job::world(session);
         let Setting { args, forced } = setting.clone();
         let request = Request {
             probe: false,
@@ -25,7 +25,7 @@ impl Run {
             forced,
             ..job::request(session, cancel, job)
         };
-        let expansion = expand(World { vfs, packages, env }, &request);
+        let expansion = expand(Sources { vfs, packages, env }, &request);
         let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
         let texts = expansion.record.iter().filter_map(|read| match read {
             Read::File(path, hash) => Some((path.clone(), *hash)),
@@ -71,7 +71,7 @@ fn failures(expansion: &Expansion) -> Vec<(ProblemKind, PathBuf, u32)> {
     let errors = expansion
         .problems
         .iter()
-        .filter(|problem| problem.severity == Severity::Error);
+        .filter(|problem| problem.severity == ProblemSeverity::Error);
     let place = |problem: &Problem| {
         let file = expansion.files.get(problem.place.file)?;
         Some((

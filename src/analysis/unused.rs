@@ -9,7 +9,7 @@ use super::outcome::Outcome;
 use super::session::Session;
 use super::task::Reason;
 use base::{FastMap, FastSet, FileId};
-use project::{Controller, Settings};
+use project::{Controller, YamlSettings};
 use rules::{Finding, Severity, Trait, named};
 use workspace::{has_name, without_comments};
 
@@ -195,7 +195,7 @@ impl Session {
         let Some(folder) = folder else {
             return false;
         };
-        let holds = |settings: Arc<Settings>| !settings.controllers.is_empty();
+        let holds = |settings: Arc<YamlSettings>| !settings.controllers.is_empty();
         let is_own = self.is_for_manager(file) || self.beside_settings(file).is_some_and(holds);
         if !is_own || self.is_mentioned(file) {
             return false;

@@ -53,7 +53,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let errors = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == expand::Severity::Error)
+        .filter(|p| p.severity == expand::ProblemSeverity::Error)
         .count();
     if errors > 0 {
         io.line(&format!(

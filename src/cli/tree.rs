@@ -12,7 +12,7 @@ use super::options::{mappings, with_assignment};
 use super::render::{visible, visible_name};
 use super::{svg, text};
 use analysis::{CheckOptions, Session, Setup};
-use expand::{Expansion, Request, World, expand};
+use expand::{Expansion, Request, Sources, expand};
 use model::{Joint, Kinematics, Robot};
 use rules::{Category, Severity};
 use vfs::Environment;
@@ -199,7 +199,7 @@ pub(super) fn open(
 }
 
 pub(super) fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
-    let world = World {
+    let world = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
@@ -276,7 +276,7 @@ fn below<'t>(
 
 /// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
 fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
-    let text = |text: &Option<model::Text>| text.as_ref().map(|text| text.value.to_string());
+    let text = |text: &Option<model::AttrValue>| text.as_ref().map(|text| text.value.to_string());
     let links: Vec<_> = (0..tree.robot.links.len())
         .map(|link| tree.link(link))
         .collect();

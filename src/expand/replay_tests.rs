@@ -5,7 +5,7 @@
     clippy::disallowed_methods,
     clippy::print_stdout
 )] // a test may fail loudly
-use super::{Expansion, Request, World, expand_again};
+use super::{Expansion, Request, Sources, expand_again};
 use base::TextRange;
 use vfs::Environment;
 use vfs::testing::Tree;
@@ -175,7 +175,7 @@ impl Session {
 
     /// Expand again; how many calls were taken over.
     fn expand(&mut self) -> usize {
-        let world = World {
+        let world = Sources {
             vfs: self.tree.vfs(),
             packages: &self.packages,
             env: &self.env,

@@ -7,7 +7,7 @@ use super::names::place;
 use super::rename_robot::{NamePart, parts};
 use super::robot_names::NameKind;
 use base::{FileId, Span, TextRange};
-use project::{Kind, Settings, Srdf};
+use project::{ProjectNameKind, Srdf, YamlSettings};
 
 /// A name of a link, joint or group in a file beside the robot.
 #[derive(Clone, Debug)]
@@ -25,12 +25,12 @@ pub struct BesideName {
     pub(super) parts: Vec<NamePart>,
 }
 
-impl From<Kind> for NameKind {
-    fn from(kind: Kind) -> Self {
+impl From<ProjectNameKind> for NameKind {
+    fn from(kind: ProjectNameKind) -> Self {
         match kind {
-            Kind::Link => NameKind::Link,
-            Kind::Joint => NameKind::Joint,
-            Kind::Group => NameKind::Group,
+            ProjectNameKind::Link => NameKind::Link,
+            ProjectNameKind::Joint => NameKind::Joint,
+            ProjectNameKind::Group => NameKind::Group,
         }
     }
 }
@@ -45,13 +45,15 @@ pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
         .filter_map(|(text, kind, is_definition)| {
             let group = srdf
                 .group(&text.value)
-                .filter(|_| kind == Kind::Group && is_definition);
+                .filter(|_| kind == ProjectNameKind::Group && is_definition);
             Some(BesideName {
                 value: text.value.clone(),
                 place: place(cx, text.origin)?,
                 is_definition,
                 kind: kind.into(),
-                content: group.map(project::Group::in_short).unwrap_or_default(),
+                content: group
+                    .map(project::PlanningGroup::in_short)
+                    .unwrap_or_default(),
                 parts: parts(cx, text),
             })
         })
@@ -59,8 +61,8 @@ pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
 }
 
 /// The names in a YAML file with this text.
-pub fn names_in_settings(file: FileId, text: &str, settings: &Settings) -> Vec<BesideName> {
-    let name = |(named, kind): (&project::Named, Kind)| {
+pub fn names_in_settings(file: FileId, text: &str, settings: &YamlSettings) -> Vec<BesideName> {
+    let name = |(named, kind): (&project::SpannedName, ProjectNameKind)| {
         // a quoted name is written inside of its quotes
         let written = named.range.slice(text);
         let before = written.find(named.name.as_str())? as u32;

@@ -10,7 +10,7 @@ use ecow::EcoString;
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
 use expand::{FrameKind, Origin, SourceRange, blamed_argument};
 use expr::TemplateToken;
-use model::Text;
+use model::AttrValue;
 use vfs::SourceFile;
 
 /// A part of a name and where it is written.
@@ -33,7 +33,7 @@ struct Name {
 
 /// The parts of a name that are written as they are: its own text between expressions, and what calls pass for
 /// parameters, which may be put together in the same way.
-pub(super) fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
+pub(super) fn parts(cx: &Cx<'_>, text: &AttrValue) -> Vec<NamePart> {
     let whole = TextRange::new(0, text.value.len() as u32);
     let made_by_one = match &*text.pieces {
         [piece] if piece.source == text.origin => split(cx, &text.value, whole, text.origin),

@@ -5,7 +5,7 @@ use super::instances::is_within;
 use super::names::{NameUse, place};
 use base::{Span, TextRange};
 use expand::{XId, XKind, XTree, blamed_argument};
-use model::Text;
+use model::AttrValue;
 
 /// The name of a link, joint or material.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,18 +89,18 @@ impl NameKind {
 /// A text that gives or names a link, joint or material.
 #[derive(Clone)]
 pub(super) struct RobotName {
-    pub text: Text,
+    pub text: AttrValue,
     pub is_definition: bool,
     pub kind: NameKind,
 }
 
 /// The names that the attribute value at an offset stands for (it may give several, when a macro is called often):
 /// texts that define them.
-pub(super) fn named_at(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>)> {
+pub(super) fn named_at(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<AttrValue>)> {
     named(cx, offset).map(|(range, names, _)| (range, names))
 }
 
-fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
+fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<AttrValue>, NameKind)> {
     let all = all_names(cx);
     if let Some(beside) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
         let is_it = |name: &&RobotName| {
@@ -128,7 +128,7 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
         .iter()
         .filter(|name| name.is_definition && name.kind.is(first.kind));
     let values: Vec<_> = asked.iter().map(|(asked, _)| &asked.text.value).collect();
-    let names: Vec<Text> = given
+    let names: Vec<AttrValue> = given
         .map(|name| &name.text)
         .filter(|text| values.contains(&&text.value))
         .cloned()
@@ -153,7 +153,7 @@ fn is_picked(cx: &Cx<'_>, name: &RobotName) -> bool {
 }
 
 /// The names of links and joints, and the texts that refer to them; true: it is given there.
-pub(super) fn robot_names(cx: &Cx<'_>) -> Vec<(Text, bool)> {
+pub(super) fn robot_names(cx: &Cx<'_>) -> Vec<(AttrValue, bool)> {
     let names = all_names(cx)
         .into_iter()
         .filter(|name| name.kind != NameKind::Material);
@@ -176,7 +176,7 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
                 .any(|child| tree.get(child).kind == XKind::Element);
             add(
                 &mut found,
-                &Text::attr(tree, material, "name"),
+                &AttrValue::attr(tree, material, "name"),
                 is_given,
                 Material,
             );
@@ -212,7 +212,7 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
     found
 }
 
-fn add(found: &mut Vec<RobotName>, text: &Option<Text>, is_definition: bool, kind: NameKind) {
+fn add(found: &mut Vec<RobotName>, text: &Option<AttrValue>, is_definition: bool, kind: NameKind) {
     found.extend(text.iter().map(|text| RobotName {
         text: text.clone(),
         is_definition,
@@ -237,7 +237,7 @@ fn children_named<'a>(
 }
 
 /// What elements in a `gazebo` element say that are there to name a link or joint, as `frameName` of a plugin is.
-fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
+fn contents(tree: &XTree, gazebo: XId) -> Vec<(AttrValue, NameKind)> {
     let mut found = Vec::new();
     let mut open = vec![gazebo];
     while let Some(element) = open.pop() {
@@ -248,7 +248,7 @@ fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
         let Some(kind) = meant_by(&tree.get(element).text) else {
             continue;
         };
-        found.extend(Text::content(tree, element).map(|text| (text, kind)));
+        found.extend(AttrValue::content(tree, element).map(|text| (text, kind)));
     }
     found
 }
@@ -266,7 +266,7 @@ fn meant_by(tag: &str) -> Option<NameKind> {
 }
 
 /// Where a name is written: in the text itself, or, when that is a parameter of a macro, in the call.
-fn written(cx: &Cx<'_>, text: &Text) -> Option<Span> {
+fn written(cx: &Cx<'_>, text: &AttrValue) -> Option<Span> {
     place(
         cx,
         blamed_argument(cx.expansion, text.origin).unwrap_or(text.origin),

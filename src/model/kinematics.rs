@@ -153,17 +153,17 @@ impl Kinematics {
     /// itself is no cycle. Every way back to a link above is one cycle.
     pub fn cycles(&self) -> Vec<Vec<usize>> {
         let mut cycles = Vec::new();
-        let mut state = vec![State::New; self.down.len()];
+        let mut state = vec![VisitState::New; self.down.len()];
         for start in 0..self.down.len() {
             // links from `start` down to where the walk is: link, joints tried, joint taken
             let mut way = vec![(start, 0, None)];
-            if state.get(start) != Some(&State::New) {
+            if state.get(start) != Some(&VisitState::New) {
                 continue;
             }
-            set(&mut state, start, State::OnWay);
+            set(&mut state, start, VisitState::OnWay);
             while let Some(&mut (link, ref mut tried, ref mut taken)) = way.last_mut() {
                 let Some(&joint) = self.down(link).get(*tried) else {
-                    set(&mut state, link, State::Done);
+                    set(&mut state, link, VisitState::Done);
                     way.pop();
                     continue;
                 };
@@ -174,11 +174,11 @@ impl Kinematics {
                     continue;
                 };
                 match state.get(child) {
-                    Some(State::New) => {
-                        set(&mut state, child, State::OnWay);
+                    Some(VisitState::New) => {
+                        set(&mut state, child, VisitState::OnWay);
                         way.push((child, 0, None));
                     }
-                    Some(State::OnWay) => {
+                    Some(VisitState::OnWay) => {
                         let cycle = way.iter().skip_while(|(link, ..)| *link != child);
                         cycles.push(cycle.filter_map(|&(_, _, taken)| taken).collect());
                     }
@@ -192,13 +192,13 @@ impl Kinematics {
 
 /// How far the search for cycles is with a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
+enum VisitState {
     New,
     OnWay,
     Done,
 }
 
-fn set(state: &mut [State], link: usize, to: State) {
+fn set(state: &mut [VisitState], link: usize, to: VisitState) {
     if let Some(slot) = state.get_mut(link) {
         *slot = to;
     }

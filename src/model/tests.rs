@@ -1,5 +1,5 @@
 use super::{Kinematics, Robot, ShapeKind, tag_start};
-use expand::{Expansion, Request, World, expand};
+use expand::{Expansion, Request, Sources, expand};
 use vfs::testing::Tree;
 use workspace::{PackageOptions, Packages};
 
@@ -8,7 +8,7 @@ fn expanded(text: &str) -> Expansion {
     tree.write("r.xacro", text);
     let env = tree.environment(&[]);
     let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
-    let world = World {
+    let world = Sources {
         vfs: tree.vfs(),
         packages: &packages,
         env: &env,
@@ -286,7 +286,8 @@ fn capsules_and_the_limits_of_version_1_2() {
         else {
             panic!("no capsule");
         };
-        let number = |text: &Option<super::Text>| text.as_ref().and_then(super::Text::number);
+        let number =
+            |text: &Option<super::AttrValue>| text.as_ref().and_then(super::AttrValue::number);
         assert_eq!((number(radius), number(length)), (Some(1.0), Some(2.0)));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Background, Content, MOST_PIXELS, Scene, View, Viewport, picture_png, picture_svg};
 use analysis::{Session, Setup};
-use expand::{Request, World, expand};
+use expand::{Request, Sources, expand};
 use model::Robot;
 use preview::still;
 use vfs::testing::Tree;
@@ -43,7 +43,7 @@ fn scene(tree: &Tree, robot: &str, content: &Content) -> Scene {
         ..Setup::default()
     };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let world = World {
+    let world = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,

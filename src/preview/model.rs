@@ -264,6 +264,6 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
     })
 }
 
-fn number(text: &Option<model::Text>) -> Option<f64> {
-    text.as_ref().and_then(model::Text::number)
+fn number(text: &Option<model::AttrValue>) -> Option<f64> {
+    text.as_ref().and_then(model::AttrValue::number)
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use base::paths::HERE;
 use base::{Encoding, LineCol, TextRange};
-use expand::{Expansion, FrameKind, Origin, Place};
+use expand::{Expansion, FileRange, FrameKind, Origin};
 
 /// A line and a column, both from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -75,7 +75,7 @@ impl Places<'_> {
     }
 
     /// A place in a file of the expansion, in the text that was expanded.
-    pub fn place(&self, place: Place) -> Option<Location> {
+    pub fn place(&self, place: FileRange) -> Option<Location> {
         let source = &self.expansion.files.get(place.file)?.source;
         let point = |offset| {
             let LineCol { line, col } = source.document.line_col(offset, self.names.encoding);

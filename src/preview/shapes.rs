@@ -158,7 +158,8 @@ impl<'a> Shapes<'a> {
                 problem: "it has no geometry".to_owned(),
             };
         };
-        let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
+        let number =
+            |text: &Option<model::AttrValue>| text.as_ref().and_then(model::AttrValue::number);
         let found = match &shape.kind {
             ShapeKind::Box { size } => size.as_ref().and_then(|size| {
                 Some(Shape::Box {
@@ -173,7 +174,9 @@ impl<'a> Shapes<'a> {
                 .map(|(radius, length)| Shape::Capsule { radius, length }),
             ShapeKind::Sphere { radius } => number(radius).map(|radius| Shape::Sphere { radius }),
             ShapeKind::Mesh { filename, scale } => {
-                let scale = scale.as_ref().map_or(Some([1.0; 3]), model::Text::numbers);
+                let scale = scale
+                    .as_ref()
+                    .map_or(Some([1.0; 3]), model::AttrValue::numbers);
                 filename
                     .as_ref()
                     .map(|file| self.mesh(file, scale.unwrap_or([1.0; 3])))
@@ -185,7 +188,7 @@ impl<'a> Shapes<'a> {
         })
     }
 
-    fn mesh(&mut self, name: &model::Text, scale: [f64; 3]) -> Shape {
+    fn mesh(&mut self, name: &model::AttrValue, scale: [f64; 3]) -> Shape {
         let (mesh, problem) = match self.find(name) {
             Ok(path) => (Some(self.mesh_file(&path)), None),
             Err(problem) => (None, Some(problem)),
@@ -199,7 +202,7 @@ impl<'a> Shapes<'a> {
     }
 
     /// The file that a name leads to.
-    fn find(&self, name: &model::Text) -> Result<PathBuf, String> {
+    fn find(&self, name: &model::AttrValue) -> Result<PathBuf, String> {
         let from = self.file_of(name.origin).ok_or("its file is unknown")?;
         let uri = name.name().ok_or("its name is unknown")?;
         match self.session.packages.resolve_uri(uri, from).outcome {

@@ -15,7 +15,7 @@ use super::shapes::Shapes;
 use analysis::{Analyzed, RootChoice, Session, World};
 use base::limits::{SENT_BYTES, SENT_ERRORS};
 use base::{CancelFlag, Encoding, FastSet};
-use expand::{Expansion, Read, Severity};
+use expand::{Expansion, ProblemSeverity, Read};
 use model::Robot;
 
 /// All views.
@@ -398,7 +398,7 @@ fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<Mode
     let problems = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == Severity::Error && !p.probed);
+        .filter(|p| p.severity == ProblemSeverity::Error && !p.probed);
     let listed = problems.filter_map(|problem| {
         let code = rules::rule_of(problem.kind).name;
         let location = places.place(problem.place)?;

@@ -2,26 +2,26 @@
 
 use ecow::EcoString;
 
-use super::value::{Named, entries, get, text};
+use super::value::{SpannedName, entries, get, text};
 use yaml::{YamlKind, YamlNode};
 
 /// The parameters of one controller.
 #[derive(Clone, Debug)]
 pub struct Controller {
     /// The last part of the name of its node.
-    pub name: Named,
+    pub name: SpannedName,
     /// Its class, when these parameters say it.
-    pub class: Option<Named>,
+    pub class: Option<SpannedName>,
     /// The joints it names, with the keys that hold them.
-    pub joints: Vec<(EcoString, Named)>,
+    pub joints: Vec<(EcoString, SpannedName)>,
     /// `command_interfaces` of each joint, or `interface_names` of other controllers.
-    pub commands: Vec<Named>,
+    pub commands: Vec<SpannedName>,
     /// `state_interfaces` of each joint.
-    pub states: Vec<Named>,
+    pub states: Vec<SpannedName>,
     /// Whether it has a list of `interfaces`.
     pub has_interfaces: bool,
     /// `interface_name`: the one interface that it commands.
-    pub interface: Option<Named>,
+    pub interface: Option<SpannedName>,
     /// Whether these are parameters of a node of ROS 2.
     pub is_ros2: bool,
 }
@@ -30,9 +30,9 @@ pub struct Controller {
 #[derive(Clone, Debug)]
 pub struct Listed {
     /// Its name.
-    pub name: Named,
+    pub name: SpannedName,
     /// Its class.
-    pub class: Named,
+    pub class: SpannedName,
     /// Whether its parameters are in a file that the controller manager is given.
     pub has_file: bool,
 }
@@ -91,7 +91,7 @@ pub(super) fn read(node: &YamlNode, listed: &mut Vec<Listed>, found: &mut Vec<Co
 
 fn below(node: &YamlNode, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
     for (key, value) in entries(node) {
-        let name = Named {
+        let name = SpannedName {
             name: key.name.rsplit('/').next().unwrap_or_default().into(),
             range: key.range,
         };
@@ -130,11 +130,15 @@ fn manager(parameters: &YamlNode, listed: &mut Vec<Listed>) {
     listed.extend(with_class);
 }
 
-fn controller(name: Named, parameters: &YamlNode, is_ros2: bool) -> Option<Controller> {
-    let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
+fn controller(name: SpannedName, parameters: &YamlNode, is_ros2: bool) -> Option<Controller> {
+    let list = |key: &str| {
+        get(parameters, key)
+            .map(SpannedName::list)
+            .unwrap_or_default()
+    };
     let named = entries(parameters).filter(|(key, _)| may_hold_joints(&key.name));
     let joints = named.flat_map(|(key, value)| {
-        Named::list(value)
+        SpannedName::list(value)
             .into_iter()
             .map(move |name| (key.name.clone(), name))
     });

@@ -1,7 +1,7 @@
 //! Settings of MoveIt: controllers, limits of joints, kinematics, planners, and what the setup assistant wrote down.
 
 use super::cursor::GROUP_KEYS;
-use super::value::{Named, entries, get, number, text};
+use super::value::{SpannedName, entries, get, number, text};
 use base::TextRange;
 use yaml::YamlNode;
 
@@ -9,9 +9,9 @@ use yaml::YamlNode;
 #[derive(Clone, Debug)]
 pub struct MoveitController {
     /// Its name.
-    pub name: Named,
+    pub name: SpannedName,
     /// Its joints.
-    pub joints: Vec<Named>,
+    pub joints: Vec<SpannedName>,
     /// Whether it takes commands for a gripper, not trajectories.
     pub is_gripper: bool,
 }
@@ -20,11 +20,11 @@ pub struct MoveitController {
 #[derive(Clone, Debug)]
 pub struct JointLimit {
     /// The joint.
-    pub joint: Named,
+    pub joint: SpannedName,
     /// Numbers: the key, the value, whether it is written as an integer, and its place.
-    pub values: Vec<(Named, f64, bool, TextRange)>,
+    pub values: Vec<(SpannedName, f64, bool, TextRange)>,
     /// Keys that say whether a limit holds, and whether it does.
-    pub switches: Vec<(Named, bool)>,
+    pub switches: Vec<(SpannedName, bool)>,
 }
 
 impl JointLimit {
@@ -48,13 +48,13 @@ impl JointLimit {
 #[derive(Clone, Debug)]
 pub struct Assistant {
     /// The package of the description.
-    pub package: Option<Named>,
+    pub package: Option<SpannedName>,
     /// The path of the description in this package.
-    pub urdf: Option<Named>,
+    pub urdf: Option<SpannedName>,
     /// The arguments of the description, as on the command line of xacro.
-    pub arguments: Option<Named>,
+    pub arguments: Option<SpannedName>,
     /// The path of the SRDF in the package of this file.
-    pub srdf: Option<Named>,
+    pub srdf: Option<SpannedName>,
 }
 
 impl Assistant {
@@ -84,7 +84,7 @@ impl Assistant {
 }
 
 /// A text that is not empty.
-fn filled(node: Option<&YamlNode>, key: &str) -> Option<Named> {
+fn filled(node: Option<&YamlNode>, key: &str) -> Option<SpannedName> {
     text(node?, key).filter(|text| !text.name.is_empty())
 }
 
@@ -108,7 +108,7 @@ pub(super) fn controllers(root: &YamlNode) -> Vec<MoveitController> {
         .flatten()
     {
         let names = get(manager, "controller_names")
-            .map(Named::list)
+            .map(SpannedName::list)
             .unwrap_or_default();
         for name in names {
             let own = get(manager, &name.name);
@@ -129,10 +129,10 @@ pub(super) fn controllers(root: &YamlNode) -> Vec<MoveitController> {
     found
 }
 
-fn controller(name: Named, parameters: Option<&YamlNode>) -> MoveitController {
+fn controller(name: SpannedName, parameters: Option<&YamlNode>) -> MoveitController {
     let joints = parameters
         .and_then(|own| get(own, "joints"))
-        .map(Named::list)
+        .map(SpannedName::list)
         .unwrap_or_default();
     let kind = parameters.and_then(|own| text(own, "type"));
     MoveitController {
@@ -176,7 +176,7 @@ pub(super) fn limits(root: &YamlNode) -> Vec<JointLimit> {
 }
 
 /// The groups that have a solver for inverse kinematics.
-pub(super) fn kinematics(root: &YamlNode) -> Vec<Named> {
+pub(super) fn kinematics(root: &YamlNode) -> Vec<SpannedName> {
     let top = inside(root, &[NODE[0], NODE[1], "robot_description_kinematics"]);
     entries(top)
         .filter(|(_, value)| get(value, "kinematics_solver").is_some())
@@ -185,7 +185,7 @@ pub(super) fn kinematics(root: &YamlNode) -> Vec<Named> {
 }
 
 /// The names of the configurations of planners.
-pub fn planner_names(root: &YamlNode) -> Vec<Named> {
+pub fn planner_names(root: &YamlNode) -> Vec<SpannedName> {
     let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
     get(top, "planner_configs")
         .into_iter()
@@ -195,7 +195,7 @@ pub fn planner_names(root: &YamlNode) -> Vec<Named> {
 }
 
 /// The groups that parameters of MoveIt Servo name.
-pub(super) fn servo(root: &YamlNode) -> Vec<Named> {
+pub(super) fn servo(root: &YamlNode) -> Vec<SpannedName> {
     let mut open = vec![(root, 4u32)];
     let mut found = Vec::new();
     while let Some((node, depth)) = open.pop() {
@@ -217,7 +217,7 @@ pub(super) fn servo(root: &YamlNode) -> Vec<Named> {
 }
 
 /// The groups that have planners.
-pub(super) fn planners(root: &YamlNode) -> Vec<Named> {
+pub(super) fn planners(root: &YamlNode) -> Vec<SpannedName> {
     let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
     if get(top, "planner_configs").is_none() {
         return Vec::new();

@@ -7,14 +7,14 @@ use yaml::{YamlKind, YamlNode};
 
 /// A name and where it is written, quotes included.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Named {
+pub struct SpannedName {
     /// The name.
     pub name: EcoString,
     /// Its place.
     pub range: TextRange,
 }
 
-impl Named {
+impl SpannedName {
     /// The text of a node, when it is one.
     pub(super) fn of(node: &YamlNode) -> Option<Self> {
         match &node.kind {
@@ -36,14 +36,14 @@ impl Named {
 }
 
 /// The entries of a mapping whose keys are texts.
-pub(super) fn entries(node: &YamlNode) -> impl Iterator<Item = (Named, &YamlNode)> {
+pub(super) fn entries(node: &YamlNode) -> impl Iterator<Item = (SpannedName, &YamlNode)> {
     let entries = match &node.kind {
         YamlKind::Map(entries) => entries.as_slice(),
         _ => &[],
     };
     entries
         .iter()
-        .filter_map(|(key, value)| Some((Named::of(key)?, value)))
+        .filter_map(|(key, value)| Some((SpannedName::of(key)?, value)))
 }
 
 /// The value of a key; of several, the last.
@@ -53,8 +53,8 @@ pub(super) fn get<'n>(node: &'n YamlNode, key: &str) -> Option<&'n YamlNode> {
 }
 
 /// The text of a key.
-pub(super) fn text(node: &YamlNode, key: &str) -> Option<Named> {
-    Named::of(get(node, key)?)
+pub(super) fn text(node: &YamlNode, key: &str) -> Option<SpannedName> {
+    SpannedName::of(get(node, key)?)
 }
 
 /// The value of a number, and whether it is written as an integer.

@@ -9,7 +9,7 @@ use super::xacro::Mentions;
 use super::xml::{Numeric, Seen};
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, XId};
-use model::{Joint, Kinematics, Link, Meshes, Robot, Text, Version};
+use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, Version};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
 use workspace::config::Config;
@@ -214,7 +214,8 @@ impl<'a> DocumentCx<'a> {
             .flat_map(|block| tree.elements(block))
             .filter(|&tag| tree.get(tag).text == "static");
         tags.any(|tag| {
-            Text::content(tree, tag).is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
+            AttrValue::content(tree, tag)
+                .is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
         })
     }
 

@@ -3,7 +3,7 @@ use ecow::EcoString;
 
 use base::FastSet;
 use model::Robot;
-use project::Kind;
+use project::ProjectNameKind;
 
 /// Names of links and joints.
 #[derive(Clone, Debug, Default)]
@@ -78,16 +78,16 @@ impl Names {
         self.is_open |= other.is_open;
     }
 
-    pub(super) fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
+    pub(super) fn of(&self, kind: ProjectNameKind) -> Option<&FastSet<EcoString>> {
         match kind {
-            Kind::Link => Some(&self.links),
-            Kind::Joint => Some(&self.joints),
-            Kind::Group => Some(&self.groups),
+            ProjectNameKind::Link => Some(&self.links),
+            ProjectNameKind::Joint => Some(&self.joints),
+            ProjectNameKind::Group => Some(&self.groups),
         }
     }
 
     /// Whether a name is there, or nobody knows.
-    pub(super) fn may_have(&self, kind: Kind, name: &str) -> bool {
+    pub(super) fn may_have(&self, kind: ProjectNameKind, name: &str) -> bool {
         self.of(kind).is_none_or(|names| names.contains(name))
     }
 }

@@ -7,7 +7,7 @@ use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
 use base::{FastMap, FastSet, Span, TextRange};
 use expand::{
-    Expansion, FileIdx, Frame, FrameKind, Origin, Place, blamed_argument, depends_on_parameter,
+    Expansion, FileIdx, FileRange, Frame, FrameKind, Origin, blamed_argument, depends_on_parameter,
 };
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
@@ -99,7 +99,7 @@ impl<'a> Sink<'a> {
         range: TextRange,
         message: impl Into<String>,
     ) -> Reported<'_, 'a> {
-        let span = self.span(Place { file, range });
+        let span = self.span(FileRange { file, range });
         self.draft(
             span.unwrap_or_else(|| self.nowhere()),
             Vec::new(),
@@ -186,7 +186,7 @@ impl<'a> Sink<'a> {
 
     /// The start of the root file, for what has no place of its own.
     fn nowhere(&self) -> Span {
-        let place = Place {
+        let place = FileRange {
             file: FileIdx(0),
             range: TextRange::default(),
         };
@@ -196,7 +196,7 @@ impl<'a> Sink<'a> {
         })
     }
 
-    fn span(&self, place: Place) -> Option<Span> {
+    fn span(&self, place: FileRange) -> Option<Span> {
         span(self.expansion, place)
     }
 
@@ -234,7 +234,7 @@ impl Reported<'_, '_> {
 
     /// With a further place of a file.
     #[must_use]
-    pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
+    pub fn also_at(mut self, place: FileRange, message: impl Into<String>) -> Self {
         let span = self
             .sink
             .span(place)
@@ -292,7 +292,7 @@ impl Reported<'_, '_> {
     ) -> Self {
         let edit = |(range, content)| {
             Some(Edit {
-                span: self.sink.span(Place { file, range })?,
+                span: self.sink.span(FileRange { file, range })?,
                 content,
             })
         };
@@ -343,7 +343,7 @@ impl Reported<'_, '_> {
 }
 
 /// A place of an expansion in terms that hold beyond it.
-pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
+pub(super) fn span(expansion: &Expansion, place: FileRange) -> Option<Span> {
     let file = expansion.files.get(place.file)?;
     Some(Span {
         file: file.source.id,

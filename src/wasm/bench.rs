@@ -10,7 +10,9 @@ use serde_json::{Map, Value, json};
 use super::calls::{Call, CheckCall, Robot};
 use analysis::{FixOptions, RootChoice, Session, World};
 use base::{CancelFlag, Encoding, IdVec};
-use expand::{Expansion, FileIdx, Limits, Place, Problem, Request, Severity as Weight};
+use expand::{
+    Expansion, ExpansionLimits, FileIdx, FileRange, Problem, ProblemSeverity as Weight, Request,
+};
 use preview::{Names, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
@@ -165,11 +167,11 @@ impl Bench {
         let request = Request {
             file: robot.file.clone(),
             args: robot.args.clone().into_iter().collect(),
-            limits: Limits::configured(&config.limits),
+            limits: ExpansionLimits::configured(&config.limits),
             keep: true,
             ..Request::default()
         };
-        let world = expand::World {
+        let world = expand::Sources {
             vfs: &self.vfs,
             packages: &packages,
             env: &self.env,
@@ -291,7 +293,7 @@ fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value>
 }
 
 /// An offset in the file of a place, in lines and columns from 1.
-fn position(expansion: &Expansion, place: Place, offset: u32) -> Option<Value> {
+fn position(expansion: &Expansion, place: FileRange, offset: u32) -> Option<Value> {
     let source = &expansion.files.get(place.file)?.source;
     let at = source.document.line_col(offset, Encoding::Utf32);
     Some(json!({ "row": at.line + 1, "column": at.col + 1 }))

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use xacro_lsp::base::{CancelFlag, Span};
-use xacro_lsp::expand::{Expansion, Request, World, expand};
+use xacro_lsp::expand::{Expansion, Request, Sources, expand};
 use xacro_lsp::model::Robot;
 use xacro_lsp::rules::{self, Chosen, Finding, Fix, RootKind, Rule, check_expansion};
 
@@ -13,7 +13,7 @@ use super::{Session, blocks, session, write};
 type Offer = (&'static str, Span, Option<Fix>, Option<String>);
 
 fn expanded(session: &Session, file: &Path) -> Expansion {
-    let world = World {
+    let world = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,

@@ -8,8 +8,8 @@ use super::super::session::Session;
 use super::files::{Beside, Robots};
 use super::pairing::stem;
 use base::{CancelFlag, Span, TextRange};
-use expand::{Expansion, Problem, ProblemKind, Severity};
-use project::{Assistant, Named};
+use expand::{Expansion, Problem, ProblemKind, ProblemSeverity};
+use project::{Assistant, SpannedName};
 use rules::{
     Finding, setup_assistant_file_not_found, setup_assistant_robot_fails,
     setup_assistant_unknown_argument,
@@ -186,7 +186,7 @@ fn is_xacro(name: &str) -> bool {
 /// The errors for which xacro gives no robot.
 fn errors(expansion: &Expansion) -> Vec<&Problem> {
     let is_error = |problem: &&Problem| {
-        problem.severity == Severity::Error && !problem.probed && !problem.excused
+        problem.severity == ProblemSeverity::Error && !problem.probed && !problem.excused
     };
     expansion.problems.iter().filter(is_error).collect()
 }
@@ -208,11 +208,11 @@ fn at_most_info(mut finding: Finding, is_info: bool) -> Finding {
 }
 
 /// Whether a path is written with backslashes, which separate folders on Windows.
-fn is_for_windows(path: &Named) -> bool {
+fn is_for_windows(path: &SpannedName) -> bool {
     path.name.contains('\\')
 }
 
-fn span_of(own: &Beside, named: &Named) -> Span {
+fn span_of(own: &Beside, named: &SpannedName) -> Span {
     Span {
         file: own.file,
         range: named.range,

@@ -6,7 +6,7 @@ use super::super::analyzed::Analyzed;
 use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use base::{FastMap, FileId};
-use project::{Settings, Srdf, may_be_settings};
+use project::{Srdf, YamlSettings, may_be_settings};
 use rules::{Content, is_semantic_name};
 
 /// A file beside a robot, read.
@@ -26,7 +26,7 @@ pub(super) enum Read {
     /// A semantic description, with its expansion.
     Srdf(Arc<Analyzed>, Arc<Srdf>),
     /// YAML.
-    Settings(Arc<Settings>),
+    Settings(Arc<YamlSettings>),
 }
 
 /// What a file beside a robot is by its name.
@@ -57,7 +57,7 @@ pub fn is_settings(path: &Path) -> bool {
 }
 
 /// What a YAML file is for, in one word: the first that it says something about.
-fn kind_of(settings: &Settings) -> &'static str {
+fn kind_of(settings: &YamlSettings) -> &'static str {
     let kinds = [
         (settings.assistant.is_some(), "setup-assistant"),
         (
@@ -98,7 +98,7 @@ impl Beside {
     }
 
     /// The settings.
-    pub fn settings(&self) -> Option<&Settings> {
+    pub fn settings(&self) -> Option<&YamlSettings> {
         match &self.read {
             Read::Settings(settings) => Some(settings),
             Read::Srdf(..) => None,
@@ -149,13 +149,13 @@ impl Session {
     }
 
     /// The settings in a YAML file; none when it has none, or is broken.
-    pub(in super::super) fn beside_settings(&self, path: &Path) -> Option<Arc<Settings>> {
+    pub(in super::super) fn beside_settings(&self, path: &Path) -> Option<Arc<YamlSettings>> {
         let text = self.vfs.text(path).ok()?;
         if !may_be_settings(&text.text) {
             return None;
         }
         let yaml = self.vfs.yaml(path, "").ok()?;
-        Some(Arc::new(Settings::read(
+        Some(Arc::new(YamlSettings::read(
             &text.text,
             yaml.value.as_ref().ok()?,
         )?))

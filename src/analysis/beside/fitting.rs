@@ -160,9 +160,9 @@ fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
     let (mut all, mut known) = (0u32, 0u32);
     for (kind, name) in own.names() {
         let list = match kind {
-            project::Kind::Link => &names.links,
-            project::Kind::Joint => &names.joints,
-            project::Kind::Group => continue,
+            project::ProjectNameKind::Link => &names.links,
+            project::ProjectNameKind::Joint => &names.joints,
+            project::ProjectNameKind::Group => continue,
         };
         all += 1;
         known += u32::from(list.contains(name.as_str()));
@@ -179,7 +179,7 @@ fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
 
 impl Beside {
     /// The different names of links, joints and groups.
-    fn names(&self) -> Vec<(project::Kind, EcoString)> {
+    fn names(&self) -> Vec<(project::ProjectNameKind, EcoString)> {
         let mut found: Vec<_> = match (self.srdf(), self.settings()) {
             (Some((_, srdf)), _) => srdf
                 .names()

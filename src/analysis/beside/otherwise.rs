@@ -7,7 +7,7 @@ use super::super::proof::{CONDITIONS, turned_over};
 use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use base::CancelFlag;
-use expand::{Expansion, Forced, Request, World, expand};
+use expand::{Expansion, Forced, Request, Sources, expand};
 use model::Robot;
 use rules::Names;
 use vfs::Environment;
@@ -106,7 +106,7 @@ impl Session {
                 forced,
                 ..job::request(self, cancel, &job_of(&analyzed.root))
             };
-            let world = World {
+            let world = Sources {
                 env: &env,
                 ..job::world(self)
             };

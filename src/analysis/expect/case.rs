@@ -10,7 +10,7 @@ use super::evaluate::Evaluation;
 use super::snapshot::Snapshot;
 use super::{RULE, TestOptions};
 use base::{Span, TextRange};
-use expand::{Expansion, Limits, Request, expand};
+use expand::{Expansion, ExpansionLimits, Request, expand};
 use model::{Kinematics, Robot};
 use rules::{
     Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion,
@@ -104,7 +104,7 @@ impl Case {
             file: vfs::slashed(file),
             args: self.root.args.clone(),
             ros_shell: true,
-            limits: Limits::configured(&self.settings.config.limits),
+            limits: ExpansionLimits::configured(&self.settings.config.limits),
             cancel: options.check.cancel.clone(),
             ..Request::default()
         }

@@ -9,7 +9,7 @@ use super::case::Case;
 use super::snapshot::Snapshot;
 use base::Span;
 use expand::{Expansion, Origin, Written, XId, write_mapped};
-use model::{ControlJoint, Joint, JointType, Kinematics, Link, Robot, Text, tag_start};
+use model::{AttrValue, ControlJoint, Joint, JointType, Kinematics, Link, Robot, tag_start};
 use rules::{Finding, Related, calls, span_of};
 use workspace::config::{Expectation, ExpectedJoint};
 use workspace::nearest;
@@ -181,7 +181,7 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    fn name_of(&self, element: XId, name: &Option<Text>) -> Origin {
+    fn name_of(&self, element: XId, name: &Option<AttrValue>) -> Origin {
         name.as_ref().map_or_else(|| self.tag(element), whole)
     }
 
@@ -383,7 +383,7 @@ impl<'a> Evaluation<'a> {
             ),
         ] {
             let Some(wanted) = wanted else { continue };
-            let value = own.and_then(Text::number);
+            let value = own.and_then(AttrValue::number);
             if value.is_some_and(|value| is_near(value, wanted, expected.tolerance)) {
                 continue;
             }
@@ -424,7 +424,7 @@ impl<'a> Evaluation<'a> {
                 &own.states
             }
         });
-        let name = |text: &Text| text.value.to_string();
+        let name = |text: &AttrValue| text.value.to_string();
         let mut names: Vec<String> = interfaces
             .filter_map(|interface| interface.name.as_ref().map(name))
             .collect();
@@ -449,7 +449,7 @@ impl<'a> Evaluation<'a> {
 }
 
 /// The source of a whole value.
-fn whole(text: &Text) -> Origin {
+fn whole(text: &AttrValue) -> Origin {
     text.part(0..text.value.len())
 }
 
@@ -474,7 +474,7 @@ pub(crate) fn filled(text: &str, arguments: &[(EcoString, EcoString)]) -> Result
     Ok(out)
 }
 
-fn similar<'t>(name: &str, names: impl Iterator<Item = &'t Text>) -> Option<String> {
+fn similar<'t>(name: &str, names: impl Iterator<Item = &'t AttrValue>) -> Option<String> {
     let near = nearest(name, names.map(|text| text.value.as_str()));
     near.map(|near| format!("did you mean `{near}`?"))
 }

@@ -6,7 +6,7 @@ use super::RULE;
 use super::evaluate::Evaluation;
 use base::{Span, TextRange};
 use expand::{MapEntry, Origin};
-use model::{Comparison, Difference, What, compare};
+use model::{Comparison, Difference, DifferenceKind, compare};
 use rules::{Finding, Related};
 use vfs::without_parents;
 
@@ -129,14 +129,14 @@ impl Evaluation<'_> {
 }
 
 /// What differs between the robot and a file.
-pub(crate) fn worded(what: &What, file: &str) -> String {
+pub(crate) fn worded(what: &DifferenceKind, file: &str) -> String {
     match what {
-        What::Value { of, one, other } => {
+        DifferenceKind::Value { of, one, other } => {
             let (one, other) = (quoted(one.as_deref()), quoted(other.as_deref()));
             format!("{of} is {one}, but {other} in `{file}`")
         }
-        What::OnlyOne(element) => format!("{element} is not in `{file}`"),
-        What::OnlyOther(element) => format!("{element} of `{file}` is missing"),
+        DifferenceKind::OnlyOne(element) => format!("{element} is not in `{file}`"),
+        DifferenceKind::OnlyOther(element) => format!("{element} of `{file}` is missing"),
     }
 }
 

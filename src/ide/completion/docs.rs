@@ -5,7 +5,7 @@ use super::evaluate::Evaluator;
 use super::item::Topic;
 use super::names::file_name;
 use super::scope::{MacroInfo, Scope};
-use expand::Param;
+use expand::MacroParam;
 use expr::global_symbols;
 use rules::schema::{AttributeSpec, ElementSpec, every_element};
 
@@ -129,7 +129,7 @@ pub(super) fn signature(info: &MacroInfo) -> String {
 }
 
 /// A parameter as a signature shows it.
-pub(super) fn parameter(param: &Param) -> String {
+pub(super) fn parameter(param: &MacroParam) -> String {
     match (&param.default, param.forward) {
         (Some((default, _)), false) => format!("{}={default}", param.name),
         (Some((default, _)), true) => format!("{}=^|{default}", param.name),

@@ -10,7 +10,7 @@ use base::FastSet;
 use expand::{BindingKind, Expansion};
 use expr::{TemplateToken, display};
 use facts::FactKind;
-use model::Text;
+use model::AttrValue;
 use xml::Node;
 
 /// Different values of one expression that are tried.
@@ -109,7 +109,7 @@ fn behind(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str, kind: ItemKind) -> V
                 known.get_or_insert_with(|| Evaluator::new(scope, typed.offset).string(lead));
             values.extend(known.clone());
         }
-        let names: Vec<&Text> = match kind {
+        let names: Vec<&AttrValue> = match kind {
             ItemKind::Link => robot
                 .links
                 .iter()

@@ -11,7 +11,7 @@ use crate::typed::{Typed, attr_text};
 use base::FastSet;
 use expand::{Expansion, parse_params};
 use facts::FactKind;
-use model::Text;
+use model::AttrValue;
 use rules::schema::AttributeKind;
 use xml::{Node, NodeKind};
 
@@ -68,7 +68,7 @@ pub(super) fn names(
             found.extend(link_parameters(typed));
         }
         for (expansion, robot) in scope.robots() {
-            let texts: Vec<&Text> = match kind {
+            let texts: Vec<&AttrValue> = match kind {
                 ItemKind::Link => robot
                     .links
                     .iter()
@@ -188,10 +188,12 @@ pub(super) fn materials(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion>
             };
             let item = Completion::new(ItemKind::Color, name.value.as_str());
             let item = item.note(file_of(expansion, name)).rank(1);
-            found.push(match material.rgba.as_ref().and_then(Text::numbers::<4>) {
-                Some(rgba) => item.detail(hex(rgba)).rank(0),
-                None => item,
-            });
+            found.push(
+                match material.rgba.as_ref().and_then(AttrValue::numbers::<4>) {
+                    Some(rgba) => item.detail(hex(rgba)).rank(0),
+                    None => item,
+                },
+            );
         }
     }
     let beside = scope
@@ -247,7 +249,7 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     params.into_iter().chain(properties).collect()
 }
 
-pub(super) fn file_of(expansion: &Expansion, text: &Text) -> String {
+pub(super) fn file_of(expansion: &Expansion, text: &AttrValue) -> String {
     let source = expansion.sources.get(text.origin.src);
     let file = source.and_then(|source| expansion.files.get(source.file));
     file.map(|file| file_name(&file.source.path))

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use base::FastSet;
-use expand::{Expansion, Param, parse_params};
+use expand::{Expansion, MacroParam, parse_params};
 use facts::{Fact, FactKind, facts_of};
 use model::Robot;
 use rules::is_semantic_file;
@@ -57,7 +57,7 @@ pub struct Scope<'a> {
 pub(super) struct MacroInfo {
     /// Its name, with its namespaces.
     pub name: String,
-    pub params: Vec<Param>,
+    pub params: Vec<MacroParam>,
     /// The comment above it.
     pub comment: String,
     /// The file that defines it.

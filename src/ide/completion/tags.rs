@@ -10,7 +10,7 @@ use super::scope::{MacroInfo, Scope};
 use crate::typed::{Typed, is_name_char};
 use base::FastSet;
 use ecow::EcoString;
-use expand::Param;
+use expand::MacroParam;
 use facts::{FactKind, facts};
 use rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
 
@@ -334,7 +334,7 @@ fn called(info: &MacroInfo) -> Completion {
 }
 
 /// Whether a call has to give a parameter.
-pub(super) fn is_required(param: &Param) -> bool {
+pub(super) fn is_required(param: &MacroParam) -> bool {
     param.default.is_none() && !param.forward
 }
 

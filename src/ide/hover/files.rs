@@ -7,7 +7,7 @@ use super::super::paths::{FileKind, FileName, FileTarget, file_name_at};
 use super::super::values::number_text;
 use super::page::{Page, code};
 use base::{TextRange, counted};
-use model::{Mesh, Text};
+use model::{AttrValue, Mesh};
 use rules::RuleEnv;
 
 /// Most places that are listed.
@@ -74,7 +74,7 @@ fn factors(cx: &Cx<'_>, at: &At<'_>) -> Option<[f64; 3]> {
             .is_some_and(|file| expand::SourceRange::from(file.origin) == place)
     };
     let mesh = tree.below(expand::XId::DOCUMENT).find(is_named)?;
-    Text::attr(tree, mesh, "scale")?.numbers()
+    AttrValue::attr(tree, mesh, "scale")?.numbers()
 }
 
 fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {

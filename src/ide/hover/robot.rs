@@ -11,7 +11,7 @@ use super::page::{Page, code};
 use base::{FastSet, TextRange};
 use expand::{BindingId, BindingKind};
 use expr::Value;
-use model::{Joint, JointType, Kinematics, Link, Pose, Robot, Text};
+use model::{AttrValue, Joint, JointType, Kinematics, Link, Pose, Robot};
 use rules::{RuleEnv, link_bounds};
 
 /// Most links or joints that are shown for one text.
@@ -98,7 +98,7 @@ fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
 }
 
 /// The names that an argument of a call becomes as it is, when its text stands at `range`.
-fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
+fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<AttrValue>> {
     let place = cx.source_range(range)?;
     let mut given: FastSet<BindingId> = FastSet::default();
     let mut values: Vec<&str> = Vec::new();
@@ -122,7 +122,7 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     if given.is_empty() {
         return None;
     }
-    let mut names: Vec<Text> = robot_names(cx).into_iter().map(|(text, _)| text).collect();
+    let mut names: Vec<AttrValue> = robot_names(cx).into_iter().map(|(text, _)| text).collect();
     names.retain(|text| {
         values.contains(&text.value.as_str())
             && text
@@ -237,7 +237,7 @@ fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
 /// The axis in the frame of the parent link: `+Z`, or three numbers.
 fn axis(joint: &Joint) -> Option<String> {
     let written = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-    let [x, y, z] = written.map_or(Some([1.0, 0.0, 0.0]), Text::numbers)?;
+    let [x, y, z] = written.map_or(Some([1.0, 0.0, 0.0]), AttrValue::numbers)?;
     let turn = joint
         .origin
         .as_ref()
@@ -287,7 +287,7 @@ pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option
 }
 
 /// A number with its unit.
-fn quantity(text: &Option<Text>, unit: &str) -> Option<String> {
+fn quantity(text: &Option<AttrValue>, unit: &str) -> Option<String> {
     let text = text.as_ref()?;
     let number = text
         .number()

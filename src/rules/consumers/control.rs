@@ -1,7 +1,7 @@
 //! The XML, and elements outside of links and joints.
 use super::facts::{Facts, Found, Owner};
 use expand::{XId, XTree};
-use model::{Text, decimal};
+use model::{AttrValue, decimal};
 use xml::{Document, Node, NodeKind};
 
 /// Elements of `<gazebo>` that hold a number.
@@ -156,7 +156,7 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
         if !facts.has_child(element, "joint") {
             out.add("transmission-without-joint", at, owner);
         }
-        let unknown = |name: &Text| {
+        let unknown = |name: &AttrValue| {
             name.name()
                 .is_some_and(|name| facts.robot.joint(name).is_none())
         };
@@ -188,13 +188,13 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
             }
             Some(name) => names.push(name.value.clone()),
         }
-        let kind = Text::attr(tree, sensor, "type").filter(Text::is_known);
+        let kind = AttrValue::attr(tree, sensor, "type").filter(AttrValue::is_known);
         if let Some(kind) = kind.filter(|kind| !SENSORS.contains(&kind.value.as_str())) {
             out.add("gazebo-sensor-type", kind.origin, owner);
         }
     }
     for pose in tree.below(gazebo).filter(|&id| tree.get(id).text == "pose") {
-        let text = Text::content(tree, pose).filter(Text::is_known);
+        let text = AttrValue::content(tree, pose).filter(AttrValue::is_known);
         if text.is_some_and(|text| text.words().count() != 6) {
             out.add("gazebo-pose", facts.at(pose), owner);
         }
@@ -203,7 +203,7 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
 
 /// Whether an element of `<gazebo>` holds a number, or may hold one.
 fn has_number(tree: &XTree, element: XId) -> bool {
-    Text::attr(tree, element, "value")
-        .or_else(|| Text::content(tree, element))
+    AttrValue::attr(tree, element, "value")
+        .or_else(|| AttrValue::content(tree, element))
         .is_some_and(|text| !text.is_known() || decimal(text.value.trim()).is_some())
 }

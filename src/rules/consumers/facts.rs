@@ -5,7 +5,7 @@ use super::super::edits::source_text;
 use super::bodies::{RigidBody, bodies};
 use super::table::construct;
 use expand::{Origin, XId};
-use model::{Joint, Kinematics, Link, Robot, Text, Version, tag_start};
+use model::{AttrValue, Joint, Kinematics, Link, Robot, Version, tag_start};
 
 /// A robot, as detectors see it.
 pub(super) struct Facts<'a, 'e> {
@@ -67,7 +67,7 @@ impl<'a, 'e> Facts<'a, 'e> {
     }
 
     /// The text of a value as consumers see it.
-    pub(super) fn seen(&self, text: &Text) -> String {
+    pub(super) fn seen(&self, text: &AttrValue) -> String {
         // blanks may have been tabs, and what is computed was written otherwise
         if !self.is_plain || text.is_literal() && !text.value.contains([' ', '&', '<', '"']) {
             return text.value.to_string();
@@ -86,7 +86,7 @@ impl<'a, 'e> Facts<'a, 'e> {
     }
 
     /// Where a thing is named, or where it begins.
-    pub(super) fn at_name(&self, name: Option<&Text>, element: XId) -> Origin {
+    pub(super) fn at_name(&self, name: Option<&AttrValue>, element: XId) -> Origin {
         name.filter(|name| !name.value.is_empty())
             .map_or_else(|| self.at(element), |name| name.origin)
     }

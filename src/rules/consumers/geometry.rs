@@ -1,7 +1,7 @@
 //! Shapes of visuals and collisions.
 use super::facts::{Facts, Found, link_owner};
 use expand::XId;
-use model::{Body, Link, Shape, ShapeKind, Text, Version};
+use model::{AttrValue, Body, Link, Shape, ShapeKind, Version};
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     for link in &facts.robot.links {
@@ -60,7 +60,7 @@ fn has_size(shape: &Shape, is_such: fn(f64) -> bool) -> bool {
     })
 }
 
-fn sizes(shape: &Shape) -> [Option<&Text>; 2] {
+fn sizes(shape: &Shape) -> [Option<&AttrValue>; 2] {
     match &shape.kind {
         ShapeKind::Box { size } => [size.as_ref(), None],
         ShapeKind::Sphere { radius } => [radius.as_ref(), None],

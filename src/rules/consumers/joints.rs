@@ -1,7 +1,7 @@
 //! Joints: types, limits, axes, dynamics.
 use super::super::context::RootKind;
 use super::facts::{Facts, Found, joint_owner};
-use model::{Dynamics, Joint, JointType, Limit, Text, Version};
+use model::{AttrValue, Dynamics, Joint, JointType, Limit, Version};
 
 /// Shorter axes are zero.
 const TINY_AXIS: f64 = 1e-6;
@@ -118,7 +118,7 @@ fn signs(limit: &Limit, add: &mut impl FnMut(&str)) {
         ),
     ];
     for (text, zero, negative) in rows {
-        match text.as_ref().and_then(Text::number) {
+        match text.as_ref().and_then(AttrValue::number) {
             Some(0.0) => add(zero),
             Some(number) if number < 0.0 => add(negative),
             _ => {}
@@ -227,7 +227,7 @@ fn dynamics(facts: &Facts<'_, '_>, joint: &Joint, dynamics: &Dynamics, out: &mut
         (&dynamics.friction, "friction-negative"),
     ];
     for (text, row) in rows {
-        let number = text.as_ref().and_then(Text::number);
+        let number = text.as_ref().and_then(AttrValue::number);
         if number.is_some_and(|number| number < 0.0) {
             out.add(row, at, owner);
         }

@@ -2,7 +2,7 @@
 use super::super::geometry::{FileTarget, color, is_defined, resolve_file, visual_materials};
 use super::facts::{Facts, Found, Owner, link_owner};
 use base::FastMap;
-use model::{Material, Text};
+use model::{AttrValue, Material};
 
 /// Red, green, blue and opacity.
 type Color = [f64; 4];
@@ -53,7 +53,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 /// Whether a visual defines a material.
-fn is_defined_elsewhere(facts: &Facts<'_, '_>, name: &Text) -> bool {
+fn is_defined_elsewhere(facts: &Facts<'_, '_>, name: &AttrValue) -> bool {
     let mut materials = visual_materials(facts.robot)
         .map(|(_, material)| material)
         .filter(|material| is_defined(material));
@@ -100,7 +100,7 @@ fn look(facts: &Facts<'_, '_>, material: &Material, owner: Owner<'_>, out: &mut 
     }
 }
 
-fn is_missing(target: &FileTarget, file: &Text) -> bool {
+fn is_missing(target: &FileTarget, file: &AttrValue) -> bool {
     match target {
         FileTarget::Missing(..) | FileTarget::NoFile(_) | FileTarget::OtherCase(_) => true,
         FileTarget::Unknown => file.is_known() && file.value.starts_with("package://"),

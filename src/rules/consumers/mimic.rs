@@ -1,6 +1,6 @@
 //! Joints that mimic others.
 use super::facts::{Facts, Found, joint_owner};
-use model::{Joint, JointType, Text};
+use model::{AttrValue, Joint, JointType};
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     for (number, joint) in facts.robot.joints.iter().enumerate() {
@@ -15,7 +15,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             continue;
         };
         let Some(name) = name.name() else { continue };
-        if mimic.multiplier.as_ref().and_then(Text::number) == Some(0.0) {
+        if mimic.multiplier.as_ref().and_then(AttrValue::number) == Some(0.0) {
             out.add("mimic-multiplier-zero", at, owner);
         }
         let row = match position(facts, name) {

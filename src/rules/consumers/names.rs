@@ -2,7 +2,7 @@
 use super::facts::{Facts, Found, Owner, joint_owner, link_owner};
 use base::FastSet;
 use expand::{Origin, XId};
-use model::{JointType, Text};
+use model::{AttrValue, JointType};
 
 pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     let tops: FastSet<usize> = facts
@@ -89,12 +89,12 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 /// The name of a thing, when it is known and not empty.
 fn one<'t>(
     facts: &Facts<'_, '_>,
-    name: &'t Option<Text>,
+    name: &'t Option<AttrValue>,
     element: XId,
     owner: Owner<'_>,
     [missing, empty]: [&str; 2],
     out: &mut Found,
-) -> Option<&'t Text> {
+) -> Option<&'t AttrValue> {
     let at: Origin = facts.at(element);
     match name {
         None => out.add(missing, at, owner),
@@ -106,7 +106,7 @@ fn one<'t>(
 }
 
 /// What holds for a link whatever it is in the robot.
-fn common(name: &Text, owner: Owner<'_>, out: &mut Found) {
+fn common(name: &AttrValue, owner: Owner<'_>, out: &mut Found) {
     let value = name.value.as_str();
     let at = name.origin;
     if value.contains('/') {

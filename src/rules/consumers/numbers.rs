@@ -4,7 +4,7 @@ use super::facts::{Facts, Found};
 use super::met::Met;
 use super::table::fault;
 use expand::XId;
-use model::{Text, is_decimal};
+use model::{AttrValue, is_decimal};
 
 /// White space that is no space.
 const BREAKS: [char; 3] = ['\t', '\n', '\r'];
@@ -19,7 +19,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             if facts.cx.is_older_than(attribute.since) {
                 continue;
             }
-            let text = Text::attr(tree, id, attribute.name);
+            let text = AttrValue::attr(tree, id, attribute.name);
             let found = match &text {
                 None if attribute.required => Some("missing"),
                 Some(text) if text.is_known() => judge(&facts.seen(text), count),

@@ -1,7 +1,7 @@
 //! The tree of links and joints.
 use super::facts::{Facts, Found, joint_owner, link_owner};
 use base::{FastMap, FastSet};
-use model::{JointType, Link, Text, Version};
+use model::{AttrValue, JointType, Link, Version};
 
 /// More joints than these are too many for PyBullet.
 const WIDE: usize = 128;
@@ -42,8 +42,8 @@ fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 fn version(facts: &Facts<'_, '_>, out: &mut Found) {
-    let text = Text::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
-    let Some(text) = text.filter(Text::is_known) else {
+    let text = AttrValue::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
+    let Some(text) = text.filter(AttrValue::is_known) else {
         return;
     };
     let row = match Version::parse(&text.value) {
@@ -140,13 +140,13 @@ fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn is_unknown(facts: &Facts<'_, '_>, link: &Text) -> bool {
+fn is_unknown(facts: &Facts<'_, '_>, link: &AttrValue) -> bool {
     link.name()
         .is_some_and(|name| facts.kinematics.link(name).is_none())
 }
 
 /// The row of a link that is not there: Drake knows `world` without being told.
-fn unknown_row(link: &Text, [world, other]: [&'static str; 2]) -> &'static str {
+fn unknown_row(link: &AttrValue, [world, other]: [&'static str; 2]) -> &'static str {
     if link.value == "world" { world } else { other }
 }
 

@@ -3,7 +3,7 @@ use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::hardware::Hardware;
-use project::{Controller, Named, is_computed};
+use project::{Controller, SpannedName, is_computed};
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL027",
@@ -120,7 +120,7 @@ fn of_ros2<'a>(cx: &BesideCx<'a>) -> impl Iterator<Item = &'a Controller> + use<
 fn fits(hardware: &Hardware<'_>, controller: &Controller, joint: &str) -> bool {
     let mut named = controller.joints.iter().map(|(_, own)| &own.name);
     let offers =
-        |(name, is_command): (&Named, bool)| !hardware.lacks(joint, &name.name, is_command);
+        |(name, is_command): (&SpannedName, bool)| !hardware.lacks(joint, &name.name, is_command);
     named.any(|own| own == joint)
         && (!controller.commands.is_empty() || controller.interface.is_some())
         && interfaces(controller).all(offers)
@@ -179,7 +179,7 @@ pub(super) fn is_commanding(cx: &BesideCx<'_>, controller: &Controller) -> bool 
 }
 
 /// The joints of a parameter.
-fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a Named> {
+fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a SpannedName> {
     controller
         .joints
         .iter()
@@ -206,7 +206,7 @@ fn report(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
     (hardware, severity): (&Hardware<'_>, Severity),
-    place: &Named,
+    place: &SpannedName,
     (joint, interface, is_command): (&str, &str, bool),
 ) {
     if cx.may_offer(joint, interface, is_command) {
@@ -235,7 +235,7 @@ fn report(
 }
 
 /// The interfaces that a controller names, with whether each is for commands.
-fn interfaces(controller: &Controller) -> impl Iterator<Item = (&Named, bool)> {
+fn interfaces(controller: &Controller) -> impl Iterator<Item = (&SpannedName, bool)> {
     let commands = controller
         .commands
         .iter()

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
-use model::Text;
+use model::AttrValue;
 use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
@@ -25,7 +25,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for file in plugins(cx)
         .into_iter()
-        .filter_map(|plugin| Text::attr(tree, plugin, "filename"))
+        .filter_map(|plugin| AttrValue::attr(tree, plugin, "filename"))
     {
         if file.is_known() && file.value.starts_with("libgazebo_ros") {
             out.report(file.origin, format!("plugin `{}` works only in Gazebo Classic", file.value))

@@ -3,7 +3,7 @@ use super::super::beside::{BesideCx, PairedRobot};
 use super::ros2_control_unknown_interface::is_misspelled;
 use super::ros2_control_unknown_tag::is_misread_in_joint;
 use base::{FastMap, FastSet};
-use model::{ControlJoint, Interface, Ros2Control, Text};
+use model::{AttrValue, ControlJoint, Interface, Ros2Control};
 
 /// Interfaces that the hardware of Gazebo exports under the name of another one, and controls by itself.
 /// Source: `gazebo_system.cpp` of gazebo_ros2_control 0.6.
@@ -131,7 +131,8 @@ fn offers_only_declared(paired: &PairedRobot<'_>, control: &Ros2Control) -> bool
         .flat_map(|&hardware| tree.elements(hardware));
     let mut plugins = plugins.filter(|&child| tree.get(child).text == "plugin");
     plugins.any(|plugin| {
-        Text::content(tree, plugin).is_some_and(|class| ONLY_DECLARED.contains(&class.value.trim()))
+        AttrValue::content(tree, plugin)
+            .is_some_and(|class| ONLY_DECLARED.contains(&class.value.trim()))
     })
 }
 

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XTree;
-use model::{Text, Transmission, tag_start};
+use model::{AttrValue, Transmission, tag_start};
 use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
@@ -55,6 +55,6 @@ fn is_simple(tree: &XTree, transmission: &Transmission) -> bool {
         .elements(transmission.element)
         .filter(|&id| tree.get(id).text == "type");
     types.any(|id| {
-        Text::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission"))
+        AttrValue::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission"))
     })
 }

@@ -2,15 +2,15 @@
 use super::super::context::DocumentCx;
 use super::super::rule::Severity;
 use expand::{XId, XTree};
-use model::Text;
+use model::AttrValue;
 use workspace::RosVersion;
 
 /// The text of the `type` of a transmission.
-pub(super) fn type_of(tree: &XTree, transmission: XId) -> Option<Text> {
+pub(super) fn type_of(tree: &XTree, transmission: XId) -> Option<AttrValue> {
     let kind = tree
         .elements(transmission)
         .find(|&id| tree.get(id).text == "type")?;
-    Text::content(tree, kind)
+    AttrValue::content(tree, kind)
 }
 
 /// Nothing in ROS 2 reads the transmissions of a robot.

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::super::xml::with_dollars;
 use super::names::{self, Named};
-use model::{JointType, Text};
+use model::{AttrValue, JointType};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CNV001",
@@ -133,7 +133,7 @@ fn is_fixed_joint(cx: &DocumentCx<'_>, named: Named, name: &str) -> bool {
 }
 
 /// The name, unless it is so long that it cannot be meant as one: then it may be the text of some file.
-fn quoted(name: &Text) -> String {
+fn quoted(name: &AttrValue) -> String {
     const MOST: usize = 100;
     if name.value.len() > MOST {
         String::new()

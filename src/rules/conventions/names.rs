@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::finding::Edit;
 use base::FastSet;
 use expand::{Expansion, XId, XKind};
-use model::{Robot, Text};
+use model::{AttrValue, Robot};
 
 /// What a name names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +23,7 @@ impl Named {
 }
 
 /// The known names of a robot, or of what a library gives.
-pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
+pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &AttrValue)> {
     let links = robot
         .links
         .iter()
@@ -46,7 +46,7 @@ pub(in super::super) fn rename(
     let mut places = FastSet::default();
     let mut edits = Vec::new();
     for (id, attr) in mentions(cx.expansion, cx.element, named) {
-        let text = Text::attr(&cx.expansion.tree, id, attr)?;
+        let text = AttrValue::attr(&cx.expansion.tree, id, attr)?;
         if text.value == new {
             return None;
         }

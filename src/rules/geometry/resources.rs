@@ -10,7 +10,7 @@ use super::super::grouping::Group;
 use super::uri::defect;
 use base::FastMap;
 use expand::{Expansion, FileIdx, XId, XTree};
-use model::{Link, Mesh, Shape, ShapeKind, Text};
+use model::{AttrValue, Link, Mesh, Shape, ShapeKind};
 use workspace::{UriKind, UriOutcome};
 
 /// A mesh that a visual or collision names.
@@ -22,9 +22,9 @@ pub struct MeshUse<'a> {
     /// The element `mesh`.
     pub element: XId,
     /// Its `filename`.
-    pub file: &'a Text,
+    pub file: &'a AttrValue,
     /// Its `scale`.
-    pub scale: Option<&'a Text>,
+    pub scale: Option<&'a AttrValue>,
     /// Where the name leads.
     pub target: &'a Target,
     /// The mesh, when there is a file.
@@ -63,8 +63,8 @@ impl MeshUse<'_> {
 }
 
 /// The factors of a scale that may be absent; none when they are not known.
-pub fn factors(scale: Option<&Text>) -> Option<[f64; 3]> {
-    scale.map_or(Some([1.0; 3]), Text::numbers)
+pub fn factors(scale: Option<&AttrValue>) -> Option<[f64; 3]> {
+    scale.map_or(Some([1.0; 3]), AttrValue::numbers)
 }
 
 impl DocumentCx<'_> {
@@ -105,8 +105,8 @@ struct Named<'a> {
     link: &'a Link,
     is_collision: bool,
     element: XId,
-    file: &'a Text,
-    scale: Option<&'a Text>,
+    file: &'a AttrValue,
+    scale: Option<&'a AttrValue>,
 }
 
 fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
@@ -215,7 +215,7 @@ fn child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
 }
 
 /// Find the file that an attribute names.
-pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &Text) -> Target {
+pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &AttrValue) -> Target {
     let place = expansion
         .place(name.origin)
         .filter(|_| name.is_known() && !name.value.trim().is_empty());

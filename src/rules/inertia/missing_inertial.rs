@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_simulator_plugin;
 use base::FastSet;
-use model::{Gazebo, JointType, Ros2Control, Text};
+use model::{AttrValue, Gazebo, JointType, Ros2Control};
 use workspace::config::Profile;
 
 pub(super) static RULE: Rule = Rule {
@@ -57,7 +57,7 @@ fn is_simulated(cx: &RobotCx<'_>) -> bool {
     let is_simulator = |control: &Ros2Control| {
         let plugin = control
             .plugin(tree)
-            .and_then(|element| Text::content(tree, element));
+            .and_then(|element| AttrValue::content(tree, element));
         // a plugin that is not known may be one
         plugin
             .as_ref()

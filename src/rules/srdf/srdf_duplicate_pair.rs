@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use base::FastMap;
 use expand::FileIdx;
 use model::tag_start;
-use project::Pair;
+use project::CollisionPair;
 
 pub(super) static RULE: Rule = Rule::semantic(
     "SRD010",
@@ -19,7 +19,7 @@ pub(super) static RULE: Rule = Rule::semantic(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
-    let mut first: FastMap<(&str, &str), &Pair> = FastMap::default();
+    let mut first: FastMap<(&str, &str), &CollisionPair> = FastMap::default();
     for pair in &srdf.disabled {
         let Some(links) = pair.links() else { continue };
         let known = *first.entry(links).or_insert(pair);
@@ -52,7 +52,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The file that a pair stands in.
-fn file(cx: &BesideCx<'_>, pair: &Pair) -> Option<FileIdx> {
+fn file(cx: &BesideCx<'_>, pair: &CollisionPair) -> Option<FileIdx> {
     let place = cx.expansion.place(tag_start(cx.expansion, pair.element));
     place.map(|place| place.file)
 }

@@ -7,7 +7,7 @@ use indexmap::IndexMap;
 use super::super::context::{RobotCx, elements};
 use base::FastSet;
 use expand::Origin;
-use model::{Joint, Robot, Text};
+use model::{AttrValue, Joint, Robot};
 use workspace::nearest;
 
 /// A link that does not exist.
@@ -105,7 +105,7 @@ fn almost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     let elements = tree
         .elements(cx.robot.element)
         .filter(|&id| is_misspelled_link(&tree.get(id).text));
-    let named = elements.filter_map(|id| Some(Text::attr(tree, id, "name")?.name()?.clone()));
+    let named = elements.filter_map(|id| Some(AttrValue::attr(tree, id, "name")?.name()?.clone()));
     let trimmed = link_names(cx)
         .filter(|name| name.trim() != *name)
         .map(|name| name.trim().into());

@@ -3,7 +3,7 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
-use model::{Joint, Text};
+use model::{AttrValue, Joint};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR007",
@@ -33,7 +33,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let lost = lost_links(cx);
-    let mut roots: Vec<&Text> = Vec::new();
+    let mut roots: Vec<&AttrValue> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {
         let name = cx.robot.links.get(root).and_then(|link| link.name.as_ref());
         roots.extend(name.filter(|name| {

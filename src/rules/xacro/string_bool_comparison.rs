@@ -8,7 +8,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source;
 use base::{FastMap, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Place, SourceRange, SymbolKind, UseKind};
+use expand::{Definition, DefinitionId, FileRange, SourceRange, SymbolKind, UseKind};
 use expr::ast::{CmpOp, Const, Expr, ExprKind};
 use expr::{Code, TemplateToken, split, visit};
 
@@ -49,7 +49,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 if !definitions.is_empty() && definitions.iter().all(converted) {
                     let range = found.range.shift(start + offset + read.base);
                     report(
-                        Place {
+                        FileRange {
                             file: read.file,
                             range,
                         },
@@ -278,7 +278,7 @@ fn is_converted_text(
     }
 }
 
-fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
+fn report(at: FileRange, found: &Comparison, out: &mut Sink<'_>) {
     let Comparison {
         name, equal, text, ..
     } = found;

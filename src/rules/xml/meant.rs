@@ -4,7 +4,7 @@ use super::super::schema::ElementSpec;
 use super::walk;
 use expand::{BindingInfo, BindingKind, XId};
 use expr::is_identifier;
-use model::{Text, is_decimal};
+use model::{AttrValue, is_decimal};
 
 /// What a value was meant to be.
 pub(super) struct Meant {
@@ -15,7 +15,7 @@ pub(super) struct Meant {
 }
 
 /// Of an attribute that holds so many numbers; none when it does, or when it cannot be told.
-pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Option<Meant> {
+pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &AttrValue, count: usize) -> Option<Meant> {
     let value = text.value.as_str();
     if holds_numbers(value, count) {
         return None;

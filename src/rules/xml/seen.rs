@@ -1,7 +1,7 @@
 //! Elements and attributes of a document, as the schema sees them.
 use super::super::schema::ElementSpec;
 use expand::XId;
-use model::Text;
+use model::AttrValue;
 
 /// An element outside of the free zones.
 pub struct Seen {
@@ -22,5 +22,5 @@ pub struct Numeric {
     /// How many numbers it holds.
     pub count: usize,
     /// Its value.
-    pub text: Text,
+    pub text: AttrValue,
 }

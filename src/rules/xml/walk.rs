@@ -5,7 +5,7 @@ use super::super::vocabulary::{is_forgotten_prefix, is_free_zone};
 use super::super::xml::seen::Seen;
 use base::FastSet;
 use expand::{Expansion, Origin, XId, XKind};
-use model::Text;
+use model::AttrValue;
 use workspace::edit_distance;
 use xml::Node;
 
@@ -91,7 +91,7 @@ pub(super) fn owner(cx: &DocumentCx<'_>, element: XId) -> String {
     let named = |id: XId| {
         let node = tree.get(id);
         let is_owner = matches!(node.text.as_str(), "link" | "joint" | "material" | "robot");
-        let name = Text::attr(tree, id, "name").filter(|_| is_owner)?;
+        let name = AttrValue::attr(tree, id, "name").filter(|_| is_owner)?;
         Some(name.name().map_or_else(
             || format!("a {}", node.text),
             |name| format!("{} `{name}`", node.text),

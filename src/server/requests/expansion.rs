@@ -12,7 +12,7 @@ use crate::state::State;
 use analysis::World;
 use base::clock::Instant;
 use base::{CancelFlag, Span};
-use expand::{Expansion, Place, Severity};
+use expand::{Expansion, FileRange, ProblemSeverity};
 use ide::SourceMap;
 
 #[derive(Clone, Debug, Deserialize)]
@@ -106,7 +106,7 @@ fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
 }
 
 pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
-    let place = |place: Place| {
+    let place = |place: FileRange| {
         let file = expansion.files.get(place.file)?.source.id;
         location(
             state,
@@ -119,7 +119,7 @@ pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
     let problems = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == Severity::Error && !p.probed);
+        .filter(|p| p.severity == ProblemSeverity::Error && !p.probed);
     let error = problems.filter_map(|problem| {
         let stack = problem.trace.iter().filter_map(|step| {
             Some(StackEntry {
