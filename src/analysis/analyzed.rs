@@ -13,7 +13,7 @@ use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
 use expand::{Expansion, Read, Request, SymbolKind, Written, write_mapped};
 use model::{Kinematics, Robot};
-use rules::Names;
+use rules::RobotNames;
 use vfs::Vfs;
 
 /// A root expanded.
@@ -30,7 +30,7 @@ pub struct Analyzed {
     outcome: OnceLock<Outcome>,
     written: OnceLock<Written>,
     /// The names that it has when it is expanded in other ways.
-    pub(super) further: OnceLock<Names>,
+    pub(super) further: OnceLock<RobotNames>,
     /// When it was made, as the world counts.
     pub(super) epoch: u64,
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 use super::lock::locked;
 use base::FastMap;
 use rules::{
-    Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
+    Finding, Rule, RuleSelection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
 use vfs::{LoadError, Vfs};
 use workspace::config::{
@@ -54,7 +54,7 @@ impl Overrides {
 pub struct Settings {
     /// The configuration.
     pub config: Config,
-    selection: Selection,
+    selection: RuleSelection,
 }
 
 /// Configurations by the folder they hold for.
@@ -98,7 +98,7 @@ impl Settings {
             .severity
             .iter()
             .map(|(rule, &level)| (rule.clone(), severity(level)));
-        let selection = Selection::new(&SelectionOptions {
+        let selection = RuleSelection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: given_or(overrides.extend_select.as_ref(), &config.extend_select),
             ignore: given_or(overrides.ignore.as_ref(), &config.ignore),

@@ -5,7 +5,7 @@ use ecow::EcoString;
 use super::context::Cx;
 use super::names::place;
 use super::rename_robot::{NamePart, parts};
-use super::robot_names::NameKind;
+use super::robot_names::RobotNameKind;
 use base::{FileId, Span, TextRange};
 use project::{ProjectNameKind, Srdf, YamlSettings};
 
@@ -18,19 +18,19 @@ pub struct BesideName {
     pub place: Span,
     /// Whether the thing is given there: a group, or a virtual joint.
     pub is_definition: bool,
-    pub(super) kind: NameKind,
+    pub(super) kind: RobotNameKind,
     /// What it holds, in one line: of a group where it is given.
     pub(super) content: String,
     /// The parts of it that are written letter by letter.
     pub(super) parts: Vec<NamePart>,
 }
 
-impl From<ProjectNameKind> for NameKind {
+impl From<ProjectNameKind> for RobotNameKind {
     fn from(kind: ProjectNameKind) -> Self {
         match kind {
-            ProjectNameKind::Link => NameKind::Link,
-            ProjectNameKind::Joint => NameKind::Joint,
-            ProjectNameKind::Group => NameKind::Group,
+            ProjectNameKind::Link => RobotNameKind::Link,
+            ProjectNameKind::Joint => RobotNameKind::Joint,
+            ProjectNameKind::Group => RobotNameKind::Group,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::locate::{At, Part};
+use super::locate::{LocatedNode, NodePart};
 use base::TextRange;
 use expr::ast::{Expr, ExprKind};
 use expr::{self, Code, Template, TemplateToken};
@@ -43,10 +43,10 @@ impl<'a> ExprText<'a> {
     }
 
     /// The text that stands at a place, if it is one that may hold expressions.
-    pub fn at(document: &'a Document, at: &At<'a>) -> Option<Self> {
+    pub fn at(document: &'a Document, at: &LocatedNode<'a>) -> Option<Self> {
         match (at.part, at.node) {
-            (Part::AttrValue(attr), _) => Some(Self::of_attr(document, at.base, attr)),
-            (Part::Text, Some(node)) => Some(Self::of_text(document, at.base, node)),
+            (NodePart::AttrValue(attr), _) => Some(Self::of_attr(document, at.base, attr)),
+            (NodePart::Text, Some(node)) => Some(Self::of_text(document, at.base, node)),
             _ => None,
         }
     }

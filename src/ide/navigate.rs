@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use super::context::Cx;
 use super::expressions::{ExprText, parsed, path_to};
 use super::instances::{frames_of_macro, is_within};
-use super::locate::{At, locate};
-use super::names::{Target, definition_of};
+use super::locate::{LocatedNode, locate};
+use super::names::{NavigationTarget, definition_of};
 use super::paths::{FileKind, FileTarget, file_name_at, file_names};
 use base::TextRange;
 use expand::{DefinitionId, SymbolKind, Written};
@@ -57,7 +57,11 @@ pub fn file_definition(
 }
 
 /// `$(find package)`
-fn package(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
+fn package(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, FilePlace)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (range, name) = super::hover::package_at(&text, at.offset)?;
     let found = world.packages.find(name, &cx.source.path).ok()?;
@@ -69,7 +73,7 @@ fn package(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, F
 }
 
 /// A key of a value that came from YAML: `cam['mass']`, `cam.mass`.
-fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
+fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, FilePlace)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (expr, start) = parsed(text.token_at(at.offset)?)?;
     let inside = text.offset(at.offset).checked_sub(start)?;
@@ -80,17 +84,18 @@ fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FileP
         ExprKind::Const(Const::Str(_)) => (*path.get(path.len().checked_sub(2)?)?, last.range),
         _ => return None,
     };
-    let value = Loaded::of(cx, world, chain, MOST_STEPS).filter(|value| !value.keys.is_empty())?;
+    let value =
+        YamlTarget::of(cx, world, chain, MOST_STEPS).filter(|value| !value.keys.is_empty())?;
     Some((text.range(range.shift(start)), value.place(world)?))
 }
 
 /// What stands for a part of a YAML file.
-struct Loaded {
+struct YamlTarget {
     path: PathBuf,
     keys: Vec<String>,
 }
 
-impl Loaded {
+impl YamlTarget {
     /// Follow names and keys of an expression back to the file they were read from.
     fn of(cx: &Cx<'_>, world: RuleEnv<'_>, expr: &Expr, steps: u32) -> Option<Self> {
         let (inner, key) = match &expr.kind {
@@ -202,14 +207,14 @@ pub fn type_definition(
             .symbols
             .get(id)
             .filter(|given| given.kind == SymbolKind::Property);
-        let value = own.and_then(|_| Loaded::of_definition(cx, world, id, MOST_STEPS))?;
+        let value = own.and_then(|_| YamlTarget::of_definition(cx, world, id, MOST_STEPS))?;
         return Some((range, value.place(world)?));
     }
     file_definition(cx, world, offset)
 }
 
 /// The text that declares the parameter, block or argument at an offset.
-pub fn declaration(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Target)> {
+pub fn declaration(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, NavigationTarget)> {
     use SymbolKind::{Argument, BlockParameter, Parameter};
     let (id, range) = cx.symbol_at(offset)?;
     let given = cx.expansion.index.symbols.get(id)?;

@@ -5,7 +5,7 @@ use vfs::without_parents;
 
 use super::context::Cx;
 use super::expressions::ExprText;
-use super::locate::{At, Part};
+use super::locate::{LocatedNode, NodePart};
 use super::values::{distinct, instances};
 use base::TextRange;
 use expr::{self, Subst, TemplateToken, Value, WordKind, display, parse_substitution, words};
@@ -69,11 +69,11 @@ pub fn file_names(cx: &Cx<'_>, world: RuleEnv<'_>) -> Vec<FileName> {
 }
 
 /// The name of a file at a place.
-pub fn file_name_at(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<FileName> {
+pub fn file_name_at(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>) -> Option<FileName> {
     let node = at.node?;
     let names = match at.part {
-        Part::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
-        Part::Text => of_text(
+        NodePart::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
+        NodePart::Text => of_text(
             cx,
             world,
             &ExprText::of_text(&cx.source.document, at.base, node),

@@ -1,7 +1,7 @@
 //! The values that expressions have in the expansion, and how they are shown.
 
 use super::context::Cx;
-use super::host::{self, Names};
+use super::host::{self, NameResolver};
 use super::instances::is_within;
 use base::{FastSet, TextRange};
 use expand::{BindingId, BindingKind, Evaluation, FrameId};
@@ -115,7 +115,7 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     if changes_something(part) {
         return Value::Unknown;
     }
-    let mut known = Known {
+    let mut known = KnownValues {
         cx,
         reads: cx.expansion.index.read_in(evaluation.reads),
     };
@@ -147,12 +147,12 @@ fn changes_something(part: &Expr) -> bool {
 }
 
 /// Answers with what was read before, and with nothing else.
-struct Known<'a> {
+struct KnownValues<'a> {
     cx: &'a Cx<'a>,
     reads: &'a [BindingId],
 }
 
-impl Known<'_> {
+impl KnownValues<'_> {
     fn value(&self, name: &str, of: impl Fn(BindingKind) -> bool) -> Option<Value> {
         let bindings = self
             .reads
@@ -182,7 +182,7 @@ impl Known<'_> {
     }
 }
 
-impl Names for Known<'_> {
+impl NameResolver for KnownValues<'_> {
     fn name(&mut self, name: &str) -> Lookup {
         self.named(name)
     }

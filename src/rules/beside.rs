@@ -5,7 +5,7 @@ use ecow::EcoString;
 
 use super::finding::Help;
 use super::grouping::Group;
-use super::names::{Names, Offered, Place, may_be};
+use super::names::{JointConnection, OfferedInterface, RobotNames, may_be};
 use super::rule::Severity;
 use super::sink::{Reported, Sink, span_of};
 use base::{FileId, Span};
@@ -19,14 +19,14 @@ pub struct BesideCx<'a> {
     /// The SRDF or YAML that is checked.
     pub file: FileId,
     /// What it says.
-    pub content: Content<'a>,
+    pub content: BesideContent<'a>,
     /// The expansion of the file, and of the robot where the file is not expanded.
     pub expansion: &'a Expansion,
     /// The robots that the file is for; all their links and joints are there. Without one, the file is compared with
     /// SRDFs only.
     pub robots: &'a [PairedRobot<'a>],
     /// All files beside these robots.
-    pub all: &'a [Content<'a>],
+    pub all: &'a [BesideContent<'a>],
     /// Whether the package of the file is for ROS 2.
     pub(super) is_ros2: bool,
     /// Whether hardware of ROS 1 in the workspace registers joints by itself.
@@ -36,16 +36,16 @@ pub struct BesideCx<'a> {
     /// Whether everything of the SRDFs is there.
     pub(super) has_all_groups: bool,
     /// Names in further expansions of the robots, asked for only when a name is in none of them.
-    pub further: &'a dyn Fn() -> Names,
+    pub further: &'a dyn Fn() -> RobotNames,
     /// What these gave.
-    pub(super) known: OnceCell<Names>,
+    pub(super) known: OnceCell<RobotNames>,
     /// The names in the robots.
-    pub(super) names: Names,
+    pub(super) names: RobotNames,
 }
 
 /// What a file beside a robot says.
 #[derive(Clone, Copy)]
-pub enum Content<'a> {
+pub enum BesideContent<'a> {
     /// A semantic description.
     Srdf(&'a Srdf),
     /// YAML for controllers or MoveIt.
@@ -68,15 +68,15 @@ pub struct PairedRobot<'a> {
 impl<'a> BesideCx<'a> {
     /// A file with what is around it.
     pub fn new(
-        (file, content, expansion): (FileId, Content<'a>, &'a Expansion),
+        (file, content, expansion): (FileId, BesideContent<'a>, &'a Expansion),
         robots: &'a [PairedRobot<'a>],
-        all: &'a [Content<'a>],
-        further: &'a dyn Fn() -> Names,
+        all: &'a [BesideContent<'a>],
+        further: &'a dyn Fn() -> RobotNames,
     ) -> Self {
-        let mut names = Names::default();
+        let mut names = RobotNames::default();
         robots.iter().for_each(|paired| names.add(paired.robot));
         for content in all {
-            if let Content::Srdf(srdf) = content {
+            if let BesideContent::Srdf(srdf) = content {
                 names.groups.extend(
                     srdf.groups
                         .iter()
@@ -131,16 +131,16 @@ impl<'a> BesideCx<'a> {
     /// The SRDF, when the file is one.
     pub(super) fn srdf(&self) -> Option<&'a Srdf> {
         match self.content {
-            Content::Srdf(srdf) => Some(srdf),
-            Content::Settings(_) => None,
+            BesideContent::Srdf(srdf) => Some(srdf),
+            BesideContent::Settings(_) => None,
         }
     }
 
     /// The settings, when the file holds some.
     pub(super) fn settings(&self) -> Option<&'a YamlSettings> {
         match self.content {
-            Content::Settings(settings) => Some(settings),
-            Content::Srdf(_) => None,
+            BesideContent::Settings(settings) => Some(settings),
+            BesideContent::Srdf(_) => None,
         }
     }
 
@@ -182,16 +182,16 @@ impl<'a> BesideCx<'a> {
     }
 
     /// Whether the robots have another joint where a joint is with other arguments.
-    fn is_taken(&self, place: &Place) -> bool {
-        let is_same = |own: &&Place| own.child == place.child && own.kind == place.kind;
+    fn is_taken(&self, place: &JointConnection) -> bool {
+        let is_same = |own: &&JointConnection| own.child == place.child && own.kind == place.kind;
         let mut same = self.names.places.iter().filter(is_same);
         same.any(|own| !self.is_named(ProjectNameKind::Joint, &own.joint))
             || self.is_loose(&place.child)
     }
 
     /// Whether a joint moves another link of the robots than with other arguments.
-    fn is_moved(&self, place: &Place) -> bool {
-        let is_same = |own: &&Place| own.joint == place.joint && own.kind == place.kind;
+    fn is_moved(&self, place: &JointConnection) -> bool {
+        let is_same = |own: &&JointConnection| own.joint == place.joint && own.kind == place.kind;
         let mut same = self.names.places.iter().filter(is_same);
         place.kind != "fixed" && same.any(|own| !self.is_named(ProjectNameKind::Link, &own.child))
     }
@@ -210,11 +210,11 @@ impl<'a> BesideCx<'a> {
     /// Whether a file beside the robots has a name.
     fn is_named(&self, kind: ProjectNameKind, name: &str) -> bool {
         self.all.iter().any(|content| match content {
-            Content::Srdf(srdf) => srdf
+            BesideContent::Srdf(srdf) => srdf
                 .names()
                 .iter()
                 .any(|(text, own, _)| *own == kind && text.value == name),
-            Content::Settings(settings) => settings
+            BesideContent::Settings(settings) => settings
                 .names()
                 .iter()
                 .any(|(own, its)| *its == kind && own.name == name),
@@ -224,7 +224,7 @@ impl<'a> BesideCx<'a> {
     /// Whether hardware of the robots offers an interface of a joint with other arguments.
     pub(super) fn may_offer(&self, joint: &str, interface: &str, is_command: bool) -> bool {
         let offered = &self.known.get_or_init(|| (self.further)()).interfaces;
-        let is_it = |one: &Offered| {
+        let is_it = |one: &OfferedInterface| {
             one.is_command == is_command
                 && one.name == interface
                 && one.joint.as_deref().is_none_or(|own| may_be(own, joint))
@@ -246,16 +246,16 @@ impl<'a> BesideCx<'a> {
     /// The SRDFs of the robots.
     pub(super) fn srdfs(&self) -> impl Iterator<Item = &'a Srdf> + '_ {
         self.all.iter().filter_map(|content| match content {
-            Content::Srdf(srdf) => Some(*srdf),
-            Content::Settings(_) => None,
+            BesideContent::Srdf(srdf) => Some(*srdf),
+            BesideContent::Settings(_) => None,
         })
     }
 
     /// All settings of the robots.
     pub(super) fn all_settings(&self) -> impl Iterator<Item = &'a YamlSettings> + '_ {
         self.all.iter().filter_map(|content| match content {
-            Content::Settings(settings) => Some(*settings),
-            Content::Srdf(_) => None,
+            BesideContent::Settings(settings) => Some(*settings),
+            BesideContent::Srdf(_) => None,
         })
     }
 

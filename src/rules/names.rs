@@ -7,24 +7,24 @@ use project::ProjectNameKind;
 
 /// Names of links and joints.
 #[derive(Clone, Debug, Default)]
-pub struct Names {
+pub struct RobotNames {
     /// Names of links.
     pub links: FastSet<EcoString>,
     /// Names of joints.
     pub joints: FastSet<EcoString>,
     /// The places of joints.
-    pub places: FastSet<Place>,
+    pub places: FastSet<JointConnection>,
     /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
     pub groups: FastSet<EcoString>,
     /// Interfaces of hardware that conditions decide on.
-    pub interfaces: FastSet<Offered>,
+    pub interfaces: FastSet<OfferedInterface>,
     /// Whether other arguments bring in a file of a package that is absent: nobody knows what names it brings.
     pub is_open: bool,
 }
 
 /// The place of a joint in a robot.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Place {
+pub struct JointConnection {
     /// The name of the joint.
     pub joint: EcoString,
     /// The name of its child link.
@@ -35,7 +35,7 @@ pub struct Place {
 
 /// An interface that hardware may offer.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Offered {
+pub struct OfferedInterface {
     /// Whether it is for commands.
     pub is_command: bool,
     /// Its joint as the text spells it, expressions and all; none where it is in no joint.
@@ -44,7 +44,7 @@ pub struct Offered {
     pub name: EcoString,
 }
 
-impl Names {
+impl RobotNames {
     /// Add the names in a robot.
     pub fn add(&mut self, robot: &Robot) {
         self.links.extend(
@@ -63,7 +63,7 @@ impl Names {
             let texts = [&joint.name, &joint.child, &joint.kind];
             let names = texts.map(|text| Some(text.as_ref()?.name()?.clone()));
             if let [Some(joint), Some(child), Some(kind)] = names {
-                self.places.insert(Place { joint, child, kind });
+                self.places.insert(JointConnection { joint, child, kind });
             }
         }
     }

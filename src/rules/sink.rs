@@ -17,16 +17,16 @@ pub struct Sink<'a> {
     rule: &'static Rule,
     /// Whether what is reported is in a macro that nothing calls.
     probed: bool,
-    drafts: Vec<Draft>,
+    drafts: Vec<FindingBuilder>,
     by_place: FastMap<(&'static str, Span), usize>,
     /// How many there are of each rule.
     counts: FastMap<&'static str, usize>,
 }
 
 /// A finding in the making.
-pub(super) struct Draft {
+pub(super) struct FindingBuilder {
     finding: Finding,
-    calls: Calls,
+    calls: RelatedCalls,
     /// The text in the body of a macro that is wrong, each time.
     instances: Vec<Origin>,
 }
@@ -34,7 +34,7 @@ pub(super) struct Draft {
 /// Adds to a finding.
 pub struct Reported<'s, 'a> {
     sink: &'s mut Sink<'a>,
-    draft: Draft,
+    draft: FindingBuilder,
 }
 
 impl<'a> Sink<'a> {
@@ -61,8 +61,8 @@ impl<'a> Sink<'a> {
 
     /// The findings, with their calls behind the other related places.
     pub(super) fn finish(self) -> Vec<Finding> {
-        let finish = |draft: Draft| {
-            let Draft {
+        let finish = |draft: FindingBuilder| {
+            let FindingBuilder {
                 mut finding,
                 calls,
                 instances,
@@ -117,9 +117,9 @@ impl<'a> Sink<'a> {
             probed: self.probed,
             ..Finding::new(self.rule, span, message)
         };
-        let mut draft = Draft {
+        let mut draft = FindingBuilder {
             finding,
-            calls: Calls::default(),
+            calls: RelatedCalls::default(),
             instances: Vec::new(),
         };
         draft.calls.add(calls);
@@ -144,7 +144,7 @@ impl<'a> Sink<'a> {
         })
     }
 
-    fn push(&mut self, mut draft: Draft) {
+    fn push(&mut self, mut draft: FindingBuilder) {
         let call_sites: Vec<CallSite> = draft
             .instances
             .iter()
@@ -388,13 +388,13 @@ const MOST_CALL_SITES: usize = 1000;
 
 /// Different calls that lead to a place: the first ones, and all of them counted.
 #[derive(Default)]
-struct Calls {
+struct RelatedCalls {
     first: Vec<Related>,
     /// What tells them from each other; there may be as many as a robot has elements.
     seen: FastSet<u64>,
 }
 
-impl Calls {
+impl RelatedCalls {
     /// Add those that are not among them yet.
     fn add(&mut self, calls: impl IntoIterator<Item = Related>) {
         for call in calls {

@@ -18,7 +18,7 @@ use divan::{AllocProfiler, Bencher, black_box};
 use large::robot;
 use xacro_lsp::analysis::{RootChoice, World};
 use xacro_lsp::base::{CancelFlag, TextRange};
-use xacro_lsp::ide::{self, Cx, Scope, Sources};
+use xacro_lsp::ide::{self, CompletionScope, CompletionSources, Cx};
 use xacro_lsp::vfs::Environment;
 
 #[global_allocator]
@@ -115,7 +115,7 @@ fn completion(bencher: Bencher<'_, '_>, calls: usize) {
     let offset = session.text.find("base_mass *").unwrap() as u32 + 4;
     bencher.bench_local(|| {
         let expansions = [(&analyzed.expansion, analyzed.robot.as_ref())];
-        let scope = Scope::new(Sources {
+        let scope = CompletionScope::new(CompletionSources {
             source: &source,
             root: &root.file,
             expansions: &expansions,

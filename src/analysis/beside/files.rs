@@ -7,7 +7,7 @@ use super::super::root_choice::RootChoice;
 use super::super::session::Session;
 use base::{FastMap, FileId};
 use project::{Srdf, YamlSettings, may_be_settings};
-use rules::{Content, is_semantic_name};
+use rules::{BesideContent, is_semantic_name};
 
 /// A file beside a robot, read.
 #[derive(Clone)]
@@ -82,10 +82,10 @@ impl Beside {
     }
 
     /// What it says, for rules.
-    pub(super) fn content(&self) -> Content<'_> {
+    pub(super) fn content(&self) -> BesideContent<'_> {
         match &self.read {
-            Read::Srdf(_, srdf) => Content::Srdf(srdf),
-            Read::Settings(settings) => Content::Settings(settings),
+            Read::Srdf(_, srdf) => BesideContent::Srdf(srdf),
+            Read::Settings(settings) => BesideContent::Settings(settings),
         }
     }
 

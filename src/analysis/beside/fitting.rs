@@ -10,7 +10,7 @@ use super::files::{Beside, Robots};
 use super::paired::Pairing;
 use super::pairing::stem;
 use expand::Expansion;
-use rules::{Names, is_whole};
+use rules::{RobotNames, is_whole};
 
 /// The robots that a file is compared with.
 #[derive(Default)]
@@ -96,8 +96,8 @@ impl Session {
 }
 
 /// The names of links and joints in robots.
-pub(super) fn names_of(robots: &[Arc<Analyzed>]) -> Names {
-    let mut names = Names::default();
+pub(super) fn names_of(robots: &[Arc<Analyzed>]) -> RobotNames {
+    let mut names = RobotNames::default();
     robots
         .iter()
         .filter_map(|one| one.robot.as_ref())
@@ -156,7 +156,7 @@ pub(super) fn has_choices(expansion: &Expansion) -> bool {
 }
 
 /// How many names of links and joints there are in a file, and which part of them a robot has.
-fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
+fn likeness(own: &Beside, names: &RobotNames) -> (u32, f64) {
     let (mut all, mut known) = (0u32, 0u32);
     for (kind, name) in own.names() {
         let list = match kind {

@@ -15,8 +15,8 @@ use super::paired::Pairing;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use rules::{
-    Chosen, Content, Finding, Names, Offered, PairedRobot, Place, all, check_beside,
-    has_ignored_tags, is_semantic_name, is_whole,
+    BesideContent, Chosen, Finding, JointConnection, OfferedInterface, PairedRobot, RobotNames,
+    all, check_beside, has_ignored_tags, is_semantic_name, is_whole,
 };
 use workspace::RosVersion;
 use xml::Node;
@@ -189,7 +189,7 @@ impl Session {
                 })
             })
             .collect();
-        let contents: Vec<Content<'_>> = std::iter::once(own)
+        let contents: Vec<BesideContent<'_>> = std::iter::once(own)
             .chain(around)
             .map(Beside::content)
             .collect();
@@ -213,7 +213,7 @@ impl Session {
         };
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
         let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
-        let has_controllers = matches!(own.content(), Content::Settings(settings) if !settings.controllers.is_empty());
+        let has_controllers = matches!(own.content(), BesideContent::Settings(settings) if !settings.controllers.is_empty());
         let is_ros2 = self.packages.generation(&own.path) == Some(RosVersion::Ros2);
         let cx = rules::BesideCx::new(
             (own.file, own.content(), expansion),
@@ -264,8 +264,8 @@ impl Session {
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.
-    fn further_names(&self, paired: &[Arc<Analyzed>], cancel: &CancelFlag) -> Names {
-        let mut names = Names::default();
+    fn further_names(&self, paired: &[Arc<Analyzed>], cancel: &CancelFlag) -> RobotNames {
+        let mut names = RobotNames::default();
         for analyzed in paired {
             self.add_written(&analyzed.root.file, &mut names);
             match analyzed.further.get() {
@@ -287,7 +287,7 @@ impl Session {
     /// Whether the link of an SRDF that a finding is about is spelled out in a robot that a launch file loads beside it.
     pub(in super::super) fn is_in_launched(&self, file: &Path, finding: &Finding) -> bool {
         let name = finding.message.split('`').nth(1).unwrap_or_default();
-        let mut names = Names::default();
+        let mut names = RobotNames::default();
         for root in self
             .by_launch(file, false)
             .iter()
@@ -312,7 +312,7 @@ impl Session {
 
     /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
     /// no part too.
-    fn add_written(&self, root: &Path, names: &mut Names) {
+    fn add_written(&self, root: &Path, names: &mut RobotNames) {
         let mut files = vec![root.to_owned()];
         let mut next = 0;
         while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
@@ -367,11 +367,11 @@ fn spelled(node: Node<'_>, attribute: &str) -> Option<EcoString> {
 }
 
 /// The place of a joint, as far as the text spells it out.
-fn place_of(joint: Node<'_>) -> Option<Place> {
+fn place_of(joint: Node<'_>) -> Option<JointConnection> {
     let child = joint
         .child_elements()
         .find(|inner| inner.name() == "child")?;
-    Some(Place {
+    Some(JointConnection {
         joint: spelled(joint, "name")?,
         child: spelled(child, "link")?,
         kind: spelled(joint, "type")?,
@@ -379,11 +379,11 @@ fn place_of(joint: Node<'_>) -> Option<Place> {
 }
 
 /// Add the interfaces of hardware that a condition decides on.
-fn add_interfaces(condition: Node<'_>, names: &mut Names) {
+fn add_interfaces(condition: Node<'_>, names: &mut RobotNames) {
     for inner in condition.child_elements() {
         match inner.name() {
             tag @ ("command_interface" | "state_interface") => {
-                let offered = inner.attr("name").map(|name| Offered {
+                let offered = inner.attr("name").map(|name| OfferedInterface {
                     is_command: tag == "command_interface",
                     joint: joint_around(inner),
                     name: name.raw().into(),

@@ -9,7 +9,7 @@ use super::super::session::Session;
 use base::CancelFlag;
 use expand::{Expansion, Forced, Request, Sources, expand};
 use model::Robot;
-use rules::Names;
+use rules::RobotNames;
 use vfs::Environment;
 use workspace::config::XacroArgs;
 
@@ -25,8 +25,8 @@ const VARIABLES: [&str; 2] = ["$(optenv ", "$(env "];
 impl Session {
     /// The names that a robot has with its switches turned over, with the values that launch files let somebody choose
     /// from, and in another environment.
-    pub(super) fn names_otherwise(&self, analyzed: &Analyzed, cancel: &CancelFlag) -> Names {
-        let mut names = Names::default();
+    pub(super) fn names_otherwise(&self, analyzed: &Analyzed, cancel: &CancelFlag) -> RobotNames {
+        let mut names = RobotNames::default();
         let turned = |(name, value): &(EcoString, EcoString)| match turned_over(value).as_slice() {
             [other] => Some((name.to_string(), (*other).to_owned())),
             _ => None,
@@ -93,7 +93,7 @@ impl Session {
     /// Add the names that a robot has where variables of the environment are set that decide on parts of it: a script of
     /// the robot, or whoever starts it, may set them. A variable with a switch as its default is turned over, and the
     /// conditions that read one are taken, whatever they compare it with.
-    fn add_elsewhere(&self, analyzed: &Analyzed, cancel: &CancelFlag, names: &mut Names) {
+    fn add_elsewhere(&self, analyzed: &Analyzed, cancel: &CancelFlag, names: &mut RobotNames) {
         let environment = turned(&analyzed.expansion, &self.env);
         let forced = conditions(&analyzed.expansion);
         let ways = [
@@ -116,7 +116,7 @@ impl Session {
 }
 
 /// Add the names of what an expansion gives.
-fn add(names: &mut Names, expansion: &Expansion) {
+fn add(names: &mut RobotNames, expansion: &Expansion) {
     Robot::of(expansion)
         .iter()
         .for_each(|robot| names.add(robot));

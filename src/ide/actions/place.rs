@@ -1,6 +1,6 @@
 //! Where new elements go, and how they are indented.
 
-use crate::{At, format_range, indentation, locate};
+use crate::{LocatedNode, format_range, indentation, locate};
 use base::TextRange;
 use vfs::SourceFile;
 use workspace::config::Format;
@@ -22,7 +22,7 @@ pub(super) fn margin(document: &Document, offset: u32) -> String {
 
 /// The innermost element at an offset; at the border of two, the one that begins there.
 pub(super) fn element_at(document: &Document, offset: u32) -> Option<(u32, Node<'_>)> {
-    let At { base, item, .. } = locate(document, offset);
+    let LocatedNode { base, item, .. } = locate(document, offset);
     let inside = offset - base.min(offset);
     let around = item.all_nodes().filter(|node| {
         let range = node.range();

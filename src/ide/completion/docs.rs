@@ -4,13 +4,13 @@ use super::directives::directive;
 use super::evaluate::Evaluator;
 use super::item::Topic;
 use super::names::file_name;
-use super::scope::{MacroInfo, Scope};
+use super::scope::{CompletionScope, MacroInfo};
 use expand::MacroParam;
 use expr::global_symbols;
 use rules::schema::{AttributeSpec, ElementSpec, every_element};
 
 /// More about a topic, as Markdown; none when there is no such thing.
-pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
+pub fn documentation(scope: &CompletionScope<'_>, topic: &Topic) -> Option<String> {
     match topic {
         Topic::Element { key } => every_element().find(|spec| spec.key == *key).map(element),
         Topic::Attribute { element, name } => {
@@ -98,7 +98,7 @@ fn of_macro(info: &MacroInfo) -> String {
     text
 }
 
-fn property(scope: &Scope<'_>, name: &str) -> Option<String> {
+fn property(scope: &CompletionScope<'_>, name: &str) -> Option<String> {
     let all = scope.properties(0);
     let found = all.iter().rev().find(|property| property.name == name)?;
     let file = scope

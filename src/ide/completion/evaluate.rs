@@ -9,8 +9,8 @@ use vfs::without_parents;
 
 use ecow::EcoString;
 
-use super::scope::{PropertyInfo, Scope};
-use crate::host::{self, Names};
+use super::scope::{CompletionScope, PropertyInfo};
+use crate::host::{self, NameResolver};
 use base::FastMap;
 use expand::yaml_value;
 use expr::{
@@ -18,7 +18,7 @@ use expr::{
 };
 
 /// Where a property's value stands.
-struct Given {
+struct PropertySource {
     /// The last definition, by number.
     last: usize,
     /// Another definition says something else.
@@ -27,9 +27,9 @@ struct Given {
 
 /// Evaluates texts of a scope.
 pub(super) struct Evaluator<'a> {
-    scope: &'a Scope<'a>,
+    scope: &'a CompletionScope<'a>,
     properties: Vec<PropertyInfo>,
-    given: FastMap<EcoString, Given>,
+    given: FastMap<EcoString, PropertySource>,
     arguments: FastMap<String, Option<String>>,
     memo: FastMap<String, Value>,
     /// Properties being evaluated.
@@ -47,16 +47,16 @@ impl<'a> Evaluator<'a> {
     const MOST_OPEN: usize = 12;
 
     /// For the place at `offset` of the edited file.
-    pub fn new(scope: &'a Scope<'a>, offset: u32) -> Self {
+    pub fn new(scope: &'a CompletionScope<'a>, offset: u32) -> Self {
         let mut properties = scope.properties(offset);
         properties.retain(|property| !property.is_block);
-        let mut given: FastMap<EcoString, Given> = FastMap::default();
+        let mut given: FastMap<EcoString, PropertySource> = FastMap::default();
         for (last, property) in properties.iter().enumerate() {
             let known = given.get(&property.name);
             let other = known.and_then(|known| properties.get(known.last));
             let differs = other.is_some_and(|other| other.value() != property.value());
             let ambiguous = differs || known.is_some_and(|known| known.ambiguous);
-            given.insert(property.name.clone(), Given { last, ambiguous });
+            given.insert(property.name.clone(), PropertySource { last, ambiguous });
         }
         Self {
             scope,
@@ -224,7 +224,7 @@ impl<'a> Evaluator<'a> {
     }
 }
 
-impl Names for Evaluator<'_> {
+impl NameResolver for Evaluator<'_> {
     fn name(&mut self, name: &str) -> Lookup {
         match self.given.contains_key(name) {
             true => Lookup::Found(self.property(name)),

@@ -28,7 +28,7 @@ pub fn completions_in_settings(
     sources: &BesideSources<'_>,
 ) -> Option<Completions> {
     let word = word_at(name, text, offset)?;
-    let own = Own::of(text, offset);
+    let own = FileSettings::of(text, offset);
     let mut items = match word.wanted {
         ExpectedName::Joint => joints(sources, &word),
         ExpectedName::CommandInterface => interfaces(sources, true),
@@ -68,12 +68,12 @@ fn as_key(item: &mut Completion) {
 }
 
 /// What the rest of the file says: the line that is typed seldom parses.
-struct Own {
+struct FileSettings {
     settings: Option<YamlSettings>,
     planners: Vec<String>,
 }
 
-impl Own {
+impl FileSettings {
     fn of(text: &str, offset: u32) -> Self {
         let (before, after) = text.split_at_checked(offset as usize).unwrap_or((text, ""));
         let before = before
@@ -213,7 +213,11 @@ fn groups(sources: &BesideSources<'_>) -> Vec<Completion> {
 }
 
 /// The controllers that controller managers list, and those that the file names. MoveIt sends nothing to broadcasters.
-fn controllers(sources: &BesideSources<'_>, own: &Own, with_broadcasters: bool) -> Vec<Completion> {
+fn controllers(
+    sources: &BesideSources<'_>,
+    own: &FileSettings,
+    with_broadcasters: bool,
+) -> Vec<Completion> {
     let all = sources.settings.iter().copied().chain(&own.settings);
     let mut found = Vec::new();
     for settings in all {

@@ -2,7 +2,7 @@
 
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
-use super::super::locate::At;
+use super::super::locate::LocatedNode;
 use super::super::values::{Instance, UNKNOWN, distinct, instances, part_values, short};
 use super::page::{Page, code};
 use super::{files, numbers, symbols};
@@ -16,7 +16,11 @@ use rules::RuleEnv;
 const MOST_VALUE: usize = 200;
 
 /// The expression or a part of it at a place.
-pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, Page)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let whole = text.range(token.range());
@@ -64,7 +68,7 @@ pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(Tex
 }
 
 /// All of the expression at a place.
-pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
+pub(super) fn whole(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<Page> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let range = text.range(token.range());
@@ -92,7 +96,7 @@ pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange,
     })
 }
 
-fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
+fn valued(cx: &Cx<'_>, at: &LocatedNode<'_>, source: &str, values: &[Instance]) -> Page {
     let mut page = match distinct(values.iter().map(|instance| &instance.value)).as_slice() {
         [value] => Page::titled(format!("{} = {}", code(source), shown(value))),
         _ => Page::titled(code(source)),

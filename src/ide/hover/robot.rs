@@ -2,8 +2,8 @@
 
 use super::super::beside::BesideName;
 use super::super::context::Cx;
-use super::super::locate::{At, Part};
-use super::super::robot_names::{NameKind, named_at, robot_names};
+use super::super::locate::{LocatedNode, NodePart};
+use super::super::robot_names::{RobotNameKind, named_at, robot_names};
 use super::expression::call_label;
 use super::files::{lengths, three_digits};
 use super::numbers::{degrees, rounded};
@@ -18,20 +18,24 @@ use rules::{RuleEnv, link_bounds};
 const MOST: usize = 3;
 
 /// The links and joints that a text names.
-pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, Page)> {
     if let Some(group) = cx
         .beside
         .iter()
-        .find(|name| name.kind == NameKind::Group && name.is_at(cx, at.offset))
+        .find(|name| name.kind == RobotNameKind::Group && name.is_at(cx, at.offset))
     {
         return Some((group.place.range, group_page(cx, group)));
     }
     let (robot, kinematics) = (cx.robot?, cx.kinematics?);
     let (range, names) = match (named_at(cx, at.offset), at.part) {
-        (Some((_, names)), Part::AttrValue(attr)) => (at.shift(attr.value_range()), names),
+        (Some((_, names)), NodePart::AttrValue(attr)) => (at.shift(attr.value_range()), names),
         // in YAML
         (Some(found), _) if cx.beside.iter().any(|name| name.is_at(cx, at.offset)) => found,
-        (None, Part::AttrValue(attr)) => {
+        (None, NodePart::AttrValue(attr)) => {
             let range = at.shift(attr.value_range());
             (range, passed(cx, range)?)
         }
@@ -74,7 +78,7 @@ pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(Tex
 fn group_page(cx: &Cx<'_>, group: &BesideName) -> Page {
     let mut page = Page::titled(format!("**group** {}", code(&group.value)));
     let is_it = |name: &&BesideName| {
-        name.kind == NameKind::Group && name.is_definition && name.value == group.value
+        name.kind == RobotNameKind::Group && name.is_definition && name.value == group.value
     };
     match cx.beside.iter().find(is_it) {
         Some(given) => page.add(given.content.clone()),
@@ -84,11 +88,11 @@ fn group_page(cx: &Cx<'_>, group: &BesideName) -> Page {
 }
 
 /// Whether a text is meant for a joint, should a link and a joint have one name.
-fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
+fn is_joint_name(cx: &Cx<'_>, at: &LocatedNode<'_>) -> bool {
     if let Some(name) = cx.beside.iter().find(|name| name.is_at(cx, at.offset)) {
-        return name.kind == NameKind::Joint;
+        return name.kind == RobotNameKind::Joint;
     }
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return false;
     };
     matches!(

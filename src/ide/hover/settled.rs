@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
-use super::super::locate::{At, locate};
+use super::super::locate::{LocatedNode, locate};
 use super::Hover;
 use super::expression::{function, shown};
 use super::page::{Page, code};
@@ -68,7 +68,7 @@ pub fn hover_while_typing(
 
 /// Whether a name at a place means the same as anywhere in the file, and the place is come by: not under a condition,
 /// and in a macro only when it is called and has no parameter of that name.
-fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
+fn is_of_the_file(cx: &Cx<'_>, at: &LocatedNode<'_>, name: &str) -> bool {
     let mut around = at.node;
     while let Some(node) = around {
         let is_settled = match node.name() {

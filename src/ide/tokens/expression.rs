@@ -9,7 +9,7 @@ use xml::Node;
 const PLAIN: Modifiers = Modifiers(0);
 
 /// What an expression stands in.
-struct Site<'t, 'a> {
+struct TokenSite<'t, 'a> {
     text: &'t ExprText<'a>,
     node: Option<Node<'a>>,
 }
@@ -22,7 +22,7 @@ impl Collector<'_> {
         node: Option<Node<'_>>,
         plain: Option<(TokenKind, Modifiers)>,
     ) {
-        let site = Site { text, node };
+        let site = TokenSite { text, node };
         for token in &text.template.tokens {
             if let (TemplateToken::Text(range), Some((kind, modifiers))) = (token, plain) {
                 self.add(text.range(*range), kind, modifiers);
@@ -31,7 +31,7 @@ impl Collector<'_> {
         self.tokens_of(&site, &text.template);
     }
 
-    fn tokens_of(&mut self, site: &Site<'_, '_>, template: &Template) {
+    fn tokens_of(&mut self, site: &TokenSite<'_, '_>, template: &Template) {
         for token in &template.tokens {
             match token {
                 TemplateToken::Expr { range, inner, code } => {
@@ -74,7 +74,7 @@ impl Collector<'_> {
         }
     }
 
-    fn brackets(&mut self, site: &Site<'_, '_>, range: TextRange, inner: TextRange) {
+    fn brackets(&mut self, site: &TokenSite<'_, '_>, range: TextRange, inner: TextRange) {
         for bracket in [
             TextRange::new(range.start, inner.start),
             TextRange::new(inner.end, range.end),
@@ -83,7 +83,7 @@ impl Collector<'_> {
         }
     }
 
-    fn substitution(&mut self, site: &Site<'_, '_>, inner: TextRange) {
+    fn substitution(&mut self, site: &TokenSite<'_, '_>, inner: TextRange) {
         let source = inner.slice(&site.text.text);
         let command = source
             .split(' ')
@@ -103,7 +103,13 @@ impl Collector<'_> {
     }
 
     /// The words of code; what stands in `holes` has its own pieces. In `$(eval)`, names are arguments.
-    fn words(&mut self, site: &Site<'_, '_>, inner: TextRange, holes: &[TextRange], is_eval: bool) {
+    fn words(
+        &mut self,
+        site: &TokenSite<'_, '_>,
+        inner: TextRange,
+        holes: &[TextRange],
+        is_eval: bool,
+    ) {
         let source = inner.slice(&site.text.text);
         let words = words(source);
         let text = |i: usize| words.get(i).map_or("", |(range, _)| range.slice(source));

@@ -12,10 +12,10 @@ mod tag;
 #[cfg(test)]
 mod tests;
 
-pub use code::{Cursor, Opened, Unclosed, cursor, open_call, unclosed};
+pub use code::{CodeContext, Opened, UnclosedCode, cursor, open_call, unclosed};
 pub use end_tags::{ended_at, has_end_tag, is_surplus};
 
-use tag::Tag;
+use tag::TypedTag;
 use xml::{Document, Node};
 
 /// What is being typed.
@@ -55,7 +55,7 @@ pub struct Typed<'a> {
     /// The offset in the document.
     pub offset: u32,
     /// The start tag that is typed.
-    tag: Option<Tag<'a>>,
+    tag: Option<TypedTag<'a>>,
 }
 
 /// What is being typed at `offset`.
@@ -125,7 +125,7 @@ impl<'a> Typed<'a> {
     /// How much of the text behind the offset still belongs to the value: up to its quote, where that stands on
     /// the same line.
     pub fn rest_of_value(&self) -> u32 {
-        let attrs = self.tag.into_iter().flat_map(|Tag { node, base }| {
+        let attrs = self.tag.into_iter().flat_map(|TypedTag { node, base }| {
             let quoted = node.attrs().filter(|attr| attr.is_quoted());
             quoted.map(move |attr| attr.value_range().shift(base))
         });
@@ -167,7 +167,7 @@ impl<'a> Typed<'a> {
 
     /// Whether the start tag that is typed has an attribute beside the one that is typed.
     pub fn has_attr(&self, name: &str) -> bool {
-        let Some(Tag { node, base }) = self.tag else {
+        let Some(TypedTag { node, base }) = self.tag else {
             return false;
         };
         node.attrs()

@@ -1,5 +1,5 @@
 //! The XML, and elements outside of links and joints.
-use super::facts::{Facts, Found, Owner};
+use super::facts::{ConstructCollector, ConstructOwner, RobotFacts};
 use expand::{XId, XTree};
 use model::{AttrValue, decimal};
 use xml::{Document, Node, NodeKind};
@@ -54,7 +54,7 @@ const SENSORS: [&str; 35] = [
     "wireless_transmitter",
 ];
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     document(facts, out);
     transmissions(facts, out);
     for gazebo in &facts.robot.gazebo {
@@ -78,7 +78,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 /// What the root file says above its elements. What xacro reads is written again for consumers.
-fn document(facts: &Facts<'_, '_>, out: &mut Found) {
+fn document(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let Some(file) = facts.cx.expansion.files.first() else {
         return;
     };
@@ -130,12 +130,12 @@ fn is_entity(value: &str) -> bool {
     })
 }
 
-fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
+fn transmissions(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let tree = &facts.cx.expansion.tree;
     for transmission in &facts.robot.transmissions {
         let element = transmission.element;
         let at = facts.at(element);
-        let owner = Owner {
+        let owner = ConstructOwner {
             kind: "transmission",
             name: transmission.name.as_ref().map(|name| name.value.as_str()),
         };
@@ -171,7 +171,7 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
+fn extension(facts: &RobotFacts<'_, '_>, gazebo: XId, out: &mut ConstructCollector) {
     let tree = &facts.cx.expansion.tree;
     let owner = "a `<gazebo>` element";
     for child in tree.elements(gazebo) {

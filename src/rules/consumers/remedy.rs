@@ -3,7 +3,7 @@
 //! A fix is only offered when all consumers that the user names accept what it writes. It is safe when the robot stays
 //! what it is: the same numbers with other white space, the same shape in another format.
 use super::super::context::DocumentCx;
-use super::super::conventions::{Named, names, rename};
+use super::super::conventions::{NamedElement, names, rename};
 use super::super::edits::{is_called, removal, source_text, with_blanks};
 use super::super::finding::Edit;
 use super::super::inertia::{ADD_ROOT, massless_root};
@@ -143,7 +143,7 @@ fn other_name(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
         "name-with-quote" => old.replace('"', "_"),
         // extensions for Gazebo may mean the one or the other
         "link-and-joint-of-one-name" if !is_referred_to(cx, old) => {
-            format!("{old}_{}", Named::Joint.word())
+            format!("{old}_{}", NamedElement::Joint.word())
         }
         _ => return None,
     };

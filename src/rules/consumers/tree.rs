@@ -1,5 +1,5 @@
 //! The tree of links and joints.
-use super::facts::{Facts, Found, joint_owner, link_owner};
+use super::facts::{ConstructCollector, RobotFacts, joint_owner, link_owner};
 use base::{FastMap, FastSet};
 use model::{AttrValue, JointType, Link, Version};
 
@@ -8,7 +8,7 @@ const WIDE: usize = 128;
 /// Longer chains of links end the stacks of some consumers.
 const DEEP: usize = 1000;
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     robot(facts, out);
     version(facts, out);
     roots(facts, out);
@@ -16,7 +16,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     repeated(facts, out);
 }
 
-fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
+fn robot(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let (robot, at) = (facts.robot, facts.at(facts.robot.element));
     match &robot.name {
         None => out.add("robot-without-name", at, "the robot"),
@@ -41,7 +41,7 @@ fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn version(facts: &Facts<'_, '_>, out: &mut Found) {
+fn version(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let text = AttrValue::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
     let Some(text) = text.filter(AttrValue::is_known) else {
         return;
@@ -57,7 +57,7 @@ fn version(facts: &Facts<'_, '_>, out: &mut Found) {
     out.add(row, text.origin, "the robot");
 }
 
-fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
+fn roots(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let roots = facts.kinematics.roots(facts.robot);
     for cycle in facts.kinematics.cycles() {
         let joint = cycle
@@ -102,7 +102,7 @@ fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
+fn ends(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let is_empty = |link: &Link| link.name.as_ref().is_some_and(|name| name.value.is_empty());
     let has_empty = facts.robot.links.iter().any(is_empty);
     for joint in &facts.robot.joints {
@@ -140,7 +140,7 @@ fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn is_unknown(facts: &Facts<'_, '_>, link: &AttrValue) -> bool {
+fn is_unknown(facts: &RobotFacts<'_, '_>, link: &AttrValue) -> bool {
     link.name()
         .is_some_and(|name| facts.kinematics.link(name).is_none())
 }
@@ -150,7 +150,7 @@ fn unknown_row(link: &AttrValue, [world, other]: [&'static str; 2]) -> &'static 
     if link.value == "world" { world } else { other }
 }
 
-fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
+fn repeated(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let mut links: FastMap<&str, ()> = FastMap::default();
     let mut by_case: FastMap<String, &str> = FastMap::default();
     for link in &facts.robot.links {

@@ -2,7 +2,7 @@
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::hardware::Hardware;
+use super::hardware::HardwareJoints;
 use project::{Controller, SpannedName, is_computed};
 
 pub(in super::super) static RULE: Rule = Rule::beside(
@@ -85,7 +85,7 @@ const COMMANDED: [(&str, &str, &str); 13] = [
 ];
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(all) = Hardware::of(cx) else {
+    let Some(all) = HardwareJoints::of(cx) else {
         return;
     };
     let lacks = |joint: &str, interface: &str, is_command| all.lacks(joint, interface, is_command);
@@ -93,7 +93,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     check_with(cx, out, (&all, &lacks), &chosen, RULE.severity);
     // what one of several robots offers is no help to another one that is started with the controller
     for paired in cx.robots.iter().filter(|paired| !paired.started.is_empty()) {
-        let Some(own) = Hardware::of_robots(std::slice::from_ref(paired)) else {
+        let Some(own) = HardwareJoints::of_robots(std::slice::from_ref(paired)) else {
             continue;
         };
         let is_started = |one: &&Controller| paired.started.contains(&one.name.name);
@@ -117,7 +117,7 @@ fn of_ros2<'a>(cx: &BesideCx<'a>) -> impl Iterator<Item = &'a Controller> + use<
 }
 
 /// Whether a controller can command a joint with what the hardware offers.
-fn fits(hardware: &Hardware<'_>, controller: &Controller, joint: &str) -> bool {
+fn fits(hardware: &HardwareJoints<'_>, controller: &Controller, joint: &str) -> bool {
     let mut named = controller.joints.iter().map(|(_, own)| &own.name);
     let offers =
         |(name, is_command): (&SpannedName, bool)| !hardware.lacks(joint, &name.name, is_command);
@@ -132,7 +132,7 @@ type Lacks<'l> = &'l dyn Fn(&str, &str, bool) -> bool;
 fn check_with(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
-    (hardware, lacks): (&Hardware<'_>, Lacks<'_>),
+    (hardware, lacks): (&HardwareJoints<'_>, Lacks<'_>),
     controllers: &[&Controller],
     severity: Severity,
 ) {
@@ -205,7 +205,7 @@ pub(super) fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Opt
 fn report(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
-    (hardware, severity): (&Hardware<'_>, Severity),
+    (hardware, severity): (&HardwareJoints<'_>, Severity),
     place: &SpannedName,
     (joint, interface, is_command): (&str, &str, bool),
 ) {

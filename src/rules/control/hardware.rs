@@ -10,7 +10,7 @@ use model::{AttrValue, ControlJoint, Interface, Ros2Control};
 const WITH_GAINS: [(&str, &str); 2] = [("position_pid", "position"), ("velocity_pid", "velocity")];
 
 /// The joints of all `<ros2_control>` of the robots.
-pub(super) struct Hardware<'a> {
+pub(super) struct HardwareJoints<'a> {
     joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
     /// The joints of blocks that declare no interface for commands: some hardware offers what it does not declare.
     undeclared: FastSet<&'a str>,
@@ -20,7 +20,7 @@ pub(super) struct Hardware<'a> {
     pub is_complete: bool,
 }
 
-impl<'a> Hardware<'a> {
+impl<'a> HardwareJoints<'a> {
     /// None where no robot has hardware, or not all names are known. A joint with a mistake of its own is left out: what it
     /// offers is not what was meant. A robot without hardware offers controllers nothing.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {

@@ -7,7 +7,7 @@ use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::xml::seen::Numeric;
-use super::meant::{self, Meant};
+use super::meant::{self, MeantValue};
 use super::walk;
 use expand::{BindingId, Origin, XId, meant_number};
 use model::{AttrValue, decimal, is_decimal};
@@ -205,10 +205,10 @@ fn report_meant(
     id: XId,
     name: &str,
     text: &AttrValue,
-    meant: Meant,
+    meant: MeantValue,
     out: &mut Sink<'_>,
 ) {
-    let Meant { help, value } = meant;
+    let MeantValue { help, value } = meant;
     let what = if text.words().nth(1).is_some() {
         "is not a list of numbers"
     } else {

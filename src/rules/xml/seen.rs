@@ -4,7 +4,7 @@ use expand::XId;
 use model::AttrValue;
 
 /// An element outside of the free zones.
-pub struct Seen {
+pub struct CheckedElement {
     pub id: XId,
     /// What the schema says about it; none: it may not stand there.
     pub spec: Option<&'static ElementSpec>,

@@ -6,7 +6,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::missing_element::bare_shape;
-use super::seen::Seen;
+use super::seen::CheckedElement;
 use super::walk;
 use base::{FastMap, TextRange};
 use expand::{FileIdx, XId};
@@ -26,7 +26,7 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut bare: FastMap<XId, Option<&str>> = FastMap::default();
-    for &Seen { id, spec, parent } in walk::elements(cx) {
+    for &CheckedElement { id, spec, parent } in walk::elements(cx) {
         let (None, Some(parent)) = (spec, parent) else {
             continue;
         };

@@ -11,7 +11,7 @@ use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
 use crate::state::State;
 use base::{CancelFlag, Span};
-use ide::{self, Caller};
+use ide::{self, CallParticipant};
 
 pub fn prepare_calls(
     state: &mut State,
@@ -21,7 +21,7 @@ pub fn prepare_calls(
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = ide::macro_at(&asked.cx(), asked.offset);
     Ok(found
-        .and_then(|id| call_item(state, &asked, &Caller::Macro(id)))
+        .and_then(|id| call_item(state, &asked, &CallParticipant::Macro(id)))
         .map(|item| vec![item]))
 }
 
@@ -31,7 +31,7 @@ pub fn incoming_calls(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Failure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
-    let Some(Caller::Macro(id)) = caller else {
+    let Some(CallParticipant::Macro(id)) = caller else {
         return Ok(Some(Vec::new()));
     };
     let calls = ide::incoming(&asked.cx(), id)
@@ -70,7 +70,7 @@ fn asked_about(
     state: &mut State,
     item: &CallHierarchyItem,
     cancel: &CancelFlag,
-) -> Result<(Asked, Option<Caller>), Failure> {
+) -> Result<(Asked, Option<CallParticipant>), Failure> {
     let text_document = TextDocumentIdentifier {
         uri: item.uri.clone(),
     };
@@ -80,13 +80,13 @@ fn asked_about(
     };
     let asked = asked(state, &at, cancel)?;
     let caller = match item.kind {
-        SymbolKind::FILE => Some(Caller::File(asked.source.id)),
-        _ => ide::macro_at(&asked.cx(), asked.offset).map(Caller::Macro),
+        SymbolKind::FILE => Some(CallParticipant::File(asked.source.id)),
+        _ => ide::macro_at(&asked.cx(), asked.offset).map(CallParticipant::Macro),
     };
     Ok((asked, caller))
 }
 
-fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierarchyItem> {
+fn call_item(state: &State, asked: &Asked, caller: &CallParticipant) -> Option<CallHierarchyItem> {
     let cx = asked.cx();
     let target = ide::caller_target(&cx, caller)?;
     let (whole, name) = (
@@ -96,12 +96,12 @@ fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierar
     let path = state.world.session().vfs.path(target.whole.file);
     let file = path.file_name()?.to_string_lossy().into_owned();
     let (name_text, kind, detail) = match caller {
-        Caller::Macro(id) => (
+        CallParticipant::Macro(id) => (
             cx.expansion.index.symbols.get(*id)?.name.to_string(),
             SymbolKind::FUNCTION,
             Some(file),
         ),
-        Caller::File(_) => (file, SymbolKind::FILE, None),
+        CallParticipant::File(_) => (file, SymbolKind::FILE, None),
     };
     Some(CallHierarchyItem {
         name: name_text,

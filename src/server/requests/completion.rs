@@ -20,7 +20,9 @@ use crate::requests::{beside, configuration, launch};
 use crate::state::State;
 use analysis::{Analyzed, RootChoice, is_settings};
 use base::{CancelFlag, TextRange};
-use ide::{self, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic};
+use ide::{
+    self, Completion, CompletionScope, CompletionSources, Completions, ItemKind, Signature, Topic,
+};
 use vfs::SourceFile;
 
 /// What comes back when an item is looked at.
@@ -122,7 +124,7 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
     })
 }
 
-fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> T {
+fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&CompletionScope<'_>) -> T) -> T {
     let expansions: Vec<_> = kept
         .analyzed
         .iter()
@@ -134,7 +136,7 @@ fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> 
         .filter_map(|known| Some((&known.expansion, known.robot.as_ref()?)))
         .collect();
     let session = state.world.session();
-    work(&Scope::new(Sources {
+    work(&CompletionScope::new(CompletionSources {
         source: &kept.source,
         root: &kept.root.file,
         expansions: &expansions,

@@ -15,7 +15,7 @@ use crate::state::State;
 use analysis::is_launch;
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
-use ide::{Cx, Target, definition_of};
+use ide::{Cx, NavigationTarget, definition_of};
 use vfs::SourceFile;
 
 /// The name of an argument in a launch file.
@@ -25,7 +25,7 @@ pub struct Launched {
     /// Where the name stands in it.
     pub range: TextRange,
     /// The declaration in the robot.
-    pub target: Target,
+    pub target: NavigationTarget,
     /// The same as a place in the robot.
     pub asked: Asked,
 }
@@ -92,7 +92,7 @@ pub fn launched(
 }
 
 /// Where a robot declares an argument.
-fn declaration(cx: &Cx<'_>, name: &str) -> Option<Target> {
+fn declaration(cx: &Cx<'_>, name: &str) -> Option<NavigationTarget> {
     let mut symbols = cx.expansion.index.symbols.iter();
     let (id, _) =
         symbols.find(|(_, given)| given.kind == SymbolKind::Argument && given.name == name)?;

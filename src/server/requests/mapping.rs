@@ -13,7 +13,7 @@ use crate::state::State;
 use analysis::{Analyzed, RootChoice};
 use base::{CancelFlag, TextRange};
 use expand::{FrameId, FrameKind, MapKind, Origin};
-use ide::{self, Lines, SourceMap};
+use ide::{self, SourceMap, TextLines};
 
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct ToSourceParams {
@@ -64,7 +64,7 @@ pub fn sources_of(
     let document = TextDocumentIdentifier { uri: params.root };
     let (_, analyzed) = shown_under(state, &document, None, cancel)?;
     let written = analyzed.written();
-    let lines = Lines::of(&written.text, state.encoding);
+    let lines = TextLines::of(&written.text, state.encoding);
     let offset = lines.offset(params.position.line, params.position.character);
     let mut locations = Vec::new();
     let expansion = &analyzed.expansion;
@@ -114,7 +114,7 @@ pub fn instances_of(
     let (path, source) = state.source(&params.at.text_document.uri)?;
     let offset = crate::convert::offset(&source.document, params.at.position, state.encoding);
     let written = analyzed.written();
-    let lines = Lines::of(&written.text, state.encoding);
+    let lines = TextLines::of(&written.text, state.encoding);
     let file = analyzed
         .expansion
         .files
@@ -200,14 +200,14 @@ pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
     )
 }
 
-pub(crate) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
+pub(crate) fn expanded_range(lines: &TextLines<'_>, range: TextRange) -> Range {
     Range::new(
         expanded_position(lines, range.start),
         expanded_position(lines, range.end),
     )
 }
 
-fn expanded_position(lines: &Lines<'_>, offset: u32) -> Position {
+fn expanded_position(lines: &TextLines<'_>, offset: u32) -> Position {
     let [line, column] = lines.position(offset);
     Position::new(line, column)
 }

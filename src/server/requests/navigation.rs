@@ -16,7 +16,7 @@ use crate::root_param::active_root;
 use crate::state::State;
 use analysis::RootChoice;
 use base::{CancelFlag, Span, TextRange};
-use ide::{Cx, FilePlace, Target};
+use ide::{Cx, FilePlace, NavigationTarget};
 use xml::Document;
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
@@ -186,7 +186,7 @@ pub fn implementation(
         return Ok(None);
     };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
-    let lines = ide::Lines::of(&written.text, state.encoding);
+    let lines = ide::TextLines::of(&written.text, state.encoding);
     let links = found.into_iter().map(|range| {
         let range = crate::requests::mapping::expanded_range(&lines, range);
         LocationLink {
@@ -261,7 +261,7 @@ fn file_target(
 fn places_of(
     state: &State,
     origin: Range,
-    targets: &[Target],
+    targets: &[NavigationTarget],
     links: bool,
 ) -> Option<GotoDefinitionResponse> {
     let found = targets
@@ -270,7 +270,7 @@ fn places_of(
     links_or_places(found.collect(), links)
 }
 
-fn link(state: &State, origin: Range, target: &Target) -> Option<LocationLink> {
+fn link(state: &State, origin: Range, target: &NavigationTarget) -> Option<LocationLink> {
     let name = location(state, target.name)?;
     Some(LocationLink {
         origin_selection_range: Some(origin),

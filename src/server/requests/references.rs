@@ -15,7 +15,7 @@ use analysis::Analyzed;
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, Span, TextRange};
 use expand::Read;
-use ide::{self, Cx, NameUse, RobotThing, TextNames};
+use ide::{self, Cx, NameOccurrence, RobotThing, TextNames};
 use vfs::SourceFile;
 use yaml::{YamlKind, YamlNode};
 
@@ -70,7 +70,7 @@ pub fn references(
 fn sharing(
     state: &mut State,
     asked: &Asked,
-    uses: &mut Vec<NameUse>,
+    uses: &mut Vec<NameOccurrence>,
     thing: Option<&RobotThing>,
     cancel: &CancelFlag,
 ) -> Result<Vec<std::sync::Arc<Analyzed>>, Failure> {
@@ -141,7 +141,7 @@ fn in_robot(
     analyzed: &Analyzed,
     given: &[Span],
     thing: Option<&RobotThing>,
-) -> Vec<NameUse> {
+) -> Vec<NameOccurrence> {
     let expansion = &analyzed.expansion;
     let session = state.world.session();
     let settings = session.settings(&analyzed.root.file);

@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::requests::navigation::asked;
 use crate::state::State;
 use base::{CancelFlag, Encoding, TextRange};
-use ide::{self, Token, TokenKind};
+use ide::{self, HighlightToken, TokenKind};
 
 /// The kinds in the order of their numbers.
 const KINDS: &[(TokenKind, SemanticTokenType)] = &[
@@ -137,7 +137,7 @@ pub(crate) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPos
 }
 
 /// Pieces as the protocol has them: line by line, each relative to the one in front.
-fn encoded(text: &str, tokens: &[Token], encoding: Encoding) -> Vec<SemanticToken> {
+fn encoded(text: &str, tokens: &[HighlightToken], encoding: Encoding) -> Vec<SemanticToken> {
     let mut out = Vec::new();
     let (mut line, mut line_start, mut next_line) = (0, 0, line_end(text, 0));
     let (mut last_line, mut last_col) = (0, 0);
