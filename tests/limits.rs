@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use xacro_lsp::analysis::{Effort, Roots, Session, Setup};
+use xacro_lsp::analysis::{AffectedRobots, Effort, Session, Setup};
 use xacro_lsp::base::limits::*;
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::cli::{self, Io};
@@ -320,7 +320,7 @@ fn quick_proof_expansions() {
         let cancel = CancelFlag::default();
         let effort = Effort {
             expansions: QUICK_PROOF_EXPANSIONS,
-            roots: Roots::Known(vec![path.clone()]),
+            roots: AffectedRobots::Known(vec![path.clone()]),
             cancel,
         };
         assert_eq!(

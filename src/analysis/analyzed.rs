@@ -5,10 +5,10 @@ use std::sync::OnceLock;
 use super::job;
 use super::job::{expanded, judge, request};
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::root_choice::RootChoice;
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
 use expand::{Expansion, Read, Request, SymbolKind, Written, write_mapped};
@@ -27,7 +27,7 @@ pub struct Analyzed {
     /// How its links hang together.
     pub kinematics: Option<Kinematics>,
     /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
-    outcome: OnceLock<Outcome>,
+    outcome: OnceLock<RootResult>,
     written: OnceLock<Written>,
     /// The names that it has when it is expanded in other ways.
     pub(super) further: OnceLock<RobotNames>,
@@ -94,7 +94,7 @@ impl Analyzed {
     }
 
     /// What the rules say. `None` when cancelled.
-    pub(super) fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
+    pub(super) fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&RootResult> {
         if self.outcome.get().is_none() {
             let (job, robot) = (job_of(&self.root), self.robot.as_ref());
             let options = CheckOptions {
@@ -134,16 +134,20 @@ impl Analyzed {
 }
 
 /// The expansion of a root.
-pub(super) fn job_of(root: &RootChoice) -> Job {
+pub(super) fn job_of(root: &RootChoice) -> CheckTask {
     let RootChoice { file, args, preset } = root.clone();
-    Job {
+    CheckTask {
         preset,
-        ..Job::new(file, Reason::Named, args)
+        ..CheckTask::new(file, CheckReason::Named, args)
     }
 }
 
 /// The same, for somebody who keeps the expansion.
-pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
+pub(super) fn run_kept(
+    session: &Session,
+    options: &CheckOptions,
+    job: CheckTask,
+) -> (RootResult, Analyzed) {
     let kept = Request {
         keep: true,
         ..request(session, &options.cancel, &job)
@@ -153,7 +157,7 @@ pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (
     let robot = analyzed.robot.as_ref();
     let outcome = judge(session, options, job, &analyzed.expansion, robot);
     (
-        Outcome {
+        RootResult {
             is_as_called,
             ..outcome
         },

@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use super::change::Change;
-use super::includes::{self, Reach};
+use super::includes::{self, IncludeTargets};
 use super::lock::locked;
 use super::options::CheckOptions;
 use super::report::Report;
 use super::run_cache::Runs;
 use super::session::Session;
-use super::task::Job;
+use super::task::CheckTask;
 use base::FastMap;
 use vfs::SourceFile;
 
@@ -19,15 +19,15 @@ use vfs::SourceFile;
 #[derive(Default)]
 pub struct Candidates {
     /// The jobs of all files below folders.
-    jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<Job>>>>,
+    jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<CheckTask>>>>,
     /// What each file may include, by its path.
-    reach: Mutex<FastMap<PathBuf, Known>>,
+    reach: Mutex<FastMap<PathBuf, KnownIncludes>>,
     /// Robots expanded.
     pub(super) runs: Arc<Runs>,
 }
 
 /// What the text of a file includes, and that text.
-type Known = (Arc<SourceFile>, Arc<Reach>);
+type KnownIncludes = (Arc<SourceFile>, Arc<IncludeTargets>);
 
 impl Candidates {
     /// The robots below folders that may read one of the changed files.
@@ -36,7 +36,7 @@ impl Candidates {
         session: &Session,
         folders: Vec<PathBuf>,
         changed: Vec<PathBuf>,
-    ) -> Vec<Job> {
+    ) -> Vec<CheckTask> {
         let mut jobs = (*self.below(session, &folders)).clone();
         let options = CheckOptions {
             changed,
@@ -50,7 +50,7 @@ impl Candidates {
     }
 
     /// The jobs of all files below folders.
-    fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<Job>> {
+    fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<CheckTask>> {
         let mut jobs = locked(&self.jobs);
         if let Some(known) = jobs.get(folders) {
             return known.clone();
@@ -65,7 +65,7 @@ impl Candidates {
     }
 
     /// What a file may include, as its text is now; none when it cannot be read.
-    pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<Reach>> {
+    pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<IncludeTargets>> {
         let source = session.vfs.document(file).ok()?;
         if let Some((of, reach)) = locked(&self.reach).get(file)
             && Arc::ptr_eq(of, &source)

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::candidates::Candidates;
-use super::includes::Reach;
+use super::includes::IncludeTargets;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use super::walk::is_description;
 use base::{FastSet, FileId};
 use rules::{Category, Check, Finding, Severity};
@@ -55,7 +55,7 @@ impl<'a> Change<'a> {
 
     /// The changed descriptions that are not among `jobs`: those elsewhere, or in folders that are passed over.
     /// What the configuration excludes stays out.
-    pub(super) fn further(&self, jobs: &[Job], args: &[(String, String)]) -> Vec<Job> {
+    pub(super) fn further(&self, jobs: &[CheckTask], args: &[(String, String)]) -> Vec<CheckTask> {
         let known: FastSet<u128> = jobs
             .iter()
             .filter_map(|job| self.session.vfs.identity(&job.file))
@@ -69,31 +69,31 @@ impl<'a> Change<'a> {
             .paths
             .iter()
             .filter(|path| is_description(path) && self.session.vfs.is_file(path));
-        let job = |file: &PathBuf| Job::new(file.clone(), Reason::Walked, args.to_vec());
+        let job = |file: &PathBuf| CheckTask::new(file.clone(), CheckReason::Walked, args.to_vec());
         files.filter(is_new).map(job).collect()
     }
 
     /// The jobs that may read a changed file, by what the texts include. All of them when something changed
     /// that is read in other ways. What files include is looked up in `known`, and put there.
-    pub(super) fn reached(&self, jobs: Vec<Job>, known: &Candidates) -> Vec<Job> {
+    pub(super) fn reached(&self, jobs: Vec<CheckTask>, known: &Candidates) -> Vec<CheckTask> {
         if !self.paths.iter().all(|path| is_description(path)) {
             return jobs;
         }
         let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
-        let mut open: Vec<(&Path, Arc<Reach>)> = files
+        let mut open: Vec<(&Path, Arc<IncludeTargets>)> = files
             .into_par_iter()
             .filter_map(|file| Some((file, known.reach(self.session, file)?)))
             .collect();
         let mut reached: FastSet<PathBuf> = FastSet::default();
         let mut newest = self.paths.clone();
         while !newest.is_empty() {
-            let is_next = |(file, reach): &(&Path, Arc<Reach>)| {
+            let is_next = |(file, reach): &(&Path, Arc<IncludeTargets>)| {
                 reach.anything || self.holds(file) || newest.iter().any(|path| reach.has(path))
             };
             let (next, rest) = open.into_iter().partition(is_next);
             open = rest;
-            newest = Vec::<(&Path, Arc<Reach>)>::into_iter(next)
+            newest = Vec::<(&Path, Arc<IncludeTargets>)>::into_iter(next)
                 .map(|(file, _)| file.to_path_buf())
                 .collect();
             reached.extend(newest.iter().cloned());
@@ -105,7 +105,7 @@ impl<'a> Change<'a> {
 
     /// Whether an expansion read a changed file, looked for one that is gone, or belongs to a package whose
     /// manifest or build file changed.
-    pub(super) fn is_read_by(&self, outcome: &Outcome) -> bool {
+    pub(super) fn is_read_by(&self, outcome: &RootResult) -> bool {
         let package = self.session.packages.containing(&outcome.job.file);
         let of_package = |package: Package| {
             let names = std::iter::once("package.xml").chain(BUILD_FILES);

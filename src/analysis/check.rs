@@ -6,19 +6,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 use rayon::prelude::*;
 
 use super::analyzed::{Analyzed, run_kept};
-use super::beside::{Compared, Robots, Sort, sort};
+use super::beside::{ComparisonResult, Robots, Sort, sort};
 use super::change::Change;
 use super::job;
 use super::launched::prefer_calls;
 use super::lock::locked;
 use super::merge::merge;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::root_choice::RootChoice;
 use super::session::Session;
 use super::suppress::SuppressionFilter;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use base::limits::MESSAGE_LETTERS;
 use base::{FastMap, FastSet, FileId};
 use expand::large_stacks;
@@ -27,17 +27,17 @@ use workspace::UNQUOTED;
 
 /// What a check did, for another one of the same files.
 #[derive(Default)]
-pub(super) struct Done {
-    outcomes: FastMap<JobKey, Outcome>,
+pub(super) struct PreviousCheck {
+    outcomes: FastMap<JobKey, RootResult>,
 }
 
 /// The expansions that files beside robots are compared with.
-struct Kept {
+struct KeptRobots {
     wanted: BTreeSet<RootChoice>,
     robots: Mutex<Robots>,
 }
 
-impl Kept {
+impl KeptRobots {
     fn of(wanted: Vec<RootChoice>) -> Self {
         Self {
             wanted: wanted.into_iter().collect(),
@@ -51,15 +51,15 @@ impl Kept {
 }
 
 /// What tells a job from others.
-type JobKey = (PathBuf, Reason, Vec<(String, String)>, Option<String>);
+type JobKey = (PathBuf, CheckReason, Vec<(String, String)>, Option<String>);
 
 /// The files that expansions read; parts are named by many robots.
-fn read_by(outcomes: &[Outcome]) -> BTreeSet<PathBuf> {
+fn read_by(outcomes: &[RootResult]) -> BTreeSet<PathBuf> {
     let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
     read.into_iter().cloned().collect()
 }
 
-fn key(job: &Job) -> JobKey {
+fn key(job: &CheckTask) -> JobKey {
     (
         job.file.clone(),
         job.reason,
@@ -68,7 +68,7 @@ fn key(job: &Job) -> JobKey {
     )
 }
 
-impl Done {
+impl PreviousCheck {
     /// Forget what rests on changed files.
     pub(super) fn forget(&mut self, is_changed: impl Fn(&Path) -> bool) {
         self.outcomes.retain(|_, outcome| {
@@ -77,7 +77,7 @@ impl Done {
     }
 
     /// Keep what was done, where somebody wants it.
-    fn note(&mut self, outcomes: &[Outcome], is_wanted: bool) {
+    fn note(&mut self, outcomes: &[RootResult], is_wanted: bool) {
         let known = outcomes.iter().filter(|_| is_wanted);
         self.outcomes
             .extend(known.map(|outcome| (key(&outcome.job), outcome.clone())));
@@ -96,7 +96,11 @@ impl Session {
     }
 
     /// The same; what `done` holds is not done again, and what is done is put there.
-    pub(super) fn check_with(&self, options: &CheckOptions, done: Option<&mut Done>) -> Report {
+    pub(super) fn check_with(
+        &self,
+        options: &CheckOptions,
+        done: Option<&mut PreviousCheck>,
+    ) -> Report {
         let _held = self.vfs.freeze();
         let mut report = Report::default();
         let jobs = self.jobs(options, &mut report);
@@ -113,13 +117,13 @@ impl Session {
                 change.holds(file) || self.pairing(file).roots.iter().any(reaches)
             });
         }
-        let compared = Kept::of(self.beside_roots(&files));
+        let compared = KeptRobots::of(self.beside_roots(&files));
         let mut outcomes = self.run_all(options, first, done.as_deref(), Some(&compared));
         let waiting = later.len();
         let later = self.uncovered(later, &outcomes);
         options.progress.skip(waiting - later.len());
         outcomes.extend(self.run_all(options, later, done.as_deref(), Some(&compared)));
-        let mut made = Done::default();
+        let mut made = PreviousCheck::default();
         made.note(&outcomes, done.is_some());
         reads.extend(read_by(&outcomes));
         let mut kept = self.keep(outcomes);
@@ -171,9 +175,9 @@ impl Session {
     fn called(
         &self,
         options: &CheckOptions,
-        kept: &[Outcome],
-        done: Option<&Done>,
-    ) -> Vec<Outcome> {
+        kept: &[RootResult],
+        done: Option<&PreviousCheck>,
+    ) -> Vec<RootResult> {
         let jobs = if options.args.is_empty() {
             self.launched_jobs(kept)
         } else {
@@ -229,16 +233,16 @@ impl Session {
     fn run_all(
         &self,
         options: &CheckOptions,
-        jobs: Vec<Job>,
-        done: Option<&Done>,
-        kept: Option<&Kept>,
-    ) -> Vec<Outcome> {
-        let run = |job: Job| {
+        jobs: Vec<CheckTask>,
+        done: Option<&PreviousCheck>,
+        kept: Option<&KeptRobots>,
+    ) -> Vec<RootResult> {
+        let run = |job: CheckTask| {
             let is_kept =
                 job.called.is_none() && kept.is_some_and(|kept| kept.wanted.contains(&job.root()));
             let known = done.and_then(|done| done.outcomes.get(&key(&job)).cloned());
             let outcome = match known {
-                Some(known) => Outcome { job, ..known },
+                Some(known) => RootResult { job, ..known },
                 None => match kept.filter(|_| is_kept) {
                     Some(kept) => {
                         let (outcome, analyzed) = run_kept(self, options, job);
@@ -261,7 +265,7 @@ impl Session {
     }
 
     /// All roots that are wanted, expanded.
-    fn analyzed_all(&self, options: &CheckOptions, kept: Kept) -> Robots {
+    fn analyzed_all(&self, options: &CheckOptions, kept: KeptRobots) -> Robots {
         let mut robots = kept
             .robots
             .into_inner()
@@ -287,8 +291,8 @@ impl Session {
     pub(super) fn conclude(
         &self,
         options: &CheckOptions,
-        mut kept: Vec<Outcome>,
-        mut beside: Compared,
+        mut kept: Vec<RootResult>,
+        mut beside: ComparisonResult,
     ) -> Report {
         let has_robots = !kept.is_empty();
         let mut report = Report::default();

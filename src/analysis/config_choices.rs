@@ -57,7 +57,7 @@ pub fn is_config(path: &Path) -> bool {
 }
 
 /// Names with a few words about each.
-type Names = Vec<(String, String)>;
+type DescribedNames = Vec<(String, String)>;
 
 impl World {
     /// What may be written at an offset of a configuration file. `None` where nothing may, or when cancelled.
@@ -123,7 +123,7 @@ impl World {
         path: &Path,
         place: &ConfigPlace,
         cancel: &CancelFlag,
-    ) -> Option<(ConfigChoiceKind, Names)> {
+    ) -> Option<(ConfigChoiceKind, DescribedNames)> {
         let keys: Vec<&str> = place.path.iter().map(String::as_str).collect();
         let is_key = !matches!(place.kind, PlaceKind::Value { .. });
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -182,8 +182,8 @@ impl World {
     }
 
     /// The arguments of robots.
-    fn arguments_of(&self, robots: &[PathBuf]) -> Names {
-        let mut found = Names::new();
+    fn arguments_of(&self, robots: &[PathBuf]) -> DescribedNames {
+        let mut found = DescribedNames::new();
         for (name, default) in robots
             .iter()
             .flat_map(|robot| self.session().known(robot).defaults())
@@ -197,9 +197,9 @@ impl World {
     }
 
     /// Values of an argument: what conditions of robots compare it with, its default, and what launch files give.
-    fn values_of(&self, robots: &[PathBuf], name: &str) -> Names {
+    fn values_of(&self, robots: &[PathBuf], name: &str) -> DescribedNames {
         let session = self.session();
-        let mut found = Names::new();
+        let mut found = DescribedNames::new();
         for robot in robots {
             let known = session.known(robot);
             let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
@@ -249,7 +249,12 @@ impl World {
     }
 
     /// The links or joints of robots with their defaults.
-    fn parts(&mut self, robots: &[PathBuf], links: bool, cancel: &CancelFlag) -> Option<Names> {
+    fn parts(
+        &mut self,
+        robots: &[PathBuf],
+        links: bool,
+        cancel: &CancelFlag,
+    ) -> Option<DescribedNames> {
         let mut names: BTreeSet<String> = BTreeSet::new();
         for robot in robots {
             let analyzed = self.analyzed(&RootChoice::plain(robot), cancel)?;
@@ -271,7 +276,7 @@ impl World {
         folder: &Path,
         place: &ConfigPlace,
         key: Option<&str>,
-    ) -> Names {
+    ) -> DescribedNames {
         let vfs = &self.session().vfs;
         let text = vfs.text(config);
         let typed = text
@@ -308,7 +313,7 @@ fn robots(world: &World, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
 /// Robots that are read for one answer.
 const MOST_ROBOTS: usize = 20;
 
-fn plain(names: impl IntoIterator<Item = String>) -> Names {
+fn plain(names: impl IntoIterator<Item = String>) -> DescribedNames {
     names
         .into_iter()
         .map(|name| (name, String::new()))
@@ -360,7 +365,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// Add a value that is written out, unless it is there.
-fn add_value(values: &mut Names, value: String, detail: &str) {
+fn add_value(values: &mut DescribedNames, value: String, detail: &str) {
     if !value.contains("$(")
         && !value.contains("${")
         && !values.iter().any(|(known, _)| *known == value)

@@ -6,7 +6,7 @@ use ecow::EcoString;
 
 use super::configs::Settings;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::report::Report;
 use super::session::Session;
 use base::FastSet;
@@ -23,7 +23,7 @@ impl Session {
         &self,
         options: &CheckOptions,
         report: &Report,
-        outcomes: &[Outcome],
+        outcomes: &[RootResult],
     ) -> Vec<Finding> {
         let files = report.files.values().map(|file| self.settings(&file.path));
         let folders = options
@@ -86,7 +86,7 @@ impl Session {
     fn unknown_arguments(
         &self,
         settings: &Arc<Settings>,
-        outcomes: &[Outcome],
+        outcomes: &[RootResult],
     ) -> Vec<ConfigWarning> {
         let roots = settings
             .config
@@ -98,9 +98,9 @@ impl Session {
             .collect()
     }
 
-    fn unknown_arguments_of(&self, root: &Root, outcomes: &[Outcome]) -> Vec<ConfigWarning> {
+    fn unknown_arguments_of(&self, root: &Root, outcomes: &[RootResult]) -> Vec<ConfigWarning> {
         let files = root.files(&self.vfs);
-        let runs: Vec<&Outcome> = outcomes
+        let runs: Vec<&RootResult> = outcomes
             .iter()
             .filter(|run| files.contains(&run.job.file))
             .collect();

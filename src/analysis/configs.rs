@@ -60,18 +60,18 @@ pub struct Settings {
 /// Configurations by the folder they hold for.
 pub(super) struct Configs {
     overrides: Overrides,
-    state: Mutex<State>,
+    state: Mutex<ConfigCache>,
 }
 
 /// What settings are made of: a configuration file, and settings of the editor by their number.
-type Origin = (Option<PathBuf>, Option<usize>);
+type SettingsKey = (Option<PathBuf>, Option<usize>);
 
 #[derive(Default)]
-struct State {
+struct ConfigCache {
     /// By folder: the settings that hold there.
     folders: FastMap<PathBuf, Arc<Settings>>,
     /// By configuration file (none: no file at all) and by the number of the editor's settings.
-    files: FastMap<Origin, Arc<Settings>>,
+    files: FastMap<SettingsKey, Arc<Settings>>,
     warnings: Vec<ConfigWarning>,
     /// Those that cannot be read.
     unreadable: Vec<LoadError>,
@@ -189,7 +189,7 @@ impl Configs {
         }
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, State> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, ConfigCache> {
         locked(&self.state)
     }
 
@@ -244,10 +244,10 @@ impl Configs {
     }
 }
 
-impl State {
+impl ConfigCache {
     fn add(
         &mut self,
-        origin: Origin,
+        origin: SettingsKey,
         loaded: LoadedConfig,
         overrides: &Overrides,
     ) -> Arc<Settings> {

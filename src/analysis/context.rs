@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use indexmap::IndexSet;
 
-use super::root_choice::{Context, Reason, RootChoice};
+use super::root_choice::{Context, RootChoice, RootReason};
 use super::world::World;
 use base::{Span, TextRange};
 use vfs::SourceFile;
@@ -46,16 +46,17 @@ impl World {
             let edited = std::cmp::Reverse(self.last_edit(&file));
             (edited, *near, !self.same_package(&file, path), file)
         });
-        let picked = self.picked(path).map(|root| (root, Reason::Picked));
+        let picked = self.picked(path).map(|root| (root, RootReason::Picked));
         let commented = || {
             self.commented_root(path)
-                .map(|root| (root, Reason::Comment))
+                .map(|root| (root, RootReason::Comment))
         };
         let chosen = picked
             .or_else(commented)
             .or_else(|| self.preferred(&candidates, path));
-        let (root, reason) =
-            chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
+        let (root, reason) = chosen.map_or((None, RootReason::None), |(root, reason)| {
+            (Some(root), reason)
+        });
         Context {
             root,
             reason,
@@ -68,15 +69,15 @@ impl World {
         &self,
         candidates: &[(RootChoice, u32)],
         path: &Path,
-    ) -> Option<(RootChoice, Reason)> {
+    ) -> Option<(RootChoice, RootReason)> {
         let is_configured = |(root, _): &&(RootChoice, u32)| self.is_configured(root);
         let is_itself = |(root, near): &&(RootChoice, u32)| *near == 0 && root.file == path;
         let ((root, _), reason) = if let Some(found) = candidates.iter().find(is_configured) {
-            (found, Reason::Configured)
+            (found, RootReason::Configured)
         } else if let Some(found) = candidates.iter().find(is_itself) {
-            (found, Reason::Itself)
+            (found, RootReason::Itself)
         } else {
-            (candidates.first()?, Reason::Includes)
+            (candidates.first()?, RootReason::Includes)
         };
         Some((root.clone(), reason))
     }

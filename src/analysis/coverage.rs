@@ -4,26 +4,31 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::includes::Included;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::session::Session;
 use super::set_aside::leave_out_copies;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use base::FastSet;
 
 impl Session {
     /// Jobs in two parts: what has to be expanded whatever the others give, and what a robot may cover that
     /// includes it.
-    pub(super) fn in_turns(&self, jobs: Vec<Job>) -> (Vec<Job>, Vec<Job>) {
+    pub(super) fn in_turns(&self, jobs: Vec<CheckTask>) -> (Vec<CheckTask>, Vec<CheckTask>) {
         let included = self.statically_included(&jobs);
-        let waits = |job: &Job| job.reason == Reason::Walked && included.contains(&job.file);
+        let waits =
+            |job: &CheckTask| job.reason == CheckReason::Walked && included.contains(&job.file);
         let (later, first) = jobs.into_iter().partition(waits);
         (first, later)
     }
 
     /// The jobs that no robot among the outcomes covers.
-    pub(super) fn uncovered(&self, jobs: Vec<Job>, outcomes: &[Outcome]) -> Vec<Job> {
+    pub(super) fn uncovered(
+        &self,
+        jobs: Vec<CheckTask>,
+        outcomes: &[RootResult],
+    ) -> Vec<CheckTask> {
         let covered = self.covered_by_robots(outcomes.iter());
-        let is_open = |job: &Job| {
+        let is_open = |job: &CheckTask| {
             self.vfs
                 .identity(&job.file)
                 .is_none_or(|own| !covered.contains(&own))
@@ -31,7 +36,10 @@ impl Session {
         jobs.into_iter().filter(is_open).collect()
     }
 
-    fn covered_by_robots<'a>(&self, outcomes: impl Iterator<Item = &'a Outcome>) -> FastSet<u128> {
+    fn covered_by_robots<'a>(
+        &self,
+        outcomes: impl Iterator<Item = &'a RootResult>,
+    ) -> FastSet<u128> {
         let robots = outcomes.filter(|outcome| outcome.is_robot);
         let reads: FastSet<&PathBuf> = robots.flat_map(|outcome| &outcome.reads).collect();
         reads
@@ -41,11 +49,11 @@ impl Session {
     }
 
     /// Drop what another expansion covers.
-    pub(super) fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
+    pub(super) fn keep(&self, outcomes: Vec<RootResult>) -> Vec<RootResult> {
         let mut covered = self.covered_by_robots(outcomes.iter());
-        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) = outcomes
+        let (mut kept, mut others): (Vec<RootResult>, Vec<RootResult>) = outcomes
             .into_iter()
-            .partition(|outcome| outcome.job.reason != Reason::Walked);
+            .partition(|outcome| outcome.job.reason != CheckReason::Walked);
         // robots first: what they include needs no look of its own
         others.sort_by_key(|outcome| !outcome.is_robot);
         for outcome in others {
@@ -68,8 +76,8 @@ impl Session {
     }
 
     /// The files of the jobs that another one may include, by what its text says.
-    fn statically_included(&self, jobs: &[Job]) -> FastSet<PathBuf> {
-        if jobs.iter().all(|job| job.reason != Reason::Walked) {
+    fn statically_included(&self, jobs: &[CheckTask]) -> FastSet<PathBuf> {
+        if jobs.iter().all(|job| job.reason != CheckReason::Walked) {
             return FastSet::default();
         }
         let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();

@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use super::expect::{entry_at, filled, worded};
 use super::job;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::run_cache::{Run, Setting};
+use super::outcome::RootResult;
+use super::run_cache::{RunResult, RunSetting};
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
@@ -48,7 +48,7 @@ struct Generation {
 /// Such arguments with what they give.
 struct Tried {
     variant: Generation,
-    run: Arc<Run>,
+    run: Arc<RunResult>,
     difference: Difference,
 }
 
@@ -64,7 +64,7 @@ impl Session {
     pub(super) fn drift_findings(
         &self,
         options: &CheckOptions,
-        outcomes: &[Outcome],
+        outcomes: &[RootResult],
     ) -> Vec<Finding> {
         let rule = named::GENERATED_URDF_OUT_OF_DATE;
         let mut seen: FastSet<&Path> = FastSet::default();
@@ -85,14 +85,14 @@ impl Session {
     fn drift(&self, file: &SourceFile, cancel: &CancelFlag) -> Option<Finding> {
         let (name, range) = banner(file)?;
         let text = file.document.text();
-        let mut variants: Vec<(Generation, Arc<Run>)> = Vec::new();
+        let mut variants: Vec<(Generation, Arc<RunResult>)> = Vec::new();
         for source in self.sources_named(&name, &file.path) {
             for variant in self.generations(&source) {
                 let (job, setting) = (
                     variant.job(),
-                    Setting {
+                    RunSetting {
                         args: variant.args.clone(),
-                        ..Setting::default()
+                        ..RunSetting::default()
                     },
                 );
                 let run = self.drift_runs.get(self, &self.vfs, cancel, &job, &setting);
@@ -200,7 +200,7 @@ impl Session {
     }
 
     /// Whether the configuration expects a robot to be the content of a file.
-    fn is_meant(&self, variant: &Generation, run: &Run, file: &Path) -> bool {
+    fn is_meant(&self, variant: &Generation, run: &RunResult, file: &Path) -> bool {
         let settings = self.settings(&variant.source);
         let roots = settings.config.roots.iter();
         let mut expected = roots
@@ -323,8 +323,8 @@ fn is_for_old_xacro(text: &str) -> bool {
 }
 
 impl Generation {
-    fn job(&self) -> Job {
-        Job::new(self.source.clone(), Reason::Named, self.args.clone())
+    fn job(&self) -> CheckTask {
+        CheckTask::new(self.source.clone(), CheckReason::Named, self.args.clone())
     }
 }
 

@@ -8,10 +8,10 @@ use super::calls::as_called;
 use super::configs::Settings;
 use super::cut::Cut;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::roles::Checked;
+use super::outcome::RootResult;
+use super::roles::CheckedExpansion;
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{
     Expansion, ExpansionLimits, FileUse, Forced, FrameKind, Origin, Read, Request, Sources,
@@ -26,12 +26,12 @@ use rules::{
 use vfs::{LoadError, LoadErrorKind};
 
 /// Expand a file and check the result.
-pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
+pub(super) fn run(session: &Session, options: &CheckOptions, job: CheckTask) -> RootResult {
     let request = request(session, &options.cancel, &job);
     let (expansion, is_as_called) = expanded(session, &job, &request, None);
     let robot = Robot::of(&expansion);
     let outcome = judge(session, options, job, &expansion, robot.as_ref());
-    Outcome {
+    RootResult {
         is_as_called,
         ..outcome
     }
@@ -41,7 +41,7 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
 pub(super) fn expansion(
     session: &Session,
     cancel: &CancelFlag,
-    job: &Job,
+    job: &CheckTask,
     before: Option<&Expansion>,
 ) -> Expansion {
     expanded(
@@ -60,7 +60,7 @@ pub(super) fn expansion(
 pub(super) fn forced(
     session: &Session,
     cancel: &CancelFlag,
-    job: &Job,
+    job: &CheckTask,
     forced: Vec<Forced>,
 ) -> Expansion {
     expanded(
@@ -79,7 +79,7 @@ pub(super) fn forced(
 /// The expansion, and whether its arguments are those of a caller, since it fails with the defaults.
 pub(super) fn expanded(
     session: &Session,
-    job: &Job,
+    job: &CheckTask,
     request: &Request,
     before: Option<&Expansion>,
 ) -> (Expansion, bool) {
@@ -99,7 +99,7 @@ pub(super) fn world(session: &Session) -> Sources<'_> {
     }
 }
 
-pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
+pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &CheckTask) -> Request {
     let settings = session.settings(&job.file);
     Request {
         // messages name files as the user would
@@ -117,14 +117,14 @@ pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Requ
 pub(super) fn judge(
     session: &Session,
     options: &CheckOptions,
-    job: Job,
+    job: CheckTask,
     expansion: &Expansion,
     robot: Option<&Robot>,
-) -> Outcome {
+) -> RootResult {
     let settings = session.settings(&job.file);
     let around = session.rule_env(&settings.config);
     let kind = kind(expansion, robot, &job);
-    let explicit = job.reason != Reason::Walked;
+    let explicit = job.reason != CheckReason::Walked;
     let mut rules = wanted(session, expansion, settings.clone());
     rules.retain(|rule| kind != RootKind::Semantic || holds_for_semantic(rule));
     let found = OnceCell::new();
@@ -139,14 +139,14 @@ pub(super) fn judge(
     if let Some(error) = &expansion.root_error {
         findings.extend(unreadable(session.vfs.file_id(&job.file), error));
     }
-    findings.extend(session.nameless(&Checked {
+    findings.extend(session.nameless(&CheckedExpansion {
         job: &job,
         kind,
         expansion,
         robot,
     }));
     session.settle_by_role(
-        &Checked {
+        &CheckedExpansion {
             job: &job,
             kind,
             expansion,
@@ -156,7 +156,7 @@ pub(super) fn judge(
     );
     session.settle_set_aside(&job, robot, &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
-    Outcome {
+    RootResult {
         is_robot: kind == RootKind::Robot,
         is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
         unfound: if is_meant {
@@ -169,7 +169,7 @@ pub(super) fn judge(
         } else {
             None
         },
-        is_context: job.reason == Reason::Root,
+        is_context: job.reason == CheckReason::Root,
         is_as_called: false,
         complete: expansion.whole
             && expansion
@@ -192,7 +192,7 @@ pub(super) fn judge(
 }
 
 /// Whether to count what programs reject or change: where somebody asked and named none.
-fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &Job) -> bool {
+fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &CheckTask) -> bool {
     let is_named = !settings.config.consumers.is_empty() || settings.config.oldest_reader.is_some();
     let runs = [consumers::Outcome::Rejects, consumers::Outcome::Changes]
         .into_iter()
@@ -201,7 +201,7 @@ fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &Job) -> b
 }
 
 /// What is counted, without what a rule would say that is left out.
-fn wanted_of(mut found: Tally, settings: &Settings, job: &Job) -> Tally {
+fn wanted_of(mut found: Tally, settings: &Settings, job: &CheckTask) -> Tally {
     found.retain(|_, worst| settings.runs(consumers::rule_of(*worst), &job.file));
     found
 }
@@ -279,7 +279,7 @@ fn suppressed(expansion: &Expansion) -> Vec<Selector> {
 }
 
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
-pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
+pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &CheckTask) -> RootKind {
     let uses_xacro = |file: &FileUse| {
         file.source
             .document
@@ -294,7 +294,7 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
     if is_semantic(expansion) {
         return RootKind::Semantic;
     }
-    let gives_robot = job.reason == Reason::Root
+    let gives_robot = job.reason == CheckReason::Root
         || robot.is_some_and(Robot::is_entry)
         || plain && !is_of_a_simulator(expansion, robot) && !is_blank(expansion, robot)
         || is_bare(expansion) && !has_content(expansion, robot);

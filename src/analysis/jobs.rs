@@ -10,7 +10,7 @@ use super::configs::Settings;
 use super::options::CheckOptions;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use super::walk;
 use base::FastSet;
 
@@ -22,13 +22,13 @@ impl Session {
         files.into_iter().collect()
     }
 
-    pub(super) fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+    pub(super) fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<CheckTask> {
         let mut jobs = self.all_jobs(options, report);
         if let Some(change) = Change::of(self, options) {
             jobs.extend(change.further(&jobs, &options.args));
             jobs = change.reached(jobs, &Candidates::default());
         }
-        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
+        for job in jobs.iter().filter(|job| job.reason != CheckReason::Walked) {
             if let Err(error) = self.vfs.document(&job.file) {
                 report.unreadable.push(Unreadable {
                     path: job.file.clone(),
@@ -46,28 +46,28 @@ impl Session {
     }
 
     /// The jobs for what is named, whatever changed.
-    pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+    pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<CheckTask> {
         let args = &options.args;
         let entries = options
             .entries
             .iter()
-            .map(|path| Job::new(self.vfs.absolute(path), Reason::Root, args.clone()));
-        let mut jobs: Vec<Job> = entries.collect();
+            .map(|path| CheckTask::new(self.vfs.absolute(path), CheckReason::Root, args.clone()));
+        let mut jobs: Vec<CheckTask> = entries.collect();
         let (named, walked) = self.named_and_walked(options, report);
         jobs.extend(self.configured(options, &named, &walked));
         let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
         let is_alone = options.paths.len() == 1 && options.changed.is_empty();
         let reason = if is_alone {
-            Reason::Alone
+            CheckReason::Alone
         } else {
-            Reason::Named
+            CheckReason::Named
         };
         let named = named
             .into_iter()
-            .map(|path| Job::new(path, reason, args.clone()));
+            .map(|path| CheckTask::new(path, reason, args.clone()));
         let walked = walked
             .into_iter()
-            .map(|path| Job::new(path, Reason::Walked, args.clone()));
+            .map(|path| CheckTask::new(path, CheckReason::Walked, args.clone()));
         jobs.extend(
             named
                 .chain(walked)
@@ -112,7 +112,7 @@ impl Session {
         options: &CheckOptions,
         named: &[PathBuf],
         walked: &[PathBuf],
-    ) -> Vec<Job> {
+    ) -> Vec<CheckTask> {
         let mut jobs = Vec::new();
         for (settings, number, files) in self.configured_files(options, named, walked) {
             let Some(root) = settings.config.roots.get(number) else {

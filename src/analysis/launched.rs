@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::root_choice::RootChoice;
 use super::session::Session;
-use super::task::{Called, Job};
+use super::task::{CheckTask, LaunchCallSites};
 use base::limits::CALL_RUNS;
 use base::{FastMap, FastSet, Span};
 use rules::{Finding, missing_launch_argument};
@@ -110,7 +110,7 @@ impl Session {
     }
 
     /// The expansions to be made for calls, beside those with defaults: at most [`CALL_RUNS`] for each robot.
-    pub(super) fn launched_jobs(&self, outcomes: &[Outcome]) -> Vec<Job> {
+    pub(super) fn launched_jobs(&self, outcomes: &[RootResult]) -> Vec<CheckTask> {
         let with_arguments = outcomes.iter().filter(|outcome| {
             let reads_some =
                 !outcome.arguments.is_empty() || outcome.findings.iter().any(is_not_given);
@@ -131,7 +131,7 @@ impl Session {
             .any(|root| root.files(&self.vfs).iter().any(|own| own == file))
     }
 
-    fn launched_jobs_of(&self, outcome: &Outcome) -> Vec<Job> {
+    fn launched_jobs_of(&self, outcome: &RootResult) -> Vec<CheckTask> {
         let has = |(name, value): &(String, String)| {
             outcome
                 .arguments
@@ -149,10 +149,10 @@ impl Session {
             .chain(&defaults)
             .map(|launched| launched.calls.len())
             .sum();
-        let job = |launched: Launched| Job {
+        let job = |launched: Launched| CheckTask {
             args: launched.args,
             preset: Some(launched.name),
-            called: Some(Called {
+            called: Some(LaunchCallSites {
                 calls: launched.calls,
                 of,
             }),
@@ -163,8 +163,8 @@ impl Session {
 
     /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
     /// that no call gives an argument has the error itself.
-    pub(super) fn missing_arguments(&self, outcomes: &mut [Outcome]) -> Vec<Finding> {
-        let lacking = |outcome: &Outcome| -> Vec<(PathBuf, Span)> {
+    pub(super) fn missing_arguments(&self, outcomes: &mut [RootResult]) -> Vec<Finding> {
+        let lacking = |outcome: &RootResult| -> Vec<(PathBuf, Span)> {
             let findings = outcome
                 .findings
                 .iter()
@@ -202,8 +202,8 @@ impl Session {
 }
 
 /// Of robots that fail with their defaults, what the calls say counts.
-pub(super) fn prefer_calls(outcomes: &mut [Outcome]) {
-    let works = |outcome: &&Outcome| {
+pub(super) fn prefer_calls(outcomes: &mut [RootResult]) {
+    let works = |outcome: &&RootResult| {
         outcome.job.called.is_some() && !outcome.findings.iter().any(is_not_given)
     };
     let working = outcomes

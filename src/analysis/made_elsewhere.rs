@@ -2,12 +2,12 @@
 use std::path::{Component, Path};
 
 use super::session::Session;
-use super::task::Job;
+use super::task::CheckTask;
 use rules::{Finding, Severity, named};
 
 impl Session {
     /// What is wrong only before a program changes the text or gets the data is an info.
-    pub(super) fn settle_made_elsewhere(&self, job: &Job, findings: &mut [Finding]) {
+    pub(super) fn settle_made_elsewhere(&self, job: &CheckTask, findings: &mut [Finding]) {
         let is_rewritten = |finding: &Finding| {
             let is_about_package = finding.rule == named::MISSING_PACKAGE_DEPENDENCY
                 || finding.rule == named::PACKAGE_NOT_FOUND;

@@ -1,6 +1,6 @@
 //! Many expansions, one list of findings.
-use super::contexts::{Contexts, Run};
-use super::outcome::Outcome;
+use super::contexts::{ContextRun, Contexts};
+use super::outcome::RootResult;
 use base::{FastMap, Span};
 use rules::{Finding, Severity, Trait, named};
 
@@ -14,12 +14,12 @@ struct Merged {
 }
 
 /// All findings; one that several expansions have is kept once, with the places of all of them.
-pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
+pub(super) fn merge(outcomes: Vec<RootResult>) -> Vec<Finding> {
     let mut merged: Vec<Merged> = Vec::new();
     let mut by_place: FastMap<(&'static str, Span), Vec<usize>> = FastMap::default();
-    let mut runs: Vec<Run> = Vec::new();
+    let mut runs: Vec<ContextRun> = Vec::new();
     for (number, outcome) in outcomes.into_iter().enumerate() {
-        runs.push(Run::of(&outcome));
+        runs.push(ContextRun::of(&outcome));
         for finding in outcome.findings {
             let places = by_place
                 .entry((finding.rule.code, finding.span))

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::cut::Cut;
-use super::task::Job;
+use super::task::CheckTask;
 use base::{FastSet, FileId, Span};
 use rules::Finding;
 use rules::consumers::Tally;
@@ -14,8 +14,8 @@ use vfs::SourceFile;
 
 /// What a job gave.
 #[derive(Clone)]
-pub(super) struct Outcome {
-    pub(super) job: Job,
+pub(super) struct RootResult {
+    pub(super) job: CheckTask,
     /// Whether the file is a robot on its own.
     pub(super) is_robot: bool,
     /// Whether only a name is missing to make it one.

@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 use super::candidates::Candidates;
 use super::plan::apply;
-use super::run_cache::{Run, Runs, Setting};
+use super::run_cache::{RunResult, RunSetting, Runs};
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
@@ -57,14 +57,14 @@ pub struct Effort {
     /// Expansions that are made for one claim; where more are needed, it is not proved.
     pub expansions: usize,
     /// The robots that may read the files.
-    pub roots: Roots,
+    pub roots: AffectedRobots,
     /// Set to stop early; nothing is proved then.
     pub cancel: CancelFlag,
 }
 
 /// The robots that may read the files of a claim.
 #[derive(Clone)]
-pub enum Roots {
+pub enum AffectedRobots {
     /// Those are known.
     Known(Vec<PathBuf>),
     /// They are searched for in the workspaces of the files, once for all claims.
@@ -151,8 +151,8 @@ impl<'a> Trial<'a> {
             .map(|changed| (changed.path.to_path_buf(), changed.new.clone()));
         let after = session.vfs.overlay(texts);
         let runs = match &effort.roots {
-            Roots::Known(_) => Arc::default(),
-            Roots::Searched(known) => known.runs.clone(),
+            AffectedRobots::Known(_) => Arc::default(),
+            AffectedRobots::Searched(known) => known.runs.clone(),
         };
         Some(Self {
             session,
@@ -169,7 +169,7 @@ impl<'a> Trial<'a> {
         let mut unread: Vec<&Path> = self.changed.iter().map(|changed| &*changed.path).collect();
         let mut left = self.effort.expansions;
         for job in self.jobs() {
-            let first = Setting {
+            let first = RunSetting {
                 args: job.args.clone(),
                 forced: Vec::new(),
             };
@@ -198,10 +198,10 @@ impl<'a> Trial<'a> {
     }
 
     /// The robots that may read a changed file, below the workspaces of these files.
-    fn jobs(&self) -> Vec<Job> {
+    fn jobs(&self) -> Vec<CheckTask> {
         let known = match &self.effort.roots {
-            Roots::Known(files) => return files.iter().map(|file| named(file)).collect(),
-            Roots::Searched(known) => known,
+            AffectedRobots::Known(files) => return files.iter().map(|file| named(file)).collect(),
+            AffectedRobots::Searched(known) => known,
         };
         let session = self.session;
         let files: Vec<PathBuf> = self
@@ -232,7 +232,12 @@ impl<'a> Trial<'a> {
     }
 
     /// What an expansion gives before; none when the claim does not hold for it.
-    fn compare(&self, job: &Job, setting: &Setting, claim: Claim) -> Option<Arc<Run>> {
+    fn compare(
+        &self,
+        job: &CheckTask,
+        setting: &RunSetting,
+        claim: Claim,
+    ) -> Option<Arc<RunResult>> {
         if self.effort.cancel.is_cancelled() {
             return None;
         }
@@ -241,7 +246,7 @@ impl<'a> Trial<'a> {
             at: self.moved(forced),
             ..forced.clone()
         });
-        let setting = Setting {
+        let setting = RunSetting {
             args: setting.args.clone(),
             forced: forced.collect(),
         };
@@ -267,13 +272,13 @@ impl<'a> Trial<'a> {
         changed.map_or(forced.at, |changed| changed.moved(forced.at))
     }
 
-    pub fn run(&self, job: &Job, vfs: &Vfs, setting: &Setting) -> Arc<Run> {
+    pub fn run(&self, job: &CheckTask, vfs: &Vfs, setting: &RunSetting) -> Arc<RunResult> {
         self.runs
             .get(self.session, vfs, &self.effort.cancel, job, setting)
     }
 
     /// Further ways to expand a robot that may show what an edit does.
-    fn settings(&self, job: &Job, before: &Run) -> Vec<Setting> {
+    fn settings(&self, job: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
         let mut found = Vec::new();
         for caller in self.session.callers(&job.file).iter().take(MOST_CALLERS) {
             let known = caller
@@ -295,7 +300,7 @@ impl<'a> Trial<'a> {
                 values.map(|value| with_arguments(job, [(name.to_string(), value.to_owned())])),
             );
         }
-        found.extend(self.branches().into_iter().map(|forced| Setting {
+        found.extend(self.branches().into_iter().map(|forced| RunSetting {
             args: job.args.clone(),
             forced,
         }));
@@ -353,8 +358,8 @@ impl<'a> Trial<'a> {
 }
 
 /// The expansion of a file that was named.
-fn named(file: &Path) -> Job {
-    Job::new(file.to_owned(), Reason::Named, Vec::new())
+fn named(file: &Path) -> CheckTask {
+    CheckTask::new(file.to_owned(), CheckReason::Named, Vec::new())
 }
 
 /// The elements of these names around a range, outermost first.
@@ -384,10 +389,10 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
 
 /// A robot with other arguments than its own, or further ones.
 pub(super) fn with_arguments(
-    job: &Job,
+    job: &CheckTask,
     more: impl IntoIterator<Item = (String, String)>,
-) -> Setting {
-    Setting {
+) -> RunSetting {
+    RunSetting {
         args: job.args.iter().cloned().chain(more).collect(),
         forced: Vec::new(),
     }

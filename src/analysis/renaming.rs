@@ -9,12 +9,12 @@ use ecow::EcoString;
 use super::analyzed::job_of;
 use super::plan::apply;
 use super::proof::{
-    CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over, with_arguments,
+    AffectedRobots, CONDITIONS, Changed, Effort, Trial, enclosing, turned_over, with_arguments,
 };
 use super::root_choice::RootChoice;
-use super::run_cache::{Run, Setting};
+use super::run_cache::{RunResult, RunSetting};
 use super::session::Session;
-use super::task::Job;
+use super::task::CheckTask;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
 use model::{other_difference, same_robot};
@@ -84,7 +84,7 @@ impl Session {
         let changed: Vec<Changed> = changed.collect();
         let effort = Effort {
             expansions: 0,
-            roots: Roots::Known(Vec::new()),
+            roots: AffectedRobots::Known(Vec::new()),
             cancel: cancel.clone(),
         };
         let trial = Trial::new(self, changed.iter().collect(), &effort)?;
@@ -98,8 +98,8 @@ impl Session {
 
 impl Trial<'_> {
     /// Whether a robot would be another one, and under which condition.
-    fn obstacle(&self, job: &Job, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
-        let plain = Setting {
+    fn obstacle(&self, job: &CheckTask, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
+        let plain = RunSetting {
             args: job.args.clone(),
             forced: Vec::new(),
         };
@@ -112,7 +112,7 @@ impl Trial<'_> {
                 break;
             }
             let taken = forced.last().is_some_and(|forced| forced.taken);
-            let setting = Setting {
+            let setting = RunSetting {
                 args: job.args.clone(),
                 forced,
             };
@@ -142,7 +142,7 @@ impl Trial<'_> {
     /// The obstacle that a robot is; none when the search was given up, which may be all that differs.
     fn found(
         &self,
-        job: &Job,
+        job: &CheckTask,
         condition: Option<(PathBuf, u32, bool)>,
         difference: Option<String>,
     ) -> Option<Obstacle> {
@@ -155,7 +155,12 @@ impl Trial<'_> {
     }
 
     /// What a setting gives afterwards.
-    fn renamed_run(&self, job: &Job, setting: &Setting, name: NewName<'_>) -> Arc<Run> {
+    fn renamed_run(
+        &self,
+        job: &CheckTask,
+        setting: &RunSetting,
+        name: NewName<'_>,
+    ) -> Arc<RunResult> {
         let moved = |forced: &Forced| Forced {
             at: self.moved(forced),
             ..forced.clone()
@@ -164,7 +169,7 @@ impl Trial<'_> {
             NewName::Argument { old, new } if given == old => (new.to_owned(), value.clone()),
             _ => (given.clone(), value.clone()),
         });
-        let setting = Setting {
+        let setting = RunSetting {
             args: args.collect(),
             forced: setting.forced.iter().map(moved).collect(),
         };
@@ -172,7 +177,12 @@ impl Trial<'_> {
     }
 
     /// That a robot is the same before and after, or is refused for the same reasons; else what is different, if that is known.
-    fn is_same(&self, before: &Run, after: &Run, name: NewName<'_>) -> Result<(), Option<String>> {
+    fn is_same(
+        &self,
+        before: &RunResult,
+        after: &RunResult,
+        name: NewName<'_>,
+    ) -> Result<(), Option<String>> {
         if before.refused || after.refused {
             let moved = before.failures.iter().map(|(code, path, at)| {
                 let changed = self.changed.iter().find(|changed| *changed.path == **path);
@@ -205,7 +215,7 @@ impl Trial<'_> {
 
     /// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
     /// those of the changed files, and where such a file takes no part, those around includes.
-    fn conditions(&self, before: &Run) -> Vec<(PathBuf, u32, Vec<Forced>)> {
+    fn conditions(&self, before: &RunResult) -> Vec<(PathBuf, u32, Vec<Forced>)> {
         let is_missing = self
             .changed
             .iter()
@@ -257,7 +267,7 @@ impl Trial<'_> {
 }
 
 /// A robot with each of its switches turned over.
-fn switched(job: &Job, before: &Run) -> Vec<Setting> {
+fn switched(job: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
     let turned =
         before
             .arguments

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::includes::Included;
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
@@ -30,7 +30,7 @@ enum Role {
 
 /// What becomes of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
+enum FindingAction {
     Keep,
     /// It has another severity.
     Set(Severity),
@@ -40,8 +40,8 @@ enum Verdict {
 }
 
 /// An expansion of a file that was checked.
-pub(super) struct Checked<'a> {
-    pub(super) job: &'a Job,
+pub(super) struct CheckedExpansion<'a> {
+    pub(super) job: &'a CheckTask,
     pub(super) kind: RootKind,
     pub(super) expansion: &'a Expansion,
     pub(super) robot: Option<&'a Robot>,
@@ -49,17 +49,25 @@ pub(super) struct Checked<'a> {
 
 impl Session {
     /// Of findings that hold only as long as a file stands alone, keep what is true in its role.
-    pub(super) fn settle_by_role(&self, checked: &Checked<'_>, findings: &mut Vec<Finding>) {
+    pub(super) fn settle_by_role(
+        &self,
+        checked: &CheckedExpansion<'_>,
+        findings: &mut Vec<Finding>,
+    ) {
         if !findings.iter().any(depends_on_role) {
             return;
         }
         let role = self.role(checked, findings);
-        let is_alone = checked.job.reason == Reason::Alone;
+        let is_alone = checked.job.reason == CheckReason::Alone;
         let mut noted = FastSet::default();
         findings.retain_mut(|finding| match verdict(role, finding) {
             // what has no value here: the answer to whether the file works
-            Verdict::Note if is_alone && finding.outside == Some(Outside::Environment) => true,
-            Verdict::Keep if role == Role::Root && self.may_get_elsewhere(checked.job, finding) => {
+            FindingAction::Note if is_alone && finding.outside == Some(Outside::Environment) => {
+                true
+            }
+            FindingAction::Keep
+                if role == Role::Root && self.may_get_elsewhere(checked.job, finding) =>
+            {
                 finding.severity = finding.severity.min(Severity::Info);
                 noted.insert((
                     finding.rule.code,
@@ -67,13 +75,13 @@ impl Session {
                     finding.message.clone(),
                 ))
             }
-            Verdict::Keep => true,
-            Verdict::Drop => false,
-            Verdict::Set(severity) => {
+            FindingAction::Keep => true,
+            FindingAction::Drop => false,
+            FindingAction::Set(severity) => {
                 finding.severity = finding.severity.min(severity);
                 true
             }
-            Verdict::Note => {
+            FindingAction::Note => {
                 finding.severity = finding.severity.min(Severity::Info);
                 noted.insert((
                     finding.rule.code,
@@ -86,15 +94,15 @@ impl Session {
 
     /// What to report of a file that is a robot but for its name: it gives one tree, which is of more than one link unless the
     /// file is checked by itself, and nothing includes it.
-    pub(super) fn nameless(&self, checked: &Checked<'_>) -> Option<Finding> {
-        let Checked {
+    pub(super) fn nameless(&self, checked: &CheckedExpansion<'_>) -> Option<Finding> {
+        let CheckedExpansion {
             job,
             kind,
             expansion,
             robot,
         } = *checked;
         let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
-        let is_tree = (!robot.joints.is_empty() || job.reason == Reason::Alone)
+        let is_tree = (!robot.joints.is_empty() || job.reason == CheckReason::Alone)
             && robot.names_are_known()
             && above_fragment(robot).is_none()
             && Kinematics::of(robot).roots(robot).len() == 1;
@@ -106,10 +114,10 @@ impl Session {
         }
     }
 
-    fn role(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
+    fn role(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
         match self.role_by_itself(checked, findings) {
             Role::Root
-                if checked.job.reason == Reason::Walked
+                if checked.job.reason == CheckReason::Walked
                     && self.is_for_another(&checked.job.file) =>
             {
                 Role::Part
@@ -119,14 +127,14 @@ impl Session {
     }
 
     /// The role of a file, whatever launch files give to other robots.
-    fn role_by_itself(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
-        let Checked {
+    fn role_by_itself(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
+        let CheckedExpansion {
             job,
             kind,
             expansion,
             robot,
         } = *checked;
-        if job.reason == Reason::Root {
+        if job.reason == CheckReason::Root {
             return Role::Root;
         }
         let document = expansion.files.first().map(|file| &file.source.document);
@@ -138,7 +146,7 @@ impl Session {
                 Role::Part
             };
         }
-        if job.reason == Reason::Alone {
+        if job.reason == CheckReason::Alone {
             return Role::Root;
         }
         // a file in xacro without content is one that somebody has yet to write
@@ -163,8 +171,8 @@ impl Session {
 
     /// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
     /// package, so that others may give its arguments, or other files define the property that it reads.
-    fn may_get_elsewhere(&self, job: &Job, finding: &Finding) -> bool {
-        if matches!(job.reason, Reason::Root | Reason::Alone) || finding.fix.is_some() {
+    fn may_get_elsewhere(&self, job: &CheckTask, finding: &Finding) -> bool {
+        if matches!(job.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
             return false;
         }
         let is_open = match (&finding.outside, finding.problem) {
@@ -255,24 +263,24 @@ fn depends_on_role(finding: &Finding) -> bool {
     finding.outside.is_some() || needs_names(finding.rule)
 }
 
-fn verdict(role: Role, finding: &Finding) -> Verdict {
+fn verdict(role: Role, finding: &Finding) -> FindingAction {
     let is_misspelled = finding.fix.is_some() && !finding.probed;
     match (&finding.outside, role) {
-        (None, _) if !depends_on_role(finding) => Verdict::Keep,
-        (Some(Outside::File), _) => Verdict::Keep,
-        (Some(Outside::Environment), _) => Verdict::Note,
-        (_, Role::Part) => Verdict::Drop,
-        (Some(Outside::Argument(_)), _) if is_misspelled => Verdict::Keep,
-        (_, Role::Unknown) => Verdict::Note,
-        (None, Role::Root) => Verdict::Keep,
-        (Some(_), Role::Root) if finding.probed => Verdict::Note,
+        (None, _) if !depends_on_role(finding) => FindingAction::Keep,
+        (Some(Outside::File), _) => FindingAction::Keep,
+        (Some(Outside::Environment), _) => FindingAction::Note,
+        (_, Role::Part) => FindingAction::Drop,
+        (Some(Outside::Argument(_)), _) if is_misspelled => FindingAction::Keep,
+        (_, Role::Unknown) => FindingAction::Note,
+        (None, Role::Root) => FindingAction::Keep,
+        (Some(_), Role::Root) if finding.probed => FindingAction::Note,
         (Some(Outside::Argument(_)), Role::Root) => match finding.problem {
-            Some(ProblemKind::UndefinedArg) => Verdict::Keep,
+            Some(ProblemKind::UndefinedArg) => FindingAction::Keep,
             // the robot works as soon as the argument is given
-            Some(ProblemKind::UseBeforeDefinition) => Verdict::Set(Severity::Warning),
-            _ => Verdict::Note,
+            Some(ProblemKind::UseBeforeDefinition) => FindingAction::Set(Severity::Warning),
+            _ => FindingAction::Note,
         },
-        (Some(Outside::Includer), Role::Root) => Verdict::Keep,
+        (Some(Outside::Includer), Role::Root) => FindingAction::Keep,
     }
 }
 

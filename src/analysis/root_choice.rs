@@ -25,7 +25,7 @@ impl RootChoice {
 
 /// Why a root was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
+pub enum RootReason {
     /// The user picked it.
     Picked,
     /// A comment `xacro-root:` at the top of the file names it.
@@ -40,16 +40,16 @@ pub enum Reason {
     None,
 }
 
-impl Reason {
+impl RootReason {
     /// For a status line.
     pub fn text(self) -> &'static str {
         match self {
-            Reason::Picked => "selected in this session",
-            Reason::Comment => "set by the xacro-root comment",
-            Reason::Configured => "set in the configuration",
-            Reason::Itself => "the file is a robot",
-            Reason::Includes => "it includes the file",
-            Reason::None => "no root includes this file",
+            RootReason::Picked => "selected in this session",
+            RootReason::Comment => "set by the xacro-root comment",
+            RootReason::Configured => "set in the configuration",
+            RootReason::Itself => "the file is a robot",
+            RootReason::Includes => "it includes the file",
+            RootReason::None => "no root includes this file",
         }
     }
 }
@@ -60,7 +60,7 @@ pub struct Context {
     /// The active root; none for a file that no robot includes.
     pub root: Option<RootChoice>,
     /// Why it is active.
-    pub reason: Reason,
+    pub reason: RootReason,
     /// All roots that reach the file, with their distance in includes.
     pub candidates: Vec<(RootChoice, u32)>,
 }

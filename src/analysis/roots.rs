@@ -2,7 +2,7 @@
 use std::path::Path;
 
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use workspace::config::{Axes, Root, Variant};
 
 impl Session {
@@ -21,16 +21,21 @@ impl Session {
     }
 
     /// The expansions of one file of a configured root; `args` go over all others.
-    pub(super) fn jobs_of(&self, root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Job> {
+    pub(super) fn jobs_of(
+        &self,
+        root: &Root,
+        file: &Path,
+        args: &[(String, String)],
+    ) -> Vec<CheckTask> {
         let job = |variant: Variant| {
             let args = variant
                 .args
                 .into_iter()
                 .chain(args.iter().cloned())
                 .collect();
-            Job {
+            CheckTask {
                 preset: variant.preset,
-                ..Job::new(file.to_path_buf(), Reason::Root, args)
+                ..CheckTask::new(file.to_path_buf(), CheckReason::Root, args)
             }
         };
         self.variants(root, file).into_iter().map(job).collect()

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::job;
 use super::lock::locked;
-use super::run_cache::{Run, Runs, Setting};
+use super::run_cache::{RunResult, RunSetting, Runs};
 use super::session::Session;
-use super::task::Job;
+use super::task::CheckTask;
 use base::{CancelFlag, TextRange};
 use expand::{
     Expansion, FileUse, FrameKind, Problem, ProblemKind, ProblemSeverity, Read, Request, Sources,
@@ -14,11 +14,17 @@ use expand::{
 };
 use vfs::Vfs;
 
-impl Run {
+impl RunResult {
     /// Expand a robot from the files that `vfs` shows.
-    fn of(session: &Session, vfs: &Vfs, cancel: &CancelFlag, job: &Job, setting: &Setting) -> Self {
+    fn of(
+        session: &Session,
+        vfs: &Vfs,
+        cancel: &CancelFlag,
+        job: &CheckTask,
+        setting: &RunSetting,
+    ) -> Self {
         let Sources { packages, env, .. } = job::world(session);
-        let Setting { args, forced } = setting.clone();
+        let RunSetting { args, forced } = setting.clone();
         let request = Request {
             probe: false,
             args,
@@ -110,16 +116,16 @@ impl Runs {
         session: &Session,
         vfs: &Vfs,
         cancel: &CancelFlag,
-        job: &Job,
-        setting: &Setting,
-    ) -> Arc<Run> {
+        job: &CheckTask,
+        setting: &RunSetting,
+    ) -> Arc<RunResult> {
         let key = (job.file.clone(), setting.clone());
         let known = locked(&self.0).by_key.get(&key).cloned();
         let known: Vec<_> = known.unwrap_or_default();
         if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
             return run;
         }
-        let run = Arc::new(Run::of(session, vfs, cancel, job, setting));
+        let run = Arc::new(RunResult::of(session, vfs, cancel, job, setting));
         if !cancel.is_cancelled() {
             locked(&self.0).add(key, run.clone());
         }

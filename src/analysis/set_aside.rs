@@ -2,9 +2,9 @@
 use std::path::{Path, PathBuf};
 
 use super::drift::banner;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::session::Session;
-use super::task::{Job, Reason};
+use super::task::{CheckReason, CheckTask};
 use base::{FastMap, FastSet, FileId};
 use expand::ProblemKind;
 use model::{Joint, Robot};
@@ -56,12 +56,12 @@ impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
     pub(super) fn settle_set_aside(
         &self,
-        job: &Job,
+        job: &CheckTask,
         robot: Option<&Robot>,
         findings: &mut [Finding],
     ) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
-        if job.reason != Reason::Walked || !findings.iter().any(is_news) {
+        if job.reason != CheckReason::Walked || !findings.iter().any(is_news) {
             return;
         }
         if robot.is_some_and(is_list_of_joints)
@@ -389,7 +389,7 @@ fn lower(findings: &mut [Finding]) {
 
 /// What is wrong in a file that xacro generated, and in its source as well, is said of the source. The rest is an info
 /// where nothing loads the file: it has to be generated again.
-pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
+pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [RootResult]) {
     let generated: Vec<(usize, String)> = (0..)
         .zip(&*outcomes)
         .filter_map(|(number, outcome)| Some((number, generated_from(outcome.files.first()?)?)))
@@ -398,7 +398,7 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
         let Some(file) = outcomes.get(number).map(|outcome| outcome.job.file.clone()) else {
             continue;
         };
-        let is_source = |outcome: &&Outcome| {
+        let is_source = |outcome: &&RootResult| {
             outcome
                 .job
                 .file
@@ -406,7 +406,7 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
                 .is_some_and(|name| name == source.as_str())
                 && outcome.job.file != file
         };
-        let shared = |outcome: &&Outcome| {
+        let shared = |outcome: &&RootResult| {
             let (a, b) = (outcome.job.file.components(), file.components());
             a.zip(b).take_while(|(a, b)| a == b).count()
         };
@@ -429,7 +429,7 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
             outcome.findings.retain(|finding| {
                 !said.contains(&(finding.rule.code, finding.severity, finding.message.clone()))
             });
-            let is_walked = outcome.job.reason == Reason::Walked;
+            let is_walked = outcome.job.reason == CheckReason::Walked;
             if is_walked && !session.is_loaded(&file) && !session.is_included(&file) {
                 lower(&mut outcome.findings);
             }
@@ -439,11 +439,11 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
 
 /// Whether a file that was generated from another one, which is gone, lies beside a description that was not, and nothing
 /// names or includes it while others are launched.
-fn is_scratch(session: &Session, outcomes: &[Outcome], number: usize) -> bool {
+fn is_scratch(session: &Session, outcomes: &[RootResult], number: usize) -> bool {
     let Some(own) = outcomes.get(number) else {
         return false;
     };
-    let is_beside = |other: &Outcome| {
+    let is_beside = |other: &RootResult| {
         other.job.file != own.job.file
             && other.job.file.parent() == own.job.file.parent()
             && other
@@ -452,14 +452,14 @@ fn is_scratch(session: &Session, outcomes: &[Outcome], number: usize) -> bool {
                 .is_some_and(|file| generated_from(file).is_none())
     };
     let file = &own.job.file;
-    own.job.reason == Reason::Walked
+    own.job.reason == CheckReason::Walked
         && outcomes.iter().any(is_beside)
         && session.are_others_launched(file)
         && !session.is_named(file)
         && !session.is_included(file)
 }
 
-fn lower_all(outcomes: &mut [Outcome], number: usize) {
+fn lower_all(outcomes: &mut [RootResult], number: usize) {
     if let Some(outcome) = outcomes.get_mut(number) {
         lower(&mut outcome.findings);
     }

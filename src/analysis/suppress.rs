@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::proof::enclosing;
 use super::session::Session;
-use super::task::Reason;
+use super::task::CheckReason;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::{
     Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, named,
@@ -16,7 +16,7 @@ use rules::{
 use vfs::SourceFile;
 
 /// A comment: file, number in the file, number of the rule it names.
-type Used = (FileId, usize, usize);
+type UsedSuppression = (FileId, usize, usize);
 
 /// The suppressions of all files of a run.
 pub(super) struct SuppressionFilter<'a> {
@@ -24,7 +24,7 @@ pub(super) struct SuppressionFilter<'a> {
     files: BTreeMap<FileId, (Arc<SourceFile>, Suppressions)>,
     /// Files that all rules have checked.
     judged: FastSet<FileId>,
-    used: FastSet<Used>,
+    used: FastSet<UsedSuppression>,
     /// Where the macros are defined that were called.
     called: FastSet<Span>,
     /// Files of robots that have arguments: with others, more may be hidden.
@@ -33,7 +33,11 @@ pub(super) struct SuppressionFilter<'a> {
 
 impl<'a> SuppressionFilter<'a> {
     /// Those of the files that `outcomes` read.
-    pub(super) fn new(session: &'a Session, options: &CheckOptions, outcomes: &[Outcome]) -> Self {
+    pub(super) fn new(
+        session: &'a Session,
+        options: &CheckOptions,
+        outcomes: &[RootResult],
+    ) -> Self {
         let mut files = BTreeMap::new();
         for file in outcomes.iter().flat_map(|outcome| &outcome.files) {
             files
@@ -223,7 +227,7 @@ fn including(file: FileId, includes: &[(FileId, Span)]) -> Vec<Span> {
 /// The files about which all rules had their say: those of robots that could be expanded as a whole. What is
 /// only included may serve robots outside of this run as well, unless whole folders are checked; and one preset
 /// of several, as in an editor, says nothing about the others.
-fn judged(session: &Session, options: &CheckOptions, outcomes: &[Outcome]) -> FastSet<FileId> {
+fn judged(session: &Session, options: &CheckOptions, outcomes: &[RootResult]) -> FastSet<FileId> {
     let absolute = options.paths.iter().map(|path| session.vfs.absolute(path));
     let folders: Vec<PathBuf> = absolute.filter(|path| session.vfs.is_dir(path)).collect();
     let mut judged = FastSet::default();
@@ -231,7 +235,7 @@ fn judged(session: &Session, options: &CheckOptions, outcomes: &[Outcome]) -> Fa
         .iter()
         .filter(|outcome| outcome.is_robot && outcome.complete)
     {
-        let alone = matches!(outcome.job.reason, Reason::Named | Reason::Alone);
+        let alone = matches!(outcome.job.reason, CheckReason::Named | CheckReason::Alone);
         if alone && outcome.job.preset.is_some() {
             continue;
         }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::beside::{Sort, is_settings, sort};
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::outcome::RootResult;
 use super::session::Session;
-use super::task::Reason;
+use super::task::CheckReason;
 use base::{FastMap, FastSet, FileId};
 use project::{Controller, YamlSettings};
 use rules::{Finding, Severity, Trait, named};
@@ -19,7 +19,7 @@ impl Session {
     pub(super) fn read_for_used(
         &self,
         options: &CheckOptions,
-        outcomes: &mut [Outcome],
+        outcomes: &mut [RootResult],
     ) -> Option<FastSet<PathBuf>> {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         let has_copies =
@@ -31,7 +31,8 @@ impl Session {
         let asked = asked(self, options);
         let mut used = FastSet::default();
         for outcome in outcomes {
-            if outcome.job.reason == Reason::Walked && self.is_other(&outcome.job.file, &asked) {
+            if outcome.job.reason == CheckReason::Walked && self.is_other(&outcome.job.file, &asked)
+            {
                 for finding in &mut outcome.findings {
                     finding.severity = finding.severity.min(Severity::Info);
                 }

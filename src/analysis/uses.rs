@@ -2,7 +2,7 @@
 use std::path::{Path, PathBuf};
 
 use super::session::Session;
-use super::task::Job;
+use super::task::CheckTask;
 use expand::ProblemKind;
 use rules::{Finding, Rule, Severity, named};
 use vfs::without_parents;
@@ -10,7 +10,7 @@ use workspace::{RobotCall, RosVersion};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
-    pub(super) fn settle_by_use(&self, job: &Job, findings: &mut [Finding]) {
+    pub(super) fn settle_by_use(&self, job: &CheckTask, findings: &mut [Finding]) {
         let file = &job.file;
         let info = || Some(Severity::Info);
         // both blocks meet in a robot whose controllers nothing starts

@@ -9,8 +9,8 @@ use super::analyzed::{Analyzed, job_of};
 use super::beside::sort;
 use super::graph::Graph;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::proof::{Effort, Roots};
+use super::outcome::RootResult;
+use super::proof::{AffectedRobots, Effort};
 use super::report::Report;
 use super::root_choice::RootChoice;
 use super::scan::Scan;
@@ -112,7 +112,7 @@ impl World {
         roots.push(path.to_owned());
         Effort {
             expansions,
-            roots: Roots::Known(roots),
+            roots: AffectedRobots::Known(roots),
             cancel: cancel.clone(),
         }
     }
@@ -550,7 +550,7 @@ impl World {
             outcome
                 .findings
                 .extend(check_recovered(&analyzed.expansion, &self.session.vfs));
-            outcomes.push(Outcome {
+            outcomes.push(RootResult {
                 is_context,
                 ..outcome
             });

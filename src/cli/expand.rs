@@ -7,11 +7,13 @@ use std::sync::Arc;
 
 use annotate_snippets::Level;
 
-use super::assets::{Places, rename};
+use super::assets::{AssetPaths, rename};
 use super::diff::unified;
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
-use super::render::{Mark, Report, ShownFile, render, shown_path, visible, visible_name};
+use super::render::{
+    AnnotatedRange, ProblemReport, ShownFile, render, shown_path, visible, visible_name,
+};
 use super::text::is_shown;
 use analysis::FixedFile;
 use base::limits::DRAWN_PROBLEMS;
@@ -173,7 +175,7 @@ fn rename_assets(
         .or(options.check.as_ref())
         .map(|file| env.cwd.join(file));
     let output = file.as_deref().and_then(Path::parent).unwrap_or(&env.cwd);
-    let places = Places {
+    let places = AssetPaths {
         vfs,
         packages,
         cwd: &env.cwd,
@@ -369,7 +371,7 @@ fn located(problem: &Problem, files: &ShownFiles<'_>) -> String {
 }
 
 /// A problem as it is drawn; none when nothing of the text that led to it may be shown.
-fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<'a>> {
+fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<ProblemReport<'a>> {
     let level = match problem.severity {
         ProblemSeverity::Error => Level::ERROR,
         ProblemSeverity::Warning => Level::WARNING,
@@ -387,7 +389,7 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
             (caller.place, located(problem, files))
         }
     };
-    Some(Report {
+    Some(ProblemReport {
         level,
         id: None,
         url: None,
@@ -402,8 +404,12 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
 }
 
 /// A place with a message in one line; none when its file may not be shown.
-fn mark<'a>(place: FileRange, message: &str, files: &'a ShownFiles<'a>) -> Option<Mark<'a>> {
-    Some(Mark {
+fn mark<'a>(
+    place: FileRange,
+    message: &str,
+    files: &'a ShownFiles<'a>,
+) -> Option<AnnotatedRange<'a>> {
+    Some(AnnotatedRange {
         file: drawn(place, files)?,
         range: place.range,
         label: message.replace('\n', " "),

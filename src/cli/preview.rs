@@ -10,11 +10,11 @@ use super::args::PreviewArgs;
 use super::io::Io;
 use super::render::{shown_path, visible};
 use super::tree::file_and_arguments;
-use super::watch::State;
+use super::watch::WatchedFiles;
 use analysis::{RootChoice, World};
 use base::paths::HERE;
 use base::{CancelFlag, Encoding};
-use preview::{FromViewer, Hub, Location, Names, Received, RootName, Views, file_uri};
+use preview::{FromViewer, Hub, Location, LocationFormat, Received, RootName, Views, file_uri};
 use vfs::Environment;
 use workspace::percent_decoded;
 
@@ -86,9 +86,9 @@ impl Preview {
         io.out(&format!("{}\n", self.hub.url(self.id)));
         io.line("open this address in a browser; press Ctrl-C to stop");
         io.flush();
-        let mut state = State::new();
+        let mut state = WatchedFiles::new();
         let mut around = Instant::now();
-        self.follow(&mut state, State::new());
+        self.follow(&mut state, WatchedFiles::new());
         loop {
             let begin = Instant::now();
             let now = self.state();
@@ -110,7 +110,7 @@ impl Preview {
     }
 
     /// Send what became of changed files: those that are `now` not as they were in `state`.
-    fn follow(&mut self, state: &mut State, now: State) {
+    fn follow(&mut self, state: &mut WatchedFiles, now: WatchedFiles) {
         let differs =
             |(path, one): &(&PathBuf, &u64)| state.get(*path).is_some_and(|known| known != *one);
         let changed: Vec<PathBuf> = now
@@ -134,7 +134,7 @@ impl Preview {
             .for_each(|(path, one)| drop(state.entry(path).and_modify(|known| *known = one)));
     }
 
-    fn state(&self) -> State {
+    fn state(&self) -> WatchedFiles {
         let vfs = &self.world.session().vfs;
         self.views
             .reads()
@@ -206,9 +206,9 @@ fn say_place(location: &Location, env: &Environment, io: &mut Io<'_>) {
     io.flush();
 }
 
-fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
+fn with_names<T>(work: impl FnOnce(&LocationFormat<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));
-    work(&Names {
+    work(&LocationFormat {
         uri: &uri,
         path: &path_of,
         encoding: Encoding::Utf32,

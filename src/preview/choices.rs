@@ -1,14 +1,18 @@
 //! What could be shown instead: the presets of the root, and the other robots of the workspace.
 
 use super::messages::RootName;
-use super::places::Names;
+use super::places::LocationFormat;
 use analysis::{RootChoice, World};
 
 /// Choices that are offered at most.
 const MOST: usize = 200;
 
 /// The roots that a viewer may choose from, the one shown first.
-pub(super) fn choices(world: &mut World, shown: &RootChoice, names: &Names<'_>) -> Vec<RootName> {
+pub(super) fn choices(
+    world: &mut World,
+    shown: &RootChoice,
+    names: &LocationFormat<'_>,
+) -> Vec<RootName> {
     let mut found = vec![shown.clone()];
     let own = world
         .context(&shown.file)

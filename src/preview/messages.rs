@@ -78,14 +78,14 @@ pub struct ModelMessage {
     pub programs: Option<Programs>,
     /// What it was made of; stays in this process.
     #[serde(skip)]
-    pub source: Source,
+    pub source: ModelSource,
 }
 
 /// The expansion that a model was made of.
 #[derive(Clone)]
-pub struct Source(pub(super) Arc<Analyzed>);
+pub struct ModelSource(pub(super) Arc<Analyzed>);
 
-impl Source {
+impl ModelSource {
     /// The robot as URDF.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl Source {
     }
 }
 
-impl fmt::Debug for Source {
+impl fmt::Debug for ModelSource {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str("Source")
     }

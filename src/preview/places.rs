@@ -53,7 +53,7 @@ impl Location {
 }
 
 /// How a client names files and counts columns.
-pub struct Names<'a> {
+pub struct LocationFormat<'a> {
     /// The URI of a path.
     pub uri: &'a dyn Fn(&Path) -> Option<String>,
     /// The path of a URI.
@@ -63,12 +63,12 @@ pub struct Names<'a> {
 }
 
 /// Places in one expansion.
-pub(super) struct Places<'a> {
-    pub names: &'a Names<'a>,
+pub(super) struct LocationMapper<'a> {
+    pub names: &'a LocationFormat<'a>,
     pub expansion: &'a Expansion,
 }
 
-impl Places<'_> {
+impl LocationMapper<'_> {
     /// Where an origin stands.
     pub fn of(&self, origin: Origin) -> Option<Location> {
         self.place(self.expansion.place(origin)?)

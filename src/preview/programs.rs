@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::places::{Location, Places};
+use super::places::{Location, LocationMapper};
 use analysis::{Analyzed, Session};
 use rules::consumers::{CONSUMERS, Consumer, Outcome, Row, constructs, is_readable, rows};
 
@@ -15,12 +15,12 @@ pub struct Programs {
     /// The titles of the programs: those of the configuration, or all.
     pub names: Vec<&'static str>,
     /// What some of them reject or change, the worst first.
-    pub constructs: Vec<Construct>,
+    pub constructs: Vec<AffectedConstruct>,
 }
 
 /// Something in a robot that some program rejects or changes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Construct {
+pub struct AffectedConstruct {
     /// What it is.
     pub title: &'static str,
     /// What to write instead.
@@ -49,7 +49,7 @@ pub struct Owner {
 pub(super) fn programs(
     session: &Session,
     analyzed: &Analyzed,
-    places: &Places<'_>,
+    places: &LocationMapper<'_>,
 ) -> Option<Programs> {
     let expansion = &analyzed.expansion;
     if !is_readable(expansion) {
@@ -77,14 +77,18 @@ pub(super) fn programs(
     })
 }
 
-fn construct(row: &Row<'_>, consumers: &[&Consumer], places: &Places<'_>) -> Construct {
+fn construct(
+    row: &Row<'_>,
+    consumers: &[&Consumer],
+    places: &LocationMapper<'_>,
+) -> AffectedConstruct {
     let owners = row.met.iter().filter_map(|met| {
         Some(Owner {
             of: met.owner.clone(),
             location: places.of(met.origin)?,
         })
     });
-    Construct {
+    AffectedConstruct {
         title: &row.construct.title,
         help: row.construct.help.as_deref(),
         rejected: who(row, consumers, Outcome::Rejects),

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use super::messages::ModelMessage;
 use super::model::Model;
-use super::{Names, Views, file_uri};
+use super::{LocationFormat, Views, file_uri};
 use analysis::{RootChoice, World};
 use base::{CancelFlag, Encoding};
 use vfs::testing::Tree;
 
-fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
+fn with_names<T>(work: impl FnOnce(&LocationFormat<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));
     let path = |uri: &str| Some(PathBuf::from(uri.strip_prefix("file://")?));
-    work(&Names {
+    work(&LocationFormat {
         uri: &uri,
         path: &path,
         encoding: Encoding::Utf16,

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::choices::choices;
-use super::files::Files;
-use super::messages::{Argument, ModelError, ModelMessage, RootName, Selection, Side, Source};
+use super::files::ModelFiles;
+use super::messages::{Argument, ModelError, ModelMessage, ModelSource, RootName, Selection, Side};
 use super::model::{Model, model};
-use super::places::{Location, Names, Places};
+use super::places::{Location, LocationFormat, LocationMapper};
 use super::programs::programs;
 use super::select;
 use super::shapes::Shapes;
@@ -22,12 +22,12 @@ use model::Robot;
 #[derive(Default)]
 pub struct Views {
     last_id: u32,
-    views: BTreeMap<u32, View>,
-    files: Arc<Files>,
+    views: BTreeMap<u32, OpenView>,
+    files: Arc<ModelFiles>,
 }
 
 /// One view: a robot, or two side by side.
-struct View {
+struct OpenView {
     revision: u64,
     sides: BTreeMap<Side, Shown>,
 }
@@ -73,7 +73,7 @@ impl Views {
     }
 
     /// The files that may be asked for.
-    pub fn files(&self) -> &Arc<Files> {
+    pub fn files(&self) -> &Arc<ModelFiles> {
         &self.files
     }
 
@@ -81,7 +81,8 @@ impl Views {
     pub fn open(&mut self, root: RootChoice) -> u32 {
         self.last_id += 1;
         let sides = BTreeMap::from([(Side::Main, Shown::new(root))]);
-        self.views.insert(self.last_id, View { revision: 0, sides });
+        self.views
+            .insert(self.last_id, OpenView { revision: 0, sides });
         self.last_id
     }
 
@@ -146,7 +147,7 @@ impl Views {
     pub fn update(
         &mut self,
         world: &mut World,
-        names: &Names<'_>,
+        names: &LocationFormat<'_>,
         wanted: &dyn Fn(u32) -> bool,
         cancel: &CancelFlag,
     ) -> (Vec<ModelMessage>, bool) {
@@ -219,13 +220,18 @@ impl Views {
     /// When the view shows none, or one with errors.
     pub fn urdf(&self, id: u32) -> Result<String, String> {
         let shown = self.analyzed(id).ok_or("no robot is shown")?;
-        Source(shown.clone()).urdf()
+        ModelSource(shown.clone()).urdf()
     }
 
     /// The links and joints that the text at a place makes.
-    pub fn made_by(&self, id: u32, location: &Location, names: &Names<'_>) -> Option<Selection> {
+    pub fn made_by(
+        &self,
+        id: u32,
+        location: &Location,
+        names: &LocationFormat<'_>,
+    ) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
-        let places = Places {
+        let places = LocationMapper {
             names,
             expansion: &analyzed.expansion,
         };
@@ -242,10 +248,10 @@ impl Views {
         id: u32,
         link: Option<String>,
         joint: Option<String>,
-        names: &Names<'_>,
+        names: &LocationFormat<'_>,
     ) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
-        let places = Places {
+        let places = LocationMapper {
             names,
             expansion: &analyzed.expansion,
         };
@@ -290,8 +296,8 @@ impl Shown {
     fn message(
         &mut self,
         world: &mut World,
-        names: &Names<'_>,
-        files: &Files,
+        names: &LocationFormat<'_>,
+        files: &ModelFiles,
         analyzed: Arc<Analyzed>,
     ) -> Option<ModelMessage> {
         let expansion = &analyzed.expansion;
@@ -322,15 +328,19 @@ impl Shown {
                 })
                 .collect(),
             choices: self.choices(world, names),
-            programs: programs(world.session(), &analyzed, &Places { names, expansion }),
-            source: Source(analyzed.clone()),
+            programs: programs(
+                world.session(),
+                &analyzed,
+                &LocationMapper { names, expansion },
+            ),
+            source: ModelSource(analyzed.clone()),
         };
         self.sent = Some(analyzed);
         Some(message)
     }
 
     /// What else could be shown; looked for again when files came or went.
-    fn choices(&mut self, world: &mut World, names: &Names<'_>) -> Vec<RootName> {
+    fn choices(&mut self, world: &mut World, names: &LocationFormat<'_>) -> Vec<RootName> {
         let count = world.known_files().len();
         match &self.choices {
             Some((known, choices)) if *known == count => choices.clone(),
@@ -355,8 +365,13 @@ impl Shown {
 }
 
 /// The model of an expansion.
-fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -> Model {
-    let places = Places {
+fn drawn(
+    world: &World,
+    names: &LocationFormat<'_>,
+    files: &ModelFiles,
+    analyzed: &Analyzed,
+) -> Model {
+    let places = LocationMapper {
         names,
         expansion: &analyzed.expansion,
     };
@@ -367,9 +382,9 @@ fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -
 }
 
 /// The model of a robot, and the files of its meshes; without places.
-pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model, Files) {
-    let files = Files::default();
-    let names = Names {
+pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model, ModelFiles) {
+    let files = ModelFiles::default();
+    let names = LocationFormat {
         uri: &|_| None,
         path: &|_| None,
         encoding: Encoding::Utf8,
@@ -377,7 +392,7 @@ pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model,
     let model = of_robot(
         session,
         robot,
-        &Places {
+        &LocationMapper {
             names: &names,
             expansion,
         },
@@ -386,15 +401,20 @@ pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model,
     (model, files)
 }
 
-fn of_robot(session: &Session, robot: &Robot, places: &Places<'_>, files: &Files) -> Model {
+fn of_robot(
+    session: &Session,
+    robot: &Robot,
+    places: &LocationMapper<'_>,
+    files: &ModelFiles,
+) -> Model {
     let mut shapes = Shapes::new(session, places.expansion, robot, files);
     shapes.read_meshes(robot);
     model(robot, places, &mut shapes)
 }
 
-fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {
+fn errors(names: &LocationFormat<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {
     let expansion = &analyzed.expansion;
-    let places = Places { names, expansion };
+    let places = LocationMapper { names, expansion };
     let problems = expansion
         .problems
         .iter()

@@ -14,9 +14,9 @@ use crate::publishing::withdraw;
 use crate::refreshing::refresh;
 use crate::scheduler::Cause;
 use crate::settings::request_settings;
-use crate::state::{OpenDocument, State};
+use crate::state::{OpenDocument, ServerState};
 
-pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
+pub fn opened(state: &mut ServerState, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let path = installed::opening(state, &document.uri);
     state.world.set_text(&path, document.text);
@@ -32,7 +32,7 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
 
 /// Who has opened an installed copy should edit the source: the next build replaces the copy. Of two documents of one
 /// file, the source has the findings.
-fn offer_source(state: &State, path: &Path) {
+fn offer_source(state: &ServerState, path: &Path) {
     let packages = &state.world.session().packages;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (source, message) = if let Some(source) = packages.source_of(path) {
@@ -64,7 +64,7 @@ fn offer_source(state: &State, path: &Path) {
     }
 }
 
-pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
+pub fn changed(state: &mut ServerState, params: DidChangeTextDocumentParams) {
     state.status.edit_arrived();
     let path = state.path(&params.text_document.uri);
     let Some(open) = state.documents.get_mut(&path) else {
@@ -88,13 +88,13 @@ pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
 
 /// Who saves wants to know how things are: what other programs did to the disk meanwhile is asked for as well, since
 /// not all clients tell of it.
-pub fn saved(state: &mut State, params: DidSaveTextDocumentParams) {
+pub fn saved(state: &mut ServerState, params: DidSaveTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
     state.world.changed_on_disk(std::slice::from_ref(&path));
     state.schedule(Cause::Saved(path));
 }
 
-pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
+pub fn closed(state: &mut ServerState, params: DidCloseTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
     state.sent.contexts.remove(&path);
     if let Some(open) = state.documents.remove(&path) {
@@ -105,7 +105,7 @@ pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
     state.schedule(Cause::Closed(path));
 }
 
-pub fn watched(state: &mut State, params: DidChangeWatchedFilesParams) {
+pub fn watched(state: &mut ServerState, params: DidChangeWatchedFilesParams) {
     let paths: Vec<_> = params
         .changes
         .iter()
@@ -116,7 +116,7 @@ pub fn watched(state: &mut State, params: DidChangeWatchedFilesParams) {
     refresh(state);
 }
 
-pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParams) {
+pub fn folders_changed(state: &mut ServerState, params: DidChangeWorkspaceFoldersParams) {
     let removed: Vec<_> = params
         .event
         .removed
@@ -138,7 +138,7 @@ pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParam
 }
 
 /// Something came in that is no message.
-pub fn bad_message(state: &mut State, params: serde_json::Value) {
+pub fn bad_message(state: &mut ServerState, params: serde_json::Value) {
     let reason = params
         .get("reason")
         .and_then(serde_json::Value::as_str)

@@ -26,7 +26,7 @@ use crate::logging::Log;
 use crate::main_loop::{pause, take};
 use crate::outbox::Outbox;
 use crate::queue::queue;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::World;
 use vfs::{Environment, Vfs};
 
@@ -34,7 +34,7 @@ use vfs::{Environment, Vfs};
 pub struct Embedded {
     service: LspService<Handlers>,
     socket: ClientSocket,
-    state: State,
+    state: ServerState,
     events: Receiver<Event>,
     notifications: UnboundedReceiver<Vec<u8>>,
     /// Work that waits for an event or for the client; an answer where there is one.
@@ -52,7 +52,7 @@ impl Embedded {
         let log = Log::without_output(outbox.clone());
         tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
         let world = World::over(vfs, env, Vec::new());
-        let state = State::new(world, outbox, status, log);
+        let state = ServerState::new(world, outbox, status, log);
         let (service, socket) = events::service(move |client| {
             let begin = start.clone();
             // a host that asks for nothing any more has dropped us: there is no clock to give up by

@@ -9,7 +9,7 @@ use lsp_types::Url;
 use crate::client::ResolvedCapabilities;
 use crate::convert;
 use crate::exit::Shutdown;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::installed_links::InstalledLinks;
 use crate::logging::Log;
 use crate::outbox::Outbox;
@@ -40,7 +40,7 @@ pub(super) struct ServerSettings {
 }
 
 /// The state of the server.
-pub(super) struct State {
+pub(super) struct ServerState {
     pub world: World,
     pub client: ResolvedCapabilities,
     pub encoding: Encoding,
@@ -67,7 +67,7 @@ pub(super) struct State {
     pub progress: Option<String>,
 }
 
-impl State {
+impl ServerState {
     /// How long an answer waits for the scan of the workspace.
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
     /// How often progress is reported while an answer waits for all of it.
@@ -119,7 +119,7 @@ impl State {
     }
 
     /// A document that the client may ask about.
-    pub fn source(&self, uri: &Url) -> Result<(PathBuf, Arc<SourceFile>), Failure> {
+    pub fn source(&self, uri: &Url) -> Result<(PathBuf, Arc<SourceFile>), RequestFailure> {
         let path = self.path(uri);
         let known = self.documents.contains_key(&path);
         let source = if known || self.may_read(&path) {
@@ -127,8 +127,9 @@ impl State {
         } else {
             None
         };
-        let source = source
-            .ok_or_else(|| Failure::Invalid(format!("cannot read `{uri}`, which is not open")))?;
+        let source = source.ok_or_else(|| {
+            RequestFailure::Invalid(format!("cannot read `{uri}`, which is not open"))
+        })?;
         Ok((path, source))
     }
 

@@ -7,13 +7,13 @@ use std::time::Duration;
 
 use serde_json::{Map, Value, json};
 
-use super::calls::{Call, CheckCall, Robot};
+use super::calls::{Call, CheckCall, RobotParams};
 use analysis::{FixOptions, RootChoice, Session, World};
 use base::{CancelFlag, Encoding, IdVec};
 use expand::{
     Expansion, ExpansionLimits, FileIdx, FileRange, Problem, ProblemSeverity as Weight, Request,
 };
-use preview::{Names, Views};
+use preview::{LocationFormat, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
 use workspace::config::Config;
@@ -33,7 +33,7 @@ pub struct Bench {
     changed: BTreeSet<PathBuf>,
     views: Views,
     /// The view of the robot that is shown.
-    shown: Option<(u32, Robot)>,
+    shown: Option<(u32, RobotParams)>,
 }
 
 impl Default for Bench {
@@ -151,7 +151,7 @@ impl Bench {
         Ok(json!({ "count": fixed.count, "files": files.collect::<Map<_, _>>() }))
     }
 
-    fn expand(&self, robot: &Robot) -> Result<Value, String> {
+    fn expand(&self, robot: &RobotParams) -> Result<Value, String> {
         let config = Config::for_file(&self.vfs, &self.env.cwd.join(&robot.file)).config;
         let explicit = robot
             .package_path
@@ -235,7 +235,7 @@ impl Bench {
             .collect()
     }
 
-    fn model(&mut self, robot: Robot) -> Value {
+    fn model(&mut self, robot: RobotParams) -> Value {
         self.catch_up();
         let id = match &self.shown {
             Some((id, shown)) if *shown == robot => *id,
@@ -263,8 +263,8 @@ impl Bench {
 }
 
 /// How places are named: files by their paths, columns in the units of JavaScript.
-const fn names() -> Names<'static> {
-    Names {
+const fn names() -> LocationFormat<'static> {
+    LocationFormat {
         uri: &|path| Some(shown_path(path, Path::new(FOLDER))),
         path: &|name| Some(Path::new(FOLDER).join(name)),
         encoding: Encoding::Utf16,

@@ -33,17 +33,17 @@ unsafe extern "C" {
 static STARTED: Once = Once::new();
 
 #[derive(Default)]
-struct State {
+struct ExportState {
     held: Held,
     input: Vec<u8>,
     output: Vec<u8>,
 }
 
 thread_local! {
-    static STATE: RefCell<State> = RefCell::new(State::default());
+    static STATE: RefCell<ExportState> = RefCell::new(ExportState::default());
 }
 
-fn with<T>(work: impl FnOnce(&mut State) -> T) -> T {
+fn with<T>(work: impl FnOnce(&mut ExportState) -> T) -> T {
     STATE.with_borrow_mut(work)
 }
 
@@ -90,7 +90,7 @@ extern "C" fn remove() {
     });
 }
 
-impl State {
+impl ExportState {
     /// The input as text.
     fn text(&mut self) -> String {
         String::from_utf8_lossy(&std::mem::take(&mut self.input)).into_owned()

@@ -6,7 +6,7 @@ use super::super::session::Session;
 use super::super::walk::is_launch;
 use super::super::world::World;
 use super::files::{Beside, Robots, Sort, sort};
-use super::judge::Compared;
+use super::judge::ComparisonResult;
 use base::CancelFlag;
 
 impl Session {
@@ -44,7 +44,7 @@ impl World {
         paths: &[PathBuf],
         roots: &[RootChoice],
         cancel: &CancelFlag,
-    ) -> Option<Compared> {
+    ) -> Option<ComparisonResult> {
         let mut files: Vec<PathBuf> = paths
             .iter()
             .filter(|path| sort(path).is_some())

@@ -17,12 +17,12 @@ pub struct Beside {
     /// Its number.
     pub file: FileId,
     /// What it says.
-    pub(super) read: Read,
+    pub(super) read: ParsedBeside,
 }
 
 /// What a file beside a robot says.
 #[derive(Clone)]
-pub(super) enum Read {
+pub(super) enum ParsedBeside {
     /// A semantic description, with its expansion.
     Srdf(Arc<Analyzed>, Arc<Srdf>),
     /// YAML.
@@ -84,24 +84,24 @@ impl Beside {
     /// What it says, for rules.
     pub(super) fn content(&self) -> BesideContent<'_> {
         match &self.read {
-            Read::Srdf(_, srdf) => BesideContent::Srdf(srdf),
-            Read::Settings(settings) => BesideContent::Settings(settings),
+            ParsedBeside::Srdf(_, srdf) => BesideContent::Srdf(srdf),
+            ParsedBeside::Settings(settings) => BesideContent::Settings(settings),
         }
     }
 
     /// The SRDF with its expansion.
     pub fn srdf(&self) -> Option<(&Analyzed, &Srdf)> {
         match &self.read {
-            Read::Srdf(analyzed, srdf) => Some((analyzed, srdf)),
-            Read::Settings(_) => None,
+            ParsedBeside::Srdf(analyzed, srdf) => Some((analyzed, srdf)),
+            ParsedBeside::Settings(_) => None,
         }
     }
 
     /// The settings.
     pub fn settings(&self) -> Option<&YamlSettings> {
         match &self.read {
-            Read::Settings(settings) => Some(settings),
-            Read::Srdf(..) => None,
+            ParsedBeside::Settings(settings) => Some(settings),
+            ParsedBeside::Srdf(..) => None,
         }
     }
 }
@@ -125,9 +125,9 @@ impl Session {
             Sort::Srdf => {
                 let analyzed = robots.get(&RootChoice::plain(path))?.clone();
                 let srdf = Srdf::of(&analyzed.expansion)?;
-                Read::Srdf(analyzed, Arc::new(srdf))
+                ParsedBeside::Srdf(analyzed, Arc::new(srdf))
             }
-            Sort::Yaml => Read::Settings(self.beside_settings(path)?),
+            Sort::Yaml => ParsedBeside::Settings(self.beside_settings(path)?),
         };
         Some(Beside {
             path: path.to_owned(),

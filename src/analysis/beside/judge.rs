@@ -23,7 +23,7 @@ use xml::Node;
 
 /// What a comparison of files with their robots gave.
 #[derive(Default)]
-pub(in super::super) struct Compared {
+pub(in super::super) struct ComparisonResult {
     /// What is wrong.
     pub findings: Vec<Finding>,
     /// The files that were compared.
@@ -91,8 +91,8 @@ impl Session {
         paths: &[PathBuf],
         cancel: &CancelFlag,
         robots: &Robots,
-    ) -> Compared {
-        let mut found = Compared::default();
+    ) -> ComparisonResult {
+        let mut found = ComparisonResult::default();
         let mut read: FastMap<PathBuf, Option<Beside>> = FastMap::default();
         for path in paths.iter().filter(|_| !cancel.is_cancelled()) {
             let Some(own) = self.beside_once(path, &mut read, robots) else {

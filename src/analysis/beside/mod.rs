@@ -12,6 +12,6 @@ mod pairing;
 pub(super) use files::Robots;
 pub use files::{Beside, is_settings};
 pub(super) use files::{Sort, sort};
-pub(super) use judge::Compared;
+pub(super) use judge::ComparisonResult;
 pub(super) use paired::Pairing;
 pub(super) use pairing::stem;

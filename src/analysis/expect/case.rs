@@ -6,7 +6,7 @@ use super::super::configs::Settings;
 use super::super::job;
 use super::super::root_choice::RootChoice;
 use super::super::session::Session;
-use super::evaluate::Evaluation;
+use super::evaluate::ExpectationContext;
 use super::snapshot::Snapshot;
 use super::{RULE, TestOptions};
 use base::{Span, TextRange};
@@ -69,8 +69,12 @@ impl Case {
         if let Some(robot) = robot.filter(|_| findings.is_empty()) {
             let kinematics = Kinematics::of(&robot);
             for (_, expected) in &applying {
-                let mut evaluation =
-                    Evaluation::new(self, session, (&expansion, &robot, &kinematics), expected);
+                let mut evaluation = ExpectationContext::new(
+                    self,
+                    session,
+                    (&expansion, &robot, &kinematics),
+                    expected,
+                );
                 evaluation.run(options.update);
                 findings.append(&mut evaluation.findings);
                 snapshots.append(&mut evaluation.snapshots);

@@ -15,7 +15,7 @@ use workspace::config::{Expectation, ExpectedJoint};
 use workspace::nearest;
 
 /// An expectation that applies to a robot.
-pub(super) struct Evaluation<'a> {
+pub(super) struct ExpectationContext<'a> {
     pub(super) case: &'a Case,
     pub(super) session: &'a Session,
     pub(super) expansion: &'a Expansion,
@@ -27,7 +27,7 @@ pub(super) struct Evaluation<'a> {
     pub(super) snapshots: Vec<Snapshot>,
 }
 
-impl<'a> Evaluation<'a> {
+impl<'a> ExpectationContext<'a> {
     pub(super) fn new(
         case: &'a Case,
         session: &'a Session,

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use super::super::session::Session;
 use super::RULE;
-use super::evaluate::Evaluation;
+use super::evaluate::ExpectationContext;
 use base::{Span, TextRange};
 use expand::{MapEntry, Origin};
 use model::{Comparison, Difference, DifferenceKind, compare};
@@ -48,7 +48,7 @@ impl Snapshot {
     }
 }
 
-impl Evaluation<'_> {
+impl ExpectationContext<'_> {
     /// Compare the robot with a file, or note what the file is to hold.
     pub(super) fn snapshot(&mut self, name: &str, update: bool) {
         let Some(name) = self.filled(name) else {

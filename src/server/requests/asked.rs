@@ -1,7 +1,7 @@
 //! A position that the client asks about.
 use std::sync::Arc;
 
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::Analyzed;
 use expand::FrameId;
 use ide::{BesideName, Cx, TextNames};
@@ -42,7 +42,7 @@ impl Asked {
     }
 
     /// What names mean by the texts of the robot.
-    pub fn names(&self, state: &State) -> TextNames {
+    pub fn names(&self, state: &ServerState) -> TextNames {
         let session = state.world.session();
         let settings = session.settings(&self.source.path);
         let world = session.rule_env(&settings.config);

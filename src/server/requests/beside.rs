@@ -5,10 +5,10 @@ use std::sync::Arc;
 use lsp_types::TextDocumentPositionParams;
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::of_description::is_not_described;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::{Analyzed, Beside, RootChoice};
 use base::CancelFlag;
 use ide::{self, BesideName, BesideSources, Completions, Cx};
@@ -17,14 +17,14 @@ use vfs::SourceFile;
 
 /// The names of the robot in the files beside it.
 pub fn names_beside(
-    state: &mut State,
+    state: &mut ServerState,
     root: &RootChoice,
     cancel: &CancelFlag,
-) -> Result<Vec<BesideName>, Failure> {
+) -> Result<Vec<BesideName>, RequestFailure> {
     let files = state
         .world
         .beside(&root.file, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     Ok(files
         .iter()
         .flat_map(|file| names_in(state, file))
@@ -32,7 +32,7 @@ pub fn names_beside(
 }
 
 /// The names in a file beside the robot.
-fn names_in(state: &State, beside: &Beside) -> Vec<BesideName> {
+fn names_in(state: &ServerState, beside: &Beside) -> Vec<BesideName> {
     if let Some((analyzed, srdf)) = beside.srdf() {
         return own_cx(analyzed)
             .map(|cx| ide::names_in_srdf(&cx, srdf))
@@ -65,11 +65,11 @@ fn own_cx(analyzed: &Analyzed) -> Option<Cx<'_>> {
 
 /// A position in a file beside a robot, under that robot; none where it is at a name of xacro, or at none at all.
 pub fn asked_beside(
-    state: &mut State,
+    state: &mut ServerState,
     (path, source): (&Path, &Arc<SourceFile>),
     offset: u32,
     cancel: &CancelFlag,
-) -> Result<Option<Asked>, Failure> {
+) -> Result<Option<Asked>, RequestFailure> {
     let roots = state.world.robots_beside(path);
     if roots.is_empty() || is_at_xacro_name(path, source, offset) {
         return Ok(None);
@@ -78,7 +78,7 @@ pub fn asked_beside(
     let own = state
         .world
         .beside_itself(path, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     let names = own.map(|own| names_in(state, &own)).unwrap_or_default();
     if !names.iter().any(|name| name.place.range.touches(offset)) {
         return Ok(None);
@@ -93,7 +93,7 @@ pub fn asked_beside(
         let analyzed = state
             .world
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let around = analyzed.clone();
         return Ok(Some(Asked {
             source: source.clone(),
@@ -118,10 +118,10 @@ fn is_at_xacro_name(path: &Path, source: &SourceFile, offset: u32) -> bool {
 
 /// What can be typed at a place of a YAML file beside robots.
 pub fn completions(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<(Arc<SourceFile>, Completions)>, Failure> {
+) -> Result<Option<(Arc<SourceFile>, Completions)>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let Ok(text) = state.world.session().vfs.text(&path) else {
@@ -137,7 +137,7 @@ pub fn completions(
         let files = state
             .world
             .beside(&robot.root.file, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         beside.extend(files.into_iter().filter(|file| file.path != path));
     }
     let sources = BesideSources {
@@ -157,7 +157,7 @@ pub fn completions(
 
 /// The robots that an SRDF is for, or may be for; none for other files.
 pub fn robots_described(
-    state: &mut State,
+    state: &mut ServerState,
     path: &Path,
     source: &SourceFile,
     cancel: &CancelFlag,
@@ -169,7 +169,7 @@ pub fn robots_described(
 }
 
 /// The last expansions of the robots whose names may be used in a file beside robots.
-fn robots_named(state: &mut State, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
+fn robots_named(state: &mut ServerState, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
     let roots = state.world.robots_to_name(path);
     roots
         .iter()

@@ -1,10 +1,10 @@
 //! Names of links, joints and materials in branches that are not taken: seen in the expansion that takes them.
 use std::sync::Arc;
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::beside::names_beside;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::{Analyzed, RootChoice};
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, FileId, Span, TextRange};
@@ -19,7 +19,11 @@ const MOST_BRANCHES: usize = 24;
 const MOST_ROUNDS: usize = 4;
 
 /// A place in the expansion that takes the conditions on the way to it; none when there are no conditions.
-pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Option<Asked>, Failure> {
+pub fn inside(
+    state: &ServerState,
+    asked: &Asked,
+    cancel: &CancelFlag,
+) -> Result<Option<Asked>, RequestFailure> {
     let at = Span {
         file: asked.source.id,
         range: TextRange::new(asked.offset, asked.offset),
@@ -31,7 +35,7 @@ pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Optio
     let analyzed = state
         .world
         .forced(&around.root, forced, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     if !analyzed.includes(&asked.source.path) {
         return Ok(None);
     }
@@ -54,7 +58,7 @@ struct Ways<'a> {
 }
 
 impl<'a> Ways<'a> {
-    fn of(state: &'a State, analyzed: &Analyzed) -> Option<Self> {
+    fn of(state: &'a ServerState, analyzed: &Analyzed) -> Option<Self> {
         let session = state.world.session();
         let settings = session.settings(&analyzed.root.file);
         let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
@@ -100,12 +104,12 @@ impl<'a> Ways<'a> {
 
 /// Add the texts that say the same part of names in all robots that read these texts, in their branches too.
 pub fn in_all_robots(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     (old, new): (&str, &str),
     spans: &mut Vec<Span>,
     cancel: &CancelFlag,
-) -> Result<(), Failure> {
+) -> Result<(), RequestFailure> {
     let mut tried: Vec<(RootChoice, Vec<Forced>)> = Vec::new();
     for _ in 0..MOST_ROUNDS {
         let before = spans.len();
@@ -113,9 +117,9 @@ pub fn in_all_robots(
             let analyzed = state
                 .world
                 .analyzed(&root, cancel)
-                .ok_or(Failure::Cancelled)?;
+                .ok_or(RequestFailure::Cancelled)?;
             let beside = names_beside(state, &root, cancel)?;
-            spread(&analyzed, &beside, new, spans).map_err(Failure::Refused)?;
+            spread(&analyzed, &beside, new, spans).map_err(RequestFailure::Refused)?;
             let branches = Ways::of(state, &analyzed).map(|ways| ways.branches(old, spans));
             for forced in branches.unwrap_or_default() {
                 let key = (root.clone(), forced);
@@ -125,7 +129,7 @@ pub fn in_all_robots(
                 let branch = state
                     .world
                     .forced(&root, key.1.clone(), cancel)
-                    .ok_or(Failure::Cancelled)?;
+                    .ok_or(RequestFailure::Cancelled)?;
                 tried.push(key);
                 // conditions that exclude each other make robots that nobody means: what stands in the way there counts for nothing
                 let _ = spread(&branch, &[], new, spans);
@@ -139,7 +143,7 @@ pub fn in_all_robots(
 }
 
 /// The robots that read one of the files, the one that was asked about first.
-fn roots(state: &mut State, asked: &Asked, spans: &[Span]) -> Vec<RootChoice> {
+fn roots(state: &mut ServerState, asked: &Asked, spans: &[Span]) -> Vec<RootChoice> {
     let mut files: Vec<FileId> = spans.iter().map(|span| span.file).collect();
     files.sort_unstable();
     files.dedup();

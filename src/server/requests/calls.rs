@@ -5,19 +5,19 @@ use lsp_types::{
     SymbolKind, TextDocumentIdentifier, TextDocumentPositionParams,
 };
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
-use crate::state::State;
+use crate::state::ServerState;
 use base::{CancelFlag, Span};
 use ide::{self, CallParticipant};
 
 pub fn prepare_calls(
-    state: &mut State,
+    state: &mut ServerState,
     params: CallHierarchyPrepareParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CallHierarchyItem>>, Failure> {
+) -> Result<Option<Vec<CallHierarchyItem>>, RequestFailure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = ide::macro_at(&asked.cx(), asked.offset);
     Ok(found
@@ -26,10 +26,10 @@ pub fn prepare_calls(
 }
 
 pub fn incoming_calls(
-    state: &mut State,
+    state: &mut ServerState,
     params: CallHierarchyIncomingCallsParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Failure> {
+) -> Result<Option<Vec<CallHierarchyIncomingCall>>, RequestFailure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
     let Some(CallParticipant::Macro(id)) = caller else {
         return Ok(Some(Vec::new()));
@@ -46,10 +46,10 @@ pub fn incoming_calls(
 }
 
 pub fn outgoing_calls(
-    state: &mut State,
+    state: &mut ServerState,
     params: CallHierarchyOutgoingCallsParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Failure> {
+) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, RequestFailure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
     let Some(caller) = caller else {
         return Ok(Some(Vec::new()));
@@ -67,10 +67,10 @@ pub fn outgoing_calls(
 
 /// The macro or file that an item stands for, as things are now.
 fn asked_about(
-    state: &mut State,
+    state: &mut ServerState,
     item: &CallHierarchyItem,
     cancel: &CancelFlag,
-) -> Result<(Asked, Option<CallParticipant>), Failure> {
+) -> Result<(Asked, Option<CallParticipant>), RequestFailure> {
     let text_document = TextDocumentIdentifier {
         uri: item.uri.clone(),
     };
@@ -86,7 +86,11 @@ fn asked_about(
     Ok((asked, caller))
 }
 
-fn call_item(state: &State, asked: &Asked, caller: &CallParticipant) -> Option<CallHierarchyItem> {
+fn call_item(
+    state: &ServerState,
+    asked: &Asked,
+    caller: &CallParticipant,
+) -> Option<CallHierarchyItem> {
     let cx = asked.cx();
     let target = ide::caller_target(&cx, caller)?;
     let (whole, name) = (
@@ -115,7 +119,7 @@ fn call_item(state: &State, asked: &Asked, caller: &CallParticipant) -> Option<C
     })
 }
 
-fn ranges(state: &State, spans: Vec<Span>) -> Vec<lsp_types::Range> {
+fn ranges(state: &ServerState, spans: Vec<Span>) -> Vec<lsp_types::Range> {
     spans
         .into_iter()
         .filter_map(|span| Some(location(state, span)?.range))

@@ -11,13 +11,13 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::beside::robots_described;
 use crate::requests::configuration::is_about_config;
 use crate::requests::formatting::indent;
 use crate::requests::launch::is_about_launch;
 use crate::requests::{beside, configuration, launch};
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::{Analyzed, RootChoice, is_settings};
 use base::{CancelFlag, TextRange};
 use ide::{
@@ -28,13 +28,13 @@ use vfs::SourceFile;
 /// What comes back when an item is looked at.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Origin {
+struct ResolveData {
     uri: Url,
     topic: Topic,
 }
 
 /// What an answer is taken from, kept alive.
-struct Kept {
+struct CompletionSnapshot {
     source: Arc<SourceFile>,
     root: RootChoice,
     analyzed: Vec<Arc<Analyzed>>,
@@ -44,10 +44,10 @@ struct Kept {
 }
 
 pub fn completion(
-    state: &mut State,
+    state: &mut ServerState,
     params: CompletionParams,
     cancel: &CancelFlag,
-) -> Result<Option<CompletionResponse>, Failure> {
+) -> Result<Option<CompletionResponse>, RequestFailure> {
     let at = params.text_document_position;
     if is_about_launch(state, &at) {
         return launch::completion(state, &at);
@@ -75,9 +75,14 @@ pub fn completion(
     )))
 }
 
-fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> CompletionResponse {
+fn list(
+    state: &ServerState,
+    source: &SourceFile,
+    found: &Completions,
+    uri: &Url,
+) -> CompletionResponse {
     let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
-    let replaced = Replaced {
+    let replaced = ReplacedRanges {
         insert: range(found.insert),
         replace: range(found.replace),
     };
@@ -91,13 +96,17 @@ fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> C
 }
 
 /// The file with everything that names in it are taken from.
-fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failure> {
+fn kept(
+    state: &mut ServerState,
+    uri: &Url,
+    cancel: &CancelFlag,
+) -> Result<CompletionSnapshot, RequestFailure> {
     let (path, source) = state.source(uri)?;
     let context = state.world.context(&path);
     let root = context.root.unwrap_or_else(|| RootChoice::plain(&path));
     let mut analyzed = state.world.while_typing(&root, &path, cancel);
     if cancel.is_cancelled() {
-        return Err(Failure::Cancelled);
+        return Err(RequestFailure::Cancelled);
     }
     let mut roots: Vec<PathBuf> = context
         .candidates
@@ -111,11 +120,11 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
         let own = state
             .world
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         analyzed.retain(|known| !Arc::ptr_eq(known, &own));
         analyzed.insert(0, own);
     }
-    Ok(Kept {
+    Ok(CompletionSnapshot {
         source,
         root,
         analyzed,
@@ -124,7 +133,11 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
     })
 }
 
-fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&CompletionScope<'_>) -> T) -> T {
+fn scoped<T>(
+    state: &ServerState,
+    kept: &CompletionSnapshot,
+    work: impl FnOnce(&CompletionScope<'_>) -> T,
+) -> T {
     let expansions: Vec<_> = kept
         .analyzed
         .iter()
@@ -150,7 +163,7 @@ fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&CompletionScope<'_>)
 
 /// What the items of a list take the place of.
 #[derive(Clone, Copy)]
-struct Replaced {
+struct ReplacedRanges {
     /// What is typed of the word.
     insert: Range,
     /// The whole word.
@@ -158,8 +171,8 @@ struct Replaced {
 }
 
 fn completion_item(
-    state: &State,
-    replaced: Replaced,
+    state: &ServerState,
+    replaced: ReplacedRanges,
     place: usize,
     item: &Completion,
     uri: &Url,
@@ -183,7 +196,7 @@ fn completion_item(
         detail: None,
         description: Some(note),
     });
-    let topic = item.topic.clone().map(|topic| Origin {
+    let topic = item.topic.clone().map(|topic| ResolveData {
         uri: uri.clone(),
         topic,
     });
@@ -203,14 +216,14 @@ fn completion_item(
 /// The item with its documentation. What comes back need not be what was sent: an item whose data says nothing
 /// stays as it is.
 pub fn resolve_completion(
-    state: &mut State,
+    state: &mut ServerState,
     mut item: CompletionItem,
     cancel: &CancelFlag,
-) -> Result<CompletionItem, Failure> {
+) -> Result<CompletionItem, RequestFailure> {
     let origin = item
         .data
         .clone()
-        .and_then(|data| serde_json::from_value::<Origin>(data).ok());
+        .and_then(|data| serde_json::from_value::<ResolveData>(data).ok());
     let Some(origin) = origin.filter(|_| item.documentation.is_none()) else {
         return Ok(item);
     };
@@ -225,10 +238,10 @@ pub fn resolve_completion(
 }
 
 pub fn signature_help(
-    state: &mut State,
+    state: &mut ServerState,
     params: SignatureHelpParams,
     cancel: &CancelFlag,
-) -> Result<Option<SignatureHelp>, Failure> {
+) -> Result<Option<SignatureHelp>, RequestFailure> {
     let at = params.text_document_position_params;
     let kept = kept(state, &at.text_document.uri, cancel)?;
     let offset = convert::offset(&kept.source.document, at.position, state.encoding);
@@ -240,7 +253,7 @@ pub fn signature_help(
     }))
 }
 
-fn signature(state: &State, found: Signature) -> SignatureInformation {
+fn signature(state: &ServerState, found: Signature) -> SignatureInformation {
     let label = &found.label;
     let parameter = |range: &TextRange| ParameterInformation {
         label: match state.client.completion.label_offsets {
@@ -268,10 +281,10 @@ fn utf16_width(text: &str, end: u32) -> u32 {
 }
 
 pub fn on_type(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentOnTypeFormattingParams,
     _: &CancelFlag,
-) -> Result<Option<Vec<TextEdit>>, Failure> {
+) -> Result<Option<Vec<TextEdit>>, RequestFailure> {
     let at = params.text_document_position;
     let (_, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);

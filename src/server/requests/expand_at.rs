@@ -5,18 +5,18 @@ use serde_json::Value;
 
 use crate::contexts::context_changed;
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
-use crate::root_param::{Root, chosen};
-use crate::state::State;
+use crate::root_param::{RootParam, chosen};
+use crate::state::ServerState;
 use base::CancelFlag;
 
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct ExpandAtParams {
     #[serde(flatten)]
     pub at: TextDocumentPositionParams,
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     /// Which of the ways that lead there, from 0.
     pub instance: Option<usize>,
 }
@@ -40,17 +40,17 @@ pub(crate) struct SetInstanceParams {
 }
 
 pub fn expand_at(
-    state: &mut State,
+    state: &mut ServerState,
     params: ExpandAtParams,
     cancel: &CancelFlag,
-) -> Result<Option<ExpandedPlace>, Failure> {
+) -> Result<Option<ExpandedPlace>, RequestFailure> {
     let mut asked = asked(state, &params.at, cancel)?.on_name();
     if let Some(root) = params.root {
         let root = chosen(state, root)?;
         let analyzed = state
             .world
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         asked = Asked {
             analyzed,
             pinned: None,
@@ -73,10 +73,10 @@ pub fn expand_at(
 }
 
 pub fn set_instance(
-    state: &mut State,
+    state: &mut ServerState,
     params: SetInstanceParams,
     cancel: &CancelFlag,
-) -> Result<Value, Failure> {
+) -> Result<Value, RequestFailure> {
     let asked = asked(state, &params.at, cancel)?;
     let root = asked.analyzed.root.file.clone();
     match params.instance {
@@ -85,7 +85,7 @@ pub fn set_instance(
         }
         Some(index) => {
             let pin = ide::pin(&asked.cx(), asked.offset, index).map_err(|count| {
-                Failure::Invalid(match count {
+                RequestFailure::Invalid(match count {
                     0 => "no called macro here".to_owned(),
                     _ => format!("unknown call {index}: the macro is called {count} times"),
                 })

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::mapping::{map_of, named};
-use crate::root_param::{Root, chosen_or_active};
-use crate::state::State;
+use crate::root_param::{RootParam, chosen_or_active};
+use crate::state::ServerState;
 use analysis::World;
 use base::clock::Instant;
 use base::{CancelFlag, Span};
@@ -19,7 +19,7 @@ use ide::SourceMap;
 #[serde(rename_all = "camelCase")]
 pub(crate) struct ExpandParams {
     pub text_document: TextDocumentIdentifier,
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     #[serde(default)]
     pub args: BTreeMap<String, String>,
     #[serde(default)]
@@ -31,10 +31,10 @@ pub(crate) struct ExpandParams {
 
 /// The expanded document, and what kept it from being complete.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Expanded {
+pub(crate) struct ExpandedDocument {
     pub ok: bool,
     pub urdf: String,
-    pub root: Root,
+    pub root: RootParam,
     /// All arguments with the values they had.
     pub args: BTreeMap<String, String>,
     pub errors: Vec<ExpandError>,
@@ -59,10 +59,10 @@ pub(crate) struct StackEntry {
 }
 
 pub fn expand(
-    state: &mut State,
+    state: &mut ServerState,
     params: ExpandParams,
     cancel: &CancelFlag,
-) -> Result<Expanded, Failure> {
+) -> Result<ExpandedDocument, RequestFailure> {
     let begin = Instant::now();
     let mut root = chosen_or_active(state, &params.text_document, params.root)?;
     for (name, value) in params.args {
@@ -74,9 +74,9 @@ pub fn expand(
         Some(texts) => earlier(state, texts).analyzed(&root, cancel),
         None => state.world.analyzed(&root, cancel),
     };
-    let analyzed = analyzed.ok_or(Failure::Cancelled)?;
+    let analyzed = analyzed.ok_or(RequestFailure::Cancelled)?;
     let expansion = &analyzed.expansion;
-    Ok(Expanded {
+    Ok(ExpandedDocument {
         ok: !expansion.has_errors() && expansion.root_error.is_none(),
         urdf: analyzed.written().text.clone(),
         root: named(state, &root)?,
@@ -97,7 +97,7 @@ pub fn expand(
 }
 
 /// The files on the disk, with other texts for some.
-fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
+fn earlier(state: &ServerState, texts: BTreeMap<Url, String>) -> World {
     let mut world = state.world.on_disk();
     for (uri, text) in texts {
         world.set_text(&state.path(&uri), text);
@@ -105,7 +105,7 @@ fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
     world
 }
 
-pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
+pub fn errors(state: &ServerState, expansion: &Expansion) -> Vec<ExpandError> {
     let place = |place: FileRange| {
         let file = expansion.files.get(place.file)?.source.id;
         location(

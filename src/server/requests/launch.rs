@@ -8,10 +8,10 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::root_param::active_root;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::is_launch;
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
@@ -19,7 +19,7 @@ use ide::{Cx, NavigationTarget, definition_of};
 use vfs::SourceFile;
 
 /// The name of an argument in a launch file.
-pub struct Launched {
+pub struct LaunchArgumentName {
     /// The launch file.
     pub source: Arc<SourceFile>,
     /// Where the name stands in it.
@@ -31,16 +31,16 @@ pub struct Launched {
 }
 
 /// Whether a request is about a launch file.
-pub fn is_about_launch(state: &State, at: &TextDocumentPositionParams) -> bool {
+pub fn is_about_launch(state: &ServerState, at: &TextDocumentPositionParams) -> bool {
     is_launch(&state.path(&at.text_document.uri))
 }
 
 /// The argument whose name stands at a place in a launch file, where a robot declares it.
 pub fn launched(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<Launched>, Failure> {
+) -> Result<Option<LaunchArgumentName>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let Some(name) = state.world.session().launch_name_at(&path, offset) else {
@@ -51,7 +51,7 @@ pub fn launched(
         let analyzed = state
             .world
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let Some(first) = analyzed
             .expansion
             .files
@@ -81,7 +81,7 @@ pub fn launched(
             continue;
         };
         (asked.source, asked.offset) = (declaring, target.name.range.start);
-        return Ok(Some(Launched {
+        return Ok(Some(LaunchArgumentName {
             source,
             range: name.span.range,
             target,
@@ -100,7 +100,7 @@ fn declaration(cx: &Cx<'_>, name: &str) -> Option<NavigationTarget> {
 }
 
 /// Where launch files spell the argument at a place, with the robots that share its declaration.
-pub fn in_launch_files(state: &mut State, asked: &Asked) -> (Vec<Span>, Vec<PathBuf>) {
+pub fn in_launch_files(state: &mut ServerState, asked: &Asked) -> (Vec<Span>, Vec<PathBuf>) {
     let cx = asked.cx();
     let definition = cx
         .symbol_at(asked.offset)
@@ -123,9 +123,9 @@ pub fn in_launch_files(state: &mut State, asked: &Asked) -> (Vec<Span>, Vec<Path
 
 /// The arguments that may be given at a place in a launch file.
 pub fn completion(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
-) -> Result<Option<CompletionResponse>, Failure> {
+) -> Result<Option<CompletionResponse>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let Some(found) = state.world.session().launch_choices_at(&path, offset) else {

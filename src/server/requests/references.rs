@@ -3,14 +3,14 @@ use std::path::Path;
 
 use lsp_types::{Location, ReferenceParams};
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::places;
 use crate::requests::asked::Asked;
 use crate::requests::branches::inside;
 use crate::requests::launch::{in_launch_files, launched};
 use crate::requests::navigation::asked_for_name;
 use crate::scanning::scan_all;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::Analyzed;
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, Span, TextRange};
@@ -20,10 +20,10 @@ use vfs::SourceFile;
 use yaml::{YamlKind, YamlNode};
 
 pub fn references(
-    state: &mut State,
+    state: &mut ServerState,
     params: ReferenceParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<Location>>, Failure> {
+) -> Result<Option<Vec<Location>>, RequestFailure> {
     // a robot that nobody has seen yet may use the name too
     scan_all(state, cancel)?;
     let at = &params.text_document_position;
@@ -68,12 +68,12 @@ pub fn references(
 
 /// The other robots that read the text which gives a name; their uses are added.
 fn sharing(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     uses: &mut Vec<NameOccurrence>,
     thing: Option<&RobotThing>,
     cancel: &CancelFlag,
-) -> Result<Vec<std::sync::Arc<Analyzed>>, Failure> {
+) -> Result<Vec<std::sync::Arc<Analyzed>>, RequestFailure> {
     let given: Vec<Span> = uses
         .iter()
         .filter(|used| used.is_definition)
@@ -93,7 +93,7 @@ fn sharing(
         let analyzed = state
             .world
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let found = in_robot(state, &analyzed, &given, thing);
         if !found.is_empty() {
             robots.push(analyzed);
@@ -108,7 +108,7 @@ fn sharing(
 }
 
 /// The values of the YAML files that a robot reads which are the name.
-fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
+fn in_yaml(state: &ServerState, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
     let vfs = &state.world.session().vfs;
     let mut found = Vec::new();
     for read in robot.expansion.record.iter() {
@@ -137,7 +137,7 @@ fn is_yaml(path: &Path) -> bool {
 
 /// The uses of a name in another robot, when the text that gives it gives it there too.
 fn in_robot(
-    state: &State,
+    state: &ServerState,
     analyzed: &Analyzed,
     given: &[Span],
     thing: Option<&RobotThing>,

@@ -2,25 +2,25 @@
 use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::scanning::scan_all;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use base::limits::WORKSPACE_SYMBOLS;
 use facts::FactKind;
 
 #[allow(deprecated)] // the protocol's struct has a deprecated field
 pub fn workspace_symbols(
-    state: &mut State,
+    state: &mut ServerState,
     params: WorkspaceSymbolParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<SymbolInformation>>, Failure> {
+) -> Result<Option<Vec<SymbolInformation>>, RequestFailure> {
     // what was not looked at yet belongs to the answer too
     scan_all(state, cancel)?;
     let mut found: Vec<(u32, SymbolInformation)> = Vec::new();
     for path in state.world.known_files() {
         if cancel.is_cancelled() {
-            return Err(Failure::Cancelled);
+            return Err(RequestFailure::Cancelled);
         }
         let (Some(source), Some(uri)) = (state.world.document(&path), state.uri(&path)) else {
             continue;
@@ -49,7 +49,7 @@ pub fn workspace_symbols(
 
 /// The packages in the folders of the workspace.
 #[allow(deprecated)]
-fn packages(state: &State, query: &str) -> Vec<(u32, SymbolInformation)> {
+fn packages(state: &ServerState, query: &str) -> Vec<(u32, SymbolInformation)> {
     let folders = state.world.folders();
     let Some(first) = folders.first() else {
         return Vec::new();

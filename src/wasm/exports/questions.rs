@@ -1,6 +1,6 @@
 //! Single questions about files in memory.
 
-use super::{State, with};
+use super::{ExportState, with};
 
 /// What the functions are about.
 pub(super) type Held = crate::Bench;
@@ -18,7 +18,7 @@ extern "C" fn mesh() -> usize {
 }
 
 fn answer(work: impl FnOnce(&mut Held, &str) -> Result<Vec<u8>, String>) -> usize {
-    with(|state: &mut State| {
+    with(|state: &mut ExportState| {
         let question = state.text();
         let answer = work(&mut state.held, &question);
         state.answer(answer)
