@@ -1497,12 +1497,12 @@ fn many_folders() {
             )
             .is_none()
     );
-    let mut world = xacro_lsp::analysis::World::new(env, vec![folder.clone()]);
-    while world.scan(|| false).is_some() {}
+    let mut host = xacro_lsp::analysis::AnalysisHost::new(env, vec![folder.clone()]);
+    while host.scan(|| false).is_some() {}
     assert!(
-        world.known_files().len() <= SCAN_FILES + 1,
+        host.known_files().len() <= SCAN_FILES + 1,
         "{}",
-        world.known_files().len()
+        host.known_files().len()
     );
     let _ = fs::remove_dir_all(folder);
 }

@@ -13,7 +13,7 @@ const MOST_CALLERS: usize = 6;
 /// decide and a call is known with which less fails. Else `first`, and `false`.
 pub(super) fn as_called(
     session: &Session,
-    world: Sources<'_>,
+    sources: Sources<'_>,
     file: &Path,
     request: &Request,
     first: Expansion,
@@ -35,7 +35,7 @@ pub(super) fn as_called(
             if tried.iter().any(is_known) {
                 continue;
             }
-            let next = expand(world, &request);
+            let next = expand(sources, &request);
             tried.push(request);
             let left = Failures::of(&next);
             if left.count() < fails.count() && left.errors <= fails.errors {

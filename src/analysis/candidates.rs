@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use super::change::Change;
+use super::check_task::CheckTask;
 use super::includes::{self, IncludeTargets};
 use super::lock::locked;
 use super::options::CheckOptions;
 use super::report::Report;
 use super::run_cache::Runs;
 use super::session::Session;
-use super::task::CheckTask;
 use base::FastMap;
 use vfs::SourceFile;
 
@@ -18,8 +18,8 @@ use vfs::SourceFile;
 /// stay.
 #[derive(Default)]
 pub struct Candidates {
-    /// The jobs of all files below folders.
-    jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<CheckTask>>>>,
+    /// The tasks of all files below folders.
+    tasks: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<CheckTask>>>>,
     /// What each file may include, by its path.
     reach: Mutex<FastMap<PathBuf, KnownIncludes>>,
     /// Robots expanded.
@@ -37,30 +37,30 @@ impl Candidates {
         folders: Vec<PathBuf>,
         changed: Vec<PathBuf>,
     ) -> Vec<CheckTask> {
-        let mut jobs = (*self.below(session, &folders)).clone();
+        let mut tasks = (*self.below(session, &folders)).clone();
         let options = CheckOptions {
             changed,
             ..CheckOptions::default()
         };
         let Some(change) = Change::of(session, &options) else {
-            return jobs;
+            return tasks;
         };
-        jobs.extend(change.further(&jobs, &options.args));
-        change.reached(jobs, self)
+        tasks.extend(change.further(&tasks, &options.args));
+        change.reached(tasks, self)
     }
 
-    /// The jobs of all files below folders.
+    /// The tasks of all files below folders.
     fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<CheckTask>> {
-        let mut jobs = locked(&self.jobs);
-        if let Some(known) = jobs.get(folders) {
+        let mut tasks = locked(&self.tasks);
+        if let Some(known) = tasks.get(folders) {
             return known.clone();
         }
         let options = CheckOptions {
             paths: folders.to_vec(),
             ..CheckOptions::default()
         };
-        let found = Arc::new(session.all_jobs(&options, &mut Report::default()));
-        jobs.insert(folders.to_vec(), found.clone());
+        let found = Arc::new(session.all_tasks(&options, &mut Report::default()));
+        tasks.insert(folders.to_vec(), found.clone());
         found
     }
 

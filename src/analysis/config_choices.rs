@@ -2,9 +2,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use super::host::AnalysisHost;
 use super::launch_values::compared_words;
-use super::root_choice::RootChoice;
-use super::world::World;
+use super::root_config::RootConfig;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;
 use workspace::config::{
@@ -59,7 +59,7 @@ pub fn is_config(path: &Path) -> bool {
 /// Names with a few words about each.
 type DescribedNames = Vec<(String, String)>;
 
-impl World {
+impl AnalysisHost {
     /// What may be written at an offset of a configuration file. `None` where nothing may, or when cancelled.
     pub fn config_choices_at(
         &mut self,
@@ -257,7 +257,7 @@ impl World {
     ) -> Option<DescribedNames> {
         let mut names: BTreeSet<String> = BTreeSet::new();
         for robot in robots {
-            let analyzed = self.analyzed(&RootChoice::plain(robot), cancel)?;
+            let analyzed = self.analyzed(&RootConfig::plain(robot), cancel)?;
             let Some(robot) = &analyzed.robot else {
                 continue;
             };
@@ -301,10 +301,10 @@ impl World {
 }
 
 /// The robots of the entry of `roots` around a place.
-fn robots(world: &World, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
+fn robots(host: &AnalysisHost, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
     let file = place.file.as_deref();
     let mut robots = file
-        .map(|file| files_named(file, folder, &world.session().vfs))
+        .map(|file| files_named(file, folder, &host.session().vfs))
         .unwrap_or_default();
     robots.truncate(MOST_ROBOTS);
     robots

@@ -6,8 +6,8 @@ use ecow::EcoString;
 
 use super::configs::Settings;
 use super::options::CheckOptions;
-use super::outcome::RootResult;
 use super::report::Report;
+use super::root_result::RootResult;
 use super::session::Session;
 use base::FastSet;
 use facts::{FactKind, MentionKind as Mentioned, facts_of};
@@ -23,7 +23,7 @@ impl Session {
         &self,
         options: &CheckOptions,
         report: &Report,
-        outcomes: &[RootResult],
+        results: &[RootResult],
     ) -> Vec<Finding> {
         let files = report.files.values().map(|file| self.settings(&file.path));
         let folders = options
@@ -37,7 +37,7 @@ impl Session {
             holding.extend(settings.config.files.iter().cloned());
             if holding.len() > before {
                 warnings.extend(self.missing(&settings));
-                warnings.extend(self.unknown_arguments(&settings, outcomes));
+                warnings.extend(self.unknown_arguments(&settings, results));
             }
         }
         let mut seen: FastSet<(PathBuf, u32, String)> = FastSet::default();
@@ -86,7 +86,7 @@ impl Session {
     fn unknown_arguments(
         &self,
         settings: &Arc<Settings>,
-        outcomes: &[RootResult],
+        results: &[RootResult],
     ) -> Vec<ConfigWarning> {
         let roots = settings
             .config
@@ -94,20 +94,20 @@ impl Session {
             .iter()
             .filter(|root| !root.given.is_empty());
         roots
-            .flat_map(|root| self.unknown_arguments_of(root, outcomes))
+            .flat_map(|root| self.unknown_arguments_of(root, results))
             .collect()
     }
 
-    fn unknown_arguments_of(&self, root: &Root, outcomes: &[RootResult]) -> Vec<ConfigWarning> {
+    fn unknown_arguments_of(&self, root: &Root, results: &[RootResult]) -> Vec<ConfigWarning> {
         let files = root.files(&self.vfs);
-        let runs: Vec<&RootResult> = outcomes
+        let runs: Vec<&RootResult> = results
             .iter()
-            .filter(|run| files.contains(&run.job.file))
+            .filter(|run| files.contains(&run.task.file))
             .collect();
         // what is not expanded, or not wholly, may declare them
         if files
             .iter()
-            .any(|file| !runs.iter().any(|run| run.job.file == *file))
+            .any(|file| !runs.iter().any(|run| run.task.file == *file))
             || runs.iter().any(|run| !run.complete)
         {
             return Vec::new();

@@ -6,22 +6,22 @@ use std::path::{Path, PathBuf};
 
 use indexmap::IndexSet;
 
-use super::root_choice::{Context, RootChoice, RootReason};
-use super::world::World;
+use super::host::AnalysisHost;
+use super::root_config::{Context, RootConfig, RootReason};
 use base::{Span, TextRange};
 use vfs::SourceFile;
 use workspace::config::Variant;
 
-impl World {
+impl AnalysisHost {
     /// The runs of a file that the configuration lists.
-    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootChoice> {
+    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootConfig> {
         let settings = self.session().settings(file);
         let roots = settings.config.roots.iter().filter(|root| {
             root.files(&self.session().vfs)
                 .iter()
                 .any(|listed| self.session().vfs.absolute(listed) == file)
         });
-        let variant = |variant: workspace::config::Variant| RootChoice {
+        let variant = |variant: workspace::config::Variant| RootConfig {
             file: file.to_path_buf(),
             args: variant.args,
             preset: variant.preset,
@@ -32,7 +32,7 @@ impl World {
             .collect()
     }
 
-    pub(super) fn is_configured(&self, root: &RootChoice) -> bool {
+    pub(super) fn is_configured(&self, root: &RootConfig) -> bool {
         self.configured_variants(&root.file).contains(root)
     }
 
@@ -67,11 +67,11 @@ impl World {
     /// Of the roots that reach a file, the first that is configured; else the file itself; else the first of all.
     fn preferred(
         &self,
-        candidates: &[(RootChoice, u32)],
+        candidates: &[(RootConfig, u32)],
         path: &Path,
-    ) -> Option<(RootChoice, RootReason)> {
-        let is_configured = |(root, _): &&(RootChoice, u32)| self.is_configured(root);
-        let is_itself = |(root, near): &&(RootChoice, u32)| *near == 0 && root.file == path;
+    ) -> Option<(RootConfig, RootReason)> {
+        let is_configured = |(root, _): &&(RootConfig, u32)| self.is_configured(root);
+        let is_itself = |(root, near): &&(RootConfig, u32)| *near == 0 && root.file == path;
         let ((root, _), reason) = if let Some(found) = candidates.iter().find(is_configured) {
             (found, RootReason::Configured)
         } else if let Some(found) = candidates.iter().find(is_itself) {
@@ -83,7 +83,7 @@ impl World {
     }
 
     /// The roots that reach a file: configured ones with all their presets, then all others.
-    fn candidates(&self, path: &Path) -> Vec<(RootChoice, u32)> {
+    fn candidates(&self, path: &Path) -> Vec<(RootConfig, u32)> {
         let mut reached: Vec<(PathBuf, u32)> = self.graph.roots_of(path);
         if self.graph.is_root(path) {
             reached.insert(0, (path.to_path_buf(), 0));
@@ -92,7 +92,7 @@ impl World {
         for (file, near) in reached {
             let variants = self.configured_variants(&file);
             match variants.is_empty() {
-                true => candidates.push((RootChoice::plain(&file), near)),
+                true => candidates.push((RootConfig::plain(&file), near)),
                 false => candidates.extend(variants.into_iter().map(|choice| (choice, near))),
             }
         }
@@ -105,12 +105,12 @@ impl World {
     }
 
     /// `<!-- xacro-root: ../robot.urdf.xacro side:=right -->` in the first ten lines.
-    fn commented_root(&self, path: &Path) -> Option<RootChoice> {
+    fn commented_root(&self, path: &Path) -> Option<RootConfig> {
         let source = self.session().vfs.document(path).ok()?;
         let (name, args) = root_comment(&source)?;
         let file = self.session().vfs.absolute(&path.parent()?.join(name));
         let file = vfs::without_parents(&file);
-        self.session().vfs.is_file(&file).then_some(RootChoice {
+        self.session().vfs.is_file(&file).then_some(RootConfig {
             file,
             args,
             preset: None,
@@ -118,7 +118,7 @@ impl World {
     }
 }
 
-impl World {
+impl AnalysisHost {
     /// Where the comment at the top of a file that names its root gives an argument a value, with the root.
     pub fn commented_argument(&self, path: &Path, name: &str) -> Option<(PathBuf, Span)> {
         let root = self.commented_root(path)?.file;
@@ -158,20 +158,20 @@ fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> 
     Some((name, args.collect()))
 }
 
-impl World {
+impl AnalysisHost {
     /// Every configured root with each of its presets, by the configurations that hold for files and for the folders.
-    pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootChoice> {
+    pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootConfig> {
         let session = self.session();
         let of_folders = self
             .folders()
             .iter()
             .map(|folder| session.folder_settings(folder));
-        let mut found: IndexSet<RootChoice> = IndexSet::new();
+        let mut found: IndexSet<RootConfig> = IndexSet::new();
         for settings in of_folders.chain(paths.iter().map(|path| session.settings(path))) {
             for root in &settings.config.roots {
                 for file in root.files(&session.vfs) {
                     let file = session.vfs.absolute(&file);
-                    let choice = |Variant { preset, args }| RootChoice {
+                    let choice = |Variant { preset, args }| RootConfig {
                         file: file.clone(),
                         args,
                         preset,

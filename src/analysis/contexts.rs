@@ -3,9 +3,9 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::outcome::RootResult;
-use super::root_choice::RootChoice;
-use super::task::{CheckTask, LaunchCallSites};
+use super::check_task::{CheckTask, LaunchCallSites};
+use super::root_config::RootConfig;
+use super::root_result::RootResult;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::Related;
 use vfs::SourceFile;
@@ -39,15 +39,15 @@ pub(super) struct ContextRun {
 }
 
 impl ContextRun {
-    pub(super) fn of(outcome: &RootResult) -> Self {
+    pub(super) fn of(result: &RootResult) -> Self {
         let CheckTask {
             file, args, called, ..
-        } = outcome.job.clone();
-        let reads = outcome.files.iter().map(|file| file.id).collect();
-        let start = outcome.files.first().map(|source| start(source));
-        let is_whole_robot = outcome.is_robot && outcome.complete;
-        let (values, is_context) = (outcome.arguments.clone(), outcome.is_context);
-        let is_as_called = outcome.is_as_called;
+        } = result.task.clone();
+        let reads = result.files.iter().map(|file| file.id).collect();
+        let start = result.files.first().map(|source| start(source));
+        let is_whole_robot = result.is_robot && result.complete;
+        let (values, is_context) = (result.arguments.clone(), result.is_context);
+        let is_as_called = result.is_as_called;
         Self {
             file,
             args,
@@ -286,7 +286,7 @@ pub(super) fn label(mut text: String, args: &[(String, String)]) -> String {
     text
 }
 
-impl RootChoice {
+impl RootConfig {
     /// For people: the name of the file and the arguments.
     pub fn label(&self) -> String {
         label(name(&self.file), &self.args)

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::expect::{entry_at, filled, worded};
-use super::job;
 use super::options::CheckOptions;
-use super::outcome::RootResult;
+use super::root_result::RootResult;
 use super::run_cache::{RunResult, RunSetting};
+use super::run_task;
 use super::session::Session;
-use super::task::{CheckReason, CheckTask};
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
@@ -64,13 +64,13 @@ impl Session {
     pub(super) fn drift_findings(
         &self,
         options: &CheckOptions,
-        outcomes: &[RootResult],
+        results: &[RootResult],
     ) -> Vec<Finding> {
         let rule = named::GENERATED_URDF_OUT_OF_DATE;
         let mut seen: FastSet<&Path> = FastSet::default();
-        let generated: Vec<&Arc<SourceFile>> = (outcomes.iter())
-            .filter(|outcome| seen.insert(&outcome.job.file))
-            .filter_map(|outcome| outcome.files.first())
+        let generated: Vec<&Arc<SourceFile>> = (results.iter())
+            .filter(|result| seen.insert(&result.task.file))
+            .filter_map(|result| result.files.first())
             .filter(|file| {
                 self.settings(&file.path).runs(rule, &file.path) && banner(file).is_some()
             })
@@ -88,14 +88,16 @@ impl Session {
         let mut variants: Vec<(Generation, Arc<RunResult>)> = Vec::new();
         for source in self.sources_named(&name, &file.path) {
             for variant in self.generations(&source) {
-                let (job, setting) = (
-                    variant.job(),
+                let (task, setting) = (
+                    variant.task(),
                     RunSetting {
                         args: variant.args.clone(),
                         ..RunSetting::default()
                     },
                 );
-                let run = self.drift_runs.get(self, &self.vfs, cancel, &job, &setting);
+                let run = self
+                    .drift_runs
+                    .get(self, &self.vfs, cancel, &task, &setting);
                 let variant = Generation {
                     is_meant: self.is_meant(&variant, &run, &file.path),
                     ..variant
@@ -289,9 +291,9 @@ impl Session {
         let request = Request {
             probe: false,
             args: variant.args.clone(),
-            ..job::request(self, &CancelFlag::default(), &variant.job())
+            ..run_task::request(self, &CancelFlag::default(), &variant.task())
         };
-        let expansion = expand(job::world(self), &request);
+        let expansion = expand(run_task::sources(self), &request);
         // what was compared has no name in its banner
         let written = write_mapped(&expansion.tree, "");
         let entry = entry_at(&written.map, &difference.one);
@@ -323,7 +325,7 @@ fn is_for_old_xacro(text: &str) -> bool {
 }
 
 impl Generation {
-    fn job(&self) -> CheckTask {
+    fn task(&self) -> CheckTask {
         CheckTask::new(self.source.clone(), CheckReason::Named, self.args.clone())
     }
 }

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::candidates::Candidates;
+use super::check_task::{CheckReason, CheckTask};
 use super::plan::apply;
 use super::run_cache::{RunResult, RunSetting, Runs};
 use super::session::Session;
-use super::task::{CheckReason, CheckTask};
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
@@ -168,12 +168,12 @@ impl<'a> Trial<'a> {
         let mut uncalled = self.macros_around_edits();
         let mut unread: Vec<&Path> = self.changed.iter().map(|changed| &*changed.path).collect();
         let mut left = self.effort.expansions;
-        for job in self.jobs() {
+        for task in self.tasks() {
             let first = RunSetting {
-                args: job.args.clone(),
+                args: task.args.clone(),
                 forced: Vec::new(),
             };
-            let Some(before) = self.compare(&job, &first, claim) else {
+            let Some(before) = self.compare(&task, &first, claim) else {
                 return false;
             };
             if !self
@@ -185,9 +185,9 @@ impl<'a> Trial<'a> {
             }
             unread.retain(|path| !before.reads(path));
             uncalled.retain(|place| !before.calls(place));
-            for setting in self.settings(&job, &before) {
+            for setting in self.settings(&task, &before) {
                 left = left.saturating_sub(1);
-                let Some(run) = self.compare(&job, &setting, claim).filter(|_| left > 0) else {
+                let Some(run) = self.compare(&task, &setting, claim).filter(|_| left > 0) else {
                     return false;
                 };
                 uncalled.retain(|place| !run.calls(place));
@@ -198,7 +198,7 @@ impl<'a> Trial<'a> {
     }
 
     /// The robots that may read a changed file, below the workspaces of these files.
-    fn jobs(&self) -> Vec<CheckTask> {
+    fn tasks(&self) -> Vec<CheckTask> {
         let known = match &self.effort.roots {
             AffectedRobots::Known(files) => return files.iter().map(|file| named(file)).collect(),
             AffectedRobots::Searched(known) => known,
@@ -234,14 +234,14 @@ impl<'a> Trial<'a> {
     /// What an expansion gives before; none when the claim does not hold for it.
     fn compare(
         &self,
-        job: &CheckTask,
+        task: &CheckTask,
         setting: &RunSetting,
         claim: Claim,
     ) -> Option<Arc<RunResult>> {
         if self.effort.cancel.is_cancelled() {
             return None;
         }
-        let before = self.run(job, &self.session.vfs, setting);
+        let before = self.run(task, &self.session.vfs, setting);
         let forced = setting.forced.iter().map(|forced| Forced {
             at: self.moved(forced),
             ..forced.clone()
@@ -250,7 +250,7 @@ impl<'a> Trial<'a> {
             args: setting.args.clone(),
             forced: forced.collect(),
         };
-        let after = self.run(job, &self.after, &setting);
+        let after = self.run(task, &self.after, &setting);
         let same = if claim == Claim::Fitted {
             same_but_for_mesh_formats
         } else {
@@ -272,22 +272,22 @@ impl<'a> Trial<'a> {
         changed.map_or(forced.at, |changed| changed.moved(forced.at))
     }
 
-    pub fn run(&self, job: &CheckTask, vfs: &Vfs, setting: &RunSetting) -> Arc<RunResult> {
+    pub fn run(&self, task: &CheckTask, vfs: &Vfs, setting: &RunSetting) -> Arc<RunResult> {
         self.runs
-            .get(self.session, vfs, &self.effort.cancel, job, setting)
+            .get(self.session, vfs, &self.effort.cancel, task, setting)
     }
 
     /// Further ways to expand a robot that may show what an edit does.
-    fn settings(&self, job: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
+    fn settings(&self, task: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
         let mut found = Vec::new();
-        for caller in self.session.callers(&job.file).iter().take(MOST_CALLERS) {
+        for caller in self.session.callers(&task.file).iter().take(MOST_CALLERS) {
             let known = caller
                 .args
                 .iter()
                 .filter_map(|arg| Some((arg.name.clone(), arg.value.clone()?)));
             let known: Vec<_> = known.collect();
             if !known.is_empty() {
-                found.push(with_arguments(job, known));
+                found.push(with_arguments(task, known));
             }
         }
         let in_expressions = self
@@ -297,11 +297,11 @@ impl<'a> Trial<'a> {
             let others: &[&str] = if in_expressions { &OTHER_VALUES } else { &[] };
             let values = turned_over(value).into_iter().chain(others.iter().copied());
             found.extend(
-                values.map(|value| with_arguments(job, [(name.to_string(), value.to_owned())])),
+                values.map(|value| with_arguments(task, [(name.to_string(), value.to_owned())])),
             );
         }
         found.extend(self.branches().into_iter().map(|forced| RunSetting {
-            args: job.args.clone(),
+            args: task.args.clone(),
             forced,
         }));
         found
@@ -389,11 +389,11 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
 
 /// A robot with other arguments than its own, or further ones.
 pub(super) fn with_arguments(
-    job: &CheckTask,
+    task: &CheckTask,
     more: impl IntoIterator<Item = (String, String)>,
 ) -> RunSetting {
     RunSetting {
-        args: job.args.iter().cloned().chain(more).collect(),
+        args: task.args.iter().cloned().chain(more).collect(),
         forced: Vec::new(),
     }
 }

@@ -8,9 +8,9 @@ use std::sync::Arc;
 use ecow::EcoString;
 use rayon::prelude::*;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::includes::Included;
 use super::session::Session;
-use super::task::{CheckReason, CheckTask};
 use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
@@ -41,7 +41,7 @@ enum FindingAction {
 
 /// An expansion of a file that was checked.
 pub(super) struct CheckedExpansion<'a> {
-    pub(super) job: &'a CheckTask,
+    pub(super) task: &'a CheckTask,
     pub(super) kind: RootKind,
     pub(super) expansion: &'a Expansion,
     pub(super) robot: Option<&'a Robot>,
@@ -58,7 +58,7 @@ impl Session {
             return;
         }
         let role = self.role(checked, findings);
-        let is_alone = checked.job.reason == CheckReason::Alone;
+        let is_alone = checked.task.reason == CheckReason::Alone;
         let mut noted = FastSet::default();
         findings.retain_mut(|finding| match verdict(role, finding) {
             // what has no value here: the answer to whether the file works
@@ -66,7 +66,7 @@ impl Session {
                 true
             }
             FindingAction::Keep
-                if role == Role::Root && self.may_get_elsewhere(checked.job, finding) =>
+                if role == Role::Root && self.may_get_elsewhere(checked.task, finding) =>
             {
                 finding.severity = finding.severity.min(Severity::Info);
                 noted.insert((
@@ -96,17 +96,17 @@ impl Session {
     /// file is checked by itself, and nothing includes it.
     pub(super) fn nameless(&self, checked: &CheckedExpansion<'_>) -> Option<Finding> {
         let CheckedExpansion {
-            job,
+            task,
             kind,
             expansion,
             robot,
         } = *checked;
         let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
-        let is_tree = (!robot.joints.is_empty() || job.reason == CheckReason::Alone)
+        let is_tree = (!robot.joints.is_empty() || task.reason == CheckReason::Alone)
             && robot.names_are_known()
             && above_fragment(robot).is_none()
             && Kinematics::of(robot).roots(robot).len() == 1;
-        let is_open = !expansion.whole || !is_tree || self.is_included(&job.file);
+        let is_open = !expansion.whole || !is_tree || self.is_included(&task.file);
         if is_open {
             None
         } else {
@@ -117,8 +117,8 @@ impl Session {
     fn role(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
         match self.role_by_itself(checked, findings) {
             Role::Root
-                if checked.job.reason == CheckReason::Walked
-                    && self.is_for_another(&checked.job.file) =>
+                if checked.task.reason == CheckReason::Walked
+                    && self.is_for_another(&checked.task.file) =>
             {
                 Role::Part
             }
@@ -129,31 +129,31 @@ impl Session {
     /// The role of a file, whatever launch files give to other robots.
     fn role_by_itself(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
         let CheckedExpansion {
-            job,
+            task,
             kind,
             expansion,
             robot,
         } = *checked;
-        if job.reason == CheckReason::Root {
+        if task.reason == CheckReason::Root {
             return Role::Root;
         }
         let document = expansion.files.first().map(|file| &file.source.document);
         let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
-        if self.is_included(&job.file) {
-            return if gives_robot && self.is_named(&job.file) {
+        if self.is_included(&task.file) {
+            return if gives_robot && self.is_named(&task.file) {
                 Role::Root
             } else {
                 Role::Part
             };
         }
-        if job.reason == CheckReason::Alone {
+        if task.reason == CheckReason::Alone {
             return Role::Root;
         }
         // a file in xacro without content is one that somebody has yet to write
-        if !is_plain_urdf(&job.file)
+        if !is_plain_urdf(&task.file)
             && robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty())
             && !document.is_some_and(graph::gives_robot)
-            && !self.is_named(&job.file)
+            && !self.is_named(&task.file)
         {
             return Role::Unknown;
         }
@@ -161,7 +161,7 @@ impl Session {
         // whoever names the file together with the link attaches it there
         let is_whole = |link: &EcoString| {
             has_misspelled_link(findings)
-                || self.is_named(&job.file) && !self.is_named_with(&job.file, link)
+                || self.is_named(&task.file) && !self.is_named_with(&task.file, link)
         };
         match gives_robot {
             true if missing.is_none_or(is_whole) => Role::Root,
@@ -171,19 +171,19 @@ impl Session {
 
     /// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
     /// package, so that others may give its arguments, or other files define the property that it reads.
-    fn may_get_elsewhere(&self, job: &CheckTask, finding: &Finding) -> bool {
-        if matches!(job.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
+    fn may_get_elsewhere(&self, task: &CheckTask, finding: &Finding) -> bool {
+        if matches!(task.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
             return false;
         }
         let is_open = match (&finding.outside, finding.problem) {
             (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
-                self.packages.containing(&job.file).is_some()
+                self.packages.containing(&task.file).is_some()
             }
             (Some(Outside::Includer), Some(ProblemKind::UndefinedProperty)) => {
                 let name = self.vfs.document(&self.vfs.path(finding.span.file));
                 let name = name.map(|source| source.document.slice(finding.span.range));
                 name.is_ok_and(|name| {
-                    self.included_around(&job.file)
+                    self.included_around(&task.file)
                         .is_some_and(|all| all.defines(&name))
                 })
             }
@@ -193,9 +193,9 @@ impl Session {
         is_open
             && match finding.problem {
                 Some(ProblemKind::UndefinedArg) => {
-                    !self.is_loaded(&job.file) && !self.is_in_a_page(&job.file)
+                    !self.is_loaded(&task.file) && !self.is_in_a_page(&task.file)
                 }
-                _ => !self.is_named(&job.file),
+                _ => !self.is_named(&task.file),
             }
     }
 

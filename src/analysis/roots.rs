@@ -1,8 +1,8 @@
 //! Which files are expanded, and with which arguments.
 use std::path::Path;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::session::Session;
-use super::task::{CheckReason, CheckTask};
 use workspace::config::{Axes, Root, Variant};
 
 impl Session {
@@ -21,13 +21,13 @@ impl Session {
     }
 
     /// The expansions of one file of a configured root; `args` go over all others.
-    pub(super) fn jobs_of(
+    pub(super) fn tasks_of(
         &self,
         root: &Root,
         file: &Path,
         args: &[(String, String)],
     ) -> Vec<CheckTask> {
-        let job = |variant: Variant| {
+        let task = |variant: Variant| {
             let args = variant
                 .args
                 .into_iter()
@@ -38,6 +38,6 @@ impl Session {
                 ..CheckTask::new(file.to_path_buf(), CheckReason::Root, args)
             }
         };
-        self.variants(root, file).into_iter().map(job).collect()
+        self.variants(root, file).into_iter().map(task).collect()
     }
 }

@@ -2,11 +2,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::job;
+use super::check_task::CheckTask;
 use super::lock::locked;
 use super::run_cache::{RunResult, RunSetting, Runs};
+use super::run_task;
 use super::session::Session;
-use super::task::CheckTask;
 use base::{CancelFlag, TextRange};
 use expand::{
     Expansion, FileUse, FrameKind, Problem, ProblemKind, ProblemSeverity, Read, Request, Sources,
@@ -20,16 +20,16 @@ impl RunResult {
         session: &Session,
         vfs: &Vfs,
         cancel: &CancelFlag,
-        job: &CheckTask,
+        task: &CheckTask,
         setting: &RunSetting,
     ) -> Self {
-        let Sources { packages, env, .. } = job::world(session);
+        let Sources { packages, env, .. } = run_task::sources(session);
         let RunSetting { args, forced } = setting.clone();
         let request = Request {
             probe: false,
             args,
             forced,
-            ..job::request(session, cancel, job)
+            ..run_task::request(session, cancel, task)
         };
         let expansion = expand(Sources { vfs, packages, env }, &request);
         let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
@@ -116,16 +116,16 @@ impl Runs {
         session: &Session,
         vfs: &Vfs,
         cancel: &CancelFlag,
-        job: &CheckTask,
+        task: &CheckTask,
         setting: &RunSetting,
     ) -> Arc<RunResult> {
-        let key = (job.file.clone(), setting.clone());
+        let key = (task.file.clone(), setting.clone());
         let known = locked(&self.0).by_key.get(&key).cloned();
         let known: Vec<_> = known.unwrap_or_default();
         if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
             return run;
         }
-        let run = Arc::new(RunResult::of(session, vfs, cancel, job, setting));
+        let run = Arc::new(RunResult::of(session, vfs, cancel, task, setting));
         if !cancel.is_cancelled() {
             locked(&self.0).add(key, run.clone());
         }

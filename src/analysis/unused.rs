@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::beside::{Sort, is_settings, sort};
+use super::check_task::CheckReason;
 use super::options::CheckOptions;
-use super::outcome::RootResult;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::CheckReason;
 use base::{FastMap, FastSet, FileId};
 use project::{Controller, YamlSettings};
 use rules::{Finding, Severity, Trait, named};
@@ -19,7 +19,7 @@ impl Session {
     pub(super) fn read_for_used(
         &self,
         options: &CheckOptions,
-        outcomes: &mut [RootResult],
+        results: &mut [RootResult],
     ) -> Option<FastSet<PathBuf>> {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         let has_copies =
@@ -30,16 +30,16 @@ impl Session {
         }
         let asked = asked(self, options);
         let mut used = FastSet::default();
-        for outcome in outcomes {
-            if outcome.job.reason == CheckReason::Walked && self.is_other(&outcome.job.file, &asked)
+        for result in results {
+            if result.task.reason == CheckReason::Walked && self.is_other(&result.task.file, &asked)
             {
-                for finding in &mut outcome.findings {
+                for finding in &mut result.findings {
                     finding.severity = finding.severity.min(Severity::Info);
                 }
                 continue;
             }
-            used.insert(outcome.job.file.clone());
-            used.extend(outcome.reads.iter().cloned());
+            used.insert(result.task.file.clone());
+            used.extend(result.reads.iter().cloned());
         }
         Some(used)
     }

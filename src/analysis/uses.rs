@@ -1,8 +1,8 @@
 //! What is right, and of no account for those who use the file.
 use std::path::{Path, PathBuf};
 
+use super::check_task::CheckTask;
 use super::session::Session;
-use super::task::CheckTask;
 use expand::ProblemKind;
 use rules::{Finding, Rule, Severity, named};
 use vfs::without_parents;
@@ -10,8 +10,8 @@ use workspace::{RobotCall, RosVersion};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
-    pub(super) fn settle_by_use(&self, job: &CheckTask, findings: &mut [Finding]) {
-        let file = &job.file;
+    pub(super) fn settle_by_use(&self, task: &CheckTask, findings: &mut [Finding]) {
+        let file = &task.file;
         let info = || Some(Severity::Info);
         // both blocks meet in a robot whose controllers nothing starts
         self.lower_where(findings, about(named::ROS2_CONTROL_DUPLICATE_JOINT), || {

@@ -141,7 +141,7 @@ impl CheckRun<'_> {
             let mut report = watched(io, &options.progress, || session.check(options));
             let reads = std::mem::take(&mut report.reads);
             self.warn_about_arguments(&report, io);
-            return (self.conclude(report, "", io), reads);
+            return (self.finish(report, "", io), reads);
         }
         let most = if self.args.unsafe_fixes {
             Safety::Unsafe
@@ -174,7 +174,7 @@ impl CheckRun<'_> {
         let done = self.done(&fixed);
         let mut left = fixed.into_left();
         let reads = std::mem::take(&mut left.reads);
-        let code = self.conclude(left, &done, io);
+        let code = self.finish(left, &done, io);
         (if failed { 2 } else { code }, reads)
     }
 
@@ -291,7 +291,7 @@ impl CheckRun<'_> {
     }
 
     /// Print a report, and what was (`done`) or could be fixed.
-    fn conclude(&self, mut report: Report, done: &str, io: &mut Io<'_>) -> u8 {
+    fn finish(&self, mut report: Report, done: &str, io: &mut Io<'_>) -> u8 {
         report.part_of = self.part_of.to_vec();
         if self.unreadable(&report, io) {
             return 2;

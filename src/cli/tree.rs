@@ -37,7 +37,7 @@ impl LinkTree<'_> {
 
     /// The joints below a link with the links they lead to, in the order of urdfdom.
     pub(super) fn children(&self, link: usize) -> impl DoubleEndedIterator<Item = (&Joint, usize)> {
-        let joints = self.kinematics.down(link).iter();
+        let joints = self.kinematics.child_joints(link).iter();
         joints.filter_map(|&joint| {
             Some((
                 self.robot.joints.get(joint)?,
@@ -105,8 +105,8 @@ pub(super) fn good_tree(robot: &Robot) -> Option<LinkTree<'_>> {
         return None;
     };
     // n links in a tree hang on n - 1 joints; a cycle would need one more, a loose link one less
-    let single =
-        (0..robot.links.len()).all(|link| kinematics.up(link).len() == usize::from(link != root));
+    let single = (0..robot.links.len())
+        .all(|link| kinematics.parent_joints(link).len() == usize::from(link != root));
     let joined = (0..robot.joints.len()).all(|joint| kinematics.ends(joint).is_some());
     (single && joined && kinematics.cycles().is_empty()).then_some(LinkTree {
         robot,
@@ -199,13 +199,13 @@ pub(super) fn open(
 }
 
 pub(super) fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
-    let world = Sources {
+    let sources = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
     };
     expand(
-        world,
+        sources,
         &Request {
             file: file.to_owned(),
             args,

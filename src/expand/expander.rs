@@ -23,21 +23,21 @@ use base::clock::Instant;
 use expr::Value;
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
-pub fn expand(world: Sources<'_>, request: &Request) -> Expansion {
-    expand_again(world, request, None)
+pub fn expand(sources: Sources<'_>, request: &Request) -> Expansion {
+    expand_again(sources, request, None)
 }
 
 /// The same after an edit: macro calls of the root are taken over from the expansion `before` where nothing that they read
 /// has changed. The result is the same as that of [`expand`].
 pub fn expand_again(
-    world: Sources<'_>,
+    sources: Sources<'_>,
     request: &Request,
     before: Option<&Expansion>,
 ) -> Expansion {
-    let made = with_stack(|| Expander::new(world, request, Before::of(before, request)).run());
+    let made = with_stack(|| Expander::new(sources, request, Before::of(before, request)).run());
     #[cfg(debug_assertions)]
     if before.is_some() && !request.cancel.is_cancelled() {
-        let fresh = with_stack(|| Expander::new(world, request, None).run());
+        let fresh = with_stack(|| Expander::new(sources, request, None).run());
         // a new edit may have cut it short
         if !request.cancel.is_cancelled() {
             super::verify::same(&made, &fresh);
@@ -53,7 +53,7 @@ pub(super) fn raise(key: &str) -> String {
 
 /// The state of an expansion.
 pub(super) struct Expander<'w> {
-    pub world: Sources<'w>,
+    pub sources: Sources<'w>,
     pub request: &'w Request,
     pub result: Expansion,
     pub problems: Problems,
@@ -74,7 +74,7 @@ impl<'w> Expander<'w> {
     /// Steps shown of the way to a problem.
     pub(super) const TRACE_STEPS: usize = 100;
 
-    fn new(world: Sources<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
+    fn new(sources: Sources<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
         let mut result = Expansion {
             complete: true,
             ..Expansion::default()
@@ -88,7 +88,7 @@ impl<'w> Expander<'w> {
         });
         let marker = result.tree.add(XKind::Text, "\n\n".into(), Origin::NOWHERE);
         Self {
-            world,
+            sources,
             request,
             result,
             problems: Problems::default(),

@@ -181,15 +181,15 @@ impl ExprHost<'_, '_, '_> {
         self.expander.note_unclear();
         let name = self.expander.absolute_name(&name);
         // load_yaml opens relative to the working directory, whatever --root-dir says
-        let mut path: PathBuf = self.expander.world.env.cwd.join(&name);
-        let mut loaded = self.expander.world.vfs.yaml(&path, &name);
+        let mut path: PathBuf = self.expander.sources.env.cwd.join(&name);
+        let mut loaded = self.expander.sources.vfs.yaml(&path, &name);
         if loaded
             .as_ref()
             .is_err_and(|error| error.kind == LoadErrorKind::NotFound)
             && let Some(built) = self.expander.built(&path)
         {
             path = built.path;
-            loaded = self.expander.world.vfs.yaml(&path, &name);
+            loaded = self.expander.sources.vfs.yaml(&path, &name);
         }
         let loaded = match loaded {
             Ok(loaded) => loaded,
@@ -221,9 +221,11 @@ impl ExprHost<'_, '_, '_> {
 
     /// Whether a file does not belong to the robot.
     fn is_foreign(&self, path: &Path) -> bool {
-        let Expander { world, request, .. } = &self.expander;
+        let Expander {
+            sources, request, ..
+        } = &self.expander;
         let root = self.expander.file_path(&request.file);
-        !world.packages.around([&*root]).hold(path)
+        !sources.packages.around([&*root]).hold(path)
     }
 
     fn unreadable(&mut self, name: &str, error: &LoadError) -> Result<Value, EvalError> {

@@ -235,7 +235,7 @@ impl Expander<'_> {
     /// The path of a name in the file system.
     pub fn file_path(&self, name: &str) -> PathBuf {
         let root = self.request.root_dir.as_deref().unwrap_or("");
-        self.world.env.cwd.join(root).join(name)
+        self.sources.env.cwd.join(root).join(name)
     }
 
     fn included_names(&mut self, name: &EcoString, at: Origin) -> Vec<String> {
@@ -245,9 +245,9 @@ impl Expander<'_> {
         }
         let found =
             match self
-                .world
+                .sources
                 .vfs
-                .glob(&name, &self.world.env.cwd, &mut self.files.glob_entries)
+                .glob(&name, &self.sources.env.cwd, &mut self.files.glob_entries)
             {
                 Ok(found) => found,
                 Err(why) => {

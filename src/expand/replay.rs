@@ -136,7 +136,7 @@ impl Expander<'_> {
                 .iter()
                 .all(|(name, then)| self.names.args.get(name) == then.as_ref())
             && packages.iter().all(|(name, from, folder)| {
-                self.world
+                self.sources
                     .packages
                     .find(name, from)
                     .is_ok_and(|now| now.path == *folder)

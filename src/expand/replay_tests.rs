@@ -175,7 +175,7 @@ impl Session {
 
     /// Expand again; how many calls were taken over.
     fn expand(&mut self) -> usize {
-        let world = Sources {
+        let sources = Sources {
             vfs: self.tree.vfs(),
             packages: &self.packages,
             env: &self.env,
@@ -188,7 +188,7 @@ impl Session {
             ros_shell: true,
             ..Request::default()
         };
-        let made = expand_again(world, &request, self.last.as_ref());
+        let made = expand_again(sources, &request, self.last.as_ref());
         let taken_over = made.taken_over();
         self.last = Some(made);
         taken_over

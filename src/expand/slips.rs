@@ -116,7 +116,7 @@ impl Expander<'_> {
         let missing = path
             .ancestors()
             .skip(1)
-            .take_while(|folder| !self.world.vfs.is_dir(folder))
+            .take_while(|folder| !self.sources.vfs.is_dir(folder))
             .last()?;
         let (name, around) = (missing.file_name()?.to_str()?, missing.parent()?);
         let is_it = |binding: &&BindingInfo| {
@@ -125,7 +125,7 @@ impl Expander<'_> {
         };
         let argument = self.result.index.bindings.iter().find(is_it)?;
         let at = argument.origin?;
-        let folders = self.world.vfs.list_dir(around);
+        let folders = self.sources.vfs.list_dir(around);
         let mut names: Vec<&str> = folders
             .iter()
             .filter(|entry| entry.is_dir)
@@ -186,12 +186,12 @@ impl Expander<'_> {
             .source
             .path
             .clone();
-        let found = self.world.packages.namesake(missing, None, &from)?;
+        let found = self.sources.packages.namesake(missing, None, &from)?;
         let folder = from.parent()?;
         let text = match found.strip_prefix(folder) {
             Ok(below) if !text.starts_with('$') => below.to_str()?.to_owned(),
             _ => {
-                let package = self.world.packages.containing(&found)?;
+                let package = self.sources.packages.containing(&found)?;
                 let inside = found.strip_prefix(&package.folder).ok()?.to_str()?;
                 format!("$(find {})/{inside}", package.name)
             }

@@ -132,10 +132,10 @@ impl Expander<'_> {
             .get(at.src)
             .and_then(|s| self.result.files.get(s.file))
             .map_or_else(
-                || self.world.env.cwd.clone(),
+                || self.sources.env.cwd.clone(),
                 |f| f.source.path.to_path_buf(),
             );
-        match self.world.packages.find(&name.text, &from) {
+        match self.sources.packages.find(&name.text, &from) {
             Ok(found) => {
                 self.note_package(&name.text, &from, &found.path);
                 self.result.record.add(Read::Package(
@@ -200,7 +200,7 @@ impl Expander<'_> {
     }
 
     fn env_var(&mut self, name: &str) -> Option<EcoString> {
-        let value = self.world.env.var(name).map(EcoString::from);
+        let value = self.sources.env.var(name).map(EcoString::from);
         self.result.record.add(Read::Env(
             name.to_owned(),
             value.as_ref().map(EcoString::to_string),
@@ -215,7 +215,7 @@ impl Expander<'_> {
             return None;
         }
         let root = self.file_path(&self.request.file);
-        match self.world.packages.ros_variable(name, &root)? {
+        match self.sources.packages.ros_variable(name, &root)? {
             RosVariable::Value(value) => Some(Some(value.into())),
             RosVariable::Unknown => {
                 self.gaps.guessed = true;

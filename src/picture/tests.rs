@@ -45,13 +45,13 @@ fn scene(tree: &Tree, robot: &str, content: &SceneOptions) -> Scene {
         ..Setup::default()
     };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let world = Sources {
+    let sources = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
     };
     let expansion = expand(
-        world,
+        sources,
         &Request {
             file: file.to_str().unwrap().to_owned(),
             ..Request::default()

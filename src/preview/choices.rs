@@ -2,25 +2,25 @@
 
 use super::messages::RootName;
 use super::places::LocationFormat;
-use analysis::{RootChoice, World};
+use analysis::{AnalysisHost, RootConfig};
 
 /// Choices that are offered at most.
 const MOST: usize = 200;
 
 /// The roots that a viewer may choose from, the one shown first.
 pub(super) fn choices(
-    world: &mut World,
-    shown: &RootChoice,
+    host: &mut AnalysisHost,
+    shown: &RootConfig,
     names: &LocationFormat<'_>,
 ) -> Vec<RootName> {
     let mut found = vec![shown.clone()];
-    let own = world
+    let own = host
         .context(&shown.file)
         .candidates
         .into_iter()
         .map(|(root, _)| root);
-    let others = world.robots();
-    for root in own.chain([RootChoice::plain(&shown.file)]).chain(others) {
+    let others = host.robots();
+    for root in own.chain([RootConfig::plain(&shown.file)]).chain(others) {
         if found.len() < MOST && !found.contains(&root) {
             found.push(root);
         }

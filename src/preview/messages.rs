@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::model::Model;
 use super::places::Location;
 use super::programs::Programs;
-use analysis::{Analyzed, RootChoice};
+use analysis::{Analyzed, RootConfig};
 
 /// A root as messages name it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -25,7 +25,7 @@ pub struct RootName {
 }
 
 impl RootName {
-    pub(super) fn of(root: &RootChoice, uri: String) -> Self {
+    pub(super) fn of(root: &RootConfig, uri: String) -> Self {
         Self {
             uri,
             args: root.args.iter().cloned().collect(),

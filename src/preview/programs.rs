@@ -64,8 +64,8 @@ pub(super) fn programs(
                 .any(|name| Consumer::named(name).is_some_and(|named| named.name == consumer.name))
     };
     let consumers: Vec<&Consumer> = CONSUMERS.iter().filter(is_wanted).collect();
-    let world = session.rule_env(&settings.config);
-    let met = constructs(expansion, analyzed.robot.as_ref(), world);
+    let rule_env = session.rule_env(&settings.config);
+    let met = constructs(expansion, analyzed.robot.as_ref(), rule_env);
     let listed = rows(&met, false)
         .iter()
         .map(|row| construct(row, &consumers, places))

@@ -12,7 +12,7 @@ use super::places::{Location, LocationFormat, LocationMapper};
 use super::programs::programs;
 use super::select;
 use super::shapes::Shapes;
-use analysis::{Analyzed, RootChoice, Session, World};
+use analysis::{AnalysisHost, Analyzed, RootConfig, Session};
 use base::limits::{SENT_BYTES, SENT_ERRORS};
 use base::{CancelFlag, Encoding, FastSet};
 use expand::{Expansion, ProblemSeverity, Read};
@@ -34,7 +34,7 @@ struct OpenView {
 
 /// What one side shows.
 struct Shown {
-    root: RootChoice,
+    root: RootConfig,
     /// What was sent last.
     sent: Option<Arc<Analyzed>>,
     /// What was sent last without errors, with its revision.
@@ -55,7 +55,7 @@ pub struct MeshBytes {
 }
 
 impl Shown {
-    fn new(root: RootChoice) -> Self {
+    fn new(root: RootConfig) -> Self {
         Self {
             root,
             sent: None,
@@ -78,7 +78,7 @@ impl Views {
     }
 
     /// Open a view; its number.
-    pub fn open(&mut self, root: RootChoice) -> u32 {
+    pub fn open(&mut self, root: RootConfig) -> u32 {
         self.last_id += 1;
         let sides = BTreeMap::from([(Side::Main, Shown::new(root))]);
         self.views
@@ -94,7 +94,7 @@ impl Views {
     }
 
     /// Show something else; whether there is such a view.
-    pub fn show(&mut self, id: u32, root: RootChoice, compare: Option<RootChoice>) -> bool {
+    pub fn show(&mut self, id: u32, root: RootConfig, compare: Option<RootConfig>) -> bool {
         let Some(view) = self.views.get_mut(&id) else {
             return false;
         };
@@ -120,7 +120,7 @@ impl Views {
     }
 
     /// What a view shows.
-    pub fn root(&self, id: u32) -> Option<&RootChoice> {
+    pub fn root(&self, id: u32) -> Option<&RootConfig> {
         self.views
             .get(&id)?
             .sides
@@ -146,7 +146,7 @@ impl Views {
     /// What changed in the views that somebody looks at. False when it was cancelled: the rest comes the next time.
     pub fn update(
         &mut self,
-        world: &mut World,
+        host: &mut AnalysisHost,
         names: &LocationFormat<'_>,
         wanted: &dyn Fn(u32) -> bool,
         cancel: &CancelFlag,
@@ -156,7 +156,7 @@ impl Views {
         let mut finished = true;
         for (&id, view) in self.views.iter_mut().filter(|(id, _)| wanted(**id)) {
             for (&side, shown) in &mut view.sides {
-                let Some(analyzed) = world.analyzed(&shown.root, cancel) else {
+                let Some(analyzed) = host.analyzed(&shown.root, cancel) else {
                     finished = false;
                     continue;
                 };
@@ -168,7 +168,7 @@ impl Views {
                     continue;
                 }
                 view.revision += 1;
-                let made = shown.message(world, names, &files, analyzed);
+                let made = shown.message(host, names, &files, analyzed);
                 messages.extend(made.map(|message| ModelMessage {
                     id,
                     side,
@@ -197,12 +197,12 @@ impl Views {
     }
 
     /// The bytes of a file that a model names.
-    pub fn mesh(&self, world: &World, id: &str) -> Result<MeshBytes, String> {
+    pub fn mesh(&self, host: &AnalysisHost, id: &str) -> Result<MeshBytes, String> {
         let path = self
             .files
             .path(id)
             .ok_or("no open preview uses this file")?;
-        let bytes = world.session().vfs.bytes(&path, SENT_BYTES);
+        let bytes = host.session().vfs.bytes(&path, SENT_BYTES);
         let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.reason()))?;
         Ok(MeshBytes {
             name: path
@@ -295,19 +295,19 @@ impl Shown {
     /// The message about an expansion; its numbers are still to be given.
     fn message(
         &mut self,
-        world: &mut World,
+        host: &mut AnalysisHost,
         names: &LocationFormat<'_>,
         files: &ModelFiles,
         analyzed: Arc<Analyzed>,
     ) -> Option<ModelMessage> {
         let expansion = &analyzed.expansion;
         let ok = !expansion.has_errors() && expansion.root_error.is_none();
-        self.current = Some(Arc::new(drawn(world, names, files, &analyzed)));
+        self.current = Some(Arc::new(drawn(host, names, files, &analyzed)));
         if ok {
             self.good = self.current.clone().map(|model| (model, None));
         } else if self.good.is_none() {
-            let last = world.last_good(&self.root);
-            self.good = last.map(|last| (Arc::new(drawn(world, names, files, &last)), None));
+            let last = host.last_good(&self.root);
+            self.good = last.map(|last| (Arc::new(drawn(host, names, files, &last)), None));
         }
         let good = self.good.clone().filter(|_| !ok);
         let arguments = analyzed.declared_arguments().into_iter();
@@ -327,9 +327,9 @@ impl Shown {
                     value: value.to_owned(),
                 })
                 .collect(),
-            choices: self.choices(world, names),
+            choices: self.choices(host, names),
             programs: programs(
-                world.session(),
+                host.session(),
                 &analyzed,
                 &LocationMapper { names, expansion },
             ),
@@ -340,13 +340,13 @@ impl Shown {
     }
 
     /// What else could be shown; looked for again when files came or went.
-    fn choices(&mut self, world: &mut World, names: &LocationFormat<'_>) -> Vec<RootName> {
-        let count = world.known_files().len();
+    fn choices(&mut self, host: &mut AnalysisHost, names: &LocationFormat<'_>) -> Vec<RootName> {
+        let count = host.known_files().len();
         match &self.choices {
             Some((known, choices)) if *known == count => choices.clone(),
             _ => {
-                let found = choices(world, &self.root, names);
-                self.choices = Some((world.known_files().len(), found.clone()));
+                let found = choices(host, &self.root, names);
+                self.choices = Some((host.known_files().len(), found.clone()));
                 found
             }
         }
@@ -366,7 +366,7 @@ impl Shown {
 
 /// The model of an expansion.
 fn drawn(
-    world: &World,
+    host: &AnalysisHost,
     names: &LocationFormat<'_>,
     files: &ModelFiles,
     analyzed: &Analyzed,
@@ -376,7 +376,7 @@ fn drawn(
         expansion: &analyzed.expansion,
     };
     match &analyzed.robot {
-        Some(robot) => of_robot(world.session(), robot, &places, files),
+        Some(robot) => of_robot(host.session(), robot, &places, files),
         None => Model::default(),
     }
 }
@@ -412,7 +412,7 @@ fn of_robot(
     model(robot, places, &mut shapes)
 }
 
-fn errors(names: &LocationFormat<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {
+fn errors(names: &LocationFormat<'_>, analyzed: &Analyzed, root: &RootConfig) -> Vec<ModelError> {
     let expansion = &analyzed.expansion;
     let places = LocationMapper { names, expansion };
     let problems = expansion

@@ -38,7 +38,10 @@ fn add<'r>(
         joints.insert(robot.joint(joint.name()?)?.name.as_ref()?.value.as_str());
     }
     for text in &group.links {
-        if let Some(&joint) = kinematics.up(kinematics.link(text.name()?)?).first() {
+        if let Some(&joint) = kinematics
+            .parent_joints(kinematics.link(text.name()?)?)
+            .first()
+        {
             joints.insert(joint_name(robot, joint)?);
         }
     }

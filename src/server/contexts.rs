@@ -7,7 +7,7 @@ use crate::refreshing::refresh;
 use crate::requests::mapping::{label, named};
 use crate::scheduler::Cause;
 use crate::state::ServerState;
-use analysis::{Context, RootChoice};
+use analysis::{Context, RootConfig};
 use base::CancelFlag;
 
 /// The user sees files in another way now.
@@ -30,7 +30,7 @@ pub fn announce_contexts(state: &mut ServerState, cancel: &CancelFlag) {
 
 /// Tell the client under which root a file is shown now.
 fn announce_context(state: &mut ServerState, path: &std::path::Path, cancel: &CancelFlag) {
-    let context = state.world.context(path);
+    let context = state.host.context(path);
     let Some(uri) = state.uri(path) else { return };
     let active = context
         .root
@@ -85,7 +85,7 @@ pub(super) fn seen_as(
 pub fn pinned_label(
     state: &mut ServerState,
     path: &Path,
-    root: &RootChoice,
+    root: &RootConfig,
     cancel: &CancelFlag,
 ) -> Option<String> {
     let pin = state
@@ -93,7 +93,7 @@ pub fn pinned_label(
         .get(&root.file)
         .filter(|pin| pin.file == path)?
         .clone();
-    let analyzed = state.world.analyzed(root, cancel)?;
+    let analyzed = state.host.analyzed(root, cancel)?;
     let frame = ide::pinned(&analyzed.expansion, &pin)?;
     Some(label(state, &analyzed, frame))
 }

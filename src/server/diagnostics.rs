@@ -44,11 +44,11 @@ fn prepare(state: &mut ServerState, cause: Option<Cause>, cancel: &CancelFlag) {
         _ => return,
     };
     for path in opened.iter().filter(|path| !is_settings(path)) {
-        if let Some(root) = state.world.context(path).root {
+        if let Some(root) = state.host.context(path).root {
             // what is not done when a message comes in, its answer does
-            let _ = state.world.analyzed(&root, cancel);
+            let _ = state.host.analyzed(&root, cancel);
         }
-        if let Some(source) = state.world.document(path) {
+        if let Some(source) = state.host.document(path) {
             let _ = robots_described(state, path, &source, cancel);
         }
     }
@@ -97,10 +97,10 @@ fn checked(
     cause: &Cause,
     cancel: &CancelFlag,
 ) -> Option<Report> {
-    let (start, before) = (Instant::now(), state.world.expansions());
-    let report = state.world.report(open, cancel);
+    let (start, before) = (Instant::now(), state.host.expansions());
+    let report = state.host.report(open, cancel);
     let ms = start.elapsed().as_micros() as f64 / 1000.0;
-    let expanded = state.world.expansions() - before;
+    let expanded = state.host.expansions() - before;
     match &report {
         Some(report) => {
             let (robots, findings) = (report.roots.len(), report.findings.len());

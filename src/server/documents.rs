@@ -19,7 +19,7 @@ use crate::state::{OpenDocument, ServerState};
 pub fn opened(state: &mut ServerState, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let path = installed::opening(state, &document.uri);
-    state.world.set_text(&path, document.text);
+    state.host.set_text(&path, document.text);
     let open = OpenDocument {
         uri: document.uri,
         version: version(document.version),
@@ -33,7 +33,7 @@ pub fn opened(state: &mut ServerState, params: DidOpenTextDocumentParams) {
 /// Who has opened an installed copy should edit the source: the next build replaces the copy. Of two documents of one
 /// file, the source has the findings.
 fn offer_source(state: &ServerState, path: &Path) {
-    let packages = &state.world.session().packages;
+    let packages = &state.host.session().packages;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (source, message) = if let Some(source) = packages.source_of(path) {
         let shown = vfs::slashed(&source);
@@ -75,12 +75,12 @@ pub fn changed(state: &mut ServerState, params: DidChangeTextDocumentParams) {
     };
     open.version = version(params.text_document.version);
     for change in params.content_changes {
-        match (change.range, state.world.document(&path)) {
+        match (change.range, state.host.document(&path)) {
             (Some(range), Some(source)) => {
                 let range = convert::edited_range(&source.document, range, state.encoding);
-                state.world.edit(&path, range, &change.text);
+                state.host.edit(&path, range, &change.text);
             }
-            _ => state.world.set_text(&path, change.text),
+            _ => state.host.set_text(&path, change.text),
         }
     }
     state.schedule(Cause::Edited(path));
@@ -90,7 +90,7 @@ pub fn changed(state: &mut ServerState, params: DidChangeTextDocumentParams) {
 /// not all clients tell of it.
 pub fn saved(state: &mut ServerState, params: DidSaveTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
-    state.world.changed_on_disk(std::slice::from_ref(&path));
+    state.host.changed_on_disk(std::slice::from_ref(&path));
     state.schedule(Cause::Saved(path));
 }
 
@@ -98,7 +98,7 @@ pub fn closed(state: &mut ServerState, params: DidCloseTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
     state.sent.contexts.remove(&path);
     if let Some(open) = state.documents.remove(&path) {
-        state.world.close(&path);
+        state.host.close(&path);
         withdraw(state, &path, open.uri);
     }
     installed::closed(state, &params.text_document.uri);
@@ -111,7 +111,7 @@ pub fn watched(state: &mut ServerState, params: DidChangeWatchedFilesParams) {
         .iter()
         .map(|change| state.path(&change.uri))
         .collect();
-    state.world.changed_on_disk(&paths);
+    state.host.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }
@@ -123,7 +123,7 @@ pub fn folders_changed(state: &mut ServerState, params: DidChangeWorkspaceFolder
         .iter()
         .map(|folder| state.path(&folder.uri))
         .collect();
-    let mut folders: Vec<_> = state.world.folders().to_vec();
+    let mut folders: Vec<_> = state.host.folders().to_vec();
     folders.retain(|folder| !removed.contains(folder));
     for folder in params.event.added {
         let path = state.path(&folder.uri);
@@ -131,7 +131,7 @@ pub fn folders_changed(state: &mut ServerState, params: DidChangeWorkspaceFolder
             folders.push(path);
         }
     }
-    state.world.set_folders(folders);
+    state.host.set_folders(folders);
     request_settings(state);
     state.schedule(Cause::FoldersChanged);
     refresh(state);

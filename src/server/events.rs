@@ -54,7 +54,7 @@ use crate::state::ServerState;
 /// What the analysis thread is told, one after the other.
 pub(super) enum Event {
     /// The client asks.
-    Request(Request),
+    Request(IncomingRequest),
     /// The client tells.
     Notification(Notification),
     /// The client has answered a request of ours.
@@ -80,7 +80,11 @@ pub(super) struct Handlers {
 }
 
 impl Handlers {
-    async fn ask<P, R>(&self, params: P, request: fn(Box<P>, Reply<R>) -> Request) -> Result<R> {
+    async fn ask<P, R>(
+        &self,
+        params: P,
+        request: fn(Box<P>, Reply<R>) -> IncomingRequest,
+    ) -> Result<R> {
         let (reply, waiting) = reply();
         let request = request(Box::new(params), reply);
         self.queue.send(Event::Request(request));
@@ -112,12 +116,12 @@ macro_rules! messages {
         }
     ) => {
         /// What the client asks, with the way back of the answer.
-        pub(super) enum Request {
+        pub(super) enum IncomingRequest {
             $($ask(Box<$asked>, Reply<$answer>),)+
             $($(#[$if])* $own_ask(Box<$own_asked>, Reply<$own_answer>),)+
         }
 
-        impl Request {
+        impl IncomingRequest {
             /// Answer it.
             pub fn answer(self, state: &mut ServerState) {
                 match self {
@@ -148,7 +152,7 @@ macro_rules! messages {
         #[async_trait]
         impl LanguageServer for Handlers {
             $(async fn $asking(&self, params: $asked) -> Result<$answer> {
-                self.ask(params, Request::$ask).await
+                self.ask(params, IncomingRequest::$ask).await
             })+
 
             $(async fn $telling(&self, params: $told) {
@@ -162,7 +166,7 @@ macro_rules! messages {
 
         impl Handlers {
             $($(#[$if])* async fn $own_asking(&self, params: $own_asked) -> Result<$own_answer> {
-                self.ask(params, Request::$own_ask).await
+                self.ask(params, IncomingRequest::$own_ask).await
             })+
 
             $(async fn $own_telling(&self, params: $own_told) {

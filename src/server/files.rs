@@ -75,7 +75,7 @@ pub fn will_rename_files(
         })
         .collect();
     scan_all(state, cancel)?;
-    let mut files: Vec<PathBuf> = state.world.known_files();
+    let mut files: Vec<PathBuf> = state.host.known_files();
     files.extend(state.documents.keys().cloned());
     files.sort();
     files.dedup();
@@ -90,7 +90,7 @@ pub fn will_rename_files(
             &start_of(TextDocumentIdentifier { uri: uri.clone() }),
             cancel,
         )?;
-        let session = state.world.session();
+        let session = state.host.session();
         let settings = session.settings(&file);
         let found = ide::renamed_files(&asked.cx(), session.rule_env(&settings.config), &moves);
         let edit = |(range, text)| {
@@ -122,7 +122,7 @@ fn warn_of_computed_includes(
         .iter()
         .filter(|each| each.old.file_name() != each.new.file_name())
     {
-        let mut left = state.world.computed_includers(&each.old);
+        let mut left = state.host.computed_includers(&each.old);
         left.retain(|file| {
             let uri = state.uri(file);
             uri.is_none_or(|uri| !edits.contains_key(&uri))
@@ -140,7 +140,7 @@ fn warn_of_computed_includes(
 
 /// Whether a file moves itself, or its text holds the name of something that does.
 fn may_name(state: &ServerState, file: &Path, moves: &[Move]) -> bool {
-    let Some(source) = state.world.document(file) else {
+    let Some(source) = state.host.document(file) else {
         return false;
     };
     let text = source.document.text();
@@ -170,7 +170,7 @@ pub fn rewrite_mesh(
     if !is_stl || !is_ours(state, &path) {
         return Err(refused(&path, "is not an STL file in the workspace"));
     }
-    let bytes = state.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
+    let bytes = state.host.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
     let bytes =
         bytes.map_err(|error| refused(&path, &format!("cannot be read: {}", error.reason())))?;
     let Some(new) = plain_stl(&bytes) else {
@@ -178,7 +178,7 @@ pub fn rewrite_mesh(
     };
     write_atomically(&path, &new)
         .map_err(|error| refused(&path, &format!("cannot be written: {error}")))?;
-    state.world.changed_on_disk(&[path]);
+    state.host.changed_on_disk(&[path]);
     state.schedule(Cause::FilesChanged(1));
     refresh(state);
     Ok(())
@@ -216,7 +216,7 @@ fn files_changed(state: &mut ServerState, uris: Vec<String>) {
         .iter()
         .filter_map(|uri| convert::file_path(&Url::parse(uri).ok()?))
         .collect();
-    state.world.changed_on_disk(&paths);
+    state.host.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }

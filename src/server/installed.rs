@@ -11,7 +11,7 @@ use lsp_types::Url;
 /// them; the one that was opened by the name of the source is the one that counts.
 pub fn opening(state: &mut ServerState, uri: &Url) -> PathBuf {
     let path = convert::path(uri);
-    let Some(source) = state.world.session().packages.linked_source(&path) else {
+    let Some(source) = state.host.session().packages.linked_source(&path) else {
         make_double(state, &path);
         return path;
     };
@@ -51,15 +51,15 @@ pub fn closed(state: &mut ServerState, uri: &Url) {
     state.installed.links.insert(link.clone(), path.clone());
     if let Some(open) = move_text(state, &link, &path) {
         withdraw(state, &link, open.uri);
-        state.world.close(&link);
+        state.host.close(&link);
     }
 }
 
 /// Keep an open document under another path.
 fn move_text(state: &mut ServerState, from: &Path, to: &Path) -> Option<OpenDocument> {
-    let text = state.world.document(from)?.document.text();
+    let text = state.host.document(from)?.document.text();
     let open = state.documents.remove(from)?;
-    state.world.set_text(to, text.to_string());
+    state.host.set_text(to, text.to_string());
     state.documents.insert(to.to_owned(), open.clone());
     Some(open)
 }

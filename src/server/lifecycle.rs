@@ -30,7 +30,7 @@ pub fn initialize(
         watch_process(process, shutdown);
     }
     state.encoding = encoding(&params);
-    state.world.set_folders(folders(&params));
+    state.host.set_folders(folders(&params));
     state.log.set_trace(params.trace.unwrap_or(TraceValue::Off));
     log_client(state, &params);
     state.settings.initial = first_settings(&params);
@@ -55,7 +55,7 @@ fn log_client(state: &ServerState, params: &InitializeParams) {
         .unwrap_or("");
     let name = client.map_or("unknown", |client| client.name.as_str());
     tracing::info!(
-        folders = state.world.folders().len(),
+        folders = state.host.folders().len(),
         pulls_diagnostics = state.client.pulls_diagnostics,
         "connected to {}",
         format!("{name} {version}").trim_end()
@@ -102,7 +102,7 @@ pub fn client_ready(state: &mut ServerState, _: InitializedParams) {
         state.outbox.request(ClientRequest::Register(registrations));
     }
     request_settings(state);
-    if state.client.progress && !state.world.folders().is_empty() {
+    if state.client.progress && !state.host.folders().is_empty() {
         state
             .outbox
             .request(ClientRequest::CreateProgress("xacro/scan".to_owned()));

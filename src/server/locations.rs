@@ -55,6 +55,6 @@ pub fn location(state: &ServerState, span: Span) -> Option<Location> {
 }
 
 fn file(state: &ServerState, id: FileId) -> Option<ClientFile> {
-    let path = state.world.session().vfs.path(id);
-    Some((state.uri(&path)?, state.world.document(&path)))
+    let path = state.host.session().vfs.path(id);
+    Some((state.uri(&path)?, state.host.document(&path)))
 }

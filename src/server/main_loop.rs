@@ -87,7 +87,7 @@ fn idle_work(state: &ServerState) -> Option<(IdleWork, Duration)> {
     if let Some(rest) = state.diagnostics.rest() {
         return Some((IdleWork::Diagnostics, rest));
     }
-    let scans = state.initialized && !state.world.is_scanned();
+    let scans = state.initialized && !state.host.is_scanned();
     scans.then_some((IdleWork::Scan, Duration::ZERO))
 }
 

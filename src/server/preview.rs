@@ -25,7 +25,7 @@ use crate::requests::mapping::named;
 use crate::root_param::{RootParam, active_root, chosen};
 use crate::state::ServerState;
 use crate::views::Previews;
-use analysis::RootChoice;
+use analysis::RootConfig;
 use base::limits::VIEWS;
 use base::{CancelFlag, Encoding};
 #[cfg(feature = "preview")]
@@ -152,7 +152,7 @@ pub fn preview_mesh(
     let mesh = state
         .previews
         .views
-        .mesh(&state.world, &params.mesh)
+        .mesh(&state.host, &params.mesh)
         .map_err(RequestFailure::Invalid)?;
     let data = base64::engine::general_purpose::STANDARD.encode(mesh.bytes);
     Ok(MeshData {
@@ -220,7 +220,7 @@ pub fn make_previews(state: &mut ServerState) {
     let watched = |_| false;
     let wanted = |id: u32| subscribed.contains(&id) || watched(id);
     let (messages, finished) =
-        names.with(|names| views.update(&mut state.world, names, &wanted, &cancel));
+        names.with(|names| views.update(&mut state.host, names, &wanted, &cancel));
     // given up because an event came in: after it
     state.previews.due |= !finished;
     for message in &messages {
@@ -254,7 +254,7 @@ fn open_view(state: &mut ServerState, params: SubscribeParams) -> Result<u32, Re
 fn view_root(
     state: &mut ServerState,
     params: SubscribeParams,
-) -> Result<RootChoice, RequestFailure> {
+) -> Result<RootConfig, RequestFailure> {
     match (params.root, params.text_document) {
         (Some(root), _) => chosen(state, root),
         (None, Some(document)) => {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::RequestFailure;
 use crate::state::ServerState;
-use analysis::RootChoice;
+use analysis::RootConfig;
 
 /// A root as the protocol names it.
 #[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
@@ -20,9 +20,9 @@ pub(super) struct RootParam {
 }
 
 /// A root that the client names: with the arguments it gives, else with those of the preset.
-pub fn chosen(state: &mut ServerState, root: RootParam) -> Result<RootChoice, RequestFailure> {
+pub fn chosen(state: &mut ServerState, root: RootParam) -> Result<RootConfig, RequestFailure> {
     let (file, _) = state.source(&root.uri)?;
-    let root = RootChoice {
+    let root = RootConfig {
         file,
         args: root.args.into_iter().collect(),
         preset: root.preset,
@@ -30,7 +30,7 @@ pub fn chosen(state: &mut ServerState, root: RootParam) -> Result<RootChoice, Re
     if root.preset.is_none() || !root.args.is_empty() {
         return Ok(root);
     }
-    let known = state.world.context(&root.file).candidates.into_iter();
+    let known = state.host.context(&root.file).candidates.into_iter();
     let preset = known
         .map(|(known, _)| known)
         .find(|known| known.file == root.file && known.preset == root.preset);
@@ -42,7 +42,7 @@ pub fn chosen_or_active(
     state: &mut ServerState,
     document: &TextDocumentIdentifier,
     root: Option<RootParam>,
-) -> Result<RootChoice, RequestFailure> {
+) -> Result<RootConfig, RequestFailure> {
     let (path, _) = state.source(&document.uri)?;
     match root {
         Some(root) => chosen(state, root),
@@ -51,7 +51,7 @@ pub fn chosen_or_active(
 }
 
 /// The root that a file is shown under; a file that no root reaches is one by itself.
-pub fn active_root(state: &mut ServerState, path: &Path) -> RootChoice {
-    let root = state.world.context(path).root;
-    root.unwrap_or_else(|| RootChoice::plain(path))
+pub fn active_root(state: &mut ServerState, path: &Path) -> RootConfig {
+    let root = state.host.context(path).root;
+    root.unwrap_or_else(|| RootConfig::plain(path))
 }

@@ -18,7 +18,7 @@ pub fn progress_created(state: &mut ServerState, made: bool) {
         );
     }
     // some clients turn their sign from here on, whether it began or not
-    if made && state.world.is_scanned() {
+    if made && state.host.is_scanned() {
         end_progress(state);
     }
 }
@@ -31,7 +31,7 @@ pub fn scan(state: &mut ServerState) {
 
 /// Look at more files of the workspace, with progress, until `stop` says so; whether all were looked at.
 fn scan_until(state: &mut ServerState, stop: &dyn Fn() -> bool) -> bool {
-    match state.world.scan(stop) {
+    match state.host.scan(stop) {
         // still searching for them
         Some((_, 0)) => false,
         Some((done, total)) => {
@@ -51,7 +51,7 @@ fn scan_until(state: &mut ServerState, stop: &dyn Fn() -> bool) -> bool {
 /// # Errors
 /// The request was cancelled.
 pub fn scan_all(state: &mut ServerState, cancel: &CancelFlag) -> Result<(), RequestFailure> {
-    while !state.world.is_scanned() {
+    while !state.host.is_scanned() {
         let end = Instant::now() + ServerState::SCAN_REPORT;
         if !scan_until(state, &|| cancel.is_cancelled() || Instant::now() >= end)
             && cancel.is_cancelled()
@@ -66,8 +66,8 @@ pub fn scan_all(state: &mut ServerState, cancel: &CancelFlag) -> Result<(), Requ
 /// diagnostics of a part as soon as it is open gets those of the robot around it.
 pub fn scan_first(state: &mut ServerState) {
     if state.initialized
-        && !state.world.is_scanned()
-        && state.world.scan_within(ServerState::SCAN_FIRST)
+        && !state.host.is_scanned()
+        && state.host.scan_within(ServerState::SCAN_FIRST)
     {
         scanned(state);
     }
@@ -76,7 +76,7 @@ pub fn scan_first(state: &mut ServerState) {
 /// Other roots may be known now.
 fn scanned(state: &mut ServerState) {
     tracing::info!(
-        descriptions = state.world.known_files().len(),
+        descriptions = state.host.known_files().len(),
         "workspace indexed"
     );
     end_progress(state);

@@ -16,7 +16,7 @@ use workspace::config::unknown_settings;
 pub fn request_settings(state: &ServerState) {
     if state.client.configuration {
         let folders = state
-            .world
+            .host
             .folders()
             .iter()
             .map(|folder| convert::file_uri(folder));
@@ -72,11 +72,11 @@ fn take_settings(state: &mut ServerState, given: Vec<(Value, Option<PathBuf>)>) 
     state.diagnostics.set_delay(None);
     state.settings.snippets = true;
     state.settings.hints = HintSettings::default();
-    state.world.set_all_contexts(false);
+    state.host.set_all_contexts(false);
     for (settings, _) in &given {
         own_settings(state, settings);
     }
-    let warnings = state.world.set_folder_settings(given);
+    let warnings = state.host.set_folder_settings(given);
     for warning in warnings {
         warn_once(state, format!("settings: {warning}"));
     }
@@ -99,7 +99,7 @@ fn own_settings(state: &mut ServerState, settings: &Value) {
     }
     let dotted = || settings.get("diagnostics.contexts");
     if let Some(contexts) = settings.pointer("/diagnostics/contexts").or_else(dotted) {
-        state.world.set_all_contexts(contexts == "all");
+        state.host.set_all_contexts(contexts == "all");
         if contexts != "all" && contexts != "active" {
             let message =
                 "`xacro.diagnostics.contexts` is not `active` or `all`; using the default";

@@ -16,7 +16,7 @@ use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
 use crate::scheduler::{Cause, DiagnosticsScheduler};
 use crate::sent::Sent;
-use analysis::World;
+use analysis::AnalysisHost;
 use base::Encoding;
 use vfs::SourceFile;
 
@@ -41,7 +41,7 @@ pub(super) struct ServerSettings {
 
 /// The state of the server.
 pub(super) struct ServerState {
-    pub world: World,
+    pub host: AnalysisHost,
     pub client: ResolvedCapabilities,
     pub encoding: Encoding,
     pub outbox: Outbox,
@@ -73,9 +73,9 @@ impl ServerState {
     /// How often progress is reported while an answer waits for all of it.
     pub const SCAN_REPORT: Duration = Duration::from_millis(100);
 
-    pub fn new(world: World, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
+    pub fn new(host: AnalysisHost, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
         Self {
-            world,
+            host,
             client: ResolvedCapabilities::default(),
             encoding: Encoding::Utf16,
             outbox,
@@ -123,7 +123,7 @@ impl ServerState {
         let path = self.path(uri);
         let known = self.documents.contains_key(&path);
         let source = if known || self.may_read(&path) {
-            self.world.document(&path)
+            self.host.document(&path)
         } else {
             None
         };
@@ -137,10 +137,10 @@ impl ServerState {
     pub fn may_read(&self, path: &Path) -> bool {
         self.documents.contains_key(path)
             || self
-                .world
+                .host
                 .folders()
                 .iter()
                 .any(|folder| path.starts_with(folder))
-            || self.world.session().packages.containing(path).is_some()
+            || self.host.session().packages.containing(path).is_some()
     }
 }

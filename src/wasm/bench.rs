@@ -8,7 +8,7 @@ use std::time::Duration;
 use serde_json::{Map, Value, json};
 
 use super::calls::{Call, CheckCall, RobotParams};
-use analysis::{FixOptions, RootChoice, Session, World};
+use analysis::{AnalysisHost, FixOptions, RootConfig, Session};
 use base::{CancelFlag, Encoding, IdVec};
 use expand::{
     Expansion, ExpansionLimits, FileIdx, FileRange, Problem, ProblemSeverity as Weight, Request,
@@ -28,8 +28,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 pub struct Bench {
     env: Environment,
     vfs: Arc<Vfs>,
-    world: World,
-    /// Files that were put or taken since the world saw them.
+    host: AnalysisHost,
+    /// Files that were put or taken since the host saw them.
     changed: BTreeSet<PathBuf>,
     views: Views,
     /// The view of the robot that is shown.
@@ -48,12 +48,12 @@ impl Default for Bench {
             Config::default().limits.file_bytes(),
             cwd.clone(),
         ));
-        let world = World::over(vfs.clone(), env.clone(), vec![cwd]);
+        let host = AnalysisHost::over(vfs.clone(), env.clone(), vec![cwd]);
         let (views, changed) = (Views::default(), BTreeSet::new());
         Self {
             env,
             vfs,
-            world,
+            host,
             changed,
             views,
             shown: None,
@@ -106,7 +106,7 @@ impl Bench {
     /// # Errors
     /// When it names none of this id.
     pub fn mesh(&self, id: &str) -> Result<Vec<u8>, String> {
-        self.views.mesh(&self.world, id).map(|mesh| mesh.bytes)
+        self.views.mesh(&self.host, id).map(|mesh| mesh.bytes)
     }
 
     fn session(&self, call: &CheckCall) -> Result<(Session, analysis::CheckOptions), String> {
@@ -171,12 +171,12 @@ impl Bench {
             keep: true,
             ..Request::default()
         };
-        let world = expand::Sources {
+        let sources = expand::Sources {
             vfs: &self.vfs,
             packages: &packages,
             env: &self.env,
         };
-        let expansion = expand::expand(world, &request);
+        let expansion = expand::expand(sources, &request);
         if let Some(error) = &expansion.root_error {
             return Err(format!("{}: {}", robot.file, error.reason()));
         }
@@ -212,19 +212,19 @@ impl Bench {
             .collect()
     }
 
-    /// Have the world see what changed.
+    /// Have the host see what changed.
     fn catch_up(&mut self) {
         let changed: Vec<PathBuf> = std::mem::take(&mut self.changed).into_iter().collect();
         if !changed.is_empty() {
-            self.world.changed_on_disk(&changed);
+            self.host.changed_on_disk(&changed);
         }
-        self.world.scan_within(PATIENCE);
+        self.host.scan_within(PATIENCE);
     }
 
     fn robots(&mut self) -> Value {
         self.catch_up();
         let robots: BTreeSet<PathBuf> = self
-            .world
+            .host
             .robots()
             .into_iter()
             .map(|root| root.file)
@@ -241,7 +241,7 @@ impl Bench {
             Some((id, shown)) if *shown == robot => *id,
             shown => {
                 let args = robot.args.clone().into_iter().collect();
-                let root = RootChoice {
+                let root = RootConfig {
                     file: self.vfs.absolute(Path::new(&robot.file)),
                     args,
                     preset: None,
@@ -257,7 +257,7 @@ impl Bench {
         let wanted = |one: u32| one == id;
         let (messages, _) =
             self.views
-                .update(&mut self.world, &names(), &wanted, &CancelFlag::default());
+                .update(&mut self.host, &names(), &wanted, &CancelFlag::default());
         json!(messages.into_iter().next())
     }
 }

@@ -18,9 +18,9 @@ use std::sync::Once;
 use std::time::Duration;
 
 #[cfg(not(feature = "server"))]
-use questions::Held;
+use questions::HostState;
 #[cfg(feature = "server")]
-use session::Held;
+use session::HostState;
 
 #[link(wasm_import_module = "host")]
 unsafe extern "C" {
@@ -34,7 +34,7 @@ static STARTED: Once = Once::new();
 
 #[derive(Default)]
 struct ExportState {
-    held: Held,
+    held: HostState,
     input: Vec<u8>,
     output: Vec<u8>,
 }

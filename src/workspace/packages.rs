@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use super::cache::Cache;
+use super::cache::AnswerCache;
 use super::hardware::HardwareSources;
 use super::install::Build;
 use super::left_out::GitRules;
@@ -125,20 +125,20 @@ pub struct Packages {
     pub(super) vfs: Arc<Vfs>,
     pub(super) env: Environment,
     options: PackageOptions,
-    trees: Cache<(PathBuf, Rules), Arc<PackageTree>>,
-    owners: Cache<PathBuf, Option<Package>>,
-    roots: Cache<PathBuf, Option<PathBuf>>,
-    installed: Cache<Prefix, Arc<Vec<String>>>,
-    pub(super) indexes: Cache<PathBuf, Arc<Index>>,
-    pub(super) builds: Cache<PathBuf, Arc<Build>>,
+    trees: AnswerCache<(PathBuf, Rules), Arc<PackageTree>>,
+    owners: AnswerCache<PathBuf, Option<Package>>,
+    roots: AnswerCache<PathBuf, Option<PathBuf>>,
+    installed: AnswerCache<Prefix, Arc<Vec<String>>>,
+    pub(super) indexes: AnswerCache<PathBuf, Arc<Index>>,
+    pub(super) builds: AnswerCache<PathBuf, Arc<Build>>,
     /// What the sources in C++ say about hardware, by folder.
-    pub(super) hardware: Cache<PathBuf, Arc<HardwareSources>>,
+    pub(super) hardware: AnswerCache<PathBuf, Arc<HardwareSources>>,
     /// What Git says about files, by folder.
-    pub(super) git_rules: Cache<PathBuf, Arc<GitRules>>,
+    pub(super) git_rules: AnswerCache<PathBuf, Arc<GitRules>>,
     /// Names of packages without a manifest, by folder.
-    pub(super) unlisted: Cache<PathBuf, Option<String>>,
+    pub(super) unlisted: AnswerCache<PathBuf, Option<String>>,
     /// Whether the build tools pass over a package, by folder.
-    pub(super) unbuilt: Cache<PathBuf, bool>,
+    pub(super) unbuilt: AnswerCache<PathBuf, bool>,
 }
 
 impl Packages {
@@ -148,16 +148,16 @@ impl Packages {
             vfs,
             env: env.clone(),
             options,
-            trees: Cache::default(),
-            owners: Cache::default(),
-            unbuilt: Cache::default(),
-            roots: Cache::default(),
-            installed: Cache::default(),
-            indexes: Cache::default(),
-            builds: Cache::default(),
-            hardware: Cache::default(),
-            git_rules: Cache::default(),
-            unlisted: Cache::default(),
+            trees: AnswerCache::default(),
+            owners: AnswerCache::default(),
+            unbuilt: AnswerCache::default(),
+            roots: AnswerCache::default(),
+            installed: AnswerCache::default(),
+            indexes: AnswerCache::default(),
+            builds: AnswerCache::default(),
+            hardware: AnswerCache::default(),
+            git_rules: AnswerCache::default(),
+            unlisted: AnswerCache::default(),
         }
     }
 

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use super::super::analyzed::Analyzed;
 use super::super::options::CheckOptions;
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots};
 use super::pairing::stem;
@@ -105,9 +105,9 @@ impl Session {
         cancel: &CancelFlag,
     ) -> Option<Finding> {
         let (arguments, args) = (assistant.arguments.as_ref()?, assistant.given());
-        let with = robots.get(&RootChoice {
+        let with = robots.get(&RootConfig {
             args,
-            ..RootChoice::plain(file)
+            ..RootConfig::plain(file)
         })?;
         let errors = errors(&with.expansion);
         if errors.is_empty()
@@ -121,7 +121,7 @@ impl Session {
             cancel: cancel.clone(),
             ..CheckOptions::default()
         };
-        let plain = Analyzed::of(self, &RootChoice::plain(file), &options).expansion;
+        let plain = Analyzed::of(self, &RootConfig::plain(file), &options).expansion;
         let before: Vec<_> = plain
             .problems
             .iter()

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::super::analyzed::Analyzed;
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use base::{FastMap, FileId};
 use project::{Srdf, YamlSettings, may_be_settings};
@@ -123,7 +123,7 @@ impl Session {
     pub(super) fn beside(&self, path: &Path, robots: &Robots) -> Option<Beside> {
         let read = match sort(path)? {
             Sort::Srdf => {
-                let analyzed = robots.get(&RootChoice::plain(path))?.clone();
+                let analyzed = robots.get(&RootConfig::plain(path))?.clone();
                 let srdf = Srdf::of(&analyzed.expansion)?;
                 ParsedBeside::Srdf(analyzed, Arc::new(srdf))
             }
@@ -163,4 +163,4 @@ impl Session {
 }
 
 /// Robots and SRDFs, expanded.
-pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
+pub(in super::super) type Robots = FastMap<RootConfig, Arc<Analyzed>>;

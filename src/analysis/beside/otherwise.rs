@@ -1,10 +1,10 @@
 //! The names of links and joints that a robot has with other arguments, and in another environment.
 use ecow::EcoString;
 
-use super::super::analyzed::{Analyzed, job_of};
-use super::super::job;
+use super::super::analyzed::{Analyzed, task_of};
 use super::super::proof::{CONDITIONS, turned_over};
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
+use super::super::run_task;
 use super::super::session::Session;
 use base::CancelFlag;
 use expand::{Expansion, Forced, Request, Sources, expand};
@@ -58,14 +58,14 @@ impl Session {
             .chain(called)
             .take_while(|_| !cancel.is_cancelled())
         {
-            let base = job::request(self, cancel, &job_of(&analyzed.root));
+            let base = run_task::request(self, cancel, &task_of(&analyzed.root));
             let args = base.args.iter().cloned().chain(more).collect();
             let other = Request {
                 args,
                 probe: false,
                 ..base
             };
-            add(&mut names, &expand(job::world(self), &other));
+            add(&mut names, &expand(run_task::sources(self), &other));
         }
         self.add_elsewhere(analyzed, cancel, &mut names);
         names
@@ -73,7 +73,7 @@ impl Session {
 
     /// The arguments with which launch files call a description, as far as they are known, and none: what a setup assistant was
     /// given is one robot of several then.
-    fn called_otherwise(&self, root: &RootChoice) -> Vec<XacroArgs> {
+    fn called_otherwise(&self, root: &RootConfig) -> Vec<XacroArgs> {
         let mut found: Vec<XacroArgs> = Vec::new();
         for call in self.robot_calls(&root.file).iter() {
             let known = call.call.args.iter().filter_map(|argument| {
@@ -104,13 +104,13 @@ impl Session {
             let other = Request {
                 probe: false,
                 forced,
-                ..job::request(self, cancel, &job_of(&analyzed.root))
+                ..run_task::request(self, cancel, &task_of(&analyzed.root))
             };
-            let world = Sources {
+            let sources = Sources {
                 env: &env,
-                ..job::world(self)
+                ..run_task::sources(self)
             };
-            add(names, &expand(world, &other));
+            add(names, &expand(sources, &other));
         }
     }
 }

@@ -3,8 +3,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::super::configs::Settings;
-use super::super::job;
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
+use super::super::run_task;
 use super::super::session::Session;
 use super::evaluate::ExpectationContext;
 use super::snapshot::Snapshot;
@@ -21,7 +21,7 @@ use workspace::config::{Axes, Expectation};
 
 /// One robot with one set of arguments.
 pub(super) struct Case {
-    pub(super) root: RootChoice,
+    pub(super) root: RootConfig,
     pub(super) settings: Arc<Settings>,
     /// The number of the entry of `roots`.
     pub(super) number: usize,
@@ -30,7 +30,7 @@ pub(super) struct Case {
 /// What a test gave.
 #[derive(Default)]
 pub(super) struct Ran {
-    pub(super) root: RootChoice,
+    pub(super) root: RootConfig,
     /// What failed.
     pub(super) findings: Vec<Finding>,
     /// The numbers of the expectations that apply.
@@ -53,7 +53,7 @@ impl Case {
 
     /// Expand the robot and compare it.
     pub(super) fn run(&self, session: &Session, options: &TestOptions) -> Ran {
-        let expansion = expand(job::world(session), &self.request(session, options));
+        let expansion = expand(run_task::sources(session), &self.request(session, options));
         let robot = Robot::of(&expansion);
         let mut findings = self.rejections(session, options, &expansion, robot.as_ref());
         let applies =

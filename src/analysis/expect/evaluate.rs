@@ -266,13 +266,13 @@ impl<'a> ExpectationContext<'a> {
             let Some((from, to)) = ends else { continue };
             let mut parents = self
                 .kinematics
-                .above(to)
+                .ancestor_joints(to)
                 .filter_map(|joint| self.kinematics.ends(joint));
             if !parents.any(|(parent, _)| parent == from) {
                 let message = format!("link `{}` is not below link `{}`", end.value, top.value);
                 let joint = self
                     .kinematics
-                    .above(to)
+                    .ancestor_joints(to)
                     .next()
                     .and_then(|joint| self.robot.joints.get(joint));
                 let parent = joint.and_then(|joint| joint.parent.as_ref());

@@ -162,7 +162,7 @@ fn link_page(
         .unwrap_or_default();
     page.add(format!("{mass}{space}"));
     let children: Vec<String> = kinematics
-        .down(index)
+        .child_joints(index)
         .iter()
         .filter_map(|&joint| {
             let child = robot.links.get(kinematics.ends(joint)?.1)?;
@@ -196,7 +196,7 @@ fn made_by(cx: &Cx<'_>, frame: expand::FrameId, page: &mut Page) {
 fn chain(robot: &Robot, kinematics: &Kinematics, link: usize) -> String {
     const MOST_STEPS: usize = 8;
     let mut parts = vec![link_name(robot, link)];
-    let joints: Vec<usize> = kinematics.above(link).collect();
+    let joints: Vec<usize> = kinematics.ancestor_joints(link).collect();
     for joint in joints.iter().take(MOST_STEPS) {
         parts.push(robot.joints.get(*joint).map_or("?", |joint| joint.shown()));
         parts.push(

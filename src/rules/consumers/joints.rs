@@ -54,7 +54,7 @@ fn is_below_root(facts: &RobotFacts<'_, '_>, joint: &Joint) -> bool {
         .parent
         .as_ref()
         .and_then(|parent| facts.kinematics.link(parent.value.as_str()));
-    parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
+    parent.is_some_and(|link| facts.kinematics.parent_joints(link).is_empty())
 }
 
 fn limits(facts: &RobotFacts<'_, '_>, joint: &Joint, out: &mut ConstructCollector) {

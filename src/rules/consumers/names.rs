@@ -23,7 +23,7 @@ pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
             continue;
         };
         let is_top = tops.contains(&index);
-        let is_root = facts.kinematics.up(index).is_empty();
+        let is_root = facts.kinematics.parent_joints(index).is_empty();
         let at = name.origin;
         match name.value.as_str() {
             "universe" => out.add("link-universe", at, owner),

@@ -35,7 +35,8 @@ fn robot(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
         out.add("wide-tree", at, "the robot");
     }
     let mut links = 0..robot.links.len();
-    if robot.joints.len() >= DEEP && links.any(|link| facts.kinematics.above(link).count() >= DEEP)
+    if robot.joints.len() >= DEEP
+        && links.any(|link| facts.kinematics.ancestor_joints(link).count() >= DEEP)
     {
         out.add("deep-tree", at, "the robot");
     }
@@ -80,7 +81,7 @@ fn roots(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
         let Some(link) = facts.robot.links.get(root) else {
             continue;
         };
-        let row = if facts.kinematics.down(root).is_empty() {
+        let row = if facts.kinematics.child_joints(root).is_empty() {
             "two-roots"
         } else {
             "second-tree"
@@ -92,7 +93,7 @@ fn roots(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
         );
     }
     for (index, link) in facts.robot.links.iter().enumerate() {
-        if facts.kinematics.up(index).len() > 1 && !roots.is_empty() {
+        if facts.kinematics.parent_joints(index).len() > 1 && !roots.is_empty() {
             out.add(
                 "two-parents",
                 facts.at_name(link.name.as_ref(), link.element),

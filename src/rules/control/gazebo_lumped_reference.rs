@@ -37,7 +37,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let up = cx
             .kinematics
             .link(name)
-            .and_then(|link| cx.kinematics.up(link).first().copied());
+            .and_then(|link| cx.kinematics.parent_joints(link).first().copied());
         let Some(joint) = up.and_then(|joint| cx.robot.joints.get(joint)) else {
             continue;
         };

@@ -48,7 +48,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 return;
             };
             // a joint that is walked from child to parent turns the other way
-            let down = cx.kinematics.above(base).any(|above| above == i);
+            let down = cx.kinematics.ancestor_joints(base).any(|above| above == i);
             rotation *= if down {
                 step.rotation
             } else {

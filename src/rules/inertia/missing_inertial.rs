@@ -36,7 +36,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         };
         let above = cx
             .kinematics
-            .up(index)
+            .parent_joints(index)
             .first()
             .and_then(|&joint| robot.joints.get(joint)?.joint_type());
         let moves = above.is_some_and(|kind| kind != JointType::Fixed);
@@ -91,7 +91,7 @@ fn carries_mass(cx: &RobotCx<'_>, link: usize) -> bool {
         {
             return true;
         }
-        let fixed = cx.kinematics.down(link).iter().filter(|&&joint| {
+        let fixed = cx.kinematics.child_joints(link).iter().filter(|&&joint| {
             cx.robot
                 .joints
                 .get(joint)

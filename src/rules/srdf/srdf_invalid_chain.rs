@@ -62,7 +62,7 @@ fn is_reversed(paired: &PairedRobot<'_>, chain: &Chain) -> bool {
     };
     base == tip
         || kinematics
-            .above(base)
+            .ancestor_joints(base)
             .filter_map(|joint| kinematics.ends(joint))
             .any(|(parent, _)| parent == tip)
 }

@@ -144,7 +144,8 @@ pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint>
 fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
     let is_loose = |name: &&str| {
         cx.kinematics.link(name).is_some_and(|link| {
-            cx.kinematics.up(link).is_empty() && cx.kinematics.down(link).is_empty()
+            cx.kinematics.parent_joints(link).is_empty()
+                && cx.kinematics.child_joints(link).is_empty()
         })
     };
     if let Some(near) = nearest(name, link_names(cx).filter(is_loose)) {

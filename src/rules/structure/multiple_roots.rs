@@ -37,7 +37,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     for root in cx.kinematics.roots(cx.robot) {
         let name = cx.robot.links.get(root).and_then(|link| link.name.as_ref());
         roots.extend(name.filter(|name| {
-            !cx.kinematics.down(root).is_empty()
+            !cx.kinematics.child_joints(root).is_empty()
                 && !lost.contains(&name.value)
                 && !is_end_of_reversed_joint(cx, root)
         }));
@@ -74,10 +74,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 fn is_end_of_reversed_joint(cx: &RobotCx<'_>, root: usize) -> bool {
     let children = cx
         .kinematics
-        .down(root)
+        .child_joints(root)
         .iter()
         .filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1));
     children
         .into_iter()
-        .any(|child| cx.kinematics.up(child).len() > 1)
+        .any(|child| cx.kinematics.parent_joints(child).len() > 1)
 }

@@ -8,12 +8,12 @@ use model::AttrValue;
 pub(super) const HELP: &str =
     "rename one of them; in a macro, start the name with a parameter: name=\"${prefix}...\"";
 
-type Call = (FileIdx, TextRange);
+type CallRange = (FileIdx, TextRange);
 
 /// The pairs of calls that were seen.
 #[derive(Default)]
 pub(super) struct RepeatedCalls {
-    seen: FastSet<(Call, Call)>,
+    seen: FastSet<(CallRange, CallRange)>,
 }
 
 /// The later one of two calls.

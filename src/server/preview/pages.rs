@@ -21,7 +21,7 @@ pub(super) fn hub(state: &mut ServerState) -> Result<Arc<Hub>, RequestFailure> {
         ));
     };
     let files = state.previews.views.files().clone();
-    let vfs = state.world.session().vfs.clone();
+    let vfs = state.host.session().vfs.clone();
     let hub = Hub::start(files, vfs, move |received| from_pages(received))
         .map_err(|error| RequestFailure::Refused(format!("cannot start the preview: {error}")))?;
     state.previews.hub = Some(hub.clone());

@@ -161,7 +161,7 @@ fn renamed_to_xacro(
     let new = path.with_file_name(format!("{name}.urdf.xacro"));
     if !state.client.edits.renames_files
         || !is_ours(state, path)
-        || state.world.session().vfs.exists(&new)
+        || state.host.session().vfs.exists(&new)
     {
         return None;
     }
@@ -206,10 +206,10 @@ fn quick_fixes(
         return Ok(Vec::new());
     }
     let report = state
-        .world
+        .host
         .report(&[path.to_path_buf()], cancel)
         .ok_or(RequestFailure::Cancelled)?;
-    let effort = state.world.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
+    let effort = state.host.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
     let mut found: Vec<CodeAction> = Vec::new();
     for (number, diagnostic) in asked_about_in(state, params, &report, path, source) {
         let Some(finding) = report.findings.get(number) else {
@@ -225,10 +225,7 @@ fn quick_fixes(
                 kind: ActionKind::Fix,
                 edits,
             };
-            let proved = state
-                .world
-                .session()
-                .safe_fixes(&report, &[number], &effort);
+            let proved = state.host.session().safe_fixes(&report, &[number], &effort);
             actions.push((action, !proved.settles.is_empty()));
         }
         let more = further_fixes(state, params, path, source, finding, cancel)?;
@@ -321,7 +318,7 @@ fn further_fixes(
         );
     }
     if finding.problem == Some(ProblemKind::UndefinedMacro) {
-        state.world.scan(|| cancel.is_cancelled());
+        state.host.scan(|| cancel.is_cancelled());
         actions.extend(ide::include_macro(source, range, |name| {
             files_with_macro(state, path, name)
         }));
@@ -348,7 +345,7 @@ fn mesh_rewritten(
     let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
     let asked = asked(state, &at, cancel)?;
     let mesh = about_files(state, &asked, ide::file_definition).map(|(_, place)| place.path);
-    let can_write = !state.world.session().vfs.is_in_memory();
+    let can_write = !state.host.session().vfs.is_in_memory();
     let uri = mesh
         .filter(|path| can_write && is_ours(state, path))
         .and_then(|path| state.uri(&path));
@@ -395,15 +392,15 @@ fn with_meaning(
 
 /// Known files that define a macro, as an include in the file at `path` names them.
 fn files_with_macro(state: &ServerState, path: &Path, name: &str) -> Vec<MacroFile> {
-    let packages = &state.world.session().packages;
+    let packages = &state.host.session().packages;
     let files = state
-        .world
+        .host
         .known_files()
         .into_iter()
         .filter(|file| file != path);
     let files = files.filter(|file| {
         state
-            .world
+            .host
             .document(file)
             .is_some_and(|own| defines_macro(&own.document, name))
     });
@@ -438,7 +435,7 @@ fn fix_all(
     cancel: &CancelFlag,
 ) -> Result<Option<CodeAction>, RequestFailure> {
     let report = state
-        .world
+        .host
         .report(&[path.to_path_buf()], cancel)
         .ok_or(RequestFailure::Cancelled)?;
     let own = |(_, finding): &(usize, &Finding)| {
@@ -455,8 +452,8 @@ fn fix_all(
         .filter(own)
         .map(|(n, _)| n)
         .collect();
-    let effort = state.world.effort(path, PROOF_EXPANSIONS, cancel);
-    let plan = state.world.session().safe_fixes(&report, &numbers, &effort);
+    let effort = state.host.effort(path, PROOF_EXPANSIONS, cancel);
+    let plan = state.host.session().safe_fixes(&report, &numbers, &effort);
     let Some(edits) = plan.edits.get(&source.id) else {
         return Ok(None);
     };

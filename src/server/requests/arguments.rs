@@ -79,14 +79,14 @@ fn arguments_of(asked: &Asked, finding: &Finding) -> Vec<String> {
 /// The values of an argument in presets and in calls of launch files, then those that it may have by files and comments,
 /// each once. `None` for a file that is seen under no robot.
 fn known_values(state: &mut ServerState, asked: &Asked, name: &str) -> Option<Vec<String>> {
-    let context = state.world.context(&asked.source.path);
+    let context = state.host.context(&asked.source.path);
     let root = context.root?;
     let presets = context
         .candidates
         .iter()
         .map(|(choice, _)| choice)
         .filter(|choice| choice.file == root.file);
-    let session = state.world.session();
+    let session = state.host.session();
     let calls = session.launched_roots(&root.file);
     let settings = session.settings(&asked.source.path);
     let around = session.rule_env(&settings.config);

@@ -43,14 +43,14 @@ impl Asked {
 
     /// What names mean by the texts of the robot.
     pub fn names(&self, state: &ServerState) -> TextNames {
-        let session = state.world.session();
+        let session = state.host.session();
         let settings = session.settings(&self.source.path);
-        let world = session.rule_env(&settings.config);
-        let around = TextNames::of(&self.around.expansion, world);
+        let rule_env = session.rule_env(&settings.config);
+        let around = TextNames::of(&self.around.expansion, rule_env);
         if around.knows(self.source.id) {
             around
         } else {
-            TextNames::of(&self.analyzed.expansion, world)
+            TextNames::of(&self.analyzed.expansion, rule_env)
         }
     }
 }

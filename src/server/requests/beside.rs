@@ -9,7 +9,7 @@ use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::of_description::is_not_described;
 use crate::state::ServerState;
-use analysis::{Analyzed, Beside, RootChoice};
+use analysis::{Analyzed, Beside, RootConfig};
 use base::CancelFlag;
 use ide::{self, BesideName, BesideSources, Completions, Cx};
 use project::word_at;
@@ -18,11 +18,11 @@ use vfs::SourceFile;
 /// The names of the robot in the files beside it.
 pub fn names_beside(
     state: &mut ServerState,
-    root: &RootChoice,
+    root: &RootConfig,
     cancel: &CancelFlag,
 ) -> Result<Vec<BesideName>, RequestFailure> {
     let files = state
-        .world
+        .host
         .beside(&root.file, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     Ok(files
@@ -38,7 +38,7 @@ fn names_in(state: &ServerState, beside: &Beside) -> Vec<BesideName> {
             .map(|cx| ide::names_in_srdf(&cx, srdf))
             .unwrap_or_default();
     }
-    let text = state.world.session().vfs.text(&beside.path);
+    let text = state.host.session().vfs.text(&beside.path);
     let names = |settings| {
         Some(ide::names_in_settings(
             beside.file,
@@ -70,13 +70,13 @@ pub fn asked_beside(
     offset: u32,
     cancel: &CancelFlag,
 ) -> Result<Option<Asked>, RequestFailure> {
-    let roots = state.world.robots_beside(path);
+    let roots = state.host.robots_beside(path);
     if roots.is_empty() || is_at_xacro_name(path, source, offset) {
         return Ok(None);
     }
     // most places of YAML are at no name: no robot is expanded for them
     let own = state
-        .world
+        .host
         .beside_itself(path, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     let names = own.map(|own| names_in(state, &own)).unwrap_or_default();
@@ -91,7 +91,7 @@ pub fn asked_beside(
             continue;
         }
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         let around = analyzed.clone();
@@ -124,7 +124,7 @@ pub fn completions(
 ) -> Result<Option<(Arc<SourceFile>, Completions)>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Ok(text) = state.world.session().vfs.text(&path) else {
+    let Ok(text) = state.host.session().vfs.text(&path) else {
         return Ok(None);
     };
     let name = convert::file_name(&path);
@@ -135,7 +135,7 @@ pub fn completions(
     let mut beside: Vec<Beside> = Vec::new();
     for robot in &robots {
         let files = state
-            .world
+            .host
             .beside(&robot.root.file, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         beside.extend(files.into_iter().filter(|file| file.path != path));
@@ -170,12 +170,12 @@ pub fn robots_described(
 
 /// The last expansions of the robots whose names may be used in a file beside robots.
 fn robots_named(state: &mut ServerState, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
-    let roots = state.world.robots_to_name(path);
+    let roots = state.host.robots_to_name(path);
     roots
         .iter()
         .flat_map(|root| {
             state
-                .world
+                .host
                 .while_typing(root, path, cancel)
                 .into_iter()
                 .next()

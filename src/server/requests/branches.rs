@@ -5,7 +5,7 @@ use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::beside::names_beside;
 use crate::state::ServerState;
-use analysis::{Analyzed, RootChoice};
+use analysis::{Analyzed, RootConfig};
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, FileId, Span, TextRange};
 use expand::Forced;
@@ -33,7 +33,7 @@ pub fn inside(
         return Ok(None);
     };
     let analyzed = state
-        .world
+        .host
         .forced(&around.root, forced, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     if !analyzed.includes(&asked.source.path) {
@@ -59,7 +59,7 @@ struct Ways<'a> {
 
 impl<'a> Ways<'a> {
     fn of(state: &'a ServerState, analyzed: &Analyzed) -> Option<Self> {
-        let session = state.world.session();
+        let session = state.host.session();
         let settings = session.settings(&analyzed.root.file);
         let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
         let root = analyzed.expansion.files.first()?.source.id;
@@ -110,12 +110,12 @@ pub fn in_all_robots(
     spans: &mut Vec<Span>,
     cancel: &CancelFlag,
 ) -> Result<(), RequestFailure> {
-    let mut tried: Vec<(RootChoice, Vec<Forced>)> = Vec::new();
+    let mut tried: Vec<(RootConfig, Vec<Forced>)> = Vec::new();
     for _ in 0..MOST_ROUNDS {
         let before = spans.len();
         for root in roots(state, asked, spans) {
             let analyzed = state
-                .world
+                .host
                 .analyzed(&root, cancel)
                 .ok_or(RequestFailure::Cancelled)?;
             let beside = names_beside(state, &root, cancel)?;
@@ -127,7 +127,7 @@ pub fn in_all_robots(
                     continue;
                 }
                 let branch = state
-                    .world
+                    .host
                     .forced(&root, key.1.clone(), cancel)
                     .ok_or(RequestFailure::Cancelled)?;
                 tried.push(key);
@@ -143,14 +143,14 @@ pub fn in_all_robots(
 }
 
 /// The robots that read one of the files, the one that was asked about first.
-fn roots(state: &mut ServerState, asked: &Asked, spans: &[Span]) -> Vec<RootChoice> {
+fn roots(state: &mut ServerState, asked: &Asked, spans: &[Span]) -> Vec<RootConfig> {
     let mut files: Vec<FileId> = spans.iter().map(|span| span.file).collect();
     files.sort_unstable();
     files.dedup();
     let mut found = vec![asked.analyzed.root.clone()];
     for file in files {
-        let path = state.world.session().vfs.path(file);
-        for (root, _) in state.world.context(&path).candidates {
+        let path = state.host.session().vfs.path(file);
+        for (root, _) in state.host.context(&path).candidates {
             if !found.contains(&root) {
                 found.push(root);
             }

@@ -97,7 +97,7 @@ fn call_item(
         location(state, target.whole)?,
         location(state, target.name)?,
     );
-    let path = state.world.session().vfs.path(target.whole.file);
+    let path = state.host.session().vfs.path(target.whole.file);
     let file = path.file_name()?.to_string_lossy().into_owned();
     let (name_text, kind, detail) = match caller {
         CallParticipant::Macro(id) => (

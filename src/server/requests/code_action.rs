@@ -51,7 +51,7 @@ pub(crate) fn refactor(name: &str) -> CodeActionKind {
 pub(crate) fn edits_of(state: &ServerState, edits: &[Edit]) -> Option<WorkspaceEdit> {
     let mut changes: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
     for edit in edits {
-        let path = state.world.session().vfs.path(edit.span.file);
+        let path = state.host.session().vfs.path(edit.span.file);
         let place = location(state, edit.span).filter(|_| is_ours(state, &path))?;
         changes
             .entry(place.uri)

@@ -64,7 +64,7 @@ pub fn command(
         }
         "xacro.preview" => preview_page(state, argument).map(Some),
         "xacro.restartAnalysis" => {
-            state.world.reload();
+            state.host.reload();
             state.schedule(Cause::Restarted);
             Ok(None)
         }

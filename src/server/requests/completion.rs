@@ -18,7 +18,7 @@ use crate::requests::formatting::indent;
 use crate::requests::launch::is_about_launch;
 use crate::requests::{beside, configuration, launch};
 use crate::state::ServerState;
-use analysis::{Analyzed, RootChoice, is_settings};
+use analysis::{Analyzed, RootConfig, is_settings};
 use base::{CancelFlag, TextRange};
 use ide::{
     self, Completion, CompletionScope, CompletionSources, Completions, ItemKind, Signature, Topic,
@@ -36,7 +36,7 @@ struct ResolveData {
 /// What an answer is taken from, kept alive.
 struct CompletionSnapshot {
     source: Arc<SourceFile>,
-    root: RootChoice,
+    root: RootConfig,
     analyzed: Vec<Arc<Analyzed>>,
     roots: Vec<PathBuf>,
     /// Of an SRDF: the robots that it is for.
@@ -102,9 +102,9 @@ fn kept(
     cancel: &CancelFlag,
 ) -> Result<CompletionSnapshot, RequestFailure> {
     let (path, source) = state.source(uri)?;
-    let context = state.world.context(&path);
-    let root = context.root.unwrap_or_else(|| RootChoice::plain(&path));
-    let mut analyzed = state.world.while_typing(&root, &path, cancel);
+    let context = state.host.context(&path);
+    let root = context.root.unwrap_or_else(|| RootConfig::plain(&path));
+    let mut analyzed = state.host.while_typing(&root, &path, cancel);
     if cancel.is_cancelled() {
         return Err(RequestFailure::Cancelled);
     }
@@ -118,7 +118,7 @@ fn kept(
     if !described.is_empty() {
         // its groups are given in the text that is edited
         let own = state
-            .world
+            .host
             .analyzed(&root, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         analyzed.retain(|known| !Arc::ptr_eq(known, &own));
@@ -148,14 +148,14 @@ fn scoped<T>(
         .iter()
         .filter_map(|known| Some((&known.expansion, known.robot.as_ref()?)))
         .collect();
-    let session = state.world.session();
+    let session = state.host.session();
     work(&CompletionScope::new(CompletionSources {
         source: &kept.source,
         root: &kept.root.file,
         expansions: &expansions,
         vfs: &session.vfs,
         packages: &session.packages,
-        folders: state.world.folders(),
+        folders: state.host.folders(),
         roots: &kept.roots,
         described: &described,
     }))

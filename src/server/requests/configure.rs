@@ -58,7 +58,7 @@ fn changed(
     change: &dyn Fn(&str) -> ConfigEdit,
     shown: &Diagnostic,
 ) -> Option<CodeAction> {
-    let vfs = &state.world.session().vfs;
+    let vfs = &state.host.session().vfs;
     let Some(config) = find_config(vfs, path.parent()?) else {
         return made(state, path, title, change("")?.1, shown);
     };
@@ -116,7 +116,7 @@ fn new_config(state: &ServerState, path: &Path) -> Option<PathBuf> {
     if !state.client.edits.creates_files || !is_ours(state, path) {
         return None;
     }
-    let folders = state.world.folders().iter();
+    let folders = state.host.folders().iter();
     let folder = folders
         .filter(|folder| path.starts_with(folder))
         .max_by_key(|folder| folder.components().count())?;

@@ -48,7 +48,7 @@ pub fn expand_at(
     if let Some(root) = params.root {
         let root = chosen(state, root)?;
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         asked = Asked {

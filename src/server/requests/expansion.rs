@@ -9,7 +9,7 @@ use crate::locations::location;
 use crate::requests::mapping::{map_of, named};
 use crate::root_param::{RootParam, chosen_or_active};
 use crate::state::ServerState;
-use analysis::World;
+use analysis::AnalysisHost;
 use base::clock::Instant;
 use base::{CancelFlag, Span};
 use expand::{Expansion, FileRange, ProblemSeverity};
@@ -72,7 +72,7 @@ pub fn expand(
     let other = params.texts.is_some();
     let analyzed = match params.texts {
         Some(texts) => earlier(state, texts).analyzed(&root, cancel),
-        None => state.world.analyzed(&root, cancel),
+        None => state.host.analyzed(&root, cancel),
     };
     let analyzed = analyzed.ok_or(RequestFailure::Cancelled)?;
     let expansion = &analyzed.expansion;
@@ -97,12 +97,12 @@ pub fn expand(
 }
 
 /// The files on the disk, with other texts for some.
-fn earlier(state: &ServerState, texts: BTreeMap<Url, String>) -> World {
-    let mut world = state.world.on_disk();
+fn earlier(state: &ServerState, texts: BTreeMap<Url, String>) -> AnalysisHost {
+    let mut host = state.host.on_disk();
     for (uri, text) in texts {
-        world.set_text(&state.path(&uri), text);
+        host.set_text(&state.path(&uri), text);
     }
-    world
+    host
 }
 
 pub fn errors(state: &ServerState, expansion: &Expansion) -> Vec<ExpandError> {

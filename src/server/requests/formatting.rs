@@ -45,7 +45,7 @@ pub fn format_range(
 }
 
 fn format_options(state: &ServerState, path: &Path) -> Format {
-    state.world.session().settings(path).config.format.clone()
+    state.host.session().settings(path).config.format.clone()
 }
 
 fn text_edits(

@@ -56,7 +56,7 @@ fn hover_while_typing(
     at: &TextDocumentPositionParams,
 ) -> Result<Option<lsp_types::Hover>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
-    let Some(before) = state.world.before_typing(&path) else {
+    let Some(before) = state.host.before_typing(&path) else {
         return Ok(None);
     };
     let cx = Cx {
@@ -68,7 +68,7 @@ fn hover_while_typing(
         pinned: None,
     };
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let found = ide::hover_while_typing(&cx, offset, |path| state.world.document(path));
+    let found = ide::hover_while_typing(&cx, offset, |path| state.host.document(path));
     Ok(found.map(|hover| hover_answer(state, &source, hover)))
 }
 
@@ -85,7 +85,7 @@ fn hover_answer(state: &ServerState, source: &SourceFile, hover: Hover) -> lsp_t
 
 /// What there is to say about an offset of a file.
 pub fn hover_at(state: &ServerState, asked: &Asked, offset: u32) -> Option<Hover> {
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
     let around = session.rule_env(&settings.config);
     let hover = ide::hover(&asked.cx(), around, || asked.names(state), offset)?;
@@ -108,7 +108,7 @@ fn with_launch_values(state: &ServerState, asked: &Asked, offset: u32, mut hover
         return hover;
     };
     let values = state
-        .world
+        .host
         .session()
         .launch_values(&root.source.path, &argument.name);
     let left = MOST_LINES

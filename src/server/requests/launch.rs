@@ -43,13 +43,13 @@ pub fn launched(
 ) -> Result<Option<LaunchArgumentName>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(name) = state.world.session().launch_name_at(&path, offset) else {
+    let Some(name) = state.host.session().launch_name_at(&path, offset) else {
         return Ok(None);
     };
     for robot in &name.robots {
         let root = active_root(state, robot);
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         let Some(first) = analyzed
@@ -72,12 +72,12 @@ pub fn launched(
             continue;
         };
         let path = state
-            .world
+            .host
             .session()
             .vfs
             .path(target.name.file)
             .to_path_buf();
-        let Some(declaring) = state.world.document(&path) else {
+        let Some(declaring) = state.host.document(&path) else {
             continue;
         };
         (asked.source, asked.offset) = (declaring, target.name.range.start);
@@ -111,12 +111,12 @@ pub fn in_launch_files(state: &mut ServerState, asked: &Asked) -> (Vec<Span>, Ve
     let Some(target) = definition_of(&cx, id) else {
         return Default::default();
     };
-    let path = state.world.session().vfs.path(target.name.file);
-    let candidates = state.world.context(&path).candidates.into_iter();
+    let path = state.host.session().vfs.path(target.name.file);
+    let candidates = state.host.context(&path).candidates.into_iter();
     let mut robots: Vec<PathBuf> = candidates.map(|(root, _)| root.file).collect();
     robots.dedup();
     (
-        state.world.session().launch_places(&robots, &argument.name),
+        state.host.session().launch_places(&robots, &argument.name),
         robots,
     )
 }
@@ -128,7 +128,7 @@ pub fn completion(
 ) -> Result<Option<CompletionResponse>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(found) = state.world.session().launch_choices_at(&path, offset) else {
+    let Some(found) = state.host.session().launch_choices_at(&path, offset) else {
         return Ok(None);
     };
     let range = convert::range(&source.document, found.range, state.encoding);

@@ -15,7 +15,7 @@ pub fn links(
     cancel: &CancelFlag,
 ) -> Result<Option<Vec<DocumentLink>>, RequestFailure> {
     let asked = asked(state, &start_of(params.text_document), cancel)?;
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
     let names = ide::file_names(&asked.cx(), session.rule_env(&settings.config));
     let link = |FileName { range, target, .. }: FileName| {

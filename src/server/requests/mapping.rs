@@ -10,7 +10,7 @@ use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::root_param::{RootParam, chosen_or_active};
 use crate::state::ServerState;
-use analysis::{Analyzed, RootChoice};
+use analysis::{Analyzed, RootConfig};
 use base::{CancelFlag, TextRange};
 use expand::{FrameId, FrameKind, MapKind, Origin};
 use ide::{self, SourceMap, TextLines};
@@ -159,7 +159,7 @@ pub fn label(state: &ServerState, analyzed: &Analyzed, frame: FrameId) -> String
 }
 
 /// A root as the protocol names it.
-pub fn named(state: &ServerState, root: &RootChoice) -> Result<RootParam, RequestFailure> {
+pub fn named(state: &ServerState, root: &RootConfig) -> Result<RootParam, RequestFailure> {
     let uri = state
         .uri(&root.file)
         .ok_or_else(|| RequestFailure::Invalid("the root has no name".to_owned()))?;
@@ -176,10 +176,10 @@ pub fn shown_under(
     document: &TextDocumentIdentifier,
     root: Option<RootParam>,
     cancel: &CancelFlag,
-) -> Result<(RootChoice, Arc<Analyzed>), RequestFailure> {
+) -> Result<(RootConfig, Arc<Analyzed>), RequestFailure> {
     let root = chosen_or_active(state, document, root)?;
     let analyzed = state
-        .world
+        .host
         .analyzed(&root, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     Ok((root, analyzed))

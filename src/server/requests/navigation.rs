@@ -14,7 +14,7 @@ use crate::requests::launch::{is_about_launch, launched};
 use crate::requests::of_description::is_not_described;
 use crate::root_param::active_root;
 use crate::state::ServerState;
-use analysis::RootChoice;
+use analysis::RootConfig;
 use base::{CancelFlag, Span, TextRange};
 use ide::{Cx, FilePlace, NavigationTarget};
 use xml::Document;
@@ -30,15 +30,15 @@ pub fn asked(
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let root = active_root(state, &path);
     let mut analyzed = state
-        .world
+        .host
         .analyzed(&root, cancel)
         .ok_or(RequestFailure::Cancelled)?;
     let around = analyzed.clone();
     if !analyzed.includes(&path) {
         // the root reaches the file on paper only: a condition keeps it out
         analyzed = state
-            .world
-            .analyzed(&RootChoice::plain(&path), cancel)
+            .host
+            .analyzed(&RootConfig::plain(&path), cancel)
             .ok_or(RequestFailure::Cancelled)?;
     }
     let pin = state.pins.get(&analyzed.root.file);
@@ -203,7 +203,7 @@ pub fn implementation(
 }
 
 /// The name of the expanded text of a root.
-fn expanded_uri(state: &ServerState, root: &RootChoice) -> Option<Url> {
+fn expanded_uri(state: &ServerState, root: &RootConfig) -> Option<Url> {
     let stem = root.file.file_name()?.to_string_lossy().into_owned();
     let stem = stem.split('.').next().unwrap_or("").to_owned();
     let mut uri = Url::parse(&format!("xacro-expanded:/{stem}.urdf")).ok()?;
@@ -218,7 +218,7 @@ pub fn about_files<T>(
     asked: &Asked,
     answer: impl Fn(&Cx<'_>, rules::RuleEnv<'_>, u32) -> Option<T>,
 ) -> Option<T> {
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
     answer(
         &asked.cx(),
@@ -235,7 +235,7 @@ fn file_target(
     links: bool,
 ) -> Option<GotoDefinitionResponse> {
     let origin = convert::range(&asked.source.document, origin, state.encoding);
-    let file = state.world.session().vfs.file_id(&place.path);
+    let file = state.host.session().vfs.file_id(&place.path);
     let range = match place.range == TextRange::default() || !ide::is_text(&place.path) {
         true => Range::default(),
         false => {

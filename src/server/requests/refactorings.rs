@@ -197,10 +197,10 @@ fn expansion_unchanged(
         .map(|edit| (edit.span.range, edit.content.clone()))
         .collect();
     let effort = state
-        .world
+        .host
         .effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
     let is_same = state
-        .world
+        .host
         .session()
         .expansion_unchanged(&asked.source.path, edits, &effort);
     if cancel.is_cancelled() {
@@ -215,10 +215,11 @@ fn refused(state: &ServerState, asked: &Asked, selection: TextRange) -> Option<C
     if !state.client.actions.shows_disabled || !asked.source.document.errors().is_empty() {
         return None;
     }
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
-    let world = session.rule_env(&settings.config);
-    let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
+    let rule_env = session.rule_env(&settings.config);
+    let ide::Refused { title, reason } =
+        ide::of_mesh(&asked.cx(), rule_env, selection.start).err()?;
     Some(disabled(sentence_case(&title), ActionKind::Rewrite, reason))
 }
 
@@ -228,19 +229,19 @@ fn refactorings(
     selection: TextRange,
     cancel: &CancelFlag,
 ) -> Result<Vec<Action>, RequestFailure> {
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
-    let world = session.rule_env(&settings.config);
-    let mut actions = ide::refactorings(&asked.cx(), world, selection);
+    let rule_env = session.rule_env(&settings.config);
+    let mut actions = ide::refactorings(&asked.cx(), rule_env, selection);
     if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
         // files of other robots may read the property
         scan_all(state, cancel)?;
         let mut others = state
-            .world
+            .host
             .known_files()
             .into_iter()
             .filter(|file| !asked.analyzed.includes(file))
-            .filter_map(|file| state.world.document(&file));
+            .filter_map(|file| state.host.document(&file));
         if others.any(|other| mentions(&other.document, &name)) {
             actions.retain(|action| action.kind != ActionKind::Inline);
         }
@@ -259,7 +260,7 @@ fn moved_to_file(
         return None;
     }
     let folder = path.parent()?;
-    let vfs = &state.world.session().vfs;
+    let vfs = &state.host.session().vfs;
     let (action, file) =
         ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
     let uri = convert::file_uri(&folder.join(&file.name))?;

@@ -81,8 +81,8 @@ fn sharing(
         .collect();
     let mut roots = Vec::new();
     for span in &given {
-        let path = state.world.session().vfs.path(span.file);
-        for (root, _) in state.world.context(&path).candidates {
+        let path = state.host.session().vfs.path(span.file);
+        for (root, _) in state.host.context(&path).candidates {
             if root != asked.analyzed.root && !roots.contains(&root) {
                 roots.push(root);
             }
@@ -91,7 +91,7 @@ fn sharing(
     let mut robots = Vec::new();
     for root in roots.into_iter().take(RENAME_ROBOTS) {
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         let found = in_robot(state, &analyzed, &given, thing);
@@ -109,7 +109,7 @@ fn sharing(
 
 /// The values of the YAML files that a robot reads which are the name.
 fn in_yaml(state: &ServerState, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
-    let vfs = &state.world.session().vfs;
+    let vfs = &state.host.session().vfs;
     let mut found = Vec::new();
     for read in robot.expansion.record.iter() {
         let Read::File(path, _) = read else { continue };
@@ -143,7 +143,7 @@ fn in_robot(
     thing: Option<&RobotThing>,
 ) -> Vec<NameOccurrence> {
     let expansion = &analyzed.expansion;
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&analyzed.root.file);
     let names = TextNames::of(expansion, session.rule_env(&settings.config));
     let source = |span: &Span| -> Option<&SourceFile> {

@@ -17,7 +17,7 @@ use crate::requests::launch::{in_launch_files, launched};
 use crate::requests::navigation::asked_for_name;
 use crate::scanning::scan_all;
 use crate::state::ServerState;
-use analysis::{NewName, Obstacle, RootChoice};
+use analysis::{NewName, Obstacle, RootConfig};
 use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
@@ -89,7 +89,7 @@ pub fn rename(
     spans.dedup();
     let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
     for span in spans {
-        let path = state.world.session().vfs.path(span.file);
+        let path = state.host.session().vfs.path(span.file);
         admit_edit(state, &path)?;
         if let Some(place) = location(state, span) {
             edits
@@ -128,7 +128,7 @@ fn admit_new_name(
     spans: &[Span],
     cancel: &CancelFlag,
 ) -> Result<(), RequestFailure> {
-    let vfs = state.world.session().vfs.clone();
+    let vfs = state.host.session().vfs.clone();
     let mut replaced: BTreeMap<PathBuf, Vec<(TextRange, String)>> = BTreeMap::new();
     for span in spans {
         let path = vfs.path(span.file).to_path_buf();
@@ -140,7 +140,7 @@ fn admit_new_name(
     let mut roots = vec![asked.analyzed.root.clone()];
     for path in replaced.keys() {
         let further = state
-            .world
+            .host
             .context(path)
             .candidates
             .into_iter()
@@ -154,7 +154,7 @@ fn admit_new_name(
     roots.truncate(QUICK_PROOF_EXPANSIONS);
     let replaced = replaced.into_iter().collect();
     let changed = state
-        .world
+        .host
         .session()
         .changed_robot(replaced, &roots, name, cancel);
     if cancel.is_cancelled() {
@@ -191,7 +191,7 @@ fn admit_edit(state: &ServerState, path: &Path) -> Result<(), RequestFailure> {
         return Ok(());
     }
     let shown = vfs::slashed(path);
-    if state.world.session().is_installed(path) || path.iter().any(is_built) {
+    if state.host.session().is_installed(path) || path.iter().any(is_built) {
         return Err(RequestFailure::Refused(format!(
             "`{shown}` is in an install folder and is not changed"
         )));
@@ -216,15 +216,15 @@ fn in_presets(state: &mut ServerState, asked: &Asked) -> Vec<Span> {
     let Some(target) = ide::definition_of(&cx, id) else {
         return Vec::new();
     };
-    let path = state.world.session().vfs.path(target.name.file);
+    let path = state.host.session().vfs.path(target.name.file);
     let roots: Vec<PathBuf> = state
-        .world
+        .host
         .context(&path)
         .candidates
         .into_iter()
         .map(|(r, _)| r.file)
         .collect();
-    let session = state.world.session();
+    let session = state.host.session();
     let configs: BTreeSet<PathBuf> = roots
         .iter()
         .flat_map(|root| session.settings(root).config.files.clone())
@@ -244,8 +244,8 @@ fn in_presets(state: &mut ServerState, asked: &Asked) -> Vec<Span> {
         let places = argument_places(&text.text, &argument.name, reads);
         found.extend(places.into_iter().map(|range| Span { file: id, range }));
     }
-    let known = state.world.known_files().into_iter();
-    let comments = known.filter_map(|file| state.world.commented_argument(&file, &argument.name));
+    let known = state.host.known_files().into_iter();
+    let comments = known.filter_map(|file| state.host.commented_argument(&file, &argument.name));
     found.extend(
         comments
             .filter(|(root, _)| roots.contains(root))
@@ -261,7 +261,7 @@ fn in_calls(
     old: &str,
 ) -> Result<Vec<Span>, RequestFailure> {
     let (places, robots) = in_launch_files(state, asked);
-    let session = state.world.session();
+    let session = state.host.session();
     for &place in &places {
         if let Some(other) = session.gives_to_another(place, &robots, old) {
             let caller = file_name(&session.vfs.path(place.file));
@@ -281,7 +281,7 @@ fn in_other_robots(
     spans: &mut Vec<Span>,
     cancel: &CancelFlag,
 ) -> Result<(), RequestFailure> {
-    let vfs = state.world.session().vfs.clone();
+    let vfs = state.host.session().vfs.clone();
     let Some(first) = spans.first().copied() else {
         return Ok(());
     };
@@ -297,10 +297,10 @@ fn in_other_robots(
             unseen_root(state, spans, &seen).filter(|_| seen.len() < RENAME_ROBOTS)
         {
             let analyzed = state
-                .world
+                .host
                 .analyzed(&root, cancel)
                 .ok_or(RequestFailure::Cancelled)?;
-            let session = state.world.session();
+            let session = state.host.session();
             let settings = session.settings(&root.file);
             let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
             let cx = Cx {
@@ -317,12 +317,12 @@ fn in_other_robots(
 }
 
 /// A robot that reads one of the files and was not looked at.
-fn unseen_root(state: &mut ServerState, spans: &[Span], seen: &[RootChoice]) -> Option<RootChoice> {
+fn unseen_root(state: &mut ServerState, spans: &[Span], seen: &[RootConfig]) -> Option<RootConfig> {
     let files: BTreeSet<_> = spans.iter().map(|span| span.file).collect();
     files.into_iter().find_map(|file| {
-        let path = state.world.session().vfs.path(file);
+        let path = state.host.session().vfs.path(file);
         let mut roots = state
-            .world
+            .host
             .context(&path)
             .candidates
             .into_iter()
@@ -334,7 +334,7 @@ fn unseen_root(state: &mut ServerState, spans: &[Span], seen: &[RootChoice]) -> 
 /// Files that may be changed: open ones, and those of the workspace that no tool has built.
 pub fn is_ours(state: &ServerState, path: &Path) -> bool {
     let inside = state
-        .world
+        .host
         .folders()
         .iter()
         .filter_map(|folder| path.strip_prefix(folder).ok());

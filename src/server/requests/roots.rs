@@ -12,7 +12,7 @@ use crate::requests::expansion::{ExpandError, errors};
 use crate::requests::mapping::{named, shown_under};
 use crate::root_param::{RootParam, active_root, chosen};
 use crate::state::ServerState;
-use analysis::{Analyzed, RootChoice};
+use analysis::{Analyzed, RootConfig};
 use base::CancelFlag;
 use expand::Origin;
 
@@ -113,11 +113,11 @@ pub fn roots(
     cancel: &CancelFlag,
 ) -> Result<FileRoots, RequestFailure> {
     let (path, _) = state.source(&params.text_document.uri)?;
-    let context = state.world.context(&path);
+    let context = state.host.context(&path);
     let mut args = Vec::new();
     if let Some(root) = &context.root {
         let analyzed = state
-            .world
+            .host
             .analyzed(root, cancel)
             .ok_or(RequestFailure::Cancelled)?;
         let known = analyzed.declared_arguments().into_iter();
@@ -154,12 +154,12 @@ pub fn roots(
 }
 
 /// Roots, those without arguments followed by the calls of launch files.
-fn with_calls(state: &ServerState, candidates: &[(RootChoice, u32)]) -> Vec<(RootChoice, u32)> {
-    let session = state.world.session();
-    let mut found: Vec<(RootChoice, u32)> = Vec::new();
+fn with_calls(state: &ServerState, candidates: &[(RootConfig, u32)]) -> Vec<(RootConfig, u32)> {
+    let session = state.host.session();
+    let mut found: Vec<(RootConfig, u32)> = Vec::new();
     for (root, distance) in candidates {
         found.push((root.clone(), *distance));
-        if root == &RootChoice::plain(&root.file) {
+        if root == &RootConfig::plain(&root.file) {
             found.extend(
                 session
                     .launched_roots(&root.file)
@@ -180,9 +180,9 @@ pub fn set_root(
     match &params.text_document {
         Some(document) => {
             let path = state.path(&document.uri);
-            state.world.pick(&path, root);
+            state.host.pick(&path, root);
         }
-        None => state.world.pick_all(root),
+        None => state.host.pick_all(root),
     }
     context_changed(state, cancel);
     Ok(Value::Null)
@@ -205,12 +205,12 @@ pub fn set_args(
         // all files of the robot are seen with these values
         for open in state.documents.keys().chain([&path]) {
             if state
-                .world
+                .host
                 .context(open)
                 .root
                 .is_some_and(|other| other.file == file)
             {
-                state.world.pick(open, (!taken_back).then(|| root.clone()));
+                state.host.pick(open, (!taken_back).then(|| root.clone()));
             }
         }
         context_changed(state, cancel);
@@ -236,7 +236,7 @@ pub fn tree(
     };
     let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
     let beside = state
-        .world
+        .host
         .session()
         .files_beside(&analyzed.root.file)
         .into_iter();
@@ -274,7 +274,7 @@ fn nodes(state: &ServerState, analyzed: &Analyzed) -> Vec<TreeNode> {
             continue;
         }
         let joint = kinematics
-            .up(index)
+            .parent_joints(index)
             .first()
             .and_then(|&joint| robot.joints.get(joint));
         let parent = joint.and_then(|joint| joint.parent.as_ref());
@@ -287,7 +287,7 @@ fn nodes(state: &ServerState, analyzed: &Analyzed) -> Vec<TreeNode> {
             location,
             mass: link.inertial.as_ref().and_then(|inertial| inertial.mass()),
         }));
-        let below = kinematics.down(index).iter().rev();
+        let below = kinematics.child_joints(index).iter().rev();
         open.extend(below.filter_map(|&joint| Some(kinematics.ends(joint)?.1)));
     }
     nodes

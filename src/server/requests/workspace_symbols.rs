@@ -18,11 +18,11 @@ pub fn workspace_symbols(
     // what was not looked at yet belongs to the answer too
     scan_all(state, cancel)?;
     let mut found: Vec<(u32, SymbolInformation)> = Vec::new();
-    for path in state.world.known_files() {
+    for path in state.host.known_files() {
         if cancel.is_cancelled() {
             return Err(RequestFailure::Cancelled);
         }
-        let (Some(source), Some(uri)) = (state.world.document(&path), state.uri(&path)) else {
+        let (Some(source), Some(uri)) = (state.host.document(&path), state.uri(&path)) else {
             continue;
         };
         let container = path
@@ -50,12 +50,12 @@ pub fn workspace_symbols(
 /// The packages in the folders of the workspace.
 #[allow(deprecated)]
 fn packages(state: &ServerState, query: &str) -> Vec<(u32, SymbolInformation)> {
-    let folders = state.world.folders();
+    let folders = state.host.folders();
     let Some(first) = folders.first() else {
         return Vec::new();
     };
     let entries = state
-        .world
+        .host
         .session()
         .packages
         .all(&first.join("package.xml"))

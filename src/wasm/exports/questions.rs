@@ -3,7 +3,7 @@
 use super::{ExportState, with};
 
 /// What the functions are about.
-pub(super) type Held = crate::Bench;
+pub(super) type HostState = crate::Bench;
 
 /// Answer the question in the input; the length of the answer.
 #[unsafe(no_mangle)]
@@ -17,7 +17,7 @@ extern "C" fn mesh() -> usize {
     answer(|bench, id| bench.mesh(id))
 }
 
-fn answer(work: impl FnOnce(&mut Held, &str) -> Result<Vec<u8>, String>) -> usize {
+fn answer(work: impl FnOnce(&mut HostState, &str) -> Result<Vec<u8>, String>) -> usize {
     with(|state: &mut ExportState| {
         let question = state.text();
         let answer = work(&mut state.held, &question);

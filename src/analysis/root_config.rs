@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 /// A root and the arguments it is expanded with.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct RootChoice {
+pub struct RootConfig {
     /// The file, absolute.
     pub file: PathBuf,
     /// Arguments over the defaults of the file.
@@ -12,7 +12,7 @@ pub struct RootChoice {
     pub preset: Option<String>,
 }
 
-impl RootChoice {
+impl RootConfig {
     /// A file with the defaults of its arguments.
     pub fn plain(file: &Path) -> Self {
         Self {
@@ -58,9 +58,9 @@ impl RootReason {
 #[derive(Clone, Debug)]
 pub struct Context {
     /// The active root; none for a file that no robot includes.
-    pub root: Option<RootChoice>,
+    pub root: Option<RootConfig>,
     /// Why it is active.
     pub reason: RootReason,
     /// All roots that reach the file, with their distance in includes.
-    pub candidates: Vec<(RootChoice, u32)>,
+    pub candidates: Vec<(RootConfig, u32)>,
 }

@@ -7,7 +7,7 @@ use ecow::EcoString;
 use super::super::analyzed::Analyzed;
 use super::super::includes::reach;
 use super::super::options::CheckOptions;
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
 use super::fitting::{Paired, has_choices, names_of};
@@ -69,18 +69,18 @@ impl Session {
     }
 
     /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
-    pub(in super::super) fn beside_roots(&self, paths: &[PathBuf]) -> Vec<RootChoice> {
-        let mut found: FastSet<RootChoice> = FastSet::default();
+    pub(in super::super) fn beside_roots(&self, paths: &[PathBuf]) -> Vec<RootConfig> {
+        let mut found: FastSet<RootConfig> = FastSet::default();
         for path in paths {
             let pairing = self.pairing(path);
             let Some(around) = self.of_the_same(path, &pairing) else {
                 continue;
             };
             let srdfs = around.iter().filter(|file| sort(file) == Some(Sort::Srdf));
-            found.extend(srdfs.map(|file| RootChoice::plain(file)));
+            found.extend(srdfs.map(|file| RootConfig::plain(file)));
             found.extend(pairing.roots.iter().cloned());
         }
-        let mut found: Vec<RootChoice> = found.into_iter().collect();
+        let mut found: Vec<RootConfig> = found.into_iter().collect();
         found.sort();
         found
     }
@@ -111,11 +111,11 @@ impl Session {
             let around: Vec<Beside> = around
                 .filter_map(|other| self.beside_once(other, &mut read, robots))
                 .collect();
-            let mut said = self.judged(&own, &paired, &around, cancel);
+            let mut said = self.check_names(&own, &paired, &around, cancel);
             let has_ignored = |one: &Arc<Analyzed>| has_ignored_tags(&one.expansion);
             // what is missing in the robot has its cause there
             if !said.is_empty() && paired.robots.iter().any(has_ignored) {
-                said = self.judged(&own, &Paired::default(), &around, cancel);
+                said = self.check_names(&own, &Paired::default(), &around, cancel);
             }
             found.findings.extend(said);
             if !paired.robots.is_empty() {
@@ -154,7 +154,7 @@ impl Session {
     }
 
     /// Whether a file beside robots is for one of these.
-    fn is_for_one_of(&self, file: &Path, roots: &[RootChoice]) -> bool {
+    fn is_for_one_of(&self, file: &Path, roots: &[RootConfig]) -> bool {
         !roots.is_empty()
             && self
                 .pairing(file)
@@ -163,7 +163,7 @@ impl Session {
                 .any(|root| roots.contains(root))
     }
 
-    fn judged(
+    fn check_names(
         &self,
         own: &Beside,
         paired: &Paired,

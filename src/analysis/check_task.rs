@@ -1,7 +1,7 @@
 //! An expansion to be made.
 use std::path::PathBuf;
 
-use super::root_choice::RootChoice;
+use super::root_config::RootConfig;
 use base::Span;
 use workspace::config::XacroArgs;
 
@@ -46,11 +46,11 @@ impl CheckTask {
     }
 
     /// What is expanded.
-    pub(super) fn root(&self) -> RootChoice {
+    pub(super) fn root(&self) -> RootConfig {
         let Self {
             file, args, preset, ..
         } = self.clone();
-        RootChoice { file, args, preset }
+        RootConfig { file, args, preset }
     }
 }
 
