@@ -8,7 +8,8 @@ use super::root_config::RootConfig;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;
 use workspace::config::{
-    self, CONFIG_NAMES, ConfigPlace, ExpectedValue, PlaceKind, files_named, place_at, wanted,
+    self, CONFIG_NAMES, ConfigCursor, ConfigCursorKind, ExpectedValue, files_named, place_at,
+    wanted,
 };
 
 /// Files of a folder that are offered.
@@ -111,7 +112,7 @@ impl AnalysisHost {
     pub fn config_key_at(&self, path: &Path, offset: u32) -> Option<(TextRange, &'static str)> {
         let text = self.session().vfs.text(path).ok()?;
         let place = place_at(&text.text, offset)
-            .filter(|place| !matches!(place.kind, PlaceKind::Value { .. }))?;
+            .filter(|place| !matches!(place.kind, ConfigCursorKind::Value { .. }))?;
         let mut keys = place.path;
         keys.push(place.range.slice(&text.text).to_owned());
         Some((place.range, config::doc(&keys)?))
@@ -121,11 +122,11 @@ impl AnalysisHost {
     fn names_at(
         &mut self,
         path: &Path,
-        place: &ConfigPlace,
+        place: &ConfigCursor,
         cancel: &CancelFlag,
     ) -> Option<(ConfigChoiceKind, DescribedNames)> {
         let keys: Vec<&str> = place.path.iter().map(String::as_str).collect();
-        let is_key = !matches!(place.kind, PlaceKind::Value { .. });
+        let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
         let folder = path.parent().unwrap_or(Path::new(""));
         Some(match (keys.as_slice(), is_key) {
             (
@@ -274,7 +275,7 @@ impl AnalysisHost {
         &self,
         config: &Path,
         folder: &Path,
-        place: &ConfigPlace,
+        place: &ConfigCursor,
         key: Option<&str>,
     ) -> DescribedNames {
         let vfs = &self.session().vfs;
@@ -301,7 +302,7 @@ impl AnalysisHost {
 }
 
 /// The robots of the entry of `roots` around a place.
-fn robots(host: &AnalysisHost, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
+fn robots(host: &AnalysisHost, folder: &Path, place: &ConfigCursor) -> Vec<PathBuf> {
     let file = place.file.as_deref();
     let mut robots = file
         .map(|file| files_named(file, folder, &host.session().vfs))
@@ -321,8 +322,8 @@ fn plain(names: impl IntoIterator<Item = String>) -> DescribedNames {
 }
 
 /// The text of a choice: with quotes where it needs them and none are open, and with `=` behind a key.
-fn written(place: &ConfigPlace, kind: ConfigChoiceKind, name: &str, after: &str) -> String {
-    let is_key = !matches!(place.kind, PlaceKind::Value { .. });
+fn written(place: &ConfigCursor, kind: ConfigChoiceKind, name: &str, after: &str) -> String {
+    let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
     let is_plain = match is_key {
         true => !name.is_empty() && name.chars().all(config::is_bare),
         false => matches!(name, "true" | "false"),
@@ -343,7 +344,7 @@ fn written(place: &ConfigPlace, kind: ConfigChoiceKind, name: &str, after: &str)
         .strip_prefix(['"', '\''])
         .unwrap_or(after)
         .trim_start_matches([' ', '\t']);
-    let with_sign = place.kind == PlaceKind::Key && !after.starts_with(['=', '.']);
+    let with_sign = place.kind == ConfigCursorKind::Key && !after.starts_with(['=', '.']);
     if with_sign && (place.quote.is_none() || !close.is_empty()) {
         text + " = "
     } else {

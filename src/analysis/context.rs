@@ -1,6 +1,6 @@
 //! Under which root a file is shown, and with which arguments.
 //!
-//! A macro file has no meaning alone. The root is chosen by what the user picked, a comment in the file, the
+//! A macro file has no meaning alone. The root is chosen by what the user selected, a comment in the file, the
 //! configuration, and else by the includes of the workspace.
 use std::path::{Path, PathBuf};
 
@@ -46,12 +46,12 @@ impl AnalysisHost {
             let edited = std::cmp::Reverse(self.last_edit(&file));
             (edited, *near, !self.same_package(&file, path), file)
         });
-        let picked = self.picked(path).map(|root| (root, RootReason::Picked));
+        let selected = self.selected(path).map(|root| (root, RootReason::Selected));
         let commented = || {
             self.commented_root(path)
                 .map(|root| (root, RootReason::Comment))
         };
-        let chosen = picked
+        let chosen = selected
             .or_else(commented)
             .or_else(|| self.preferred(&candidates, path));
         let (root, reason) = chosen.map_or((None, RootReason::None), |(root, reason)| {

@@ -37,8 +37,8 @@ pub struct AnalysisHost {
     /// Files that the graph has not seen since they were edited.
     unseen: BTreeSet<PathBuf>,
     scan: Scan,
-    /// Roots picked by the user, by the file they were picked for.
-    picks: FastMap<PathBuf, RootConfig>,
+    /// Roots selected by the user, by the file they were selected for.
+    selections: FastMap<PathBuf, RootConfig>,
     cache: FastMap<RootConfig, Arc<Analyzed>>,
     /// The last expansions without errors.
     good: FastMap<RootConfig, Arc<Analyzed>>,
@@ -78,7 +78,7 @@ impl AnalysisHost {
             unseen: BTreeSet::new(),
             graph: Graph::default(),
             scan: Scan::default(),
-            picks: FastMap::default(),
+            selections: FastMap::default(),
             cache: FastMap::default(),
             good: FastMap::default(),
             expansions: 0,
@@ -361,23 +361,23 @@ impl AnalysisHost {
         }
     }
 
-    /// Pick the root that a file is shown under; none: back to automatic.
-    pub fn pick(&mut self, path: &Path, root: Option<RootConfig>) {
+    /// Select the root that a file is shown under; none: back to automatic.
+    pub fn select(&mut self, path: &Path, root: Option<RootConfig>) {
         match root {
-            Some(root) => self.picks.insert(path.to_path_buf(), root),
-            None => self.picks.remove(path),
+            Some(root) => self.selections.insert(path.to_path_buf(), root),
+            None => self.selections.remove(path),
         };
     }
 
-    /// Pick for all files; none: back to automatic.
-    pub fn pick_all(&mut self, root: Option<RootConfig>) {
-        self.picks.clear();
+    /// Select for all files; none: back to automatic.
+    pub fn select_all(&mut self, root: Option<RootConfig>) {
+        self.selections.clear();
         if let Some(root) = root {
-            self.picks.insert(PathBuf::new(), root);
+            self.selections.insert(PathBuf::new(), root);
         }
     }
 
-    pub(super) fn picked(&self, path: &Path) -> Option<RootConfig> {
+    pub(super) fn selected(&self, path: &Path) -> Option<RootConfig> {
         let reaches = |root: &&RootConfig| {
             root.file == path
                 || self
@@ -386,8 +386,8 @@ impl AnalysisHost {
                     .iter()
                     .any(|(file, _)| *file == root.file)
         };
-        let anywhere = || self.picks.get(Path::new("")).filter(reaches);
-        self.picks.get(path).or_else(anywhere).cloned()
+        let anywhere = || self.selections.get(Path::new("")).filter(reaches);
+        self.selections.get(path).or_else(anywhere).cloned()
     }
 
     pub(super) fn same_package(&self, a: &Path, b: &Path) -> bool {

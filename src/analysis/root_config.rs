@@ -26,8 +26,8 @@ impl RootConfig {
 /// Why a root was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RootReason {
-    /// The user picked it.
-    Picked,
+    /// The user selected it.
+    Selected,
     /// A comment `xacro-root:` at the top of the file names it.
     Comment,
     /// The configuration lists it.
@@ -44,7 +44,7 @@ impl RootReason {
     /// For a status line.
     pub fn text(self) -> &'static str {
         match self {
-            RootReason::Picked => "selected in this session",
+            RootReason::Selected => "selected in this session",
             RootReason::Comment => "set by the xacro-root comment",
             RootReason::Configured => "set in the configuration",
             RootReason::Itself => "the file is a robot",

@@ -6,7 +6,7 @@ use super::macro_table::{MacroDef, MacroParam, OpenParams};
 use super::origin::Origin;
 use super::problem::{Detail, Outside, TraceStep};
 use super::property::literal_of;
-use super::scope::{Block, PropertyState, TextPlace};
+use super::scope::{Block, PropertyState, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::UseKind;
 use super::tag::Tag;
@@ -62,7 +62,7 @@ impl Expander<'_> {
             self.bind_param(
                 param,
                 &text,
-                TextPlace {
+                TextOrigin {
                     origin,
                     is_attr: true,
                 },
@@ -78,7 +78,7 @@ impl Expander<'_> {
         &mut self,
         param: &MacroParam,
         text: &str,
-        place: TextPlace,
+        place: TextOrigin,
         cx: EvalContext,
         body: EvalContext,
     ) {
@@ -247,7 +247,7 @@ impl Expander<'_> {
                     self.bind_param(
                         param,
                         text,
-                        TextPlace {
+                        TextOrigin {
                             origin,
                             is_attr: true,
                         },

@@ -6,7 +6,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FrameKind, Origin};
 use super::request::Forced;
-use super::scope::{Block, PropertyState, TextPlace};
+use super::scope::{Block, PropertyState, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::{SymbolKind, UseKind};
 use super::tag::Tag;
@@ -202,7 +202,7 @@ impl Expander<'_> {
         }
     }
 
-    fn undefined_block(&mut self, name: &str, place: TextPlace, cx: EvalContext) {
+    fn undefined_block(&mut self, name: &str, place: TextOrigin, cx: EvalContext) {
         // a call around it gives fewer blocks than it was meant to
         self.gaps.losses += 1;
         let Some(missing) = self.missing_name(UndefinedKind::Block, name, |expander| {
@@ -245,7 +245,7 @@ impl Expander<'_> {
             XKind::Text => {
                 self.eval_pieces(
                     &text,
-                    TextPlace {
+                    TextOrigin {
                         origin,
                         is_attr: false,
                     },
@@ -286,7 +286,7 @@ impl Expander<'_> {
                 if !attr.value.contains('$') {
                     return attr;
                 }
-                let place = TextPlace {
+                let place = TextOrigin {
                     origin: attr.origin,
                     is_attr: true,
                 };

@@ -6,7 +6,7 @@ use super::kind::ProblemKind;
 use super::macro_table::{MacroDef, MacroParam, MacroParams};
 use super::origin::Origin;
 use super::problem::{Detail, Problem};
-use super::scope::{SrcRef, TextPlace};
+use super::scope::{SrcRef, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::{DefinitionId, SymbolKind};
 use super::tag::Tag;
@@ -224,7 +224,7 @@ impl Expander<'_> {
         &mut self,
         of: &str,
         (text, params): (&str, Vec<MacroParam>),
-        place: TextPlace,
+        place: TextOrigin,
     ) -> Vec<MacroParam> {
         let is_bad = |param: &MacroParam| meant::by_parameter(&param.name).is_some();
         if !self.request.probe || !params.iter().any(is_bad) {
@@ -269,7 +269,7 @@ impl Expander<'_> {
     fn define_params(
         &mut self,
         (text, mut params): (&str, Vec<MacroParam>),
-        place: TextPlace,
+        place: TextOrigin,
         of: DefinitionId,
     ) -> Vec<MacroParam> {
         // all places at once: to find one takes as long as the list is

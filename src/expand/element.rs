@@ -8,7 +8,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FileIdx, Origin, SrcId};
 use super::params::strip;
-use super::scope::TextPlace;
+use super::scope::TextOrigin;
 use super::stack::with_stack;
 use super::state::EvalContext;
 use super::tag::{SiblingState, Tag};
@@ -224,7 +224,7 @@ impl Expander<'_> {
         let value = self
             .eval_pieces(
                 text,
-                TextPlace {
+                TextOrigin {
                     origin,
                     is_attr: false,
                 },
@@ -263,7 +263,7 @@ impl Expander<'_> {
         let text = if siblings.eval_comments && data.contains('$') {
             self.eval_pieces(
                 &data,
-                TextPlace {
+                TextOrigin {
                     origin,
                     is_attr: false,
                 },
@@ -384,7 +384,7 @@ impl Expander<'_> {
             let (value, pieces) = if text.contains('$') {
                 self.eval_pieces(
                     &text,
-                    TextPlace {
+                    TextOrigin {
                         origin,
                         is_attr: true,
                     },

@@ -8,7 +8,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::meant;
 use super::origin::Origin;
-use super::scope::{Binding, Block, PropertyState, Scopes, SrcRef, TextPlace};
+use super::scope::{Binding, Block, PropertyState, Scopes, SrcRef, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::SymbolKind;
 use super::tag::Tag;
@@ -22,7 +22,7 @@ const PROPERTY_ATTRS: [&str; 6] = ["name", "value", "default", "remove", "scope"
 /// Words of a wrong name that may be meant by themselves.
 const MOST_WORDS: usize = 8;
 
-type AttrText<'a> = Option<(Cow<'a, str>, TextPlace)>;
+type AttrText<'a> = Option<(Cow<'a, str>, TextOrigin)>;
 
 impl Expander<'_> {
     /// Define, default or remove a property.
@@ -77,7 +77,7 @@ impl Expander<'_> {
         &mut self,
         tag: Tag<'_>,
         name: &EcoString,
-        name_place: TextPlace,
+        name_place: TextOrigin,
         value: AttrText<'_>,
         scope: AttrText<'_>,
         lazy: bool,
@@ -213,7 +213,7 @@ impl Expander<'_> {
     fn property_name(
         &mut self,
         name: &Value,
-        place: TextPlace,
+        place: TextOrigin,
         cx: EvalContext,
     ) -> Option<EcoString> {
         let Value::Str(name) = name else {
@@ -356,7 +356,7 @@ impl Expander<'_> {
         self.bind_lost(name.clone(), at, cx);
     }
 
-    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: TextPlace) {
+    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: TextOrigin) {
         self.names.scopes.remove_everywhere(scope, name);
         if is_global_symbol(name) {
             let message = format!("cannot remove the built-in symbol `{name}`");
@@ -379,7 +379,7 @@ pub(super) fn literal_of(value: Value) -> Value {
 }
 
 /// What a property with this text is until its first use.
-fn lazy_state(text: &str, place: TextPlace) -> PropertyState {
+fn lazy_state(text: &str, place: TextOrigin) -> PropertyState {
     let Value::Str(literal) = literal::from_text(text) else {
         return PropertyState::Ready(literal::from_text(text));
     };

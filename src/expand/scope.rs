@@ -22,7 +22,7 @@ pub(super) struct SrcRef {
 
 /// Text of the source that may hold expressions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TextPlace {
+pub(super) struct TextOrigin {
     /// The text as it is written, and the frame it was reached through.
     pub origin: Origin,
     /// Whether it is an attribute value (character data otherwise).
@@ -41,7 +41,7 @@ pub(super) struct Binding {
 #[derive(Clone, Debug)]
 pub(super) enum PropertyState {
     /// Not evaluated yet: evaluated on first use, in the scope that holds it.
-    Lazy(EcoString, TextPlace),
+    Lazy(EcoString, TextOrigin),
     /// Evaluated for good.
     Ready(Value),
     /// A block: `**name` properties and `*name` parameters.

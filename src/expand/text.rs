@@ -9,7 +9,7 @@ use super::functions::ExprHost;
 use super::kind::ProblemKind;
 use super::origin::Origin;
 use super::problem::Outside;
-use super::scope::TextPlace;
+use super::scope::TextOrigin;
 use super::split_text::{CodeSite, SplitText, TextSite};
 use super::state::EvalContext;
 use super::tree::Piece;
@@ -30,7 +30,7 @@ pub(super) const UNKNOWN_TEXT: &str = "?";
 
 impl Expander<'_> {
     /// The typed value of a text: one token keeps its type, several are joined as strings.
-    pub fn eval_text(&mut self, text: &str, place: TextPlace, scope: ScopeId) -> Value {
+    pub fn eval_text(&mut self, text: &str, place: TextOrigin, scope: ScopeId) -> Value {
         if !text.contains('$') {
             return Value::Str(text.into());
         }
@@ -65,7 +65,7 @@ impl Expander<'_> {
     pub fn eval_pieces(
         &mut self,
         text: &str,
-        place: TextPlace,
+        place: TextOrigin,
         cx: EvalContext,
     ) -> (EcoString, Box<[Piece]>) {
         if !text.contains('$') {
@@ -440,7 +440,7 @@ impl Expander<'_> {
     }
 
     /// A text with its place.
-    pub fn site<'t>(&self, text: &'t str, place: TextPlace) -> TextSite<'t> {
+    pub fn site<'t>(&self, text: &'t str, place: TextOrigin) -> TextSite<'t> {
         let source = self.result.sources.get(place.origin.src);
         let raw = source.map(|source| place.origin.range.slice(source.item.text()));
         TextSite {
@@ -452,7 +452,7 @@ impl Expander<'_> {
 
     /// The same for many ranges of one text: one pass, as long as each is behind the one before.
     pub fn origins_in(&self, site: TextSite<'_>) -> impl FnMut(TextRange) -> Origin {
-        let TextPlace { origin, is_attr } = site.place;
+        let TextOrigin { origin, is_attr } = site.place;
         let source = self.result.sources.get(origin.src);
         let raw = source.map(|source| origin.range.slice(source.item.text()));
         let is_same = site.is_raw;

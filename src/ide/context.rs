@@ -20,7 +20,7 @@ pub struct Cx<'a> {
     /// The names in files beside the robot.
     pub beside: &'a [BesideName],
     /// The macro call that the user looks at: of values that differ by call, its own are shown.
-    pub pinned: Option<FrameId>,
+    pub selected_frame: Option<FrameId>,
 }
 
 impl<'a> Cx<'a> {

@@ -35,7 +35,7 @@ struct EvaluatedText {
 }
 
 /// What the place at an offset expands to on the way with the number `instance`; without one, on the way that was
-/// picked, else on the first.
+/// selected, else on the first.
 pub fn expand_at(
     cx: &Cx<'_>,
     written: &Written,
@@ -44,14 +44,14 @@ pub fn expand_at(
 ) -> Option<ExpandedAt> {
     let at = locate(&cx.source.document, offset);
     let found = expression(cx, &at).or_else(|| element(cx, written, &at))?;
-    let picked = || {
-        let pin = cx.pinned?;
+    let selected = || {
+        let selected_frame = cx.selected_frame?;
         found
             .results
             .iter()
-            .position(|(frame, _)| is_within(cx.expansion, *frame, pin))
+            .position(|(frame, _)| is_within(cx.expansion, *frame, selected_frame))
     };
-    let index = instance.or_else(picked).unwrap_or(0);
+    let index = instance.or_else(selected).unwrap_or(0);
     let result = found.results.get(index);
     let mut title = found.title;
     if found.results.len() > 1

@@ -61,12 +61,12 @@ pub use folding::{Fold, FoldKind, folds, largest};
 pub use format::{Indent, format, format_range, indentation, own_indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
-pub use instances::{SelectedInstance, pin, pinned};
+pub use instances::{SelectedInstance, select_instance, selected_frame};
 pub use locate::{LocatedNode, NodePart, locate, on_name_of_tag};
 pub use moved::{Move, renamed_files};
 pub use names::{NameOccurrence, NavigationTarget, definition_of, definitions};
 pub use navigate::{
-    FilePlace, declaration, file_definition, implementations, is_text, type_definition,
+    FileLocation, declaration, file_definition, implementations, is_text, type_definition,
 };
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};

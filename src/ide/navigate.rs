@@ -17,14 +17,14 @@ use rules::RuleEnv;
 
 /// A place in a file that need not be a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FilePlace {
+pub struct FileLocation {
     /// The file.
     pub path: PathBuf,
     /// Bytes in its text; an empty range at its start means all of it.
     pub range: TextRange,
 }
 
-impl FilePlace {
+impl FileLocation {
     fn start(path: PathBuf) -> Self {
         Self {
             path,
@@ -41,7 +41,7 @@ pub fn file_definition(
     cx: &Cx<'_>,
     world: RuleEnv<'_>,
     offset: u32,
-) -> Option<(TextRange, FilePlace)> {
+) -> Option<(TextRange, FileLocation)> {
     let at = locate(&cx.source.document, offset);
     package(cx, world, &at)
         .or_else(|| key(cx, world, &at))
@@ -49,7 +49,7 @@ pub fn file_definition(
             let name = file_name_at(cx, world, &at)?;
             match name.target {
                 FileTarget::Found(path) if world.vfs.is_file(&path) => {
-                    Some((name.range, FilePlace::start(path)))
+                    Some((name.range, FileLocation::start(path)))
                 }
                 _ => None,
             }
@@ -61,7 +61,7 @@ fn package(
     cx: &Cx<'_>,
     world: RuleEnv<'_>,
     at: &LocatedNode<'_>,
-) -> Option<(TextRange, FilePlace)> {
+) -> Option<(TextRange, FileLocation)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (range, name) = super::hover::package_at(&text, at.offset)?;
     let found = world.packages.find(name, &cx.source.path).ok()?;
@@ -69,11 +69,11 @@ fn package(
     world
         .vfs
         .is_file(&manifest)
-        .then(|| (range, FilePlace::start(manifest)))
+        .then(|| (range, FileLocation::start(manifest)))
 }
 
 /// A key of a value that came from YAML: `cam['mass']`, `cam.mass`.
-fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, FilePlace)> {
+fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, FileLocation)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (expr, start) = parsed(text.token_at(at.offset)?)?;
     let inside = text.offset(at.offset).checked_sub(start)?;
@@ -175,7 +175,7 @@ impl YamlTarget {
     }
 
     /// Where the value of the last key is named.
-    fn place(self, world: RuleEnv<'_>) -> Option<FilePlace> {
+    fn place(self, world: RuleEnv<'_>) -> Option<FileLocation> {
         let file = world.vfs.yaml(&self.path, &vfs::slashed(&self.path)).ok()?;
         let mut node = file.value.as_ref().ok()?;
         let mut range = TextRange::default();
@@ -187,7 +187,7 @@ impl YamlTarget {
             let (name, value) = entries.iter().find(is_it)?;
             (range, node) = (name.range, value);
         }
-        Some(FilePlace {
+        Some(FileLocation {
             path: self.path,
             range,
         })
@@ -199,7 +199,7 @@ pub fn type_definition(
     cx: &Cx<'_>,
     world: RuleEnv<'_>,
     offset: u32,
-) -> Option<(TextRange, FilePlace)> {
+) -> Option<(TextRange, FileLocation)> {
     if let Some((id, range)) = cx.symbol_at(offset) {
         let own = cx
             .expansion

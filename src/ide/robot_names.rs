@@ -121,8 +121,8 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<AttrValue>, RobotNa
         asked.extend(own.map(|span| (name, span.range)));
     }
     let &(first, range) = asked.first()?;
-    if asked.iter().any(|(name, _)| is_picked(cx, name)) {
-        asked.retain(|(name, _)| is_picked(cx, name));
+    if asked.iter().any(|(name, _)| is_selected(cx, name)) {
+        asked.retain(|(name, _)| is_selected(cx, name));
     }
     let given = all
         .iter()
@@ -146,10 +146,10 @@ fn is_at(cx: &Cx<'_>, span: Span, offset: u32) -> bool {
     span.file == cx.source.id && span.range.touches(offset)
 }
 
-/// Whether the call that was picked made a name.
-fn is_picked(cx: &Cx<'_>, name: &RobotName) -> bool {
-    cx.pinned
-        .is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin))
+/// Whether the call that was selected made a name.
+fn is_selected(cx: &Cx<'_>, name: &RobotName) -> bool {
+    cx.selected_frame
+        .is_some_and(|frame| is_within(cx.expansion, name.text.origin.frame, frame))
 }
 
 /// The names of links and joints, and the texts that refer to them; true: it is given there.

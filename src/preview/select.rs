@@ -16,7 +16,7 @@ pub(super) fn made_by(
     let Some((file, at)) = places.range(location) else {
         return Selection::default();
     };
-    let direct = pick(robot, &|element| {
+    let direct = select(robot, &|element| {
         covers(places, element_range(places.expansion, element), file, at).map(|_| 0)
     });
     if !direct.links.is_empty() || !direct.joints.is_empty() {
@@ -38,7 +38,7 @@ pub(super) fn made_by(
     let Some(shortest) = all.filter_map(through).min() else {
         return Selection::default();
     };
-    pick(robot, &|element| {
+    select(robot, &|element| {
         through(element).filter(|length| *length == shortest)
     })
 }
@@ -59,7 +59,7 @@ pub(super) fn location_of(
     places.of(tag_start(places.expansion, link.or(joint)?))
 }
 
-fn pick(robot: &Robot, found: &dyn Fn(XId) -> Option<u32>) -> Selection {
+fn select(robot: &Robot, found: &dyn Fn(XId) -> Option<u32>) -> Selection {
     let links = robot
         .links
         .iter()

@@ -73,7 +73,7 @@ pub(super) struct EditSupport {
 pub(super) struct ActionSupport {
     /// It takes actions that say more about themselves than the command to be run.
     pub literals: bool,
-    /// It asks for the edits of an action when the action is picked.
+    /// It asks for the edits of an action when the action is selected.
     pub resolves: bool,
     /// It shows actions that cannot be made, with the reason.
     pub shows_disabled: bool,

@@ -13,7 +13,7 @@ use base::CancelFlag;
 /// The user sees files in another way now.
 pub fn context_changed(state: &mut ServerState, cancel: &CancelFlag) {
     announce_contexts(state, cancel);
-    state.schedule(Cause::RobotPicked);
+    state.schedule(Cause::RobotSelected);
     refresh(state);
 }
 
@@ -54,9 +54,9 @@ fn announce_context(state: &mut ServerState, path: &std::path::Path, cancel: &Ca
 
 /// What a file is seen as.
 pub(super) struct ShownContext {
-    /// For a status line: the call that was picked, or else the root with its arguments, or else why there is none.
+    /// For a status line: the call that was selected, or else the root with its arguments, or else why there is none.
     pub text: String,
-    /// The call that was picked.
+    /// The call that was selected.
     pub instance: Option<String>,
 }
 
@@ -81,19 +81,19 @@ pub(super) fn seen_as(
     }
 }
 
-/// The call that was picked under a root, when it is a call of a macro of the file.
+/// The call that was selected under a root, when it is a call of a macro of the file.
 pub fn pinned_label(
     state: &mut ServerState,
     path: &Path,
     root: &RootConfig,
     cancel: &CancelFlag,
 ) -> Option<String> {
-    let pin = state
-        .pins
+    let selected = state
+        .selected_instances
         .get(&root.file)
-        .filter(|pin| pin.file == path)?
+        .filter(|selected| selected.file == path)?
         .clone();
     let analyzed = state.host.analyzed(root, cancel)?;
-    let frame = ide::pinned(&analyzed.expansion, &pin)?;
+    let frame = ide::selected_frame(&analyzed.expansion, &selected)?;
     Some(label(state, &analyzed, frame))
 }

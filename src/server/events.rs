@@ -23,7 +23,7 @@ use crate::requests::colors::{color_texts, colors};
 use crate::requests::commands::command;
 use crate::requests::completion::{completion, on_type, resolve_completion, signature_help};
 use crate::requests::expand_at::{
-    ExpandAtParams, ExpandedPlace, SetInstanceParams, expand_at, set_instance,
+    ExpandAtParams, ExpandedLocation, SetInstanceParams, expand_at, set_instance,
 };
 use crate::requests::expansion::{ExpandParams, ExpandedDocument, expand};
 use crate::requests::formatting::{format, format_range};
@@ -255,7 +255,7 @@ messages! {
     }
     own requests {
         Expand: "xacro/expand", expand(ExpandParams) -> ExpandedDocument => expand;
-        ExpandAt: "xacro/expandAt", expand_at(ExpandAtParams) -> Option<ExpandedPlace> => expand_at;
+        ExpandAt: "xacro/expandAt", expand_at(ExpandAtParams) -> Option<ExpandedLocation> => expand_at;
         SetInstance: "xacro/setInstance", set_instance(SetInstanceParams) -> Value => set_instance;
         ToSource: "xacro/toSource", to_source(ToSourceParams) -> SourceLocations => sources_of;
         ToExpanded: "xacro/toExpanded", to_expanded(ToExpandedParams) -> Instances => instances_of;

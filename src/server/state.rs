@@ -54,7 +54,7 @@ pub(super) struct ServerState {
     pub diagnostics: DiagnosticsScheduler,
     pub settings: ServerSettings,
     /// Macro calls that the user selected, by root.
-    pub pins: BTreeMap<PathBuf, ide::SelectedInstance>,
+    pub selected_instances: BTreeMap<PathBuf, ide::SelectedInstance>,
     /// Where the last lines of the log are.
     pub log: Log,
     /// What is shown in 3D.
@@ -89,7 +89,7 @@ impl ServerState {
                 snippets: true,
                 initial: serde_json::json!({}),
             },
-            pins: BTreeMap::new(),
+            selected_instances: BTreeMap::new(),
             log,
             previews: crate::views::Previews::default(),
             shutdown: None,

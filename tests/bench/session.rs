@@ -149,7 +149,7 @@ fn hover(bencher: Bencher<'_, '_>, calls: usize) {
             robot: analyzed.robot.as_ref(),
             kinematics: analyzed.kinematics.as_ref(),
             beside: &[],
-            pinned: None,
+            selected_frame: None,
         };
         let around = session.host.session().rule_env(&settings.config);
         let names = || ide::TextNames::of(&analyzed.expansion, around);

@@ -162,7 +162,7 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
             )];
         }
         [Value::Unknown] => return vec!["the value is unknown".to_owned()],
-        [_] if cx.pinned.is_some() => {
+        [_] if cx.selected_frame.is_some() => {
             let label = values
                 .first()
                 .and_then(|instance| call_label(cx, instance.frame));

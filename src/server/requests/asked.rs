@@ -17,8 +17,8 @@ pub(crate) struct Asked {
     pub around: Arc<Analyzed>,
     /// The names in files beside the robot.
     pub beside: Vec<BesideName>,
-    /// The call that the user picked under this root.
-    pub pinned: Option<FrameId>,
+    /// The call that the user selected under this root.
+    pub selected_frame: Option<FrameId>,
 }
 
 impl Asked {
@@ -37,7 +37,7 @@ impl Asked {
             robot: self.analyzed.robot.as_ref(),
             kinematics: self.analyzed.kinematics.as_ref(),
             beside: &self.beside,
-            pinned: self.pinned,
+            selected_frame: self.selected_frame,
         }
     }
 

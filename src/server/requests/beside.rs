@@ -59,7 +59,7 @@ fn own_cx(analyzed: &Analyzed) -> Option<Cx<'_>> {
         robot,
         kinematics: analyzed.kinematics.as_ref(),
         beside: &[],
-        pinned: None,
+        selected_frame: None,
     })
 }
 
@@ -101,7 +101,7 @@ pub fn asked_beside(
             around,
             offset,
             beside,
-            pinned: None,
+            selected_frame: None,
         }));
     }
     Ok(None)

@@ -46,7 +46,7 @@ pub fn inside(
         around: analyzed.clone(),
         analyzed,
         beside,
-        pinned: None,
+        selected_frame: None,
     }))
 }
 
@@ -187,7 +187,7 @@ fn spread(
             robot,
             kinematics,
             beside,
-            pinned: None,
+            selected_frame: None,
         };
         if ide::renameable_part(&cx, span.range.start).is_some_and(|(range, _)| range == span.range)
         {

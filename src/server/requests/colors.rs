@@ -35,7 +35,7 @@ pub fn colors(
         .collect())
 }
 
-/// The text of a color that was picked; none for a color that an expression makes.
+/// The text of a color that was selected; none for a color that an expression makes.
 pub fn color_texts(
     state: &mut ServerState,
     params: ColorPresentationParams,

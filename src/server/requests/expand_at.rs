@@ -23,7 +23,7 @@ pub(crate) struct ExpandAtParams {
 
 /// What a place expands to.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct ExpandedPlace {
+pub(crate) struct ExpandedLocation {
     pub kind: &'static str,
     pub title: String,
     pub range: Range,
@@ -43,7 +43,7 @@ pub fn expand_at(
     state: &mut ServerState,
     params: ExpandAtParams,
     cancel: &CancelFlag,
-) -> Result<Option<ExpandedPlace>, RequestFailure> {
+) -> Result<Option<ExpandedLocation>, RequestFailure> {
     let mut asked = asked(state, &params.at, cancel)?.on_name();
     if let Some(root) = params.root {
         let root = chosen(state, root)?;
@@ -53,7 +53,7 @@ pub fn expand_at(
             .ok_or(RequestFailure::Cancelled)?;
         asked = Asked {
             analyzed,
-            pinned: None,
+            selected_frame: None,
             ..asked
         };
     }
@@ -63,7 +63,7 @@ pub fn expand_at(
         asked.offset,
         params.instance,
     );
-    Ok(found.map(|found| ExpandedPlace {
+    Ok(found.map(|found| ExpandedLocation {
         kind: found.kind,
         title: found.title,
         range: convert::range(&asked.source.document, found.range, state.encoding),
@@ -81,16 +81,17 @@ pub fn set_instance(
     let root = asked.analyzed.root.file.clone();
     match params.instance {
         None => {
-            state.pins.remove(&root);
+            state.selected_instances.remove(&root);
         }
         Some(index) => {
-            let pin = ide::pin(&asked.cx(), asked.offset, index).map_err(|count| {
-                RequestFailure::Invalid(match count {
-                    0 => "no called macro here".to_owned(),
-                    _ => format!("unknown call {index}: the macro is called {count} times"),
-                })
-            })?;
-            state.pins.insert(root, pin);
+            let selected =
+                ide::select_instance(&asked.cx(), asked.offset, index).map_err(|count| {
+                    RequestFailure::Invalid(match count {
+                        0 => "no called macro here".to_owned(),
+                        _ => format!("unknown call {index}: the macro is called {count} times"),
+                    })
+                })?;
+            state.selected_instances.insert(root, selected);
         }
     }
     context_changed(state, cancel);

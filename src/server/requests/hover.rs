@@ -65,7 +65,7 @@ fn hover_while_typing(
         robot: before.robot.as_ref(),
         kinematics: before.kinematics.as_ref(),
         beside: &[],
-        pinned: None,
+        selected_frame: None,
     };
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let found = ide::hover_while_typing(&cx, offset, |path| state.host.document(path));

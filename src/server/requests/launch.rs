@@ -66,7 +66,7 @@ pub fn launched(
             analyzed,
             offset: 0,
             beside: Vec::new(),
-            pinned: None,
+            selected_frame: None,
         };
         let Some(target) = declaration(&asked.cx(), &name.name) else {
             continue;

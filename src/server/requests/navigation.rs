@@ -16,7 +16,7 @@ use crate::root_param::active_root;
 use crate::state::ServerState;
 use analysis::RootConfig;
 use base::{CancelFlag, Span, TextRange};
-use ide::{Cx, FilePlace, NavigationTarget};
+use ide::{Cx, FileLocation, NavigationTarget};
 use xml::Document;
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
@@ -41,15 +41,16 @@ pub fn asked(
             .analyzed(&RootConfig::plain(&path), cancel)
             .ok_or(RequestFailure::Cancelled)?;
     }
-    let pin = state.pins.get(&analyzed.root.file);
-    let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
+    let selected = state.selected_instances.get(&analyzed.root.file);
+    let selected_frame =
+        selected.and_then(|selected| ide::selected_frame(&analyzed.expansion, selected));
     Ok(Asked {
         source,
         analyzed,
         around,
         offset,
         beside: Vec::new(),
-        pinned,
+        selected_frame,
     })
 }
 
@@ -231,7 +232,7 @@ fn file_target(
     state: &ServerState,
     asked: &Asked,
     origin: TextRange,
-    place: &FilePlace,
+    place: &FileLocation,
     links: bool,
 ) -> Option<GotoDefinitionResponse> {
     let origin = convert::range(&asked.source.document, origin, state.encoding);

@@ -1,6 +1,6 @@
-//! Refactorings: what is offered at a place, and the edits of what was picked.
+//! Refactorings: what is offered at a place, and the edits of what was selected.
 //!
-//! A client that asks for edits when an action is picked gets none before. They are worked out for the text as it is
+//! A client that asks for edits when an action is selected gets none before. They are worked out for the text as it is
 //! then; when that is another one, the client is told to ask again.
 use std::path::Path;
 

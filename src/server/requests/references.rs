@@ -162,7 +162,7 @@ fn in_robot(
             robot,
             kinematics,
             beside: &[],
-            pinned: None,
+            selected_frame: None,
         };
         let found = match thing {
             Some(thing) => ide::uses_of(&cx, thing),

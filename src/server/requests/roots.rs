@@ -27,7 +27,7 @@ pub(crate) struct FileRoots {
     pub active: Option<RootParam>,
     /// What the file is seen as, for a status line: as `xacro/contextChanged` says it.
     pub text: String,
-    /// The call of a macro of the file that was picked, such as `leg @ robot.urdf.xacro:41`.
+    /// The call of a macro of the file that was selected, such as `leg @ robot.urdf.xacro:41`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub instance: Option<String>,
     pub reason: &'static str,
@@ -180,9 +180,9 @@ pub fn set_root(
     match &params.text_document {
         Some(document) => {
             let path = state.path(&document.uri);
-            state.host.pick(&path, root);
+            state.host.select(&path, root);
         }
-        None => state.host.pick_all(root),
+        None => state.host.select_all(root),
     }
     context_changed(state, cancel);
     Ok(Value::Null)
@@ -210,7 +210,7 @@ pub fn set_args(
                 .root
                 .is_some_and(|other| other.file == file)
             {
-                state.host.pick(open, (!taken_back).then(|| root.clone()));
+                state.host.select(open, (!taken_back).then(|| root.clone()));
             }
         }
         context_changed(state, cancel);

@@ -32,7 +32,7 @@ pub use expect::{Expectation, ExpectedJoint};
 pub use keys::CONSUMERS;
 pub use load::{CONFIG_NAMES, LoadedConfig, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
-pub use place::{ConfigPlace, PlaceKind, is_bare, place_at};
+pub use place::{ConfigCursor, ConfigCursorKind, is_bare, place_at};
 pub use roots::{Axes, Root, Variant, XacroArgs, files_named};
 pub use schema::schema;
 pub use settings::{Config, Format, Limits};

@@ -11,11 +11,11 @@ const DEPTH: u32 = 100;
 
 /// A place where a key or a value may stand.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ConfigPlace {
+pub struct ConfigCursor {
     /// The keys that lead there. Lists have none.
     pub path: Vec<String>,
     /// What stands there.
-    pub kind: PlaceKind,
+    pub kind: ConfigCursorKind,
     /// The word there, without quotes.
     pub range: TextRange,
     /// The quote in front of the word.
@@ -26,7 +26,7 @@ pub struct ConfigPlace {
 
 /// What stands at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlaceKind {
+pub enum ConfigCursorKind {
     /// The key of an entry.
     Key,
     /// A key in the header of a table.
@@ -42,7 +42,7 @@ pub enum PlaceKind {
 }
 
 /// The place at an offset of a text; none in comments, in numbers, and where neither a key nor a value may begin.
-pub fn place_at(text: &str, offset: u32) -> Option<ConfigPlace> {
+pub fn place_at(text: &str, offset: u32) -> Option<ConfigCursor> {
     let before = text.get(..offset as usize)?;
     let (start, quote) = word(before)?;
     let lead = quote.map_or(0, char::len_utf8);
@@ -60,7 +60,7 @@ pub fn place_at(text: &str, offset: u32) -> Option<ConfigPlace> {
         file = file_below(after);
     }
     let range = TextRange::new((start + lead) as u32, end as u32);
-    Some(ConfigPlace {
+    Some(ConfigCursor {
         path,
         kind,
         range,
@@ -284,10 +284,10 @@ impl<'t> TomlReader<'t> {
         self.header.iter().chain(keys).cloned().collect()
     }
 
-    fn place(&mut self) -> Option<(Vec<String>, PlaceKind)> {
+    fn place(&mut self) -> Option<(Vec<String>, ConfigCursorKind)> {
         let path = self.path();
         if let Some(is_list) = self.open_header {
-            return Some((path, PlaceKind::Header { is_list }));
+            return Some((path, ConfigCursorKind::Header { is_list }));
         }
         let level = self.level();
         if level.is_done {
@@ -297,9 +297,9 @@ impl<'t> TomlReader<'t> {
         Some((
             path,
             if level.in_value {
-                PlaceKind::Value { in_list }
+                ConfigCursorKind::Value { in_list }
             } else {
-                PlaceKind::Key
+                ConfigCursorKind::Key
             },
         ))
     }
@@ -307,7 +307,7 @@ impl<'t> TomlReader<'t> {
 
 #[cfg(test)]
 mod tests {
-    use super::{PlaceKind, place_at};
+    use super::{ConfigCursorKind, place_at};
 
     /// The place at `|`, in short.
     fn place(text: &str) -> String {
@@ -316,11 +316,11 @@ mod tests {
             return "none".to_owned();
         };
         let kind = match place.kind {
-            PlaceKind::Key => "key",
-            PlaceKind::Header { is_list: false } => "table",
-            PlaceKind::Header { is_list: true } => "list of tables",
-            PlaceKind::Value { in_list: false } => "value",
-            PlaceKind::Value { in_list: true } => "item",
+            ConfigCursorKind::Key => "key",
+            ConfigCursorKind::Header { is_list: false } => "table",
+            ConfigCursorKind::Header { is_list: true } => "list of tables",
+            ConfigCursorKind::Value { in_list: false } => "value",
+            ConfigCursorKind::Value { in_list: true } => "item",
         };
         let text = text.replace('|', "");
         let word = match place.range.slice(&text) {

@@ -2,7 +2,7 @@
 
 use super::Config;
 use super::keys::{ConfigKey, KeyType};
-use super::place::{ConfigPlace, PlaceKind};
+use super::place::{ConfigCursor, ConfigCursorKind};
 use super::settings::ConfigTable;
 
 /// What may stand at a place.
@@ -19,10 +19,10 @@ pub enum ExpectedValue {
 }
 
 /// What may stand at a place; `None` where nothing may.
-pub fn wanted(place: &ConfigPlace) -> Option<ExpectedValue> {
+pub fn wanted(place: &ConfigCursor) -> Option<ExpectedValue> {
     let of = type_at(&place.path)?;
     match place.kind {
-        PlaceKind::Key | PlaceKind::Header { .. } => {
+        ConfigCursorKind::Key | ConfigCursorKind::Header { .. } => {
             let keys = match of {
                 KeyType::Keys(keys) | KeyType::Tables(keys) => keys,
                 KeyType::Map(_) => return Some(ExpectedValue::Free),
@@ -30,7 +30,7 @@ pub fn wanted(place: &ConfigPlace) -> Option<ExpectedValue> {
                 _ => return None,
             };
             let is_header = |key: &&ConfigKey| match place.kind {
-                PlaceKind::Header { is_list } => has_header(key.of, is_list),
+                ConfigCursorKind::Header { is_list } => has_header(key.of, is_list),
                 _ => true,
             };
             Some(ExpectedValue::Keys(
@@ -40,7 +40,7 @@ pub fn wanted(place: &ConfigPlace) -> Option<ExpectedValue> {
                     .collect(),
             ))
         }
-        PlaceKind::Value { in_list } => match (of, in_list) {
+        ConfigCursorKind::Value { in_list } => match (of, in_list) {
             (KeyType::Choice(words), false) | (KeyType::Choices(words), true) => {
                 Some(ExpectedValue::Words(words))
             }

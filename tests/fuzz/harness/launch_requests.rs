@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use xacro_lsp::analysis::{AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
-use xacro_lsp::workspace::config::{PlaceKind, doc, place_at, wanted};
+use xacro_lsp::workspace::config::{ConfigCursorKind, doc, place_at, wanted};
 
 use super::choice_and_text;
 
@@ -130,7 +130,7 @@ pub fn config_places(text: &str) {
             "{place:?} of {text:?}"
         );
         let mut path = place.path.clone();
-        if !matches!(place.kind, PlaceKind::Value { .. }) {
+        if !matches!(place.kind, ConfigCursorKind::Value { .. }) {
             path.push(range.slice(text).to_owned());
         }
         wanted(&place);
