@@ -131,10 +131,10 @@ impl<'a> Change<'a> {
     /// there, or is an error elsewhere that the change may have caused.
     pub(super) fn concerns(&self, finding: &Finding) -> bool {
         let related = finding.related.iter().map(|related| related.span);
-        let ways = finding.call_sites.iter().map(|way| way.call);
+        let call_sites = finding.call_sites.iter().map(|site| site.call);
         let files: FastSet<FileId> = std::iter::once(finding.span)
             .chain(related)
-            .chain(ways)
+            .chain(call_sites)
             .map(|span| span.file)
             .collect();
         let of_its_file =

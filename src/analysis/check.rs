@@ -5,7 +5,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::analyzed::{Analyzed, run_kept};
 use super::beside::{ComparisonResult, Robots, Sort, sort};
 use super::change::Change;
 use super::check_task::{CheckReason, CheckTask};
@@ -14,6 +13,7 @@ use super::lock::locked;
 use super::merge::merge;
 use super::options::CheckOptions;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
+use super::root_analysis::{RootAnalysis, run_kept};
 use super::root_config::RootConfig;
 use super::root_result::RootResult;
 use super::run_task;
@@ -45,7 +45,7 @@ impl KeptRobots {
         }
     }
 
-    fn add(&self, analyzed: Analyzed) {
+    fn add(&self, analyzed: RootAnalysis) {
         locked(&self.robots).insert(analyzed.root.clone(), Arc::new(analyzed));
     }
 }
@@ -276,7 +276,7 @@ impl Session {
             .filter(|root| !robots.contains_key(root))
             .collect();
         let make = |root: RootConfig| {
-            let analyzed = Arc::new(Analyzed::of(self, &root, options));
+            let analyzed = Arc::new(RootAnalysis::of(self, &root, options));
             (root, analyzed)
         };
         let made: Vec<_> = match large_stacks().filter(|_| roots.len() > 1) {

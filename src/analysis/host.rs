@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::analyzed::{Analyzed, task_of};
 use super::beside::sort;
 use super::graph::Graph;
 use super::options::CheckOptions;
 use super::proof::{AffectedRobots, Effort};
 use super::report::Report;
+use super::root_analysis::{RootAnalysis, task_of};
 use super::root_config::RootConfig;
 use super::root_result::RootResult;
 use super::scan::Scan;
@@ -39,9 +39,9 @@ pub struct AnalysisHost {
     scan: Scan,
     /// Roots selected by the user, by the file they were selected for.
     selections: FastMap<PathBuf, RootConfig>,
-    cache: FastMap<RootConfig, Arc<Analyzed>>,
+    cache: FastMap<RootConfig, Arc<RootAnalysis>>,
     /// The last expansions without errors.
-    good: FastMap<RootConfig, Arc<Analyzed>>,
+    good: FastMap<RootConfig, Arc<RootAnalysis>>,
     /// How many expansions were made.
     expansions: u64,
     /// Counts what no record tells of: packages, meshes, configuration.
@@ -401,7 +401,11 @@ impl AnalysisHost {
     }
 
     /// A root expanded; from the cache when nothing it read has changed. `None` when cancelled.
-    pub fn analyzed(&mut self, root: &RootConfig, cancel: &CancelFlag) -> Option<Arc<Analyzed>> {
+    pub fn analyzed(
+        &mut self,
+        root: &RootConfig,
+        cancel: &CancelFlag,
+    ) -> Option<Arc<RootAnalysis>> {
         if let Some(known) = self.cache.get(root)
             && self.is_valid(known)
         {
@@ -418,7 +422,7 @@ impl AnalysisHost {
             return None;
         }
         self.expansions += 1;
-        let made = Arc::new(Analyzed::new(root.clone(), expansion, self.epoch));
+        let made = Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch));
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();
         }
@@ -435,10 +439,10 @@ impl AnalysisHost {
         root: &RootConfig,
         forced: Vec<Forced>,
         cancel: &CancelFlag,
-    ) -> Option<Arc<Analyzed>> {
+    ) -> Option<Arc<RootAnalysis>> {
         let expansion = run_task::forced(&self.session, cancel, &task_of(root), forced);
         (!cancel.is_cancelled())
-            .then(|| Arc::new(Analyzed::new(root.clone(), expansion, self.epoch)))
+            .then(|| Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch)))
     }
 
     /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made
@@ -449,7 +453,7 @@ impl AnalysisHost {
         root: &RootConfig,
         path: &Path,
         cancel: &CancelFlag,
-    ) -> Vec<Arc<Analyzed>> {
+    ) -> Vec<Arc<RootAnalysis>> {
         let known = self.cache.get(root).cloned();
         let is_fresh = known
             .as_ref()
@@ -474,7 +478,7 @@ impl AnalysisHost {
     }
 
     /// Whether all texts of a robot are whole XML as they are now.
-    fn is_unbroken(&self, known: &Analyzed) -> bool {
+    fn is_unbroken(&self, known: &RootAnalysis) -> bool {
         let files = known.expansion.files.iter();
         let mut files = files.filter_map(|file| self.document(&file.source.path));
         files.all(|source| source.document.errors().is_empty())
@@ -482,7 +486,7 @@ impl AnalysisHost {
 
     /// The last expansion of the robot of an open file, when the robot is large and nothing but this file was edited
     /// since: what it says of other places still holds, as far as that rests on nothing edited.
-    pub fn before_typing(&mut self, path: &Path) -> Option<Arc<Analyzed>> {
+    pub fn before_typing(&mut self, path: &Path) -> Option<Arc<RootAnalysis>> {
         let root = self.context(path).root?;
         let last = self
             .cache
@@ -494,27 +498,27 @@ impl AnalysisHost {
     }
 
     /// The last expansion of a root that had no errors.
-    pub fn last_good(&self, root: &RootConfig) -> Option<Arc<Analyzed>> {
+    pub fn last_good(&self, root: &RootConfig) -> Option<Arc<RootAnalysis>> {
         self.good.get(root).cloned()
     }
 
     /// Whether an expansion still holds.
-    pub(super) fn is_valid(&self, known: &Analyzed) -> bool {
+    pub(super) fn is_valid(&self, known: &RootAnalysis) -> bool {
         known.epoch == self.epoch && self.is_current(known)
     }
 
     /// The same without a look at one file.
-    pub(super) fn is_valid_beside(&self, known: &Analyzed, except: &Path) -> bool {
+    pub(super) fn is_valid_beside(&self, known: &RootAnalysis, except: &Path) -> bool {
         known.epoch == self.epoch && self.is_current_beside(known, except)
     }
 
     /// Whether everything that an expansion read is as it was.
-    fn is_current(&self, known: &Analyzed) -> bool {
+    fn is_current(&self, known: &RootAnalysis) -> bool {
         self.is_current_beside(known, Path::new(""))
     }
 
     /// The same without a look at one file.
-    fn is_current_beside(&self, known: &Analyzed, except: &Path) -> bool {
+    fn is_current_beside(&self, known: &RootAnalysis, except: &Path) -> bool {
         known.is_current_beside(&self.session.vfs, &self.env.cwd, except)
     }
 

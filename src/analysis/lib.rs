@@ -3,7 +3,6 @@
 //! What the command line and the language server share.
 
 mod admission;
-mod analyzed;
 mod baseline;
 mod beside;
 mod calls;
@@ -46,6 +45,7 @@ mod proof;
 mod renaming;
 mod report;
 mod roles;
+mod root_analysis;
 mod root_config;
 mod root_result;
 mod roots;
@@ -82,7 +82,6 @@ mod used_names_tests;
 #[cfg(test)]
 mod uses_tests;
 
-pub use analyzed::Analyzed;
 pub use baseline::{Baseline, fingerprint};
 pub use beside::{Beside, is_settings};
 pub use candidates::Candidates;
@@ -99,6 +98,7 @@ pub use progress::Progress;
 pub use proof::{AffectedRobots, Effort};
 pub use renaming::{NewName, Obstacle, Replaced};
 pub use report::{Position, Report, SkipReason, Skipped, Unreadable};
+pub use root_analysis::RootAnalysis;
 pub use root_config::{Context, RootConfig, RootReason};
 pub use session::{Session, Setup};
 pub use walk::is_launch;

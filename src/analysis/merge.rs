@@ -9,8 +9,8 @@ struct Merged {
     finding: Finding,
     /// Numbers of the results that have it.
     results: Vec<usize>,
-    /// The same for each way of the finding.
-    by_way: Vec<Vec<usize>>,
+    /// The same for each call of the finding.
+    by_call_site: Vec<Vec<usize>>,
 }
 
 /// All findings; one that several expansions have is kept once, with the places of all of them.
@@ -47,11 +47,11 @@ pub(super) fn merge(results: Vec<RootResult>) -> Vec<Finding> {
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {
-        let by_way = vec![vec![number]; finding.call_sites.len()];
+        let by_call_site = vec![vec![number]; finding.call_sites.len()];
         Self {
             finding,
             results: vec![number],
-            by_way,
+            by_call_site,
         }
     }
 
@@ -66,21 +66,21 @@ impl Merged {
         self.results.push(number);
         self.finding.severity = self.finding.severity.max(finding.severity);
         self.finding.partial |= finding.partial;
-        for way in finding.call_sites {
+        for call_site in finding.call_sites {
             match self
                 .finding
                 .call_sites
                 .iter()
-                .position(|known| known.call == way.call)
+                .position(|known| known.call == call_site.call)
             {
                 Some(known) => self
-                    .by_way
+                    .by_call_site
                     .get_mut(known)
                     .into_iter()
                     .for_each(|own| own.push(number)),
                 None => {
-                    self.finding.call_sites.push(way);
-                    self.by_way.push(vec![number]);
+                    self.finding.call_sites.push(call_site);
+                    self.by_call_site.push(vec![number]);
                 }
             }
         }
@@ -134,8 +134,8 @@ impl Merged {
         if self.finding.rule.has(Trait::Unnecessary) {
             return None;
         }
-        for (way, own) in self.finding.call_sites.iter_mut().zip(&self.by_way) {
-            way.message.push_str(&contexts.suffix(own));
+        for (call_site, own) in self.finding.call_sites.iter_mut().zip(&self.by_call_site) {
+            call_site.message.push_str(&contexts.suffix(own));
         }
         self.finding
             .message

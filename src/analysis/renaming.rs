@@ -6,12 +6,12 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::analyzed::task_of;
 use super::check_task::CheckTask;
 use super::plan::apply;
 use super::proof::{
     AffectedRobots, CONDITIONS, Changed, Effort, Trial, enclosing, turned_over, with_arguments,
 };
+use super::root_analysis::task_of;
 use super::root_config::RootConfig;
 use super::run_cache::{RunResult, RunSetting};
 use super::session::Session;

@@ -22,7 +22,7 @@ pub use browser::{Hub, Received};
 pub use files::ModelFiles;
 pub use messages::{FromViewer, ModelError, ModelMessage, ModelSource, RootName, Selection, Side};
 pub use model::{BodyModel, JointModel, LinkModel, Model, PoseModel};
-pub use places::{Location, LocationFormat, Point, Stretch, file_uri};
+pub use places::{LinePosition, LineRange, Location, LocationFormat, file_uri};
 pub use programs::Programs;
 pub use shapes::ShapeModel;
 pub use views::{MeshBytes, Views, still};

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::model::Model;
 use super::places::Location;
 use super::programs::Programs;
-use analysis::{Analyzed, RootConfig};
+use analysis::{RootAnalysis, RootConfig};
 
 /// A root as messages name it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -83,7 +83,7 @@ pub struct ModelMessage {
 
 /// The expansion that a model was made of.
 #[derive(Clone)]
-pub struct ModelSource(pub(super) Arc<Analyzed>);
+pub struct ModelSource(pub(super) Arc<RootAnalysis>);
 
 impl ModelSource {
     /// The robot as URDF.

@@ -10,7 +10,7 @@ use expand::{Expansion, FileRange, FrameKind, Origin};
 
 /// A line and a column, both from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Point {
+pub struct LinePosition {
     /// The line.
     pub line: u32,
     /// The column, in the units agreed with the client.
@@ -19,11 +19,11 @@ pub struct Point {
 
 /// A range of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Stretch {
+pub struct LineRange {
     /// Its first character.
-    pub start: Point,
+    pub start: LinePosition,
     /// Behind its last one.
-    pub end: Point,
+    pub end: LinePosition,
 }
 
 /// A range of a file, as the language server protocol writes it.
@@ -32,19 +32,19 @@ pub struct Location {
     /// The file.
     pub uri: String,
     /// Where in it.
-    pub range: Stretch,
+    pub range: LineRange,
 }
 
 impl Location {
     /// The first character of a file.
     pub fn start(uri: String) -> Self {
-        let first = Point {
+        let first = LinePosition {
             line: 0,
             character: 0,
         };
         Self {
             uri,
-            range: Stretch {
+            range: LineRange {
                 start: first,
                 end: first,
             },
@@ -79,12 +79,12 @@ impl LocationMapper<'_> {
         let source = &self.expansion.files.get(place.file)?.source;
         let point = |offset| {
             let LineCol { line, col } = source.document.line_col(offset, self.names.encoding);
-            Point {
+            LinePosition {
                 line,
                 character: col,
             }
         };
-        let range = Stretch {
+        let range = LineRange {
             start: point(place.range.start),
             end: point(place.range.end),
         };

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::places::{Location, LocationMapper};
-use analysis::{Analyzed, Session};
+use analysis::{RootAnalysis, Session};
 use rules::consumers::{CONSUMERS, Consumer, Outcome, Row, constructs, is_readable, rows};
 
 /// Places of a construct that are sent.
@@ -48,7 +48,7 @@ pub struct Owner {
 /// What programs make of a robot; none when no program is given it, since it has errors.
 pub(super) fn programs(
     session: &Session,
-    analyzed: &Analyzed,
+    analyzed: &RootAnalysis,
     places: &LocationMapper<'_>,
 ) -> Option<Programs> {
     let expansion = &analyzed.expansion;

@@ -12,7 +12,7 @@ use super::places::{Location, LocationFormat, LocationMapper};
 use super::programs::programs;
 use super::select;
 use super::shapes::Shapes;
-use analysis::{AnalysisHost, Analyzed, RootConfig, Session};
+use analysis::{AnalysisHost, RootAnalysis, RootConfig, Session};
 use base::limits::{SENT_BYTES, SENT_ERRORS};
 use base::{CancelFlag, Encoding, FastSet};
 use expand::{Expansion, ProblemSeverity, Read};
@@ -36,7 +36,7 @@ struct OpenView {
 struct Shown {
     root: RootConfig,
     /// What was sent last.
-    sent: Option<Arc<Analyzed>>,
+    sent: Option<Arc<RootAnalysis>>,
     /// What was sent last without errors, with its revision.
     good: Option<(Arc<Model>, Option<u64>)>,
     /// The model that was sent last.
@@ -271,7 +271,7 @@ impl Views {
         })
     }
 
-    fn analyzed(&self, id: u32) -> Option<&Arc<Analyzed>> {
+    fn analyzed(&self, id: u32) -> Option<&Arc<RootAnalysis>> {
         self.views.get(&id)?.sides.get(&Side::Main)?.sent.as_ref()
     }
 
@@ -298,7 +298,7 @@ impl Shown {
         host: &mut AnalysisHost,
         names: &LocationFormat<'_>,
         files: &ModelFiles,
-        analyzed: Arc<Analyzed>,
+        analyzed: Arc<RootAnalysis>,
     ) -> Option<ModelMessage> {
         let expansion = &analyzed.expansion;
         let ok = !expansion.has_errors() && expansion.root_error.is_none();
@@ -369,7 +369,7 @@ fn drawn(
     host: &AnalysisHost,
     names: &LocationFormat<'_>,
     files: &ModelFiles,
-    analyzed: &Analyzed,
+    analyzed: &RootAnalysis,
 ) -> Model {
     let places = LocationMapper {
         names,
@@ -412,7 +412,11 @@ fn of_robot(
     model(robot, places, &mut shapes)
 }
 
-fn errors(names: &LocationFormat<'_>, analyzed: &Analyzed, root: &RootConfig) -> Vec<ModelError> {
+fn errors(
+    names: &LocationFormat<'_>,
+    analyzed: &RootAnalysis,
+    root: &RootConfig,
+) -> Vec<ModelError> {
     let expansion = &analyzed.expansion;
     let places = LocationMapper { names, expansion };
     let problems = expansion

@@ -74,7 +74,7 @@ pub(super) fn seen_as(
             instance: None,
         };
     };
-    let instance = pinned_label(state, path, root, cancel);
+    let instance = selected_label(state, path, root, cancel);
     ShownContext {
         text: instance.clone().unwrap_or_else(|| root.label()),
         instance,
@@ -82,7 +82,7 @@ pub(super) fn seen_as(
 }
 
 /// The call that was selected under a root, when it is a call of a macro of the file.
-pub fn pinned_label(
+pub fn selected_label(
     state: &mut ServerState,
     path: &Path,
     root: &RootConfig,

@@ -1,8 +1,8 @@
 //! What `.setup_assistant` of MoveIt says, compared with the files that it names.
 use std::path::{Path, PathBuf};
 
-use super::super::analyzed::Analyzed;
 use super::super::options::CheckOptions;
+use super::super::root_analysis::RootAnalysis;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots};
@@ -121,7 +121,7 @@ impl Session {
             cancel: cancel.clone(),
             ..CheckOptions::default()
         };
-        let plain = Analyzed::of(self, &RootConfig::plain(file), &options).expansion;
+        let plain = RootAnalysis::of(self, &RootConfig::plain(file), &options).expansion;
         let before: Vec<_> = plain
             .problems
             .iter()

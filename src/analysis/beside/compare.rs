@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::super::analyzed::Analyzed;
 use super::super::includes::reach;
 use super::super::options::CheckOptions;
+use super::super::root_analysis::RootAnalysis;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
@@ -112,7 +112,7 @@ impl Session {
                 .filter_map(|other| self.beside_once(other, &mut read, robots))
                 .collect();
             let mut said = self.check_names(&own, &paired, &around, cancel);
-            let has_ignored = |one: &Arc<Analyzed>| has_ignored_tags(&one.expansion);
+            let has_ignored = |one: &Arc<RootAnalysis>| has_ignored_tags(&one.expansion);
             // what is missing in the robot has its cause there
             if !said.is_empty() && paired.robots.iter().any(has_ignored) {
                 said = self.check_names(&own, &Paired::default(), &around, cancel);
@@ -247,7 +247,7 @@ impl Session {
         else {
             return Vec::new();
         };
-        let callers = |robot: &Arc<Analyzed>| {
+        let callers = |robot: &Arc<RootAnalysis>| {
             let calls = self.robot_calls(&robot.root.file);
             calls.into_iter().map(|one| one.call.caller).collect()
         };
@@ -264,7 +264,7 @@ impl Session {
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.
-    fn further_names(&self, paired: &[Arc<Analyzed>], cancel: &CancelFlag) -> RobotNames {
+    fn further_names(&self, paired: &[Arc<RootAnalysis>], cancel: &CancelFlag) -> RobotNames {
         let mut names = RobotNames::default();
         for analyzed in paired {
             self.add_written(&analyzed.root.file, &mut names);

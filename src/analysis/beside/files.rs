@@ -2,7 +2,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::super::analyzed::Analyzed;
+use super::super::root_analysis::RootAnalysis;
 use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use base::{FastMap, FileId};
@@ -24,7 +24,7 @@ pub struct Beside {
 #[derive(Clone)]
 pub(super) enum ParsedBeside {
     /// A semantic description, with its expansion.
-    Srdf(Arc<Analyzed>, Arc<Srdf>),
+    Srdf(Arc<RootAnalysis>, Arc<Srdf>),
     /// YAML.
     Settings(Arc<YamlSettings>),
 }
@@ -90,7 +90,7 @@ impl Beside {
     }
 
     /// The SRDF with its expansion.
-    pub fn srdf(&self) -> Option<(&Analyzed, &Srdf)> {
+    pub fn srdf(&self) -> Option<(&RootAnalysis, &Srdf)> {
         match &self.read {
             ParsedBeside::Srdf(analyzed, srdf) => Some((analyzed, srdf)),
             ParsedBeside::Settings(_) => None,
@@ -163,4 +163,4 @@ impl Session {
 }
 
 /// Robots and SRDFs, expanded.
-pub(in super::super) type Robots = FastMap<RootConfig, Arc<Analyzed>>;
+pub(in super::super) type Robots = FastMap<RootConfig, Arc<RootAnalysis>>;

@@ -1,8 +1,8 @@
 //! The names of links and joints that a robot has with other arguments, and in another environment.
 use ecow::EcoString;
 
-use super::super::analyzed::{Analyzed, task_of};
 use super::super::proof::{CONDITIONS, turned_over};
+use super::super::root_analysis::{RootAnalysis, task_of};
 use super::super::root_config::RootConfig;
 use super::super::run_task;
 use super::super::session::Session;
@@ -25,7 +25,11 @@ const VARIABLES: [&str; 2] = ["$(optenv ", "$(env "];
 impl Session {
     /// The names that a robot has with its switches turned over, with the values that launch files let somebody choose
     /// from, and in another environment.
-    pub(super) fn names_otherwise(&self, analyzed: &Analyzed, cancel: &CancelFlag) -> RobotNames {
+    pub(super) fn names_otherwise(
+        &self,
+        analyzed: &RootAnalysis,
+        cancel: &CancelFlag,
+    ) -> RobotNames {
         let mut names = RobotNames::default();
         let turned = |(name, value): &(EcoString, EcoString)| match turned_over(value).as_slice() {
             [other] => Some((name.to_string(), (*other).to_owned())),
@@ -93,7 +97,7 @@ impl Session {
     /// Add the names that a robot has where variables of the environment are set that decide on parts of it: a script of
     /// the robot, or whoever starts it, may set them. A variable with a switch as its default is turned over, and the
     /// conditions that read one are taken, whatever they compare it with.
-    fn add_elsewhere(&self, analyzed: &Analyzed, cancel: &CancelFlag, names: &mut RobotNames) {
+    fn add_elsewhere(&self, analyzed: &RootAnalysis, cancel: &CancelFlag, names: &mut RobotNames) {
         let environment = turned(&analyzed.expansion, &self.env);
         let forced = conditions(&analyzed.expansion);
         let ways = [

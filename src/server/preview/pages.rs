@@ -91,6 +91,6 @@ fn show_location(state: &ServerState, location: Option<&Location>) {
     }
 }
 
-fn point(point: preview::Point) -> lsp_types::Position {
+fn point(point: preview::LinePosition) -> lsp_types::Position {
     lsp_types::Position::new(point.line, point.character)
 }

@@ -2,7 +2,7 @@
 use std::sync::Arc;
 
 use crate::state::ServerState;
-use analysis::Analyzed;
+use analysis::RootAnalysis;
 use expand::FrameId;
 use ide::{BesideName, Cx, TextNames};
 use vfs::SourceFile;
@@ -10,11 +10,11 @@ use vfs::SourceFile;
 /// A place in a file under its active root.
 pub(crate) struct Asked {
     pub source: Arc<SourceFile>,
-    pub analyzed: Arc<Analyzed>,
+    pub analyzed: Arc<RootAnalysis>,
     /// Bytes from the start of the file.
     pub offset: u32,
     /// The active root of the file, whether its expansion came by the file or not.
-    pub around: Arc<Analyzed>,
+    pub around: Arc<RootAnalysis>,
     /// The names in files beside the robot.
     pub beside: Vec<BesideName>,
     /// The call that the user selected under this root.

@@ -9,7 +9,7 @@ use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::of_description::is_not_described;
 use crate::state::ServerState;
-use analysis::{Analyzed, Beside, RootConfig};
+use analysis::{Beside, RootAnalysis, RootConfig};
 use base::CancelFlag;
 use ide::{self, BesideName, BesideSources, Completions, Cx};
 use project::word_at;
@@ -50,7 +50,7 @@ fn names_in(state: &ServerState, beside: &Beside) -> Vec<BesideName> {
 }
 
 /// A file in its own expansion.
-fn own_cx(analyzed: &Analyzed) -> Option<Cx<'_>> {
+fn own_cx(analyzed: &RootAnalysis) -> Option<Cx<'_>> {
     let source = &analyzed.expansion.files.first()?.source;
     let (expansion, robot) = (&analyzed.expansion, analyzed.robot.as_ref());
     Some(Cx {
@@ -161,7 +161,7 @@ pub fn robots_described(
     path: &Path,
     source: &SourceFile,
     cancel: &CancelFlag,
-) -> Vec<Arc<Analyzed>> {
+) -> Vec<Arc<RootAnalysis>> {
     match rules::is_semantic_file(path, &source.document) {
         true => robots_named(state, path, cancel),
         false => Vec::new(),
@@ -169,7 +169,11 @@ pub fn robots_described(
 }
 
 /// The last expansions of the robots whose names may be used in a file beside robots.
-fn robots_named(state: &mut ServerState, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
+fn robots_named(
+    state: &mut ServerState,
+    path: &Path,
+    cancel: &CancelFlag,
+) -> Vec<Arc<RootAnalysis>> {
     let roots = state.host.robots_to_name(path);
     roots
         .iter()

@@ -5,7 +5,7 @@ use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::beside::names_beside;
 use crate::state::ServerState;
-use analysis::{Analyzed, RootConfig};
+use analysis::{RootAnalysis, RootConfig};
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, FileId, Span, TextRange};
 use expand::Forced;
@@ -58,7 +58,7 @@ struct Ways<'a> {
 }
 
 impl<'a> Ways<'a> {
-    fn of(state: &'a ServerState, analyzed: &Analyzed) -> Option<Self> {
+    fn of(state: &'a ServerState, analyzed: &RootAnalysis) -> Option<Self> {
         let session = state.host.session();
         let settings = session.settings(&analyzed.root.file);
         let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
@@ -162,7 +162,7 @@ fn roots(state: &mut ServerState, asked: &Asked, spans: &[Span]) -> Vec<RootConf
 
 /// Add the texts of one expansion that belong to those.
 fn spread(
-    analyzed: &Analyzed,
+    analyzed: &RootAnalysis,
     beside: &[BesideName],
     new: &str,
     spans: &mut Vec<Span>,

@@ -18,7 +18,7 @@ use crate::requests::formatting::indent;
 use crate::requests::launch::is_about_launch;
 use crate::requests::{beside, configuration, launch};
 use crate::state::ServerState;
-use analysis::{Analyzed, RootConfig, is_settings};
+use analysis::{RootAnalysis, RootConfig, is_settings};
 use base::{CancelFlag, TextRange};
 use ide::{
     self, Completion, CompletionScope, CompletionSources, Completions, ItemKind, Signature, Topic,
@@ -37,10 +37,10 @@ struct ResolveData {
 struct CompletionSnapshot {
     source: Arc<SourceFile>,
     root: RootConfig,
-    analyzed: Vec<Arc<Analyzed>>,
+    analyzed: Vec<Arc<RootAnalysis>>,
     roots: Vec<PathBuf>,
     /// Of an SRDF: the robots that it is for.
-    described: Vec<Arc<Analyzed>>,
+    described: Vec<Arc<RootAnalysis>>,
 }
 
 pub fn completion(

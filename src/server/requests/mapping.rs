@@ -10,7 +10,7 @@ use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::root_param::{RootParam, chosen_or_active};
 use crate::state::ServerState;
-use analysis::{Analyzed, RootConfig};
+use analysis::{RootAnalysis, RootConfig};
 use base::{CancelFlag, TextRange};
 use expand::{FrameId, FrameKind, MapKind, Origin};
 use ide::{self, SourceMap, TextLines};
@@ -89,7 +89,7 @@ pub fn sources_of(
 
 fn mapped(
     state: &ServerState,
-    analyzed: &Analyzed,
+    analyzed: &RootAnalysis,
     origin: Origin,
     role: &'static str,
 ) -> Option<SourceLocation> {
@@ -133,7 +133,7 @@ pub fn instances_of(
 }
 
 /// A call in a few words: `unit @ robot.urdf.xacro:7`.
-pub fn label(state: &ServerState, analyzed: &Analyzed, frame: FrameId) -> String {
+pub fn label(state: &ServerState, analyzed: &RootAnalysis, frame: FrameId) -> String {
     let Some(frame) = analyzed.expansion.frames.get(frame) else {
         return String::new();
     };
@@ -176,7 +176,7 @@ pub fn shown_under(
     document: &TextDocumentIdentifier,
     root: Option<RootParam>,
     cancel: &CancelFlag,
-) -> Result<(RootConfig, Arc<Analyzed>), RequestFailure> {
+) -> Result<(RootConfig, Arc<RootAnalysis>), RequestFailure> {
     let root = chosen_or_active(state, document, root)?;
     let analyzed = state
         .host
@@ -186,7 +186,7 @@ pub fn shown_under(
 }
 
 /// The source map of an expansion, its files named by URI.
-pub fn map_of(state: &ServerState, analyzed: &Analyzed) -> SourceMap {
+pub fn map_of(state: &ServerState, analyzed: &RootAnalysis) -> SourceMap {
     let name = |file: &expand::FileUse| {
         state
             .uri(&file.source.path)

@@ -11,7 +11,7 @@ use crate::requests::launch::{in_launch_files, launched};
 use crate::requests::navigation::asked_for_name;
 use crate::scanning::scan_all;
 use crate::state::ServerState;
-use analysis::Analyzed;
+use analysis::RootAnalysis;
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, Span, TextRange};
 use expand::Read;
@@ -73,7 +73,7 @@ fn sharing(
     uses: &mut Vec<NameOccurrence>,
     thing: Option<&RobotThing>,
     cancel: &CancelFlag,
-) -> Result<Vec<std::sync::Arc<Analyzed>>, RequestFailure> {
+) -> Result<Vec<std::sync::Arc<RootAnalysis>>, RequestFailure> {
     let given: Vec<Span> = uses
         .iter()
         .filter(|used| used.is_definition)
@@ -108,7 +108,7 @@ fn sharing(
 }
 
 /// The values of the YAML files that a robot reads which are the name.
-fn in_yaml(state: &ServerState, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
+fn in_yaml(state: &ServerState, robot: &RootAnalysis, thing: &RobotThing) -> Vec<Span> {
     let vfs = &state.host.session().vfs;
     let mut found = Vec::new();
     for read in robot.expansion.record.iter() {
@@ -138,7 +138,7 @@ fn is_yaml(path: &Path) -> bool {
 /// The uses of a name in another robot, when the text that gives it gives it there too.
 fn in_robot(
     state: &ServerState,
-    analyzed: &Analyzed,
+    analyzed: &RootAnalysis,
     given: &[Span],
     thing: Option<&RobotThing>,
 ) -> Vec<NameOccurrence> {

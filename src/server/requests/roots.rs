@@ -12,7 +12,7 @@ use crate::requests::expansion::{ExpandError, errors};
 use crate::requests::mapping::{named, shown_under};
 use crate::root_param::{RootParam, active_root, chosen};
 use crate::state::ServerState;
-use analysis::{Analyzed, RootConfig};
+use analysis::{RootAnalysis, RootConfig};
 use base::CancelFlag;
 use expand::Origin;
 
@@ -256,7 +256,7 @@ pub fn tree(
 }
 
 /// The links of a robot, each with its joint, roots first.
-fn nodes(state: &ServerState, analyzed: &Analyzed) -> Vec<TreeNode> {
+fn nodes(state: &ServerState, analyzed: &RootAnalysis) -> Vec<TreeNode> {
     let (Some(robot), Some(kinematics)) = (&analyzed.robot, &analyzed.kinematics) else {
         return Vec::new();
     };
@@ -293,7 +293,11 @@ fn nodes(state: &ServerState, analyzed: &Analyzed) -> Vec<TreeNode> {
     nodes
 }
 
-fn origin_location(state: &ServerState, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
+fn origin_location(
+    state: &ServerState,
+    analyzed: &RootAnalysis,
+    origin: Origin,
+) -> Option<Location> {
     let place = analyzed.expansion.place(origin)?;
     let file = analyzed.expansion.files.get(place.file)?.source.id;
     location(

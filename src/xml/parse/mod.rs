@@ -17,7 +17,7 @@ mod value;
 use std::collections::HashMap;
 
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
-use super::item::{EntityUse, Extra, Item};
+use super::item::{EntityUse, Item, ItemDetails};
 use super::node::{AttrData, NONE, NodeData, NodeId, NodeKind};
 use base::limits::ITEM_ERRORS;
 use base::{IdVec, TextRange, count_line_ends};
@@ -162,7 +162,7 @@ impl<'t> ItemParser<'t> {
             && self.entity_uses.is_empty()
             && !self.needs_root_name
             && lookahead as usize == text.len();
-        let extra = (!plain).then(|| Extra {
+        let extra = (!plain).then(|| ItemDetails {
             errors: self.errors.drain(..).collect(),
             entity_uses: self.take_entity_uses(),
             lookahead: if lookahead as usize == text.len() {

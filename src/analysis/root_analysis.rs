@@ -17,7 +17,7 @@ use rules::RobotNames;
 use vfs::Vfs;
 
 /// A root expanded.
-pub struct Analyzed {
+pub struct RootAnalysis {
     /// What was expanded.
     pub root: RootConfig,
     /// The result.
@@ -35,7 +35,7 @@ pub struct Analyzed {
     pub(super) epoch: u64,
 }
 
-impl Analyzed {
+impl RootAnalysis {
     /// What an expansion is worth to an editor.
     pub(super) fn new(root: RootConfig, expansion: Expansion, epoch: u64) -> Self {
         let robot = Robot::of(&expansion);
@@ -147,13 +147,13 @@ pub(super) fn run_kept(
     session: &Session,
     options: &CheckOptions,
     task: CheckTask,
-) -> (RootResult, Analyzed) {
+) -> (RootResult, RootAnalysis) {
     let kept = Request {
         keep: true,
         ..request(session, &options.cancel, &task)
     };
     let (expansion, is_as_called) = expanded(session, &task, &kept, None);
-    let analyzed = Analyzed::new(task.root(), expansion, 0);
+    let analyzed = RootAnalysis::new(task.root(), expansion, 0);
     let robot = analyzed.robot.as_ref();
     let result = run_rules(session, options, task, &analyzed.expansion, robot);
     (
