@@ -1,7 +1,7 @@
 //! Blocks beside links and joints: Gazebo, ros2_control, transmissions.
 
+use super::attr_value::AttrValue;
 use super::source::{child, children};
-use super::text::AttrValue;
 use expand::{XId, XTree};
 
 /// A `gazebo` element of the robot.

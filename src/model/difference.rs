@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use super::attr_value::decimal;
 use super::canonical::{Element, canonical};
-use super::text::decimal;
 
 /// What a comparison gave.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use ecow::EcoString;
 
+use super::attr_value::AttrValue;
 use super::pose::Pose;
 use super::source::child;
-use super::text::AttrValue;
 use super::version::Version;
 use expand::{XId, XTree};
 

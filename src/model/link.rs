@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
+use super::attr_value::AttrValue;
 use super::pose::Pose;
 use super::source::{child, children};
-use super::text::AttrValue;
 use expand::{XId, XTree};
 
 /// A `link` of the robot.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
-use super::text::AttrValue;
+use super::attr_value::AttrValue;
 use super::version::Version;
 use expand::{XId, XTree};
 

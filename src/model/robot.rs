@@ -1,9 +1,9 @@
 //! The robot of an expanded document.
 
+use super::attr_value::AttrValue;
 use super::blocks::{Gazebo, Ros2Control, Transmission};
 use super::joint::{Joint, JointType};
 use super::link::{Link, Material};
-use super::text::AttrValue;
 use expand::{Expansion, XId, XTree};
 
 /// What an expanded document says about a robot; everything in document order.

@@ -1,6 +1,6 @@
 //! The version of URDF that a robot is written in.
 
-use super::text::AttrValue;
+use super::attr_value::AttrValue;
 use expand::XTree;
 
 /// A version of the format; urdfdom 5.1 reads up to 1.1, 6.0 up to 1.2.

@@ -1,7 +1,7 @@
 //! What could be shown instead: the presets of the root, and the other robots of the workspace.
 
+use super::locations::LocationFormat;
 use super::messages::RootName;
-use super::places::LocationFormat;
 use analysis::{AnalysisHost, RootConfig};
 
 /// Choices that are offered at most.

@@ -7,9 +7,9 @@
 mod browser;
 mod choices;
 mod files;
+mod locations;
 mod messages;
 mod model;
-mod places;
 mod programs;
 mod select;
 mod shapes;
@@ -20,9 +20,9 @@ mod views;
 #[cfg(feature = "browser")]
 pub use browser::{Hub, Received};
 pub use files::ModelFiles;
+pub use locations::{LinePosition, LineRange, Location, LocationFormat, file_uri};
 pub use messages::{FromViewer, ModelError, ModelMessage, ModelSource, RootName, Selection, Side};
 pub use model::{BodyModel, JointModel, LinkModel, Model, PoseModel};
-pub use places::{LinePosition, LineRange, Location, LocationFormat, file_uri};
 pub use programs::Programs;
 pub use shapes::ShapeModel;
 pub use views::{MeshBytes, Views, still};

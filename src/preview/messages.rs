@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::locations::Location;
 use super::model::Model;
-use super::places::Location;
 use super::programs::Programs;
 use analysis::{RootAnalysis, RootConfig};
 

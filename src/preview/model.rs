@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::files::MeshFile;
-use super::places::{Location, LocationMapper};
+use super::locations::{Location, LocationMapper};
 use super::shapes::{ShapeModel, Shapes};
 use expand::XId;
 use model::{self, Robot, tag_start};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::places::{Location, LocationMapper};
+use super::locations::{Location, LocationMapper};
 use analysis::{RootAnalysis, Session};
 use rules::consumers::{CONSUMERS, Consumer, Outcome, Row, constructs, is_readable, rows};
 

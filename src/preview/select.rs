@@ -1,7 +1,7 @@
 //! Which links and joints a place of the source makes.
 
+use super::locations::{Location, LocationMapper};
 use super::messages::Selection;
-use super::places::{Location, LocationMapper};
 use base::TextRange;
 use expand::{FileIdx, Origin, XId};
 use model::{Robot, element_range, tag_start};

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use super::choices::choices;
 use super::files::ModelFiles;
+use super::locations::{Location, LocationFormat, LocationMapper};
 use super::messages::{Argument, ModelError, ModelMessage, ModelSource, RootName, Selection, Side};
 use super::model::{Model, model};
-use super::places::{Location, LocationFormat, LocationMapper};
 use super::programs::programs;
 use super::select;
 use super::shapes::Shapes;

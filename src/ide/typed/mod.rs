@@ -7,10 +7,10 @@
 
 mod code;
 mod end_tags;
-mod place;
 mod tag;
 #[cfg(test)]
 mod tests;
+mod typed_text;
 
 pub use code::{CodeContext, Opened, UnclosedCode, cursor, open_call, unclosed};
 pub use end_tags::{ended_at, has_end_tag, is_surplus};
@@ -61,7 +61,7 @@ pub struct Typed<'a> {
 /// What is being typed at `offset`.
 pub fn typed(document: &Document, offset: u32) -> Typed<'_> {
     let offset = offset.min(document.len());
-    let found = place::find(document, offset);
+    let found = typed_text::find(document, offset);
     let in_front = document.item_at(offset.saturating_sub(1));
     let text_before = part_of(in_front.item.text(), 0, offset - in_front.start);
     let before = match found.start.checked_sub(in_front.start) {
@@ -69,7 +69,7 @@ pub fn typed(document: &Document, offset: u32) -> Typed<'_> {
         None => "",
     };
     let behind = document.item_at(offset);
-    let open = place::open_at(document, found.around);
+    let open = typed_text::open_at(document, found.around);
     let just_opened = match found.what {
         Typing::Content => just_opened(document, &open, offset, found.start),
         _ => None,

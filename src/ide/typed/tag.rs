@@ -1,7 +1,7 @@
 //! What is typed in a start tag.
 
 use super::Typing;
-use super::place::{Spot, TypedText};
+use super::typed_text::{Spot, TypedText};
 use xml::{Attr, Node};
 
 /// A start tag that is typed.

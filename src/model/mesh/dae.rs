@@ -6,7 +6,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 use super::dae_geometry::{Arrays, Surfaced, numbers, triangles};
 use super::defect::{Defect, DefectKind};
 use super::draft::{Dependency, MeshBuilder, UpAxis};
-use super::placed::NodeTransform;
+use super::node_transform::NodeTransform;
 use base::FastMap;
 use base::limits::{MESH_NODES, MESH_VISITS};
 

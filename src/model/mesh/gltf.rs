@@ -8,7 +8,7 @@ use super::defect::Defect;
 use super::draft::{Dependency, MeshBuilder, UpAxis};
 use super::gltf_json::{Gltf, GltfBuffer, GltfNode};
 use super::gltf_mesh::{Data, triangles};
-use super::placed::NodeTransform;
+use super::node_transform::NodeTransform;
 use base::FastSet;
 use base::limits::{MESH_ELEMENTS, MESH_VISITS};
 

@@ -6,6 +6,7 @@
 mod apply;
 mod apply_roots;
 mod choice;
+mod cursor;
 mod effective;
 mod expect;
 #[cfg(test)]
@@ -14,7 +15,6 @@ mod keys;
 mod load;
 mod merge;
 mod pattern;
-mod place;
 mod roots;
 mod schema;
 mod settings;
@@ -27,12 +27,12 @@ use std::fmt;
 use std::path::PathBuf;
 
 pub use choice::{AttributeLayout, Profile, RuleLevel};
+pub use cursor::{ConfigCursor, ConfigCursorKind, is_bare, place_at};
 pub use effective::EffectiveSetting;
 pub use expect::{Expectation, ExpectedJoint};
 pub use keys::CONSUMERS;
 pub use load::{CONFIG_NAMES, LoadedConfig, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
-pub use place::{ConfigCursor, ConfigCursorKind, is_bare, place_at};
 pub use roots::{Axes, Root, Variant, XacroArgs, files_named};
 pub use schema::schema;
 pub use settings::{Config, Format, Limits};

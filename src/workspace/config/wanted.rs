@@ -1,8 +1,8 @@
 //! What the table of keys has for a place in a configuration file.
 
 use super::Config;
+use super::cursor::{ConfigCursor, ConfigCursorKind};
 use super::keys::{ConfigKey, KeyType};
-use super::place::{ConfigCursor, ConfigCursorKind};
 use super::settings::ConfigTable;
 
 /// What may stand at a place.
