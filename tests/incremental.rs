@@ -10,14 +10,14 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use xacro_lsp::analysis::World;
+use xacro_lsp::analysis::AnalysisHost;
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::rules::Finding;
 use xacro_lsp::vfs::Environment;
 
 /// A session over a folder whose descriptions are all open.
 struct Session {
-    world: World,
+    host: AnalysisHost,
     texts: BTreeMap<PathBuf, String>,
 }
 
@@ -29,19 +29,19 @@ impl Session {
             cwd: folder.to_owned(),
             ..Environment::default()
         };
-        let mut world = World::new(env, vec![folder.to_owned()]);
-        while world.scan(|| false).is_some() {}
+        let mut host = AnalysisHost::new(env, vec![folder.to_owned()]);
+        while host.scan(|| false).is_some() {}
         for (path, text) in texts {
-            world.set_text(path, text.clone());
+            host.set_text(path, text.clone());
         }
         Self {
-            world,
+            host,
             texts: texts.clone(),
         }
     }
 
     fn edit(&mut self, path: &Path, start: usize, end: usize, new: &str) {
-        self.world
+        self.host
             .edit(path, TextRange::new(start as u32, end as u32), new);
         self.texts
             .get_mut(path)
@@ -52,7 +52,7 @@ impl Session {
     /// All findings of all open files.
     fn findings(&mut self) -> Vec<String> {
         let paths: Vec<PathBuf> = self.texts.keys().cloned().collect();
-        let report = self.world.report(&paths, &CancelFlag::default()).unwrap();
+        let report = self.host.report(&paths, &CancelFlag::default()).unwrap();
         let mut shown: Vec<String> = report
             .findings
             .iter()
@@ -163,7 +163,7 @@ fn an_edited_session_says_what_a_fresh_one_says() {
             assert_eq!(session.findings(), fresh, "{robot}, round {round}");
             if round % 3 == 2 {
                 for (path, text) in before {
-                    session.world.set_text(&path, text.clone());
+                    session.host.set_text(&path, text.clone());
                     session.texts.insert(path, text);
                 }
             }

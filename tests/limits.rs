@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use xacro_lsp::analysis::{Effort, Roots, Session, Setup};
+use xacro_lsp::analysis::{AffectedRobots, Effort, Session, Setup};
 use xacro_lsp::base::limits::*;
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::cli::{self, Io};
@@ -71,7 +71,7 @@ const TESTS: &[(&str, &str)] = &[
 const OF_THE_SERVER: [&str; 2] = ["Language server", "Preview in a browser"];
 
 /// Where the test of a limit stands: file and function.
-fn test_of(limit: &Limit) -> (String, String) {
+fn test_of(limit: &DocumentedLimit) -> (String, String) {
     if let Some((_, place)) = TESTS.iter().find(|(name, _)| *name == limit.name) {
         let (file, function) = place.split_once("::").unwrap();
         return (file.to_owned(), function.to_owned());
@@ -320,7 +320,7 @@ fn quick_proof_expansions() {
         let cancel = CancelFlag::default();
         let effort = Effort {
             expansions: QUICK_PROOF_EXPANSIONS,
-            roots: Roots::Known(vec![path.clone()]),
+            roots: AffectedRobots::Known(vec![path.clone()]),
             cancel,
         };
         assert_eq!(
@@ -1211,7 +1211,7 @@ fn caller_files() {
 /// The calls of robots that a launch file makes, as text.
 fn launched(name: &str, text: &str) -> Vec<String> {
     let file = launch::read(Path::new(name), text);
-    let shown = |call: launch::Call| {
+    let shown = |call: launch::LaunchCall| {
         let args = call
             .args
             .iter()
@@ -1497,12 +1497,12 @@ fn many_folders() {
             )
             .is_none()
     );
-    let mut world = xacro_lsp::analysis::World::new(env, vec![folder.clone()]);
-    while world.scan(|| false).is_some() {}
+    let mut host = xacro_lsp::analysis::AnalysisHost::new(env, vec![folder.clone()]);
+    while host.scan(|| false).is_some() {}
     assert!(
-        world.known_files().len() <= SCAN_FILES + 1,
+        host.known_files().len() <= SCAN_FILES + 1,
         "{}",
-        world.known_files().len()
+        host.known_files().len()
     );
     let _ = fs::remove_dir_all(folder);
 }

@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 use xacro_lsp::base::{Encoding, TextRange};
 use xacro_lsp::expand::{
-    Expansion, FileIdx, MapEntry, Request, World, Written, expand, write_mapped,
+    Expansion, FileIdx, MapEntry, Request, Sources, Written, expand, write_mapped,
 };
 use xacro_lsp::ide;
 use xacro_lsp::vfs::{Environment, Vfs};
@@ -156,7 +156,7 @@ fn round_trip(folder: &Path, robots: &[Robot]) -> usize {
             ..Request::default()
         };
         let expansion = expand(
-            World {
+            Sources {
                 vfs: &vfs,
                 packages: &packages,
                 env: &env,

@@ -13,7 +13,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use xacro_lsp::base::Encoding;
-use xacro_lsp::expand::{Expansion, Request, SourceRange, World, expand};
+use xacro_lsp::expand::{Expansion, Request, SourceRange, Sources, expand};
 use xacro_lsp::vfs::{Environment, Vfs};
 use xacro_lsp::workspace::{PackageOptions, Packages};
 
@@ -41,7 +41,7 @@ fn expanded(fixture: &str) -> Expansion {
         ..Request::default()
     };
     expand(
-        World {
+        Sources {
             vfs: &vfs,
             packages: &packages,
             env: &env,

@@ -13,12 +13,12 @@ const VERSION: u32 = 1;
 /// How many findings of a rule each source line may have.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Baseline {
-    known: BTreeMap<Key, usize>,
+    known: BTreeMap<BaselineKey, usize>,
 }
 
 /// A rule and a source line. The number of the line is left out: it changes with every edit above.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Key {
+struct BaselineKey {
     file: String,
     rule: String,
     line: String,
@@ -27,11 +27,11 @@ struct Key {
 #[derive(Deserialize, Serialize)]
 struct Stored {
     version: u32,
-    findings: Vec<Entry>,
+    findings: Vec<BaselineEntry>,
 }
 
 #[derive(Deserialize, Serialize)]
-struct Entry {
+struct BaselineEntry {
     rule: String,
     file: String,
     line: String,
@@ -43,7 +43,9 @@ impl Baseline {
     pub fn of(report: &Report, folder: &Path) -> Self {
         let mut known = BTreeMap::new();
         for finding in &report.findings {
-            *known.entry(Key::of(report, finding, folder)).or_default() += 1;
+            *known
+                .entry(BaselineKey::of(report, finding, folder))
+                .or_default() += 1;
         }
         Self { known }
     }
@@ -61,9 +63,9 @@ impl Baseline {
                 stored.version
             ));
         }
-        let entry = |entry: Entry| {
+        let entry = |entry: BaselineEntry| {
             (
-                Key {
+                BaselineKey {
                     file: entry.file,
                     rule: entry.rule,
                     line: entry.line,
@@ -78,9 +80,9 @@ impl Baseline {
 
     /// As a file, in an order that makes small differences.
     pub fn to_json(&self) -> String {
-        let entry = |(key, &count): (&Key, &usize)| {
-            let Key { file, rule, line } = key.clone();
-            Entry {
+        let entry = |(key, &count): (&BaselineKey, &usize)| {
+            let BaselineKey { file, rule, line } = key.clone();
+            BaselineEntry {
                 rule,
                 file,
                 line,
@@ -119,7 +121,7 @@ impl Baseline {
         let before = report.findings.len();
         let mut findings = std::mem::take(&mut report.findings);
         findings.retain(
-            |finding| match left.get_mut(&Key::of(report, finding, folder)) {
+            |finding| match left.get_mut(&BaselineKey::of(report, finding, folder)) {
                 Some(count) if *count > 0 => {
                     *count -= 1;
                     false
@@ -138,7 +140,7 @@ impl Baseline {
     }
 }
 
-impl Key {
+impl BaselineKey {
     fn of(report: &Report, finding: &Finding, folder: &Path) -> Self {
         let path = report.path(finding.span.file);
         let file = vfs::slashed(path.strip_prefix(folder).unwrap_or(path));

@@ -3,7 +3,7 @@ use std::path::Path;
 
 use super::session::Session;
 use base::FastSet;
-use expand::{Expansion, Outside, Problem, ProblemKind, Request, Severity, World, expand};
+use expand::{Expansion, Outside, Problem, ProblemKind, ProblemSeverity, Request, Sources, expand};
 use workspace::GivenArg;
 
 /// Callers that are tried.
@@ -13,7 +13,7 @@ const MOST_CALLERS: usize = 6;
 /// decide and a call is known with which less fails. Else `first`, and `false`.
 pub(super) fn as_called(
     session: &Session,
-    world: World<'_>,
+    sources: Sources<'_>,
     file: &Path,
     request: &Request,
     first: Expansion,
@@ -35,7 +35,7 @@ pub(super) fn as_called(
             if tried.iter().any(is_known) {
                 continue;
             }
-            let next = expand(world, &request);
+            let next = expand(sources, &request);
             tried.push(request);
             let left = Failures::of(&next);
             if left.count() < fails.count() && left.errors <= fails.errors {
@@ -72,7 +72,8 @@ impl Failures {
             others: 0,
             errors: 0,
         };
-        let is_error = |problem: &&Problem| !problem.probed && problem.severity == Severity::Error;
+        let is_error =
+            |problem: &&Problem| !problem.probed && problem.severity == ProblemSeverity::Error;
         for problem in expansion.problems.iter().filter(is_error) {
             found.errors += 1;
             match &problem.outside {

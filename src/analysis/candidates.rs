@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use super::change::Change;
-use super::includes::{self, Reach};
+use super::check_task::CheckTask;
+use super::includes::{self, IncludeTargets};
 use super::lock::locked;
 use super::options::CheckOptions;
 use super::report::Report;
 use super::run_cache::Runs;
 use super::session::Session;
-use super::task::Job;
 use base::FastMap;
 use vfs::SourceFile;
 
@@ -18,16 +18,16 @@ use vfs::SourceFile;
 /// stay.
 #[derive(Default)]
 pub struct Candidates {
-    /// The jobs of all files below folders.
-    jobs: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<Job>>>>,
+    /// The tasks of all files below folders.
+    tasks: Mutex<FastMap<Vec<PathBuf>, Arc<Vec<CheckTask>>>>,
     /// What each file may include, by its path.
-    reach: Mutex<FastMap<PathBuf, Known>>,
+    reach: Mutex<FastMap<PathBuf, KnownIncludes>>,
     /// Robots expanded.
     pub(super) runs: Arc<Runs>,
 }
 
 /// What the text of a file includes, and that text.
-type Known = (Arc<SourceFile>, Arc<Reach>);
+type KnownIncludes = (Arc<SourceFile>, Arc<IncludeTargets>);
 
 impl Candidates {
     /// The robots below folders that may read one of the changed files.
@@ -36,36 +36,36 @@ impl Candidates {
         session: &Session,
         folders: Vec<PathBuf>,
         changed: Vec<PathBuf>,
-    ) -> Vec<Job> {
-        let mut jobs = (*self.below(session, &folders)).clone();
+    ) -> Vec<CheckTask> {
+        let mut tasks = (*self.below(session, &folders)).clone();
         let options = CheckOptions {
             changed,
             ..CheckOptions::default()
         };
         let Some(change) = Change::of(session, &options) else {
-            return jobs;
+            return tasks;
         };
-        jobs.extend(change.further(&jobs, &options.args));
-        change.reached(jobs, self)
+        tasks.extend(change.further(&tasks, &options.args));
+        change.reached(tasks, self)
     }
 
-    /// The jobs of all files below folders.
-    fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<Job>> {
-        let mut jobs = locked(&self.jobs);
-        if let Some(known) = jobs.get(folders) {
+    /// The tasks of all files below folders.
+    fn below(&self, session: &Session, folders: &[PathBuf]) -> Arc<Vec<CheckTask>> {
+        let mut tasks = locked(&self.tasks);
+        if let Some(known) = tasks.get(folders) {
             return known.clone();
         }
         let options = CheckOptions {
             paths: folders.to_vec(),
             ..CheckOptions::default()
         };
-        let found = Arc::new(session.all_jobs(&options, &mut Report::default()));
-        jobs.insert(folders.to_vec(), found.clone());
+        let found = Arc::new(session.all_tasks(&options, &mut Report::default()));
+        tasks.insert(folders.to_vec(), found.clone());
         found
     }
 
     /// What a file may include, as its text is now; none when it cannot be read.
-    pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<Reach>> {
+    pub(super) fn reach(&self, session: &Session, file: &Path) -> Option<Arc<IncludeTargets>> {
         let source = session.vfs.document(file).ok()?;
         if let Some((of, reach)) = locked(&self.reach).get(file)
             && Arc::ptr_eq(of, &source)

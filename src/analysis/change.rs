@@ -5,11 +5,11 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::candidates::Candidates;
-use super::includes::Reach;
+use super::check_task::{CheckReason, CheckTask};
+use super::includes::IncludeTargets;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::{Job, Reason};
 use super::walk::is_description;
 use base::{FastSet, FileId};
 use rules::{Category, Check, Finding, Severity};
@@ -53,12 +53,12 @@ impl<'a> Change<'a> {
                 .is_some_and(|own| self.identities.contains(&own))
     }
 
-    /// The changed descriptions that are not among `jobs`: those elsewhere, or in folders that are passed over.
+    /// The changed descriptions that are not among `tasks`: those elsewhere, or in folders that are passed over.
     /// What the configuration excludes stays out.
-    pub(super) fn further(&self, jobs: &[Job], args: &[(String, String)]) -> Vec<Job> {
-        let known: FastSet<u128> = jobs
+    pub(super) fn further(&self, tasks: &[CheckTask], args: &[(String, String)]) -> Vec<CheckTask> {
+        let known: FastSet<u128> = tasks
             .iter()
-            .filter_map(|job| self.session.vfs.identity(&job.file))
+            .filter_map(|task| self.session.vfs.identity(&task.file))
             .collect();
         let is_new = |path: &&PathBuf| {
             let own = self.session.vfs.identity(path);
@@ -69,44 +69,46 @@ impl<'a> Change<'a> {
             .paths
             .iter()
             .filter(|path| is_description(path) && self.session.vfs.is_file(path));
-        let job = |file: &PathBuf| Job::new(file.clone(), Reason::Walked, args.to_vec());
-        files.filter(is_new).map(job).collect()
+        let task =
+            |file: &PathBuf| CheckTask::new(file.clone(), CheckReason::Walked, args.to_vec());
+        files.filter(is_new).map(task).collect()
     }
 
-    /// The jobs that may read a changed file, by what the texts include. All of them when something changed
+    /// The tasks that may read a changed file, by what the texts include. All of them when something changed
     /// that is read in other ways. What files include is looked up in `known`, and put there.
-    pub(super) fn reached(&self, jobs: Vec<Job>, known: &Candidates) -> Vec<Job> {
+    pub(super) fn reached(&self, tasks: Vec<CheckTask>, known: &Candidates) -> Vec<CheckTask> {
         if !self.paths.iter().all(|path| is_description(path)) {
-            return jobs;
+            return tasks;
         }
-        let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
+        let files: FastSet<&Path> = tasks.iter().map(|task| task.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
-        let mut open: Vec<(&Path, Arc<Reach>)> = files
+        let mut open: Vec<(&Path, Arc<IncludeTargets>)> = files
             .into_par_iter()
             .filter_map(|file| Some((file, known.reach(self.session, file)?)))
             .collect();
         let mut reached: FastSet<PathBuf> = FastSet::default();
         let mut newest = self.paths.clone();
         while !newest.is_empty() {
-            let is_next = |(file, reach): &(&Path, Arc<Reach>)| {
+            let is_next = |(file, reach): &(&Path, Arc<IncludeTargets>)| {
                 reach.anything || self.holds(file) || newest.iter().any(|path| reach.has(path))
             };
             let (next, rest) = open.into_iter().partition(is_next);
             open = rest;
-            newest = Vec::<(&Path, Arc<Reach>)>::into_iter(next)
+            newest = Vec::<(&Path, Arc<IncludeTargets>)>::into_iter(next)
                 .map(|(file, _)| file.to_path_buf())
                 .collect();
             reached.extend(newest.iter().cloned());
         }
-        jobs.into_iter()
-            .filter(|job| reached.contains(&job.file))
+        tasks
+            .into_iter()
+            .filter(|task| reached.contains(&task.file))
             .collect()
     }
 
     /// Whether an expansion read a changed file, looked for one that is gone, or belongs to a package whose
     /// manifest or build file changed.
-    pub(super) fn is_read_by(&self, outcome: &Outcome) -> bool {
-        let package = self.session.packages.containing(&outcome.job.file);
+    pub(super) fn is_read_by(&self, result: &RootResult) -> bool {
+        let package = self.session.packages.containing(&result.task.file);
         let of_package = |package: Package| {
             let names = std::iter::once("package.xml").chain(BUILD_FILES);
             names
@@ -114,8 +116,8 @@ impl<'a> Change<'a> {
                 .collect::<Vec<_>>()
         };
         let of_package = package.map_or_else(Vec::new, of_package);
-        let read = std::iter::once(&outcome.job.file)
-            .chain(&outcome.reads)
+        let read = std::iter::once(&result.task.file)
+            .chain(&result.reads)
             .chain(&of_package);
         read.into_iter().any(|path| self.holds(path))
     }
@@ -129,10 +131,10 @@ impl<'a> Change<'a> {
     /// there, or is an error elsewhere that the change may have caused.
     pub(super) fn concerns(&self, finding: &Finding) -> bool {
         let related = finding.related.iter().map(|related| related.span);
-        let ways = finding.call_sites.iter().map(|way| way.call);
+        let call_sites = finding.call_sites.iter().map(|site| site.call);
         let files: FastSet<FileId> = std::iter::once(finding.span)
             .chain(related)
-            .chain(ways)
+            .chain(call_sites)
             .map(|span| span.file)
             .collect();
         let of_its_file =

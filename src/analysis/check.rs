@@ -5,20 +5,20 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use super::analyzed::{Analyzed, run_kept};
-use super::beside::{Compared, Robots, Sort, sort};
+use super::beside::{ComparisonResult, Robots, Sort, sort};
 use super::change::Change;
-use super::job;
+use super::check_task::{CheckReason, CheckTask};
 use super::launched::prefer_calls;
 use super::lock::locked;
 use super::merge::merge;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
-use super::root_choice::RootChoice;
+use super::root_analysis::{RootAnalysis, run_kept};
+use super::root_config::RootConfig;
+use super::root_result::RootResult;
+use super::run_task;
 use super::session::Session;
 use super::suppress::SuppressionFilter;
-use super::task::{Job, Reason};
 use base::limits::MESSAGE_LETTERS;
 use base::{FastMap, FastSet, FileId};
 use expand::large_stacks;
@@ -27,65 +27,65 @@ use workspace::UNQUOTED;
 
 /// What a check did, for another one of the same files.
 #[derive(Default)]
-pub(super) struct Done {
-    outcomes: FastMap<JobKey, Outcome>,
+pub(super) struct PreviousCheck {
+    results: FastMap<TaskKey, RootResult>,
 }
 
 /// The expansions that files beside robots are compared with.
-struct Kept {
-    wanted: BTreeSet<RootChoice>,
+struct KeptRobots {
+    wanted: BTreeSet<RootConfig>,
     robots: Mutex<Robots>,
 }
 
-impl Kept {
-    fn of(wanted: Vec<RootChoice>) -> Self {
+impl KeptRobots {
+    fn of(wanted: Vec<RootConfig>) -> Self {
         Self {
             wanted: wanted.into_iter().collect(),
             robots: Mutex::default(),
         }
     }
 
-    fn add(&self, analyzed: Analyzed) {
+    fn add(&self, analyzed: RootAnalysis) {
         locked(&self.robots).insert(analyzed.root.clone(), Arc::new(analyzed));
     }
 }
 
-/// What tells a job from others.
-type JobKey = (PathBuf, Reason, Vec<(String, String)>, Option<String>);
+/// What tells a task from others.
+type TaskKey = (PathBuf, CheckReason, Vec<(String, String)>, Option<String>);
 
 /// The files that expansions read; parts are named by many robots.
-fn read_by(outcomes: &[Outcome]) -> BTreeSet<PathBuf> {
-    let read: FastSet<&PathBuf> = outcomes.iter().flat_map(|outcome| &outcome.reads).collect();
+fn read_by(results: &[RootResult]) -> BTreeSet<PathBuf> {
+    let read: FastSet<&PathBuf> = results.iter().flat_map(|result| &result.reads).collect();
     read.into_iter().cloned().collect()
 }
 
-fn key(job: &Job) -> JobKey {
+fn key(task: &CheckTask) -> TaskKey {
     (
-        job.file.clone(),
-        job.reason,
-        job.args.clone(),
-        job.preset.clone(),
+        task.file.clone(),
+        task.reason,
+        task.args.clone(),
+        task.preset.clone(),
     )
 }
 
-impl Done {
+impl PreviousCheck {
     /// Forget what rests on changed files.
     pub(super) fn forget(&mut self, is_changed: impl Fn(&Path) -> bool) {
-        self.outcomes.retain(|_, outcome| {
-            !is_changed(&outcome.job.file) && !outcome.reads.iter().any(|path| is_changed(path))
+        self.results.retain(|_, result| {
+            !is_changed(&result.task.file) && !result.reads.iter().any(|path| is_changed(path))
         });
     }
 
     /// Keep what was done, where somebody wants it.
-    fn note(&mut self, outcomes: &[Outcome], is_wanted: bool) {
-        let known = outcomes.iter().filter(|_| is_wanted);
-        self.outcomes
-            .extend(known.map(|outcome| (key(&outcome.job), outcome.clone())));
+    fn note(&mut self, results: &[RootResult], is_wanted: bool) {
+        let known = results.iter().filter(|_| is_wanted);
+        self.results
+            .extend(known.map(|result| (key(&result.task), result.clone())));
     }
 
     /// Forget everything.
     pub(super) fn clear(&mut self) {
-        self.outcomes.clear();
+        self.results.clear();
     }
 }
 
@@ -96,33 +96,37 @@ impl Session {
     }
 
     /// The same; what `done` holds is not done again, and what is done is put there.
-    pub(super) fn check_with(&self, options: &CheckOptions, done: Option<&mut Done>) -> Report {
+    pub(super) fn check_with(
+        &self,
+        options: &CheckOptions,
+        done: Option<&mut PreviousCheck>,
+    ) -> Report {
         let _held = self.vfs.freeze();
         let mut report = Report::default();
-        let jobs = self.jobs(options, &mut report);
-        options.progress.begin(jobs.len());
-        let mut reads: BTreeSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
+        let tasks = self.tasks(options, &mut report);
+        options.progress.begin(tasks.len());
+        let mut reads: BTreeSet<PathBuf> = tasks.iter().map(|task| task.file.clone()).collect();
         // most files are parts of robots: those are expanded first, and what they include needs no look of its own
-        let (first, later) = self.in_turns(jobs);
+        let (first, later) = self.in_turns(tasks);
         let mut files = self.beside_files(options);
         if let Some(change) = Change::of(self, options) {
             let reached: FastSet<&PathBuf> =
-                first.iter().chain(&later).map(|job| &job.file).collect();
+                first.iter().chain(&later).map(|task| &task.file).collect();
             files.retain(|file| {
-                let reaches = |root: &RootChoice| reached.contains(&root.file);
+                let reaches = |root: &RootConfig| reached.contains(&root.file);
                 change.holds(file) || self.pairing(file).roots.iter().any(reaches)
             });
         }
-        let compared = Kept::of(self.beside_roots(&files));
-        let mut outcomes = self.run_all(options, first, done.as_deref(), Some(&compared));
+        let compared = KeptRobots::of(self.beside_roots(&files));
+        let mut results = self.run_all(options, first, done.as_deref(), Some(&compared));
         let waiting = later.len();
-        let later = self.uncovered(later, &outcomes);
+        let later = self.uncovered(later, &results);
         options.progress.skip(waiting - later.len());
-        outcomes.extend(self.run_all(options, later, done.as_deref(), Some(&compared)));
-        let mut made = Done::default();
-        made.note(&outcomes, done.is_some());
-        reads.extend(read_by(&outcomes));
-        let mut kept = self.keep(outcomes);
+        results.extend(self.run_all(options, later, done.as_deref(), Some(&compared)));
+        let mut made = PreviousCheck::default();
+        made.note(&results, done.is_some());
+        reads.extend(read_by(&results));
+        let mut kept = self.keep(results);
         let called = self.called(options, &kept, done.as_deref());
         made.note(&called, done.is_some());
         reads.extend(read_by(&called));
@@ -134,7 +138,7 @@ impl Session {
         reads.extend(self.config_files());
         reads.extend(self.mesh_files());
         if let Some(change) = Change::of(self, options) {
-            kept.retain(|outcome| change.is_read_by(outcome));
+            kept.retain(|result| change.is_read_by(result));
         }
         let Report {
             mut unreadable,
@@ -163,7 +167,7 @@ impl Session {
             unreadable,
             skipped,
             reads,
-            ..self.conclude(options, kept, beside)
+            ..self.build_report(options, kept, beside)
         }
     }
 
@@ -171,16 +175,16 @@ impl Session {
     fn called(
         &self,
         options: &CheckOptions,
-        kept: &[Outcome],
-        done: Option<&Done>,
-    ) -> Vec<Outcome> {
-        let jobs = if options.args.is_empty() {
-            self.launched_jobs(kept)
+        kept: &[RootResult],
+        done: Option<&PreviousCheck>,
+    ) -> Vec<RootResult> {
+        let tasks = if options.args.is_empty() {
+            self.launched_tasks(kept)
         } else {
             Vec::new()
         };
-        options.progress.add(jobs.len());
-        self.run_all(options, jobs, done, None)
+        options.progress.add(tasks.len());
+        self.run_all(options, tasks, done, None)
     }
 
     /// Take the words out of findings in files that belong to no robot: a link or an include can lead to any file, and
@@ -229,50 +233,50 @@ impl Session {
     fn run_all(
         &self,
         options: &CheckOptions,
-        jobs: Vec<Job>,
-        done: Option<&Done>,
-        kept: Option<&Kept>,
-    ) -> Vec<Outcome> {
-        let run = |job: Job| {
-            let is_kept =
-                job.called.is_none() && kept.is_some_and(|kept| kept.wanted.contains(&job.root()));
-            let known = done.and_then(|done| done.outcomes.get(&key(&job)).cloned());
-            let outcome = match known {
-                Some(known) => Outcome { job, ..known },
+        tasks: Vec<CheckTask>,
+        done: Option<&PreviousCheck>,
+        kept: Option<&KeptRobots>,
+    ) -> Vec<RootResult> {
+        let run = |task: CheckTask| {
+            let is_kept = task.called.is_none()
+                && kept.is_some_and(|kept| kept.wanted.contains(&task.root()));
+            let known = done.and_then(|done| done.results.get(&key(&task)).cloned());
+            let result = match known {
+                Some(known) => RootResult { task, ..known },
                 None => match kept.filter(|_| is_kept) {
                     Some(kept) => {
-                        let (outcome, analyzed) = run_kept(self, options, job);
+                        let (result, analyzed) = run_kept(self, options, task);
                         kept.add(analyzed);
-                        outcome
+                        result
                     }
-                    None => job::run(self, options, job),
+                    None => run_task::run(self, options, task),
                 },
             };
             options.progress.step();
-            outcome
+            result
         };
-        if jobs.len() < 2 {
-            return jobs.into_iter().map(run).collect();
+        if tasks.len() < 2 {
+            return tasks.into_iter().map(run).collect();
         }
         match large_stacks() {
-            Some(pool) => pool.install(|| jobs.into_par_iter().map(run).collect()),
-            None => jobs.into_par_iter().map(run).collect(),
+            Some(pool) => pool.install(|| tasks.into_par_iter().map(run).collect()),
+            None => tasks.into_par_iter().map(run).collect(),
         }
     }
 
     /// All roots that are wanted, expanded.
-    fn analyzed_all(&self, options: &CheckOptions, kept: Kept) -> Robots {
+    fn analyzed_all(&self, options: &CheckOptions, kept: KeptRobots) -> Robots {
         let mut robots = kept
             .robots
             .into_inner()
             .unwrap_or_else(PoisonError::into_inner);
-        let roots: Vec<RootChoice> = kept
+        let roots: Vec<RootConfig> = kept
             .wanted
             .into_iter()
             .filter(|root| !robots.contains_key(root))
             .collect();
-        let make = |root: RootChoice| {
-            let analyzed = Arc::new(Analyzed::of(self, &root, options));
+        let make = |root: RootConfig| {
+            let analyzed = Arc::new(RootAnalysis::of(self, &root, options));
             (root, analyzed)
         };
         let made: Vec<_> = match large_stacks().filter(|_| roots.len() > 1) {
@@ -283,58 +287,53 @@ impl Session {
         robots
     }
 
-    /// One report of many outcomes and of what there is to say beside them: merged, as configured, in order.
-    pub(super) fn conclude(
+    /// One report of many results and of what there is to say beside them: merged, as configured, in order.
+    pub(super) fn build_report(
         &self,
         options: &CheckOptions,
-        mut kept: Vec<Outcome>,
-        mut beside: Compared,
+        mut kept: Vec<RootResult>,
+        mut beside: ComparisonResult,
     ) -> Report {
         let has_robots = !kept.is_empty();
         let mut report = Report::default();
-        for outcome in &kept {
+        for result in &kept {
             report
                 .files
-                .extend(outcome.files.iter().map(|file| (file.id, file.clone())));
-            if outcome.job.called.is_some() {
+                .extend(result.files.iter().map(|file| (file.id, file.clone())));
+            if result.task.called.is_some() {
                 continue;
             }
-            report.roots.push(outcome.job.file.clone());
-            report.robots += usize::from(outcome.is_robot);
-            if !outcome.unfound.is_empty() {
+            report.roots.push(result.task.file.clone());
+            report.robots += usize::from(result.is_robot);
+            if !result.unfound.is_empty() {
                 let names = report
                     .incomplete
-                    .entry(outcome.job.file.clone())
+                    .entry(result.task.file.clone())
                     .or_default();
-                names.extend(outcome.unfound.iter().cloned());
+                names.extend(result.unfound.iter().cloned());
             }
             report.partial.extend(
-                outcome
+                result
                     .cut
                     .clone()
-                    .map(|cut| (outcome.job.file.clone(), cut)),
+                    .map(|cut| (result.task.file.clone(), cut)),
             );
-            if !outcome.consumers.is_empty() {
+            if !result.consumers.is_empty() {
                 let counted = report
                     .consumers
-                    .entry(outcome.job.file.clone())
+                    .entry(result.task.file.clone())
                     .or_default();
-                counted.extend(
-                    outcome
-                        .consumers
-                        .iter()
-                        .map(|(name, worst)| (*name, *worst)),
-                );
+                counted.extend(result.consumers.iter().map(|(name, worst)| (*name, *worst)));
             }
             report
                 .nameless
-                .extend(outcome.is_nameless.then(|| outcome.job.file.clone()));
+                .extend(result.is_nameless.then(|| result.task.file.clone()));
         }
         let homes = self.homes(options);
         let mut hiding = SuppressionFilter::new(self, options, &kept);
-        for outcome in &mut kept {
-            let includes = std::mem::take(&mut outcome.includes);
-            outcome
+        for result in &mut kept {
+            let includes = std::mem::take(&mut result.includes);
+            result
                 .findings
                 .retain(|finding| !hiding.hides(finding, &includes));
         }

@@ -2,13 +2,14 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use super::host::AnalysisHost;
 use super::launch_values::compared_words;
-use super::root_choice::RootChoice;
-use super::world::World;
+use super::root_config::RootConfig;
 use base::{CancelFlag, TextRange};
 use rules::THRESHOLDS;
 use workspace::config::{
-    self, CONFIG_NAMES, ConfigPlace, PlaceKind, Wanted, files_named, place_at, wanted,
+    self, CONFIG_NAMES, ConfigCursor, ConfigCursorKind, ExpectedValue, files_named, place_at,
+    wanted,
 };
 
 /// Files of a folder that are offered.
@@ -57,9 +58,9 @@ pub fn is_config(path: &Path) -> bool {
 }
 
 /// Names with a few words about each.
-type Names = Vec<(String, String)>;
+type DescribedNames = Vec<(String, String)>;
 
-impl World {
+impl AnalysisHost {
     /// What may be written at an offset of a configuration file. `None` where nothing may, or when cancelled.
     pub fn config_choices_at(
         &mut self,
@@ -70,21 +71,21 @@ impl World {
         let text = self.session().vfs.text(path).ok()?;
         let place = place_at(&text.text, offset)?;
         let (kind, names) = match wanted(&place)? {
-            Wanted::Keys(keys) => {
+            ExpectedValue::Keys(keys) => {
                 let names = keys
                     .into_iter()
                     .map(|(name, doc)| (name.to_owned(), doc.to_owned()));
                 (ConfigChoiceKind::Key, names.collect())
             }
-            Wanted::Words(words) => (
+            ExpectedValue::Words(words) => (
                 ConfigChoiceKind::Value,
                 plain(words.iter().map(|word| (*word).to_owned())),
             ),
-            Wanted::Bool => (
+            ExpectedValue::Bool => (
                 ConfigChoiceKind::Value,
                 plain(["true", "false"].map(str::to_owned)),
             ),
-            Wanted::Free => self.names_at(path, &place, cancel)?,
+            ExpectedValue::Free => self.names_at(path, &place, cancel)?,
         };
         let after = text.text.get(place.range.end as usize..).unwrap_or("");
         let item = |(name, detail): (String, String)| {
@@ -111,7 +112,7 @@ impl World {
     pub fn config_key_at(&self, path: &Path, offset: u32) -> Option<(TextRange, &'static str)> {
         let text = self.session().vfs.text(path).ok()?;
         let place = place_at(&text.text, offset)
-            .filter(|place| !matches!(place.kind, PlaceKind::Value { .. }))?;
+            .filter(|place| !matches!(place.kind, ConfigCursorKind::Value { .. }))?;
         let mut keys = place.path;
         keys.push(place.range.slice(&text.text).to_owned());
         Some((place.range, config::doc(&keys)?))
@@ -121,11 +122,11 @@ impl World {
     fn names_at(
         &mut self,
         path: &Path,
-        place: &ConfigPlace,
+        place: &ConfigCursor,
         cancel: &CancelFlag,
-    ) -> Option<(ConfigChoiceKind, Names)> {
+    ) -> Option<(ConfigChoiceKind, DescribedNames)> {
         let keys: Vec<&str> = place.path.iter().map(String::as_str).collect();
-        let is_key = !matches!(place.kind, PlaceKind::Value { .. });
+        let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
         let folder = path.parent().unwrap_or(Path::new(""));
         Some(match (keys.as_slice(), is_key) {
             (
@@ -182,8 +183,8 @@ impl World {
     }
 
     /// The arguments of robots.
-    fn arguments_of(&self, robots: &[PathBuf]) -> Names {
-        let mut found = Names::new();
+    fn arguments_of(&self, robots: &[PathBuf]) -> DescribedNames {
+        let mut found = DescribedNames::new();
         for (name, default) in robots
             .iter()
             .flat_map(|robot| self.session().known(robot).defaults())
@@ -197,9 +198,9 @@ impl World {
     }
 
     /// Values of an argument: what conditions of robots compare it with, its default, and what launch files give.
-    fn values_of(&self, robots: &[PathBuf], name: &str) -> Names {
+    fn values_of(&self, robots: &[PathBuf], name: &str) -> DescribedNames {
         let session = self.session();
-        let mut found = Names::new();
+        let mut found = DescribedNames::new();
         for robot in robots {
             let known = session.known(robot);
             let declared = known.defaults().into_iter().filter(|(own, _)| own == name);
@@ -249,10 +250,15 @@ impl World {
     }
 
     /// The links or joints of robots with their defaults.
-    fn parts(&mut self, robots: &[PathBuf], links: bool, cancel: &CancelFlag) -> Option<Names> {
+    fn parts(
+        &mut self,
+        robots: &[PathBuf],
+        links: bool,
+        cancel: &CancelFlag,
+    ) -> Option<DescribedNames> {
         let mut names: BTreeSet<String> = BTreeSet::new();
         for robot in robots {
-            let analyzed = self.analyzed(&RootChoice::plain(robot), cancel)?;
+            let analyzed = self.analyzed(&RootConfig::plain(robot), cancel)?;
             let Some(robot) = &analyzed.robot else {
                 continue;
             };
@@ -269,9 +275,9 @@ impl World {
         &self,
         config: &Path,
         folder: &Path,
-        place: &ConfigPlace,
+        place: &ConfigCursor,
         key: Option<&str>,
-    ) -> Names {
+    ) -> DescribedNames {
         let vfs = &self.session().vfs;
         let text = vfs.text(config);
         let typed = text
@@ -296,10 +302,10 @@ impl World {
 }
 
 /// The robots of the entry of `roots` around a place.
-fn robots(world: &World, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
+fn robots(host: &AnalysisHost, folder: &Path, place: &ConfigCursor) -> Vec<PathBuf> {
     let file = place.file.as_deref();
     let mut robots = file
-        .map(|file| files_named(file, folder, &world.session().vfs))
+        .map(|file| files_named(file, folder, &host.session().vfs))
         .unwrap_or_default();
     robots.truncate(MOST_ROBOTS);
     robots
@@ -308,7 +314,7 @@ fn robots(world: &World, folder: &Path, place: &ConfigPlace) -> Vec<PathBuf> {
 /// Robots that are read for one answer.
 const MOST_ROBOTS: usize = 20;
 
-fn plain(names: impl IntoIterator<Item = String>) -> Names {
+fn plain(names: impl IntoIterator<Item = String>) -> DescribedNames {
     names
         .into_iter()
         .map(|name| (name, String::new()))
@@ -316,8 +322,8 @@ fn plain(names: impl IntoIterator<Item = String>) -> Names {
 }
 
 /// The text of a choice: with quotes where it needs them and none are open, and with `=` behind a key.
-fn written(place: &ConfigPlace, kind: ConfigChoiceKind, name: &str, after: &str) -> String {
-    let is_key = !matches!(place.kind, PlaceKind::Value { .. });
+fn written(place: &ConfigCursor, kind: ConfigChoiceKind, name: &str, after: &str) -> String {
+    let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
     let is_plain = match is_key {
         true => !name.is_empty() && name.chars().all(config::is_bare),
         false => matches!(name, "true" | "false"),
@@ -338,7 +344,7 @@ fn written(place: &ConfigPlace, kind: ConfigChoiceKind, name: &str, after: &str)
         .strip_prefix(['"', '\''])
         .unwrap_or(after)
         .trim_start_matches([' ', '\t']);
-    let with_sign = place.kind == PlaceKind::Key && !after.starts_with(['=', '.']);
+    let with_sign = place.kind == ConfigCursorKind::Key && !after.starts_with(['=', '.']);
     if with_sign && (place.quote.is_none() || !close.is_empty()) {
         text + " = "
     } else {
@@ -360,7 +366,7 @@ fn escaped(text: &str) -> String {
 }
 
 /// Add a value that is written out, unless it is there.
-fn add_value(values: &mut Names, value: String, detail: &str) {
+fn add_value(values: &mut DescribedNames, value: String, detail: &str) {
     if !value.contains("$(")
         && !value.contains("${")
         && !values.iter().any(|(known, _)| *known == value)

@@ -6,14 +6,14 @@ use ecow::EcoString;
 
 use super::configs::Settings;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
 use super::report::Report;
+use super::root_result::RootResult;
 use super::session::Session;
 use base::FastSet;
 use facts::{FactKind, MentionKind as Mentioned, facts_of};
 use rules::{Finding, invalid_config};
 use vfs::SourceFile;
-use workspace::config::{ConfigWarning, MentionKind, Place, Root};
+use workspace::config::{ConfigLocation, ConfigMentionKind, ConfigWarning, Root};
 use workspace::nearest;
 
 impl Session {
@@ -23,7 +23,7 @@ impl Session {
         &self,
         options: &CheckOptions,
         report: &Report,
-        outcomes: &[Outcome],
+        results: &[RootResult],
     ) -> Vec<Finding> {
         let files = report.files.values().map(|file| self.settings(&file.path));
         let folders = options
@@ -37,12 +37,12 @@ impl Session {
             holding.extend(settings.config.files.iter().cloned());
             if holding.len() > before {
                 warnings.extend(self.missing(&settings));
-                warnings.extend(self.unknown_arguments(&settings, outcomes));
+                warnings.extend(self.unknown_arguments(&settings, results));
             }
         }
         let mut seen: FastSet<(PathBuf, u32, String)> = FastSet::default();
         let in_files = warnings.iter().filter(|warning| {
-            let Place { path, range, .. } = &warning.place;
+            let ConfigLocation { path, range, .. } = &warning.place;
             holding.contains(path)
                 && seen.insert((path.clone(), range.start, warning.message.clone()))
         });
@@ -65,7 +65,7 @@ impl Session {
                 .path
                 .parent()
                 .map(|own| own.join(&mention.text));
-            mention.kind == MentionKind::Folder
+            mention.kind == ConfigMentionKind::Folder
                 && !folder.is_some_and(|folder| self.vfs.is_dir(&folder))
         });
         let folders = folders.map(|mention| {
@@ -74,7 +74,7 @@ impl Session {
                 format!("`{}` is not a folder", mention.text),
             )
         });
-        let warning = |(place, message): (&Place, String)| ConfigWarning {
+        let warning = |(place, message): (&ConfigLocation, String)| ConfigWarning {
             place: place.clone(),
             message,
             nearest: None,
@@ -86,7 +86,7 @@ impl Session {
     fn unknown_arguments(
         &self,
         settings: &Arc<Settings>,
-        outcomes: &[Outcome],
+        results: &[RootResult],
     ) -> Vec<ConfigWarning> {
         let roots = settings
             .config
@@ -94,20 +94,20 @@ impl Session {
             .iter()
             .filter(|root| !root.given.is_empty());
         roots
-            .flat_map(|root| self.unknown_arguments_of(root, outcomes))
+            .flat_map(|root| self.unknown_arguments_of(root, results))
             .collect()
     }
 
-    fn unknown_arguments_of(&self, root: &Root, outcomes: &[Outcome]) -> Vec<ConfigWarning> {
+    fn unknown_arguments_of(&self, root: &Root, results: &[RootResult]) -> Vec<ConfigWarning> {
         let files = root.files(&self.vfs);
-        let runs: Vec<&Outcome> = outcomes
+        let runs: Vec<&RootResult> = results
             .iter()
-            .filter(|run| files.contains(&run.job.file))
+            .filter(|run| files.contains(&run.task.file))
             .collect();
         // what is not expanded, or not wholly, may declare them
         if files
             .iter()
-            .any(|file| !runs.iter().any(|run| run.job.file == *file))
+            .any(|file| !runs.iter().any(|run| run.task.file == *file))
             || runs.iter().any(|run| !run.complete)
         {
             return Vec::new();
@@ -123,7 +123,7 @@ impl Session {
             .given
             .iter()
             .filter(|(name, _)| !known.contains(name.as_str()));
-        let warning = |(name, place): &(String, Place)| ConfigWarning {
+        let warning = |(name, place): &(String, ConfigLocation)| ConfigWarning {
             place: place.clone(),
             message: format!("unknown argument `{name}` of `{}`", root.file),
             nearest: nearest(name, known.iter().map(EcoString::as_str)).map(str::to_owned),

@@ -5,11 +5,12 @@ use std::sync::{Arc, Mutex};
 use super::lock::locked;
 use base::FastMap;
 use rules::{
-    Finding, Rule, Selection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
+    Finding, Rule, RuleSelection, SelectionOptions, Severity, THRESHOLDS, find, nearest_selector,
 };
 use vfs::{LoadError, Vfs};
 use workspace::config::{
-    Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
+    Config, ConfigMention, ConfigMentionKind, ConfigWarning, LoadedConfig, Profile, RuleLevel,
+    find_config,
 };
 use workspace::nearest;
 
@@ -53,24 +54,24 @@ impl Overrides {
 pub struct Settings {
     /// The configuration.
     pub config: Config,
-    selection: Selection,
+    selection: RuleSelection,
 }
 
 /// Configurations by the folder they hold for.
 pub(super) struct Configs {
     overrides: Overrides,
-    state: Mutex<State>,
+    state: Mutex<ConfigCache>,
 }
 
 /// What settings are made of: a configuration file, and settings of the editor by their number.
-type Origin = (Option<PathBuf>, Option<usize>);
+type SettingsKey = (Option<PathBuf>, Option<usize>);
 
 #[derive(Default)]
-struct State {
+struct ConfigCache {
     /// By folder: the settings that hold there.
     folders: FastMap<PathBuf, Arc<Settings>>,
     /// By configuration file (none: no file at all) and by the number of the editor's settings.
-    files: FastMap<Origin, Arc<Settings>>,
+    files: FastMap<SettingsKey, Arc<Settings>>,
     warnings: Vec<ConfigWarning>,
     /// Those that cannot be read.
     unreadable: Vec<LoadError>,
@@ -97,7 +98,7 @@ impl Settings {
             .severity
             .iter()
             .map(|(rule, &level)| (rule.clone(), severity(level)));
-        let selection = Selection::new(&SelectionOptions {
+        let selection = RuleSelection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: given_or(overrides.extend_select.as_ref(), &config.extend_select),
             ignore: given_or(overrides.ignore.as_ref(), &config.ignore),
@@ -188,7 +189,7 @@ impl Configs {
         }
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, State> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, ConfigCache> {
         locked(&self.state)
     }
 
@@ -207,11 +208,13 @@ impl Configs {
             Some(settings) => settings.clone(),
             None => {
                 let path = origin.0.as_ref();
-                let loaded =
-                    path.map_or_else(|| Ok(Loaded::default()), |path| Config::load(vfs, path));
+                let loaded = path.map_or_else(
+                    || Ok(LoadedConfig::default()),
+                    |path| Config::load(vfs, path),
+                );
                 let loaded = loaded.unwrap_or_else(|error| {
                     state.unreadable.push(error);
-                    Loaded::default()
+                    LoadedConfig::default()
                 });
                 state.add(origin, loaded, &self.overrides)
             }
@@ -241,9 +244,14 @@ impl Configs {
     }
 }
 
-impl State {
-    fn add(&mut self, origin: Origin, loaded: Loaded, overrides: &Overrides) -> Arc<Settings> {
-        let Loaded {
+impl ConfigCache {
+    fn add(
+        &mut self,
+        origin: SettingsKey,
+        loaded: LoadedConfig,
+        overrides: &Overrides,
+    ) -> Arc<Settings> {
+        let LoadedConfig {
             mut config,
             mut warnings,
         } = loaded;
@@ -266,16 +274,18 @@ impl State {
 
 /// Names in a configuration that mean no rule.
 fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
-    let warning = |mention: &Mention| {
+    let warning = |mention: &ConfigMention| {
         let name = mention.text.as_str();
         let (kind, near) = match mention.kind {
-            MentionKind::Threshold if THRESHOLDS.iter().all(|threshold| threshold.name != name) => {
+            ConfigMentionKind::Threshold
+                if THRESHOLDS.iter().all(|threshold| threshold.name != name) =>
+            {
                 (
                     "threshold of a rule",
                     nearest(name, THRESHOLDS.iter().map(|t| t.name)),
                 )
             }
-            MentionKind::Rule if name != "ALL" && find(name).next().is_none() => {
+            ConfigMentionKind::Rule if name != "ALL" && find(name).next().is_none() => {
                 ("rule", nearest_selector(name))
             }
             _ => return None,
@@ -291,13 +301,13 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
 }
 
 /// None switches off.
-fn severity(level: Level) -> Option<Severity> {
+fn severity(level: RuleLevel) -> Option<Severity> {
     match level {
-        Level::Off => None,
-        Level::Hint => Some(Severity::Hint),
-        Level::Info => Some(Severity::Info),
-        Level::Warning => Some(Severity::Warning),
-        Level::Error => Some(Severity::Error),
+        RuleLevel::Off => None,
+        RuleLevel::Hint => Some(Severity::Hint),
+        RuleLevel::Info => Some(Severity::Info),
+        RuleLevel::Warning => Some(Severity::Warning),
+        RuleLevel::Error => Some(Severity::Error),
     }
 }
 

@@ -1,27 +1,27 @@
 //! Under which root a file is shown, and with which arguments.
 //!
-//! A macro file has no meaning alone. The root is chosen by what the user picked, a comment in the file, the
+//! A macro file has no meaning alone. The root is chosen by what the user selected, a comment in the file, the
 //! configuration, and else by the includes of the workspace.
 use std::path::{Path, PathBuf};
 
 use indexmap::IndexSet;
 
-use super::root_choice::{Context, Reason, RootChoice};
-use super::world::World;
+use super::host::AnalysisHost;
+use super::root_config::{Context, RootConfig, RootReason};
 use base::{Span, TextRange};
 use vfs::SourceFile;
 use workspace::config::Variant;
 
-impl World {
+impl AnalysisHost {
     /// The runs of a file that the configuration lists.
-    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootChoice> {
+    pub(super) fn configured_variants(&self, file: &Path) -> Vec<RootConfig> {
         let settings = self.session().settings(file);
         let roots = settings.config.roots.iter().filter(|root| {
             root.files(&self.session().vfs)
                 .iter()
                 .any(|listed| self.session().vfs.absolute(listed) == file)
         });
-        let variant = |variant: workspace::config::Variant| RootChoice {
+        let variant = |variant: workspace::config::Variant| RootConfig {
             file: file.to_path_buf(),
             args: variant.args,
             preset: variant.preset,
@@ -32,7 +32,7 @@ impl World {
             .collect()
     }
 
-    pub(super) fn is_configured(&self, root: &RootChoice) -> bool {
+    pub(super) fn is_configured(&self, root: &RootConfig) -> bool {
         self.configured_variants(&root.file).contains(root)
     }
 
@@ -46,16 +46,17 @@ impl World {
             let edited = std::cmp::Reverse(self.last_edit(&file));
             (edited, *near, !self.same_package(&file, path), file)
         });
-        let picked = self.picked(path).map(|root| (root, Reason::Picked));
+        let selected = self.selected(path).map(|root| (root, RootReason::Selected));
         let commented = || {
             self.commented_root(path)
-                .map(|root| (root, Reason::Comment))
+                .map(|root| (root, RootReason::Comment))
         };
-        let chosen = picked
+        let chosen = selected
             .or_else(commented)
             .or_else(|| self.preferred(&candidates, path));
-        let (root, reason) =
-            chosen.map_or((None, Reason::None), |(root, reason)| (Some(root), reason));
+        let (root, reason) = chosen.map_or((None, RootReason::None), |(root, reason)| {
+            (Some(root), reason)
+        });
         Context {
             root,
             reason,
@@ -66,23 +67,23 @@ impl World {
     /// Of the roots that reach a file, the first that is configured; else the file itself; else the first of all.
     fn preferred(
         &self,
-        candidates: &[(RootChoice, u32)],
+        candidates: &[(RootConfig, u32)],
         path: &Path,
-    ) -> Option<(RootChoice, Reason)> {
-        let is_configured = |(root, _): &&(RootChoice, u32)| self.is_configured(root);
-        let is_itself = |(root, near): &&(RootChoice, u32)| *near == 0 && root.file == path;
+    ) -> Option<(RootConfig, RootReason)> {
+        let is_configured = |(root, _): &&(RootConfig, u32)| self.is_configured(root);
+        let is_itself = |(root, near): &&(RootConfig, u32)| *near == 0 && root.file == path;
         let ((root, _), reason) = if let Some(found) = candidates.iter().find(is_configured) {
-            (found, Reason::Configured)
+            (found, RootReason::Configured)
         } else if let Some(found) = candidates.iter().find(is_itself) {
-            (found, Reason::Itself)
+            (found, RootReason::Itself)
         } else {
-            (candidates.first()?, Reason::Includes)
+            (candidates.first()?, RootReason::Includes)
         };
         Some((root.clone(), reason))
     }
 
     /// The roots that reach a file: configured ones with all their presets, then all others.
-    fn candidates(&self, path: &Path) -> Vec<(RootChoice, u32)> {
+    fn candidates(&self, path: &Path) -> Vec<(RootConfig, u32)> {
         let mut reached: Vec<(PathBuf, u32)> = self.graph.roots_of(path);
         if self.graph.is_root(path) {
             reached.insert(0, (path.to_path_buf(), 0));
@@ -91,7 +92,7 @@ impl World {
         for (file, near) in reached {
             let variants = self.configured_variants(&file);
             match variants.is_empty() {
-                true => candidates.push((RootChoice::plain(&file), near)),
+                true => candidates.push((RootConfig::plain(&file), near)),
                 false => candidates.extend(variants.into_iter().map(|choice| (choice, near))),
             }
         }
@@ -104,12 +105,12 @@ impl World {
     }
 
     /// `<!-- xacro-root: ../robot.urdf.xacro side:=right -->` in the first ten lines.
-    fn commented_root(&self, path: &Path) -> Option<RootChoice> {
+    fn commented_root(&self, path: &Path) -> Option<RootConfig> {
         let source = self.session().vfs.document(path).ok()?;
         let (name, args) = root_comment(&source)?;
         let file = self.session().vfs.absolute(&path.parent()?.join(name));
         let file = vfs::without_parents(&file);
-        self.session().vfs.is_file(&file).then_some(RootChoice {
+        self.session().vfs.is_file(&file).then_some(RootConfig {
             file,
             args,
             preset: None,
@@ -117,7 +118,7 @@ impl World {
     }
 }
 
-impl World {
+impl AnalysisHost {
     /// Where the comment at the top of a file that names its root gives an argument a value, with the root.
     pub fn commented_argument(&self, path: &Path, name: &str) -> Option<(PathBuf, Span)> {
         let root = self.commented_root(path)?.file;
@@ -157,20 +158,20 @@ fn root_comment(source: &SourceFile) -> Option<(String, Vec<(String, String)>)> 
     Some((name, args.collect()))
 }
 
-impl World {
+impl AnalysisHost {
     /// Every configured root with each of its presets, by the configurations that hold for files and for the folders.
-    pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootChoice> {
+    pub(super) fn configured_contexts(&self, paths: &[&PathBuf]) -> Vec<RootConfig> {
         let session = self.session();
         let of_folders = self
             .folders()
             .iter()
             .map(|folder| session.folder_settings(folder));
-        let mut found: IndexSet<RootChoice> = IndexSet::new();
+        let mut found: IndexSet<RootConfig> = IndexSet::new();
         for settings in of_folders.chain(paths.iter().map(|path| session.settings(path))) {
             for root in &settings.config.roots {
                 for file in root.files(&session.vfs) {
                     let file = session.vfs.absolute(&file);
-                    let choice = |Variant { preset, args }| RootChoice {
+                    let choice = |Variant { preset, args }| RootConfig {
                         file: file.clone(),
                         args,
                         preset,

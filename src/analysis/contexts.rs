@@ -3,9 +3,9 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::outcome::Outcome;
-use super::root_choice::RootChoice;
-use super::task::{Called, Job};
+use super::check_task::{CheckTask, LaunchCallSites};
+use super::root_config::RootConfig;
+use super::root_result::RootResult;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::Related;
 use vfs::SourceFile;
@@ -17,7 +17,7 @@ const MOST_PLACES: usize = 10;
 const MOST_ARGUMENTS: usize = 5;
 
 /// One expansion among those of a check.
-pub(super) struct Run {
+pub(super) struct ContextRun {
     /// The file of the root.
     file: PathBuf,
     /// Its arguments; later ones win.
@@ -25,7 +25,7 @@ pub(super) struct Run {
     /// The values of all arguments.
     values: Vec<(EcoString, EcoString)>,
     /// The calls in launch files that it is made for.
-    called: Option<Called>,
+    called: Option<LaunchCallSites>,
     /// Whether it is a context, as others are of the same files.
     is_context: bool,
     /// Whether it has arguments of a caller, since it fails with the defaults.
@@ -38,16 +38,16 @@ pub(super) struct Run {
     start: Option<Span>,
 }
 
-impl Run {
-    pub(super) fn of(outcome: &Outcome) -> Self {
-        let Job {
+impl ContextRun {
+    pub(super) fn of(result: &RootResult) -> Self {
+        let CheckTask {
             file, args, called, ..
-        } = outcome.job.clone();
-        let reads = outcome.files.iter().map(|file| file.id).collect();
-        let start = outcome.files.first().map(|source| start(source));
-        let is_whole_robot = outcome.is_robot && outcome.complete;
-        let (values, is_context) = (outcome.arguments.clone(), outcome.is_context);
-        let is_as_called = outcome.is_as_called;
+        } = result.task.clone();
+        let reads = result.files.iter().map(|file| file.id).collect();
+        let start = result.files.first().map(|source| start(source));
+        let is_whole_robot = result.is_robot && result.complete;
+        let (values, is_context) = (result.arguments.clone(), result.is_context);
+        let is_as_called = result.is_as_called;
         Self {
             file,
             args,
@@ -74,13 +74,13 @@ fn start(source: &SourceFile) -> Span {
 
 /// The runs of a check, by number.
 pub(super) struct Contexts {
-    runs: Vec<Run>,
+    runs: Vec<ContextRun>,
     /// The file names that several roots have: these are called by their paths.
     ambiguous: FastSet<String>,
 }
 
 impl Contexts {
-    pub(super) fn of(runs: Vec<Run>) -> Self {
+    pub(super) fn of(runs: Vec<ContextRun>) -> Self {
         let mut files: Vec<&PathBuf> = runs.iter().map(|run| &run.file).collect();
         files.sort_unstable();
         files.dedup();
@@ -101,7 +101,7 @@ impl Contexts {
             return Vec::new();
         }
         let is_read = self.runs.iter().any(|run| run.reads.contains(&file));
-        let could = |(_, run): &(usize, &Run)| {
+        let could = |(_, run): &(usize, &ContextRun)| {
             if is_read {
                 run.reads.contains(&file)
             } else {
@@ -122,7 +122,7 @@ impl Contexts {
             .iter()
             .filter_map(|&n| Some(&self.runs.get(n)?.file))
             .collect();
-        let reads = |run: &&Run| {
+        let reads = |run: &&ContextRun| {
             run.is_whole_robot && run.reads.contains(&file) && !own.contains(&run.file)
         };
         self.runs
@@ -171,7 +171,7 @@ impl Contexts {
             .iter()
             .filter_map(|&n| Some(&self.runs.get(n)?.file))
             .collect();
-        let is_one = |(_, run): &(usize, &Run)| {
+        let is_one = |(_, run): &(usize, &ContextRun)| {
             files.contains(&run.file) && called.contains(&run.file) && run.reads.contains(&file)
         };
         self.runs
@@ -190,13 +190,15 @@ impl Contexts {
                 .get(number)
                 .and_then(|run| Some((run, run.called.as_ref()?)))
         };
-        let runs: Vec<(&Run, &Called)> = runs.iter().map(called).collect::<Option<_>>()?;
+        let runs: Vec<(&ContextRun, &LaunchCallSites)> =
+            runs.iter().map(called).collect::<Option<_>>()?;
         let own: usize = runs.iter().map(|(_, called)| called.calls.len()).sum();
         let mut seen = FastSet::default();
         let robots = runs.iter().filter(|(run, _)| seen.insert(&run.file));
         let all: usize = robots.map(|(_, called)| called.of).sum();
-        let is_as_called =
-            |other: &Run| other.is_as_called && runs.iter().any(|(run, _)| run.file == other.file);
+        let is_as_called = |other: &ContextRun| {
+            other.is_as_called && runs.iter().any(|(run, _)| run.file == other.file)
+        };
         if own == all && self.runs.iter().any(is_as_called) {
             return Some(String::new());
         }
@@ -226,7 +228,7 @@ impl Contexts {
     }
 
     /// The first arguments of a call that are not those that the robot has without it.
-    fn differing(&self, run: &Run) -> String {
+    fn differing(&self, run: &ContextRun) -> String {
         let plain = self
             .runs
             .iter()
@@ -284,7 +286,7 @@ pub(super) fn label(mut text: String, args: &[(String, String)]) -> String {
     text
 }
 
-impl RootChoice {
+impl RootConfig {
     /// For people: the name of the file and the arguments.
     pub fn label(&self) -> String {
         label(name(&self.file), &self.args)

@@ -3,37 +3,45 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::includes::Included;
-use super::outcome::Outcome;
+use super::root_result::RootResult;
 use super::session::Session;
 use super::set_aside::leave_out_copies;
-use super::task::{Job, Reason};
 use base::FastSet;
 
 impl Session {
-    /// Jobs in two parts: what has to be expanded whatever the others give, and what a robot may cover that
+    /// Tasks in two parts: what has to be expanded whatever the others give, and what a robot may cover that
     /// includes it.
-    pub(super) fn in_turns(&self, jobs: Vec<Job>) -> (Vec<Job>, Vec<Job>) {
-        let included = self.statically_included(&jobs);
-        let waits = |job: &Job| job.reason == Reason::Walked && included.contains(&job.file);
-        let (later, first) = jobs.into_iter().partition(waits);
+    pub(super) fn in_turns(&self, tasks: Vec<CheckTask>) -> (Vec<CheckTask>, Vec<CheckTask>) {
+        let included = self.statically_included(&tasks);
+        let waits =
+            |task: &CheckTask| task.reason == CheckReason::Walked && included.contains(&task.file);
+        let (later, first) = tasks.into_iter().partition(waits);
         (first, later)
     }
 
-    /// The jobs that no robot among the outcomes covers.
-    pub(super) fn uncovered(&self, jobs: Vec<Job>, outcomes: &[Outcome]) -> Vec<Job> {
-        let covered = self.covered_by_robots(outcomes.iter());
-        let is_open = |job: &Job| {
+    /// The tasks that no robot among the results covers.
+    pub(super) fn uncovered(
+        &self,
+        tasks: Vec<CheckTask>,
+        results: &[RootResult],
+    ) -> Vec<CheckTask> {
+        let covered = self.covered_by_robots(results.iter());
+        let is_open = |task: &CheckTask| {
             self.vfs
-                .identity(&job.file)
+                .identity(&task.file)
                 .is_none_or(|own| !covered.contains(&own))
         };
-        jobs.into_iter().filter(is_open).collect()
+        tasks.into_iter().filter(is_open).collect()
     }
 
-    fn covered_by_robots<'a>(&self, outcomes: impl Iterator<Item = &'a Outcome>) -> FastSet<u128> {
-        let robots = outcomes.filter(|outcome| outcome.is_robot);
-        let reads: FastSet<&PathBuf> = robots.flat_map(|outcome| &outcome.reads).collect();
+    fn covered_by_robots<'a>(
+        &self,
+        results: impl Iterator<Item = &'a RootResult>,
+    ) -> FastSet<u128> {
+        let robots = results.filter(|result| result.is_robot);
+        let reads: FastSet<&PathBuf> = robots.flat_map(|result| &result.reads).collect();
         reads
             .into_iter()
             .filter_map(|path| self.vfs.identity(path))
@@ -41,38 +49,38 @@ impl Session {
     }
 
     /// Drop what another expansion covers.
-    pub(super) fn keep(&self, outcomes: Vec<Outcome>) -> Vec<Outcome> {
-        let mut covered = self.covered_by_robots(outcomes.iter());
-        let (mut kept, mut others): (Vec<Outcome>, Vec<Outcome>) = outcomes
+    pub(super) fn keep(&self, results: Vec<RootResult>) -> Vec<RootResult> {
+        let mut covered = self.covered_by_robots(results.iter());
+        let (mut kept, mut others): (Vec<RootResult>, Vec<RootResult>) = results
             .into_iter()
-            .partition(|outcome| outcome.job.reason != Reason::Walked);
+            .partition(|result| result.task.reason != CheckReason::Walked);
         // robots first: what they include needs no look of its own
-        others.sort_by_key(|outcome| !outcome.is_robot);
-        for outcome in others {
-            let own = self.vfs.identity(&outcome.job.file).unwrap_or_default();
+        others.sort_by_key(|result| !result.is_robot);
+        for result in others {
+            let own = self.vfs.identity(&result.task.file).unwrap_or_default();
             if covered.contains(&own) {
                 continue;
             }
-            if !outcome.is_robot {
+            if !result.is_robot {
                 covered.extend(
-                    outcome
+                    result
                         .reads
                         .iter()
                         .filter_map(|path| self.vfs.identity(path)),
                 );
             }
-            kept.push(outcome);
+            kept.push(result);
         }
         leave_out_copies(self, &mut kept);
         kept
     }
 
-    /// The files of the jobs that another one may include, by what its text says.
-    fn statically_included(&self, jobs: &[Job]) -> FastSet<PathBuf> {
-        if jobs.iter().all(|job| job.reason != Reason::Walked) {
+    /// The files of the tasks that another one may include, by what its text says.
+    fn statically_included(&self, tasks: &[CheckTask]) -> FastSet<PathBuf> {
+        if tasks.iter().all(|task| task.reason != CheckReason::Walked) {
             return FastSet::default();
         }
-        let files: FastSet<&Path> = jobs.iter().map(|job| job.file.as_path()).collect();
+        let files: FastSet<&Path> = tasks.iter().map(|task| task.file.as_path()).collect();
         let files: Vec<&Path> = files.into_iter().collect();
         let sources = files
             .par_iter()

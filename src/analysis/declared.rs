@@ -8,7 +8,7 @@ use vfs::SourceFile;
 
 /// The arguments that a description knows.
 #[derive(Default)]
-pub(super) struct Declared {
+pub(super) struct KnownArguments {
     pub(super) names: FastSet<EcoString>,
     /// Whether all that may be included was read, and each name is written out.
     pub(super) complete: bool,
@@ -16,7 +16,7 @@ pub(super) struct Declared {
     pub(super) files: Vec<Arc<SourceFile>>,
 }
 
-impl Declared {
+impl KnownArguments {
     /// The arguments that are declared, each with its default where it has one.
     pub(super) fn defaults(&self) -> Vec<(String, Option<String>)> {
         let mut found = Vec::new();

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::expect::{entry_at, filled, worded};
-use super::job;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::run_cache::{Run, Setting};
+use super::root_result::RootResult;
+use super::run_cache::{RunResult, RunSetting};
+use super::run_task;
 use super::session::Session;
-use super::task::{Job, Reason};
 use base::limits::{DRIFT_RUNS, DRIFT_SOURCES};
 use base::{CancelFlag, FastSet, Span, TextRange};
 use expand::{BindingKind, Request, expand, large_stacks, write, write_mapped};
@@ -48,7 +48,7 @@ struct Generation {
 /// Such arguments with what they give.
 struct Tried {
     variant: Generation,
-    run: Arc<Run>,
+    run: Arc<RunResult>,
     difference: Difference,
 }
 
@@ -64,13 +64,13 @@ impl Session {
     pub(super) fn drift_findings(
         &self,
         options: &CheckOptions,
-        outcomes: &[Outcome],
+        results: &[RootResult],
     ) -> Vec<Finding> {
         let rule = named::GENERATED_URDF_OUT_OF_DATE;
         let mut seen: FastSet<&Path> = FastSet::default();
-        let generated: Vec<&Arc<SourceFile>> = (outcomes.iter())
-            .filter(|outcome| seen.insert(&outcome.job.file))
-            .filter_map(|outcome| outcome.files.first())
+        let generated: Vec<&Arc<SourceFile>> = (results.iter())
+            .filter(|result| seen.insert(&result.task.file))
+            .filter_map(|result| result.files.first())
             .filter(|file| {
                 self.settings(&file.path).runs(rule, &file.path) && banner(file).is_some()
             })
@@ -85,17 +85,19 @@ impl Session {
     fn drift(&self, file: &SourceFile, cancel: &CancelFlag) -> Option<Finding> {
         let (name, range) = banner(file)?;
         let text = file.document.text();
-        let mut variants: Vec<(Generation, Arc<Run>)> = Vec::new();
+        let mut variants: Vec<(Generation, Arc<RunResult>)> = Vec::new();
         for source in self.sources_named(&name, &file.path) {
             for variant in self.generations(&source) {
-                let (job, setting) = (
-                    variant.job(),
-                    Setting {
+                let (task, setting) = (
+                    variant.task(),
+                    RunSetting {
                         args: variant.args.clone(),
-                        ..Setting::default()
+                        ..RunSetting::default()
                     },
                 );
-                let run = self.drift_runs.get(self, &self.vfs, cancel, &job, &setting);
+                let run = self
+                    .drift_runs
+                    .get(self, &self.vfs, cancel, &task, &setting);
                 let variant = Generation {
                     is_meant: self.is_meant(&variant, &run, &file.path),
                     ..variant
@@ -200,7 +202,7 @@ impl Session {
     }
 
     /// Whether the configuration expects a robot to be the content of a file.
-    fn is_meant(&self, variant: &Generation, run: &Run, file: &Path) -> bool {
+    fn is_meant(&self, variant: &Generation, run: &RunResult, file: &Path) -> bool {
         let settings = self.settings(&variant.source);
         let roots = settings.config.roots.iter();
         let mut expected = roots
@@ -289,9 +291,9 @@ impl Session {
         let request = Request {
             probe: false,
             args: variant.args.clone(),
-            ..job::request(self, &CancelFlag::default(), &variant.job())
+            ..run_task::request(self, &CancelFlag::default(), &variant.task())
         };
-        let expansion = expand(job::world(self), &request);
+        let expansion = expand(run_task::sources(self), &request);
         // what was compared has no name in its banner
         let written = write_mapped(&expansion.tree, "");
         let entry = entry_at(&written.map, &difference.one);
@@ -323,8 +325,8 @@ fn is_for_old_xacro(text: &str) -> bool {
 }
 
 impl Generation {
-    fn job(&self) -> Job {
-        Job::new(self.source.clone(), Reason::Named, self.args.clone())
+    fn task(&self) -> CheckTask {
+        CheckTask::new(self.source.clone(), CheckReason::Named, self.args.clone())
     }
 }
 

@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use super::admission::{Admission, Admitted, changes, claim, files_of, groups};
 use super::change::Change;
-use super::check::Done;
+use super::check::PreviousCheck;
 use super::guard::harms;
 use super::options::CheckOptions;
 use super::plan::{Plan, choose};
-use super::proof::{Changed, Claim, Effort, Roots};
+use super::proof::{AffectedRobots, Changed, Claim, Effort};
 use super::report::Report;
 use super::session::Session;
 use super::walk::is_description;
@@ -87,9 +87,9 @@ impl Session {
     /// files outside of the workspace.
     pub fn fix(&self, options: &CheckOptions, how: FixOptions) -> Fixed {
         let _held = self.vfs.freeze();
-        let mut done = Done::default();
+        let mut done = PreviousCheck::default();
         let found = self.check_with(options, Some(&mut done));
-        let mut work = Work::new(self, options, how);
+        let mut work = FixRun::new(self, options, how);
         let mut left = None;
         for _ in 0..FIX_ROUNDS {
             let report = left.as_ref().unwrap_or(&found);
@@ -152,7 +152,7 @@ impl Session {
     }
 
     /// Forget what rests on files that changed. Who includes whom may decide about files that did not.
-    fn forget_changed(&self, changed: &[Changed], done: &mut Done) {
+    fn forget_changed(&self, changed: &[Changed], done: &mut PreviousCheck) {
         let is_simple = |changed: &Changed| {
             let (old, new) = (&changed.old, &changed.new);
             is_description(&changed.path)
@@ -187,7 +187,7 @@ impl Session {
         report: &Report,
         shown: Severity,
     ) -> (usize, usize) {
-        let work = Work::new(
+        let work = FixRun::new(
             self,
             options,
             FixOptions {
@@ -223,7 +223,7 @@ pub fn is_said_safe(finding: &Finding) -> bool {
 }
 
 /// The state of a run.
-struct Work<'a> {
+struct FixRun<'a> {
     session: &'a Session,
     options: &'a CheckOptions,
     how: FixOptions,
@@ -250,7 +250,7 @@ struct Work<'a> {
     own: RefCell<FastMap<FileId, bool>>,
 }
 
-impl<'a> Work<'a> {
+impl<'a> FixRun<'a> {
     fn new(session: &'a Session, options: &'a CheckOptions, how: FixOptions) -> Self {
         let homes = session
             .homes(options)
@@ -291,7 +291,7 @@ impl<'a> Work<'a> {
         let cancel = self.options.cancel.clone();
         let effort = Effort {
             expansions: PROOF_EXPANSIONS,
-            roots: Roots::Searched(Arc::default()),
+            roots: AffectedRobots::Searched(Arc::default()),
             cancel,
         };
         let admission = Admission {

@@ -13,7 +13,7 @@ use xml::Document;
 
 /// What the graph knows of a file.
 #[derive(Clone, Debug)]
-struct Node {
+struct GraphNode {
     hash: u64,
     /// Whether it looks like a robot: a root element with a name, and a link or a call outside of macros.
     is_root: bool,
@@ -24,7 +24,7 @@ struct Node {
 /// The files of a workspace and their includes, by text alone.
 #[derive(Debug, Default)]
 pub(super) struct Graph {
-    nodes: BTreeMap<PathBuf, Node>,
+    nodes: BTreeMap<PathBuf, GraphNode>,
     /// Who includes a path that is written out.
     literal: FastMap<PathBuf, BTreeSet<PathBuf>>,
     /// The files whose includes are partly computed.
@@ -47,7 +47,7 @@ impl Graph {
         }
     }
 
-    fn insert(&mut self, path: PathBuf, node: Node) {
+    fn insert(&mut self, path: PathBuf, node: GraphNode) {
         for pattern in &node.includes {
             let (target, is_whole) = pattern.start();
             if is_whole {
@@ -162,9 +162,9 @@ pub(super) fn gives_robot(document: &Document) -> bool {
         })
 }
 
-fn node(source: &Arc<SourceFile>, packages: &Packages) -> Node {
+fn node(source: &Arc<SourceFile>, packages: &Packages) -> GraphNode {
     let is_root = gives_robot(&source.document);
-    Node {
+    GraphNode {
         hash: source.hash,
         is_root,
         includes: includes::patterns(source, packages),

@@ -10,7 +10,7 @@ use rules::{Edit, Finding, Fix, Group, Related, Severity};
 
 /// What the findings of a group share.
 #[derive(PartialEq, Eq, Hash)]
-struct Key {
+struct GroupKey {
     rule: &'static str,
     severity: Severity,
     /// None: any file.
@@ -125,7 +125,7 @@ fn groups(
     copied: Option<&FastMap<FileId, FileId>>,
     text: impl Fn(Span) -> Option<String>,
 ) -> Vec<Vec<usize>> {
-    let mut groups: IndexMap<Key, Vec<usize>> = IndexMap::new();
+    let mut groups: IndexMap<GroupKey, Vec<usize>> = IndexMap::new();
     for (number, finding) in findings.iter().enumerate() {
         if let Some(key) = key(finding, copied, &text) {
             groups.entry(key).or_default().push(number);
@@ -139,8 +139,8 @@ fn groups(
 }
 
 /// Join groups and single findings of which the first ones say the very same: robots are made by copying files.
-fn copies(findings: &[Finding], groups: IndexMap<Key, Vec<usize>>) -> Vec<Vec<usize>> {
-    let mut joined: IndexMap<(&str, Severity, &str), Joined> = IndexMap::new();
+fn copies(findings: &[Finding], groups: IndexMap<GroupKey, Vec<usize>>) -> Vec<Vec<usize>> {
+    let mut joined: IndexMap<(&str, Severity, &str), MergedGroup> = IndexMap::new();
     for (key, members) in groups {
         let is_group = members.len() >= key.group.least();
         let units = if is_group {
@@ -161,7 +161,7 @@ fn copies(findings: &[Finding], groups: IndexMap<Key, Vec<usize>>) -> Vec<Vec<us
     let groups = joined
         .into_values()
         .filter(|joined| joined.is_group || joined.members.len() >= COPIES);
-    let sorted = |mut joined: Joined| {
+    let sorted = |mut joined: MergedGroup| {
         joined.members.sort_unstable();
         joined.members
     };
@@ -170,7 +170,7 @@ fn copies(findings: &[Finding], groups: IndexMap<Key, Vec<usize>>) -> Vec<Vec<us
 
 /// The members of groups that say the same.
 #[derive(Default)]
-struct Joined {
+struct MergedGroup {
     members: Vec<usize>,
     /// Whether one of them is a group already.
     is_group: bool,
@@ -183,7 +183,7 @@ fn key(
     finding: &Finding,
     copied: Option<&FastMap<FileId, FileId>>,
     text: impl Fn(Span) -> Option<String>,
-) -> Option<Key> {
+) -> Option<GroupKey> {
     let mut group = finding
         .group
         .clone()
@@ -202,7 +202,7 @@ fn key(
     };
     let anywhere = matches!(group, Group::Value(_) | Group::Thing(_)) && copied.is_some();
     let file = (!anywhere).then_some(finding.span.file);
-    Some(Key {
+    Some(GroupKey {
         rule: finding.rule.code,
         severity: finding.severity,
         file,

@@ -38,13 +38,13 @@ pub(super) fn patterns(source: &SourceFile, packages: &Packages) -> Vec<Pattern>
 }
 
 /// What a file may include.
-pub(super) struct Reach {
+pub(super) struct IncludeTargets {
     patterns: Vec<Pattern>,
     /// Whether one of its includes may be any file, as far as the text says.
     pub(super) anything: bool,
 }
 
-impl Reach {
+impl IncludeTargets {
     /// Whether `path` may be included.
     pub(super) fn has(&self, path: &Path) -> bool {
         self.patterns.iter().any(|pattern| pattern.matches(path))
@@ -59,9 +59,9 @@ impl Reach {
 }
 
 /// What a file may include, unclear includes too.
-pub(super) fn reach(source: &SourceFile, packages: &Packages) -> Reach {
+pub(super) fn reach(source: &SourceFile, packages: &Packages) -> IncludeTargets {
     let all: Vec<Option<Pattern>> = read(source, packages).collect();
-    Reach {
+    IncludeTargets {
         anything: all.iter().any(Option::is_none),
         patterns: all.into_iter().flatten().collect(),
     }

@@ -15,7 +15,7 @@ struct JsonFinding<'a> {
     severity: &'a str,
     message: &'a str,
     #[serde(flatten)]
-    place: JsonPlace,
+    place: JsonLocation,
     help: Option<&'a str>,
     related: Vec<JsonRelated<'a>>,
     /// How many places the finding is about.
@@ -25,7 +25,7 @@ struct JsonFinding<'a> {
 }
 
 #[derive(Serialize)]
-struct JsonPlace {
+struct JsonLocation {
     filename: String,
     location: JsonPosition,
     end_location: JsonPosition,
@@ -40,7 +40,7 @@ struct JsonPosition {
 #[derive(Serialize)]
 struct JsonRelated<'a> {
     #[serde(flatten)]
-    place: JsonPlace,
+    place: JsonLocation,
     message: &'a str,
 }
 
@@ -54,7 +54,7 @@ struct JsonFix<'a> {
 #[derive(Serialize)]
 struct JsonEdit<'a> {
     #[serde(flatten)]
-    place: JsonPlace,
+    place: JsonLocation,
     content: &'a str,
 }
 
@@ -82,7 +82,7 @@ fn findings(report: &Report, cwd: &Path) -> String {
     format!("{text}\n")
 }
 
-fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFinding<'a> {
+fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonLocation) -> JsonFinding<'a> {
     JsonFinding {
         code: finding.rule.code,
         name: finding.rule.name,
@@ -105,7 +105,7 @@ fn object<'a>(finding: &'a Finding, place: &dyn Fn(Span) -> JsonPlace) -> JsonFi
     }
 }
 
-fn json_fix<'a>(fix: &'a Fix, place: &dyn Fn(Span) -> JsonPlace) -> JsonFix<'a> {
+fn json_fix<'a>(fix: &'a Fix, place: &dyn Fn(Span) -> JsonLocation) -> JsonFix<'a> {
     let edits = fix.edits.iter().map(|edit| JsonEdit {
         place: place(edit.span),
         content: &edit.content,
@@ -117,9 +117,9 @@ fn json_fix<'a>(fix: &'a Fix, place: &dyn Fn(Span) -> JsonPlace) -> JsonFix<'a> 
     }
 }
 
-fn place(report: &Report, span: Span, cwd: &Path) -> JsonPlace {
+fn place(report: &Report, span: Span, cwd: &Path) -> JsonLocation {
     let position = report.position(span);
-    JsonPlace {
+    JsonLocation {
         filename: shown_path(report.path(span.file), cwd),
         location: json_position(position.start),
         end_location: json_position(position.end),

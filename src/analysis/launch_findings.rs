@@ -6,14 +6,14 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::config_findings::arguments;
-use super::declared::Declared;
+use super::declared::KnownArguments;
 use super::includes::reach;
 use super::options::CheckOptions;
 use super::session::Session;
 use super::walk::is_launch;
 use base::{CancelFlag, FastSet, Span, TextRange};
 use rules::{Finding, Severity, launched_file_not_found, unknown_launch_argument};
-use workspace::launch::{Argument, Call};
+use workspace::launch::{CallArgument, LaunchCall};
 use workspace::{RobotCall, has_name, nearest};
 
 /// Descriptions that are read for the arguments of one robot.
@@ -22,7 +22,7 @@ const MOST_FILES: usize = 500;
 impl Session {
     /// What is wrong in the calls of the launch files below the folders that are checked.
     pub(super) fn launch_findings(&self, options: &CheckOptions) -> Vec<Finding> {
-        let mut known: BTreeMap<PathBuf, Arc<Declared>> = BTreeMap::new();
+        let mut known: BTreeMap<PathBuf, Arc<KnownArguments>> = BTreeMap::new();
         let mut found = Vec::new();
         // an editor asks about the files that it shows
         if !options.entries.is_empty() {
@@ -54,7 +54,7 @@ impl Session {
         cancel: &CancelFlag,
     ) -> Vec<Finding> {
         let mut found = Vec::new();
-        let mut known: BTreeMap<PathBuf, Arc<Declared>> = BTreeMap::new();
+        let mut known: BTreeMap<PathBuf, Arc<KnownArguments>> = BTreeMap::new();
         let launch_files: Vec<&PathBuf> = shown.iter().filter(|path| is_launch(path)).collect();
         let mut calls: Vec<RobotCall> = Vec::new();
         for path in robots.iter().chain(launch_files.iter().copied()) {
@@ -77,7 +77,7 @@ impl Session {
         &self,
         calls: &[RobotCall],
         cancel: &CancelFlag,
-        known: &mut BTreeMap<PathBuf, Arc<Declared>>,
+        known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
         found: &mut Vec<Finding>,
     ) {
         for group in calls.chunk_by(|a, b| place(&a.call) == place(&b.call)) {
@@ -155,7 +155,7 @@ impl Session {
         if args.is_empty() {
             return Vec::new();
         }
-        let known: Vec<Declared> = robots.iter().map(|robot| self.known(robot)).collect();
+        let known: Vec<KnownArguments> = robots.iter().map(|robot| self.known(robot)).collect();
         if !known.iter().all(|known| known.complete) {
             return Vec::new();
         }
@@ -187,7 +187,7 @@ impl Session {
     fn findings_of(
         &self,
         group: &[RobotCall],
-        known: &mut BTreeMap<PathBuf, Arc<Declared>>,
+        known: &mut BTreeMap<PathBuf, Arc<KnownArguments>>,
         found: &mut Vec<Finding>,
     ) {
         let targets: Vec<&PathBuf> = group
@@ -209,7 +209,7 @@ impl Session {
             }
             found.push(finding);
         }
-        let robots: Vec<(&PathBuf, Arc<Declared>)> = targets
+        let robots: Vec<(&PathBuf, Arc<KnownArguments>)> = targets
             .iter()
             .filter(is_there)
             .map(|path| {
@@ -253,7 +253,7 @@ impl Session {
     }
 
     /// Whether a launch file has another use for an argument that it passes in vain: it starts something only if it is set.
-    fn is_used_otherwise(&self, call: &Call, name: &str) -> bool {
+    fn is_used_otherwise(&self, call: &LaunchCall, name: &str) -> bool {
         let Ok(file) = self.vfs.text(&call.caller) else {
             return false;
         };
@@ -280,10 +280,10 @@ impl Session {
     }
 
     /// The arguments that a description and everything that it may include declare or read, in any branch.
-    pub(super) fn known(&self, robot: &Path) -> Declared {
-        let mut known = Declared {
+    pub(super) fn known(&self, robot: &Path) -> KnownArguments {
+        let mut known = KnownArguments {
             complete: true,
-            ..Declared::default()
+            ..KnownArguments::default()
         };
         let mut seen: FastSet<PathBuf> = FastSet::default();
         let mut open = vec![robot.to_owned()];
@@ -315,7 +315,7 @@ impl Session {
     }
 
     /// Where a call writes the name of an argument; else where the call stands.
-    pub(super) fn place_of(&self, call: &Call, argument: &Argument) -> Span {
+    pub(super) fn place_of(&self, call: &LaunchCall, argument: &CallArgument) -> Span {
         let whole = || Span {
             file: self.vfs.file_id(&call.caller),
             range: call.range,
@@ -324,7 +324,7 @@ impl Session {
     }
 
     /// Where a call writes the name of an argument, as far as its text tells.
-    pub(super) fn spelled(&self, call: &Call, argument: &Argument) -> Option<Span> {
+    pub(super) fn spelled(&self, call: &LaunchCall, argument: &CallArgument) -> Option<Span> {
         let file = self.vfs.file_id(&call.caller);
         let text = self.vfs.text(&call.caller);
         let text = text.as_ref().map_or("", |file| &*file.text);
@@ -400,11 +400,11 @@ fn whole(text: &str, form: &str) -> Option<usize> {
     })
 }
 
-fn place(call: &Call) -> (&Path, u32, u32) {
+fn place(call: &LaunchCall) -> (&Path, u32, u32) {
     (&call.caller, call.range.start, call.range.end)
 }
 
-fn order(call: &Call) -> impl Ord + use<'_> {
+fn order(call: &LaunchCall) -> impl Ord + use<'_> {
     (place(call), &call.through)
 }
 

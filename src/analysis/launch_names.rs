@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use super::session::Session;
 use base::{Span, TextRange};
 use workspace::RobotCall;
-use workspace::launch::{self, Call};
+use workspace::launch::{self, LaunchCall};
 
 /// An argument of robots where a launch file gives it.
 #[derive(Clone, Debug)]
@@ -51,7 +51,7 @@ impl Session {
     }
 
     /// Where a call spells an argument.
-    fn place_in(&self, call: &Call, name: &str) -> Option<Span> {
+    fn place_in(&self, call: &LaunchCall, name: &str) -> Option<Span> {
         let argument = call.args.iter().find(|argument| argument.name == name)?;
         self.spelled(call, argument)
     }
@@ -60,7 +60,7 @@ impl Session {
     pub(super) fn given_in(&self, path: &Path) -> Vec<String> {
         let text = self.vfs.text(path).ok();
         let file = text.and_then(|file| launch::read(path, &file.text));
-        let given = |call: &Call| {
+        let given = |call: &LaunchCall| {
             let args = call
                 .args
                 .iter()
@@ -216,14 +216,15 @@ fn starts_argument(before: &str) -> Option<bool> {
         .then_some(true)
 }
 
-fn calls_in(path: &Path, text: &str) -> Option<Vec<Call>> {
+fn calls_in(path: &Path, text: &str) -> Option<Vec<LaunchCall>> {
     Some(launch::calls(&launch::read(path, text)?))
 }
 
 /// Whether calls are the same but for arguments that have another name, of which there are some.
-fn is_renamed(before: &[Call], after: &[Call], name: &str, other: &str) -> bool {
-    let is_same =
-        |(a, b): (&Call, &Call)| a.file.shown() == b.file.shown() && a.args.len() == b.args.len();
+fn is_renamed(before: &[LaunchCall], after: &[LaunchCall], name: &str, other: &str) -> bool {
+    let is_same = |(a, b): (&LaunchCall, &LaunchCall)| {
+        a.file.shown() == b.file.shown() && a.args.len() == b.args.len()
+    };
     if before.len() != after.len() || !before.iter().zip(after).all(is_same) {
         return false;
     }

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::declared::Declared;
+use super::declared::KnownArguments;
 use super::session::Session;
 use base::{FastMap, FastSet, Span, TextRange};
 use facts::{FactKind, MentionKind, facts_of};
@@ -18,7 +18,7 @@ const NEUTRAL: [&str; 12] = [
 
 /// What the conditions of a robot compare an argument with.
 #[derive(Default)]
-struct Compared {
+struct ComparedWords {
     words: Vec<String>,
     /// How many of its mentions are comparisons.
     comparisons: usize,
@@ -52,7 +52,7 @@ impl Session {
     pub(super) fn value_findings(
         &self,
         robot: &Path,
-        known: &Declared,
+        known: &KnownArguments,
         calls: &[&RobotCall],
     ) -> Vec<Finding> {
         if !known.complete {
@@ -63,7 +63,12 @@ impl Session {
         found
     }
 
-    fn never_compared(&self, robot: &Path, known: &Declared, calls: &[&RobotCall]) -> Vec<Finding> {
+    fn never_compared(
+        &self,
+        robot: &Path,
+        known: &KnownArguments,
+        calls: &[&RobotCall],
+    ) -> Vec<Finding> {
         let compared = comparisons(known);
         let mut found = Vec::new();
         for call in calls {
@@ -94,7 +99,7 @@ impl Session {
         found
     }
 
-    fn never_set(&self, robot: &Path, known: &Declared) -> Vec<Finding> {
+    fn never_set(&self, robot: &Path, known: &KnownArguments) -> Vec<Finding> {
         // calls in launch files that are not checked give arguments too
         let mut all = self.robot_calls(robot);
         all.retain(|call| call.target.as_deref() == Some(robot));
@@ -141,7 +146,7 @@ impl Session {
 }
 
 /// Whether a robot that compares an argument with some words is made for another value.
-fn is_expected(value: &str, compared: &Compared) -> bool {
+fn is_expected(value: &str, compared: &ComparedWords) -> bool {
     let other_case = |word: &String| word.eq_ignore_ascii_case(value);
     compared.words.iter().any(|word| word == value)
         || NEUTRAL.contains(&value.to_ascii_lowercase().as_str())
@@ -150,7 +155,7 @@ fn is_expected(value: &str, compared: &Compared) -> bool {
 
 /// The arguments that a robot does nothing with but compare them with words, and these words. The default of an
 /// argument counts as one.
-fn comparisons(known: &Declared) -> FastMap<EcoString, Compared> {
+fn comparisons(known: &KnownArguments) -> FastMap<EcoString, ComparedWords> {
     let mut found = all_comparisons(known);
     let mut mentions: FastMap<EcoString, usize> = FastMap::default();
     for (_, item) in known.files.iter().flat_map(|file| file.document.parts()) {
@@ -175,7 +180,7 @@ fn comparisons(known: &Declared) -> FastMap<EcoString, Compared> {
 }
 
 /// The words that a robot compares an argument with, whatever else it does with it.
-pub(super) fn compared_words(known: &Declared, name: &str) -> Vec<String> {
+pub(super) fn compared_words(known: &KnownArguments, name: &str) -> Vec<String> {
     all_comparisons(known)
         .remove(name)
         .map(|compared| compared.words)
@@ -183,8 +188,8 @@ pub(super) fn compared_words(known: &Declared, name: &str) -> Vec<String> {
 }
 
 /// The comparisons of all arguments.
-fn all_comparisons(known: &Declared) -> FastMap<EcoString, Compared> {
-    let mut found: FastMap<EcoString, Compared> = FastMap::default();
+fn all_comparisons(known: &KnownArguments) -> FastMap<EcoString, ComparedWords> {
+    let mut found: FastMap<EcoString, ComparedWords> = FastMap::default();
     for file in &known.files {
         for node in file.document.parts().flat_map(|(_, item)| item.all_nodes()) {
             for attr in node.attrs().filter(|attr| attr.raw().contains("$(arg ")) {
@@ -196,7 +201,7 @@ fn all_comparisons(known: &Declared) -> FastMap<EcoString, Compared> {
 }
 
 /// Add what an expression compares arguments with: `'$(arg name)' == 'word'`, and the same with `!=`, `in` and turned around.
-fn compare(text: &str, found: &mut FastMap<EcoString, Compared>) {
+fn compare(text: &str, found: &mut FastMap<EcoString, ComparedWords>) {
     for (at, start) in text.match_indices("$(arg ") {
         let words = || {
             let before = text.get(..at)?;

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use ecow::EcoString;
 
-use super::outcome::Outcome;
-use super::root_choice::RootChoice;
+use super::check_task::{CheckTask, LaunchCallSites};
+use super::root_config::RootConfig;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::{Called, Job};
 use base::limits::CALL_RUNS;
 use base::{FastMap, FastSet, Span};
 use rules::{Finding, missing_launch_argument};
 use workspace::RobotCall;
-use workspace::config::Args;
+use workspace::config::XacroArgs;
 
 /// One way in which launch files call a robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub(super) struct Launched {
     /// The name of the launch file that is started, with a number from its second call on.
     pub name: String,
     /// All arguments.
-    pub args: Args,
+    pub args: XacroArgs,
     /// Where the launch files make these calls.
     pub calls: Vec<Span>,
 }
@@ -83,8 +83,8 @@ impl Session {
     }
 
     /// The distinct calls of a robot, for somebody who picks one.
-    pub fn launched_roots(&self, robot: &Path) -> Vec<RootChoice> {
-        let choice = |launched: Launched| RootChoice {
+    pub fn launched_roots(&self, robot: &Path) -> Vec<RootConfig> {
+        let choice = |launched: Launched| RootConfig {
             file: robot.to_owned(),
             args: launched.args,
             preset: Some(launched.name),
@@ -97,8 +97,8 @@ impl Session {
     }
 
     /// The arguments of a call, where all of them are known.
-    fn known_args(&self, call: &RobotCall) -> Option<Args> {
-        let value = |argument: &workspace::launch::Argument| {
+    fn known_args(&self, call: &RobotCall) -> Option<XacroArgs> {
+        let value = |argument: &workspace::launch::CallArgument| {
             let value = argument.value.value(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         };
@@ -110,14 +110,14 @@ impl Session {
     }
 
     /// The expansions to be made for calls, beside those with defaults: at most [`CALL_RUNS`] for each robot.
-    pub(super) fn launched_jobs(&self, outcomes: &[Outcome]) -> Vec<Job> {
-        let with_arguments = outcomes.iter().filter(|outcome| {
+    pub(super) fn launched_tasks(&self, results: &[RootResult]) -> Vec<CheckTask> {
+        let with_arguments = results.iter().filter(|result| {
             let reads_some =
-                !outcome.arguments.is_empty() || outcome.findings.iter().any(is_not_given);
-            reads_some && !self.is_configured(&outcome.job.file)
+                !result.arguments.is_empty() || result.findings.iter().any(is_not_given);
+            reads_some && !self.is_configured(&result.task.file)
         });
         with_arguments
-            .flat_map(|outcome| self.launched_jobs_of(outcome))
+            .flat_map(|result| self.launched_tasks_of(result))
             .collect()
     }
 
@@ -131,16 +131,16 @@ impl Session {
             .any(|root| root.files(&self.vfs).iter().any(|own| own == file))
     }
 
-    fn launched_jobs_of(&self, outcome: &Outcome) -> Vec<Job> {
+    fn launched_tasks_of(&self, result: &RootResult) -> Vec<CheckTask> {
         let has = |(name, value): &(String, String)| {
-            outcome
+            result
                 .arguments
                 .iter()
                 .any(|(own, default)| own == name && default == value)
         };
-        let is_other = |launched: &Launched| outcome.is_as_called || !launched.args.iter().all(has);
+        let is_other = |launched: &Launched| result.is_as_called || !launched.args.iter().all(has);
         let (mut others, defaults): (Vec<_>, Vec<_>) = self
-            .launched(&outcome.job.file, &outcome.arguments)
+            .launched(&result.task.file, &result.arguments)
             .into_iter()
             .partition(is_other);
         others.truncate(CALL_RUNS);
@@ -149,41 +149,39 @@ impl Session {
             .chain(&defaults)
             .map(|launched| launched.calls.len())
             .sum();
-        let job = |launched: Launched| Job {
+        let task = |launched: Launched| CheckTask {
             args: launched.args,
             preset: Some(launched.name),
-            called: Some(Called {
+            called: Some(LaunchCallSites {
                 calls: launched.calls,
                 of,
             }),
-            ..outcome.job.clone()
+            ..result.task.clone()
         };
-        others.into_iter().map(job).collect()
+        others.into_iter().map(task).collect()
     }
 
     /// Take the errors about arguments that a call does not give out of the robots: they belong to the launch files. A robot
     /// that no call gives an argument has the error itself.
-    pub(super) fn missing_arguments(&self, outcomes: &mut [Outcome]) -> Vec<Finding> {
-        let lacking = |outcome: &Outcome| -> Vec<(PathBuf, Span)> {
-            let findings = outcome
+    pub(super) fn missing_arguments(&self, results: &mut [RootResult]) -> Vec<Finding> {
+        let lacking = |result: &RootResult| -> Vec<(PathBuf, Span)> {
+            let findings = result
                 .findings
                 .iter()
                 .filter(|finding| is_not_given(finding));
             findings
-                .map(|finding| (outcome.job.file.clone(), finding.span))
+                .map(|finding| (result.task.file.clone(), finding.span))
                 .collect()
         };
-        let as_written = outcomes
-            .iter()
-            .filter(|outcome| outcome.job.called.is_none());
+        let as_written = results.iter().filter(|result| result.task.called.is_none());
         let always: FastSet<(PathBuf, Span)> = as_written.flat_map(lacking).collect();
         let mut found: FastMap<(Span, String), Finding> = FastMap::default();
-        for outcome in outcomes {
-            let Some(called) = &outcome.job.called else {
+        for result in results {
+            let Some(called) = &result.task.called else {
                 continue;
             };
-            let file = &outcome.job.file;
-            outcome.findings.retain(|finding| {
+            let file = &result.task.file;
+            result.findings.retain(|finding| {
                 let Some(name) = not_given(finding) else {
                     return true;
                 };
@@ -202,18 +200,18 @@ impl Session {
 }
 
 /// Of robots that fail with their defaults, what the calls say counts.
-pub(super) fn prefer_calls(outcomes: &mut [Outcome]) {
-    let works = |outcome: &&Outcome| {
-        outcome.job.called.is_some() && !outcome.findings.iter().any(is_not_given)
+pub(super) fn prefer_calls(results: &mut [RootResult]) {
+    let works = |result: &&RootResult| {
+        result.task.called.is_some() && !result.findings.iter().any(is_not_given)
     };
-    let working = outcomes
+    let working = results
         .iter()
         .filter(works)
-        .map(|outcome| outcome.job.file.clone());
+        .map(|result| result.task.file.clone());
     let working: FastSet<PathBuf> = working.collect();
-    for outcome in outcomes.iter_mut().filter(|outcome| outcome.is_as_called) {
-        if working.contains(&outcome.job.file) {
-            outcome.findings.clear();
+    for result in results.iter_mut().filter(|result| result.is_as_called) {
+        if working.contains(&result.task.file) {
+            result.findings.clear();
         }
     }
 }
@@ -235,11 +233,11 @@ fn is_not_given(finding: &Finding) -> bool {
 }
 
 /// Whether two lists give the same arguments the same values.
-fn same(a: &Args, b: &Args) -> bool {
+fn same(a: &XacroArgs, b: &XacroArgs) -> bool {
     by_name(a) == by_name(b)
 }
 
-fn by_name(args: &Args) -> BTreeMap<&str, &str> {
+fn by_name(args: &XacroArgs) -> BTreeMap<&str, &str> {
     let args = args.iter();
     args.map(|(name, value)| (name.as_str(), value.as_str()))
         .collect()

@@ -1,25 +1,25 @@
 //! What a file has only once programs have changed its text or downloaded its data.
 use std::path::{Component, Path};
 
+use super::check_task::CheckTask;
 use super::session::Session;
-use super::task::Job;
 use rules::{Finding, Severity, named};
 
 impl Session {
     /// What is wrong only before a program changes the text or gets the data is an info.
-    pub(super) fn settle_made_elsewhere(&self, job: &Job, findings: &mut [Finding]) {
+    pub(super) fn settle_made_elsewhere(&self, task: &CheckTask, findings: &mut [Finding]) {
         let is_rewritten = |finding: &Finding| {
             let is_about_package = finding.rule == named::MISSING_PACKAGE_DEPENDENCY
                 || finding.rule == named::PACKAGE_NOT_FOUND;
-            is_about_package && self.is_find_rewritten(&job.file, finding)
+            is_about_package && self.is_find_rewritten(&task.file, finding)
         };
         self.lower_where(findings, is_rewritten, || Some(Severity::Info));
         let is_absent = |finding: &Finding| {
-            finding.rule == named::MESH_NOT_FOUND && self.has_no_such_folder(&job.file, finding)
+            finding.rule == named::MESH_NOT_FOUND && self.has_no_such_folder(&task.file, finding)
         };
         let downloads = || {
             self.packages
-                .downloads_data(&job.file)
+                .downloads_data(&task.file)
                 .then_some(Severity::Info)
         };
         self.lower_where(findings, is_absent, downloads);

@@ -1,26 +1,26 @@
 //! Many expansions, one list of findings.
-use super::contexts::{Contexts, Run};
-use super::outcome::Outcome;
+use super::contexts::{ContextRun, Contexts};
+use super::root_result::RootResult;
 use base::{FastMap, Span};
 use rules::{Finding, Severity, Trait, named};
 
 /// A finding, and where it occurred.
 struct Merged {
     finding: Finding,
-    /// Numbers of the outcomes that have it.
-    outcomes: Vec<usize>,
-    /// The same for each way of the finding.
-    by_way: Vec<Vec<usize>>,
+    /// Numbers of the results that have it.
+    results: Vec<usize>,
+    /// The same for each call of the finding.
+    by_call_site: Vec<Vec<usize>>,
 }
 
 /// All findings; one that several expansions have is kept once, with the places of all of them.
-pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
+pub(super) fn merge(results: Vec<RootResult>) -> Vec<Finding> {
     let mut merged: Vec<Merged> = Vec::new();
     let mut by_place: FastMap<(&'static str, Span), Vec<usize>> = FastMap::default();
-    let mut runs: Vec<Run> = Vec::new();
-    for (number, outcome) in outcomes.into_iter().enumerate() {
-        runs.push(Run::of(&outcome));
-        for finding in outcome.findings {
+    let mut runs: Vec<ContextRun> = Vec::new();
+    for (number, result) in results.into_iter().enumerate() {
+        runs.push(ContextRun::of(&result));
+        for finding in result.findings {
             let places = by_place
                 .entry((finding.rule.code, finding.span))
                 .or_default();
@@ -47,40 +47,40 @@ pub(super) fn merge(outcomes: Vec<Outcome>) -> Vec<Finding> {
 
 impl Merged {
     fn new(finding: Finding, number: usize) -> Self {
-        let by_way = vec![vec![number]; finding.call_sites.len()];
+        let by_call_site = vec![vec![number]; finding.call_sites.len()];
         Self {
             finding,
-            outcomes: vec![number],
-            by_way,
+            results: vec![number],
+            by_call_site,
         }
     }
 
     /// Whether a finding at the same place is the same: two expansions may word one defect differently, one
     /// expansion says different things at one place only when they are different.
     fn admits(&self, finding: &Finding, number: usize) -> bool {
-        self.finding.message == finding.message || !self.outcomes.contains(&number)
+        self.finding.message == finding.message || !self.results.contains(&number)
     }
 
     fn add(&mut self, finding: Finding, number: usize) {
         const MOST_RELATED: usize = 12;
-        self.outcomes.push(number);
+        self.results.push(number);
         self.finding.severity = self.finding.severity.max(finding.severity);
         self.finding.partial |= finding.partial;
-        for way in finding.call_sites {
+        for call_site in finding.call_sites {
             match self
                 .finding
                 .call_sites
                 .iter()
-                .position(|known| known.call == way.call)
+                .position(|known| known.call == call_site.call)
             {
                 Some(known) => self
-                    .by_way
+                    .by_call_site
                     .get_mut(known)
                     .into_iter()
                     .for_each(|own| own.push(number)),
                 None => {
-                    self.finding.call_sites.push(way);
-                    self.by_way.push(vec![number]);
+                    self.finding.call_sites.push(call_site);
+                    self.by_call_site.push(vec![number]);
                 }
             }
         }
@@ -96,37 +96,37 @@ impl Merged {
     /// unused.
     fn finish(mut self, contexts: &Contexts) -> Option<Finding> {
         if self.finding.rule == named::GAZEBO_UNKNOWN_REFERENCE
-            && contexts.other_robots(self.finding.span.file, &self.outcomes) > 0
+            && contexts.other_robots(self.finding.span.file, &self.results) > 0
         {
             // a shared file is written for the robot that has the link
             self.finding.severity = self.finding.severity.min(Severity::Info);
         }
         if self.finding.rule == named::TRANSMISSION_UNKNOWN_JOINT {
             // a shared file lists the joints of the largest robot; what a smaller one lacks, ROS 1 passes over
-            let most = match contexts.other_robots(self.finding.span.file, &self.outcomes) {
+            let most = match contexts.other_robots(self.finding.span.file, &self.results) {
                 0 => Severity::Error,
                 1 => Severity::Warning,
                 _ => Severity::Info,
             };
             self.finding.severity = self.finding.severity.min(most);
         }
-        let has = |number: &usize| self.outcomes.contains(number);
+        let has = |number: &usize| self.results.contains(number);
         if self.finding.rule.has(Trait::Unnecessary)
             && !contexts
-                .of_called(self.finding.span.file, &self.outcomes)
+                .of_called(self.finding.span.file, &self.results)
                 .iter()
                 .all(has)
         {
             return None;
         }
-        if let Some(suffix) = contexts.calls(&self.outcomes) {
+        if let Some(suffix) = contexts.calls(&self.results) {
             self.finding.message.push_str(&suffix);
             self.finding
                 .related
-                .extend(contexts.call_places(&self.outcomes));
+                .extend(contexts.call_places(&self.results));
             return Some(self.finding);
         }
-        let possible = contexts.that_read(self.finding.span.file, &self.outcomes);
+        let possible = contexts.that_read(self.finding.span.file, &self.results);
         if possible.iter().all(has) {
             // what holds in all contexts may still blame a call that only some of them make
             return Some(self.finding);
@@ -134,13 +134,13 @@ impl Merged {
         if self.finding.rule.has(Trait::Unnecessary) {
             return None;
         }
-        for (way, own) in self.finding.call_sites.iter_mut().zip(&self.by_way) {
-            way.message.push_str(&contexts.suffix(own));
+        for (call_site, own) in self.finding.call_sites.iter_mut().zip(&self.by_call_site) {
+            call_site.message.push_str(&contexts.suffix(own));
         }
         self.finding
             .message
-            .push_str(&contexts.suffix(&self.outcomes));
-        self.finding.related.extend(contexts.places(&self.outcomes));
+            .push_str(&contexts.suffix(&self.results));
+        self.finding.related.extend(contexts.places(&self.results));
         Some(self.finding)
     }
 }

@@ -1,9 +1,9 @@
 //! Meshes that came, went or changed without a word of the client: no record tells of them.
 use std::path::PathBuf;
 
-use super::world::World;
+use super::host::AnalysisHost;
 
-impl World {
+impl AnalysisHost {
     /// Look whether the meshes that descriptions named so far are as they were.
     pub(super) fn notice_meshes(&mut self) {
         let vfs = self.session().vfs.clone();

@@ -29,7 +29,7 @@ impl Session {
         folders.sort();
         folders.dedup();
         let reading = Candidates::default().reading(self, folders.clone(), files.clone());
-        let mut robots: Vec<PathBuf> = reading.into_iter().map(|job| job.file).collect();
+        let mut robots: Vec<PathBuf> = reading.into_iter().map(|task| task.file).collect();
         robots.dedup();
         robots.retain(|file| !files.contains(file) && self.has_name(file) == Some(true));
         let changed = CheckOptions {

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::candidates::Candidates;
+use super::check_task::{CheckReason, CheckTask};
 use super::plan::apply;
-use super::run_cache::{Run, Runs, Setting};
+use super::run_cache::{RunResult, RunSetting, Runs};
 use super::session::Session;
-use super::task::{Job, Reason};
 use super::walk::is_description;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
@@ -57,14 +57,14 @@ pub struct Effort {
     /// Expansions that are made for one claim; where more are needed, it is not proved.
     pub expansions: usize,
     /// The robots that may read the files.
-    pub roots: Roots,
+    pub roots: AffectedRobots,
     /// Set to stop early; nothing is proved then.
     pub cancel: CancelFlag,
 }
 
 /// The robots that may read the files of a claim.
 #[derive(Clone)]
-pub enum Roots {
+pub enum AffectedRobots {
     /// Those are known.
     Known(Vec<PathBuf>),
     /// They are searched for in the workspaces of the files, once for all claims.
@@ -151,8 +151,8 @@ impl<'a> Trial<'a> {
             .map(|changed| (changed.path.to_path_buf(), changed.new.clone()));
         let after = session.vfs.overlay(texts);
         let runs = match &effort.roots {
-            Roots::Known(_) => Arc::default(),
-            Roots::Searched(known) => known.runs.clone(),
+            AffectedRobots::Known(_) => Arc::default(),
+            AffectedRobots::Searched(known) => known.runs.clone(),
         };
         Some(Self {
             session,
@@ -168,12 +168,12 @@ impl<'a> Trial<'a> {
         let mut uncalled = self.macros_around_edits();
         let mut unread: Vec<&Path> = self.changed.iter().map(|changed| &*changed.path).collect();
         let mut left = self.effort.expansions;
-        for job in self.jobs() {
-            let first = Setting {
-                args: job.args.clone(),
+        for task in self.tasks() {
+            let first = RunSetting {
+                args: task.args.clone(),
                 forced: Vec::new(),
             };
-            let Some(before) = self.compare(&job, &first, claim) else {
+            let Some(before) = self.compare(&task, &first, claim) else {
                 return false;
             };
             if !self
@@ -185,9 +185,9 @@ impl<'a> Trial<'a> {
             }
             unread.retain(|path| !before.reads(path));
             uncalled.retain(|place| !before.calls(place));
-            for setting in self.settings(&job, &before) {
+            for setting in self.settings(&task, &before) {
                 left = left.saturating_sub(1);
-                let Some(run) = self.compare(&job, &setting, claim).filter(|_| left > 0) else {
+                let Some(run) = self.compare(&task, &setting, claim).filter(|_| left > 0) else {
                     return false;
                 };
                 uncalled.retain(|place| !run.calls(place));
@@ -198,10 +198,10 @@ impl<'a> Trial<'a> {
     }
 
     /// The robots that may read a changed file, below the workspaces of these files.
-    fn jobs(&self) -> Vec<Job> {
+    fn tasks(&self) -> Vec<CheckTask> {
         let known = match &self.effort.roots {
-            Roots::Known(files) => return files.iter().map(|file| named(file)).collect(),
-            Roots::Searched(known) => known,
+            AffectedRobots::Known(files) => return files.iter().map(|file| named(file)).collect(),
+            AffectedRobots::Searched(known) => known,
         };
         let session = self.session;
         let files: Vec<PathBuf> = self
@@ -232,20 +232,25 @@ impl<'a> Trial<'a> {
     }
 
     /// What an expansion gives before; none when the claim does not hold for it.
-    fn compare(&self, job: &Job, setting: &Setting, claim: Claim) -> Option<Arc<Run>> {
+    fn compare(
+        &self,
+        task: &CheckTask,
+        setting: &RunSetting,
+        claim: Claim,
+    ) -> Option<Arc<RunResult>> {
         if self.effort.cancel.is_cancelled() {
             return None;
         }
-        let before = self.run(job, &self.session.vfs, setting);
+        let before = self.run(task, &self.session.vfs, setting);
         let forced = setting.forced.iter().map(|forced| Forced {
             at: self.moved(forced),
             ..forced.clone()
         });
-        let setting = Setting {
+        let setting = RunSetting {
             args: setting.args.clone(),
             forced: forced.collect(),
         };
-        let after = self.run(job, &self.after, &setting);
+        let after = self.run(task, &self.after, &setting);
         let same = if claim == Claim::Fitted {
             same_but_for_mesh_formats
         } else {
@@ -267,22 +272,22 @@ impl<'a> Trial<'a> {
         changed.map_or(forced.at, |changed| changed.moved(forced.at))
     }
 
-    pub fn run(&self, job: &Job, vfs: &Vfs, setting: &Setting) -> Arc<Run> {
+    pub fn run(&self, task: &CheckTask, vfs: &Vfs, setting: &RunSetting) -> Arc<RunResult> {
         self.runs
-            .get(self.session, vfs, &self.effort.cancel, job, setting)
+            .get(self.session, vfs, &self.effort.cancel, task, setting)
     }
 
     /// Further ways to expand a robot that may show what an edit does.
-    fn settings(&self, job: &Job, before: &Run) -> Vec<Setting> {
+    fn settings(&self, task: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
         let mut found = Vec::new();
-        for caller in self.session.callers(&job.file).iter().take(MOST_CALLERS) {
+        for caller in self.session.callers(&task.file).iter().take(MOST_CALLERS) {
             let known = caller
                 .args
                 .iter()
                 .filter_map(|arg| Some((arg.name.clone(), arg.value.clone()?)));
             let known: Vec<_> = known.collect();
             if !known.is_empty() {
-                found.push(with_arguments(job, known));
+                found.push(with_arguments(task, known));
             }
         }
         let in_expressions = self
@@ -292,11 +297,11 @@ impl<'a> Trial<'a> {
             let others: &[&str] = if in_expressions { &OTHER_VALUES } else { &[] };
             let values = turned_over(value).into_iter().chain(others.iter().copied());
             found.extend(
-                values.map(|value| with_arguments(job, [(name.to_string(), value.to_owned())])),
+                values.map(|value| with_arguments(task, [(name.to_string(), value.to_owned())])),
             );
         }
-        found.extend(self.branches().into_iter().map(|forced| Setting {
-            args: job.args.clone(),
+        found.extend(self.branches().into_iter().map(|forced| RunSetting {
+            args: task.args.clone(),
             forced,
         }));
         found
@@ -353,8 +358,8 @@ impl<'a> Trial<'a> {
 }
 
 /// The expansion of a file that was named.
-fn named(file: &Path) -> Job {
-    Job::new(file.to_owned(), Reason::Named, Vec::new())
+fn named(file: &Path) -> CheckTask {
+    CheckTask::new(file.to_owned(), CheckReason::Named, Vec::new())
 }
 
 /// The elements of these names around a range, outermost first.
@@ -384,11 +389,11 @@ fn is_in_expression(document: &Document, range: TextRange, new: &str) -> bool {
 
 /// A robot with other arguments than its own, or further ones.
 pub(super) fn with_arguments(
-    job: &Job,
+    task: &CheckTask,
     more: impl IntoIterator<Item = (String, String)>,
-) -> Setting {
-    Setting {
-        args: job.args.iter().cloned().chain(more).collect(),
+) -> RunSetting {
+    RunSetting {
+        args: task.args.iter().cloned().chain(more).collect(),
         forced: Vec::new(),
     }
 }

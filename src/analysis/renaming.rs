@@ -6,15 +6,15 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::analyzed::job_of;
+use super::check_task::CheckTask;
 use super::plan::apply;
 use super::proof::{
-    CONDITIONS, Changed, Effort, Roots, Trial, enclosing, turned_over, with_arguments,
+    AffectedRobots, CONDITIONS, Changed, Effort, Trial, enclosing, turned_over, with_arguments,
 };
-use super::root_choice::RootChoice;
-use super::run_cache::{Run, Setting};
+use super::root_analysis::task_of;
+use super::root_config::RootConfig;
+use super::run_cache::{RunResult, RunSetting};
 use super::session::Session;
-use super::task::Job;
 use base::{CancelFlag, TextRange};
 use expand::Forced;
 use model::{other_difference, same_robot};
@@ -65,7 +65,7 @@ impl Session {
     pub fn changed_robot(
         &self,
         replaced: Replaced,
-        roots: &[RootChoice],
+        roots: &[RootConfig],
         name: NewName<'_>,
         cancel: &CancelFlag,
     ) -> Option<Obstacle> {
@@ -84,56 +84,57 @@ impl Session {
         let changed: Vec<Changed> = changed.collect();
         let effort = Effort {
             expansions: 0,
-            roots: Roots::Known(Vec::new()),
+            roots: AffectedRobots::Known(Vec::new()),
             cancel: cancel.clone(),
         };
         let trial = Trial::new(self, changed.iter().collect(), &effort)?;
         let mut left = MOST_FORCED;
         roots
             .iter()
-            .map(job_of)
-            .find_map(|job| trial.obstacle(&job, name, &mut left))
+            .map(task_of)
+            .find_map(|task| trial.obstacle(&task, name, &mut left))
     }
 }
 
 impl Trial<'_> {
     /// Whether a robot would be another one, and under which condition.
-    fn obstacle(&self, job: &Job, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
-        let plain = Setting {
-            args: job.args.clone(),
+    fn obstacle(&self, task: &CheckTask, name: NewName<'_>, left: &mut usize) -> Option<Obstacle> {
+        let plain = RunSetting {
+            args: task.args.clone(),
             forced: Vec::new(),
         };
-        let before = self.run(job, &self.session.vfs, &plain);
-        if let Err(difference) = self.is_same(&before, &self.renamed_run(job, &plain, name), name) {
-            return self.found(job, None, difference);
+        let before = self.run(task, &self.session.vfs, &plain);
+        if let Err(difference) = self.is_same(&before, &self.renamed_run(task, &plain, name), name)
+        {
+            return self.found(task, None, difference);
         }
         for (path, at, forced) in self.conditions(&before) {
             if *left == 0 || self.effort.cancel.is_cancelled() {
                 break;
             }
             let taken = forced.last().is_some_and(|forced| forced.taken);
-            let setting = Setting {
-                args: job.args.clone(),
+            let setting = RunSetting {
+                args: task.args.clone(),
                 forced,
             };
-            let forced = self.run(job, &self.session.vfs, &setting);
+            let forced = self.run(task, &self.session.vfs, &setting);
             // what changes nothing is what was proved
             if forced.text == before.text && forced.failures == before.failures {
                 continue;
             }
             *left -= 1;
             if let Err(difference) =
-                self.is_same(&forced, &self.renamed_run(job, &setting, name), name)
+                self.is_same(&forced, &self.renamed_run(task, &setting, name), name)
             {
-                return self.found(job, Some((path, at, taken)), difference);
+                return self.found(task, Some((path, at, taken)), difference);
             }
         }
-        for setting in switched(job, &before) {
-            let before = self.run(job, &self.session.vfs, &setting);
+        for setting in switched(task, &before) {
+            let before = self.run(task, &self.session.vfs, &setting);
             if let Err(difference) =
-                self.is_same(&before, &self.renamed_run(job, &setting, name), name)
+                self.is_same(&before, &self.renamed_run(task, &setting, name), name)
             {
-                return self.found(job, None, difference);
+                return self.found(task, None, difference);
             }
         }
         None
@@ -142,12 +143,12 @@ impl Trial<'_> {
     /// The obstacle that a robot is; none when the search was given up, which may be all that differs.
     fn found(
         &self,
-        job: &Job,
+        task: &CheckTask,
         condition: Option<(PathBuf, u32, bool)>,
         difference: Option<String>,
     ) -> Option<Obstacle> {
         let obstacle = Obstacle {
-            robot: job.file.clone(),
+            robot: task.file.clone(),
             condition,
             difference,
         };
@@ -155,7 +156,12 @@ impl Trial<'_> {
     }
 
     /// What a setting gives afterwards.
-    fn renamed_run(&self, job: &Job, setting: &Setting, name: NewName<'_>) -> Arc<Run> {
+    fn renamed_run(
+        &self,
+        task: &CheckTask,
+        setting: &RunSetting,
+        name: NewName<'_>,
+    ) -> Arc<RunResult> {
         let moved = |forced: &Forced| Forced {
             at: self.moved(forced),
             ..forced.clone()
@@ -164,15 +170,20 @@ impl Trial<'_> {
             NewName::Argument { old, new } if given == old => (new.to_owned(), value.clone()),
             _ => (given.clone(), value.clone()),
         });
-        let setting = Setting {
+        let setting = RunSetting {
             args: args.collect(),
             forced: setting.forced.iter().map(moved).collect(),
         };
-        self.run(job, &self.after, &setting)
+        self.run(task, &self.after, &setting)
     }
 
     /// That a robot is the same before and after, or is refused for the same reasons; else what is different, if that is known.
-    fn is_same(&self, before: &Run, after: &Run, name: NewName<'_>) -> Result<(), Option<String>> {
+    fn is_same(
+        &self,
+        before: &RunResult,
+        after: &RunResult,
+        name: NewName<'_>,
+    ) -> Result<(), Option<String>> {
         if before.refused || after.refused {
             let moved = before.failures.iter().map(|(code, path, at)| {
                 let changed = self.changed.iter().find(|changed| *changed.path == **path);
@@ -205,7 +216,7 @@ impl Trial<'_> {
 
     /// The conditions that may matter, each taken and not, those around it taken: file, line, what is decided. They are
     /// those of the changed files, and where such a file takes no part, those around includes.
-    fn conditions(&self, before: &Run) -> Vec<(PathBuf, u32, Vec<Forced>)> {
+    fn conditions(&self, before: &RunResult) -> Vec<(PathBuf, u32, Vec<Forced>)> {
         let is_missing = self
             .changed
             .iter()
@@ -257,7 +268,7 @@ impl Trial<'_> {
 }
 
 /// A robot with each of its switches turned over.
-fn switched(job: &Job, before: &Run) -> Vec<Setting> {
+fn switched(task: &CheckTask, before: &RunResult) -> Vec<RunSetting> {
     let turned =
         before
             .arguments
@@ -267,7 +278,7 @@ fn switched(job: &Job, before: &Run) -> Vec<Setting> {
                 _ => None,
             });
     let with = |(name, value): (&EcoString, &str)| {
-        with_arguments(job, [(name.to_string(), value.to_owned())])
+        with_arguments(task, [(name.to_string(), value.to_owned())])
     };
     turned.take(MOST_SWITCHES).map(with).collect()
 }

@@ -8,9 +8,9 @@ use std::sync::Arc;
 use ecow::EcoString;
 use rayon::prelude::*;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::includes::Included;
 use super::session::Session;
-use super::task::{Job, Reason};
 use super::{graph, walk};
 use base::FastSet;
 use expand::{Expansion, Outside, ProblemKind};
@@ -30,7 +30,7 @@ enum Role {
 
 /// What becomes of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
+enum FindingAction {
     Keep,
     /// It has another severity.
     Set(Severity),
@@ -40,8 +40,8 @@ enum Verdict {
 }
 
 /// An expansion of a file that was checked.
-pub(super) struct Checked<'a> {
-    pub(super) job: &'a Job,
+pub(super) struct CheckedExpansion<'a> {
+    pub(super) task: &'a CheckTask,
     pub(super) kind: RootKind,
     pub(super) expansion: &'a Expansion,
     pub(super) robot: Option<&'a Robot>,
@@ -49,17 +49,25 @@ pub(super) struct Checked<'a> {
 
 impl Session {
     /// Of findings that hold only as long as a file stands alone, keep what is true in its role.
-    pub(super) fn settle_by_role(&self, checked: &Checked<'_>, findings: &mut Vec<Finding>) {
+    pub(super) fn settle_by_role(
+        &self,
+        checked: &CheckedExpansion<'_>,
+        findings: &mut Vec<Finding>,
+    ) {
         if !findings.iter().any(depends_on_role) {
             return;
         }
         let role = self.role(checked, findings);
-        let is_alone = checked.job.reason == Reason::Alone;
+        let is_alone = checked.task.reason == CheckReason::Alone;
         let mut noted = FastSet::default();
         findings.retain_mut(|finding| match verdict(role, finding) {
             // what has no value here: the answer to whether the file works
-            Verdict::Note if is_alone && finding.outside == Some(Outside::Environment) => true,
-            Verdict::Keep if role == Role::Root && self.may_get_elsewhere(checked.job, finding) => {
+            FindingAction::Note if is_alone && finding.outside == Some(Outside::Environment) => {
+                true
+            }
+            FindingAction::Keep
+                if role == Role::Root && self.may_get_elsewhere(checked.task, finding) =>
+            {
                 finding.severity = finding.severity.min(Severity::Info);
                 noted.insert((
                     finding.rule.code,
@@ -67,13 +75,13 @@ impl Session {
                     finding.message.clone(),
                 ))
             }
-            Verdict::Keep => true,
-            Verdict::Drop => false,
-            Verdict::Set(severity) => {
+            FindingAction::Keep => true,
+            FindingAction::Drop => false,
+            FindingAction::Set(severity) => {
                 finding.severity = finding.severity.min(severity);
                 true
             }
-            Verdict::Note => {
+            FindingAction::Note => {
                 finding.severity = finding.severity.min(Severity::Info);
                 noted.insert((
                     finding.rule.code,
@@ -86,19 +94,19 @@ impl Session {
 
     /// What to report of a file that is a robot but for its name: it gives one tree, which is of more than one link unless the
     /// file is checked by itself, and nothing includes it.
-    pub(super) fn nameless(&self, checked: &Checked<'_>) -> Option<Finding> {
-        let Checked {
-            job,
+    pub(super) fn nameless(&self, checked: &CheckedExpansion<'_>) -> Option<Finding> {
+        let CheckedExpansion {
+            task,
             kind,
             expansion,
             robot,
         } = *checked;
         let robot = robot.filter(|robot| kind == RootKind::Library && robot.lacks_only_a_name())?;
-        let is_tree = (!robot.joints.is_empty() || job.reason == Reason::Alone)
+        let is_tree = (!robot.joints.is_empty() || task.reason == CheckReason::Alone)
             && robot.names_are_known()
             && above_fragment(robot).is_none()
             && Kinematics::of(robot).roots(robot).len() == 1;
-        let is_open = !expansion.whole || !is_tree || self.is_included(&job.file);
+        let is_open = !expansion.whole || !is_tree || self.is_included(&task.file);
         if is_open {
             None
         } else {
@@ -106,11 +114,11 @@ impl Session {
         }
     }
 
-    fn role(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
+    fn role(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
         match self.role_by_itself(checked, findings) {
             Role::Root
-                if checked.job.reason == Reason::Walked
-                    && self.is_for_another(&checked.job.file) =>
+                if checked.task.reason == CheckReason::Walked
+                    && self.is_for_another(&checked.task.file) =>
             {
                 Role::Part
             }
@@ -119,33 +127,33 @@ impl Session {
     }
 
     /// The role of a file, whatever launch files give to other robots.
-    fn role_by_itself(&self, checked: &Checked<'_>, findings: &[Finding]) -> Role {
-        let Checked {
-            job,
+    fn role_by_itself(&self, checked: &CheckedExpansion<'_>, findings: &[Finding]) -> Role {
+        let CheckedExpansion {
+            task,
             kind,
             expansion,
             robot,
         } = *checked;
-        if job.reason == Reason::Root {
+        if task.reason == CheckReason::Root {
             return Role::Root;
         }
         let document = expansion.files.first().map(|file| &file.source.document);
         let gives_robot = kind == RootKind::Robot || document.is_some_and(graph::gives_robot);
-        if self.is_included(&job.file) {
-            return if gives_robot && self.is_named(&job.file) {
+        if self.is_included(&task.file) {
+            return if gives_robot && self.is_named(&task.file) {
                 Role::Root
             } else {
                 Role::Part
             };
         }
-        if job.reason == Reason::Alone {
+        if task.reason == CheckReason::Alone {
             return Role::Root;
         }
         // a file in xacro without content is one that somebody has yet to write
-        if !is_plain_urdf(&job.file)
+        if !is_plain_urdf(&task.file)
             && robot.is_some_and(|robot| robot.links.is_empty() && robot.joints.is_empty())
             && !document.is_some_and(graph::gives_robot)
-            && !self.is_named(&job.file)
+            && !self.is_named(&task.file)
         {
             return Role::Unknown;
         }
@@ -153,7 +161,7 @@ impl Session {
         // whoever names the file together with the link attaches it there
         let is_whole = |link: &EcoString| {
             has_misspelled_link(findings)
-                || self.is_named(&job.file) && !self.is_named_with(&job.file, link)
+                || self.is_named(&task.file) && !self.is_named_with(&task.file, link)
         };
         match gives_robot {
             true if missing.is_none_or(is_whole) => Role::Root,
@@ -163,19 +171,19 @@ impl Session {
 
     /// Whether what a robot lacks may come from somewhere else: nobody in the workspace names the file, and it is of a
     /// package, so that others may give its arguments, or other files define the property that it reads.
-    fn may_get_elsewhere(&self, job: &Job, finding: &Finding) -> bool {
-        if matches!(job.reason, Reason::Root | Reason::Alone) || finding.fix.is_some() {
+    fn may_get_elsewhere(&self, task: &CheckTask, finding: &Finding) -> bool {
+        if matches!(task.reason, CheckReason::Root | CheckReason::Alone) || finding.fix.is_some() {
             return false;
         }
         let is_open = match (&finding.outside, finding.problem) {
             (Some(Outside::Argument(_)), Some(ProblemKind::UndefinedArg)) => {
-                self.packages.containing(&job.file).is_some()
+                self.packages.containing(&task.file).is_some()
             }
             (Some(Outside::Includer), Some(ProblemKind::UndefinedProperty)) => {
                 let name = self.vfs.document(&self.vfs.path(finding.span.file));
                 let name = name.map(|source| source.document.slice(finding.span.range));
                 name.is_ok_and(|name| {
-                    self.included_around(&job.file)
+                    self.included_around(&task.file)
                         .is_some_and(|all| all.defines(&name))
                 })
             }
@@ -185,9 +193,9 @@ impl Session {
         is_open
             && match finding.problem {
                 Some(ProblemKind::UndefinedArg) => {
-                    !self.is_loaded(&job.file) && !self.is_in_a_page(&job.file)
+                    !self.is_loaded(&task.file) && !self.is_in_a_page(&task.file)
                 }
-                _ => !self.is_named(&job.file),
+                _ => !self.is_named(&task.file),
             }
     }
 
@@ -255,24 +263,24 @@ fn depends_on_role(finding: &Finding) -> bool {
     finding.outside.is_some() || needs_names(finding.rule)
 }
 
-fn verdict(role: Role, finding: &Finding) -> Verdict {
+fn verdict(role: Role, finding: &Finding) -> FindingAction {
     let is_misspelled = finding.fix.is_some() && !finding.probed;
     match (&finding.outside, role) {
-        (None, _) if !depends_on_role(finding) => Verdict::Keep,
-        (Some(Outside::File), _) => Verdict::Keep,
-        (Some(Outside::Environment), _) => Verdict::Note,
-        (_, Role::Part) => Verdict::Drop,
-        (Some(Outside::Argument(_)), _) if is_misspelled => Verdict::Keep,
-        (_, Role::Unknown) => Verdict::Note,
-        (None, Role::Root) => Verdict::Keep,
-        (Some(_), Role::Root) if finding.probed => Verdict::Note,
+        (None, _) if !depends_on_role(finding) => FindingAction::Keep,
+        (Some(Outside::File), _) => FindingAction::Keep,
+        (Some(Outside::Environment), _) => FindingAction::Note,
+        (_, Role::Part) => FindingAction::Drop,
+        (Some(Outside::Argument(_)), _) if is_misspelled => FindingAction::Keep,
+        (_, Role::Unknown) => FindingAction::Note,
+        (None, Role::Root) => FindingAction::Keep,
+        (Some(_), Role::Root) if finding.probed => FindingAction::Note,
         (Some(Outside::Argument(_)), Role::Root) => match finding.problem {
-            Some(ProblemKind::UndefinedArg) => Verdict::Keep,
+            Some(ProblemKind::UndefinedArg) => FindingAction::Keep,
             // the robot works as soon as the argument is given
-            Some(ProblemKind::UseBeforeDefinition) => Verdict::Set(Severity::Warning),
-            _ => Verdict::Note,
+            Some(ProblemKind::UseBeforeDefinition) => FindingAction::Set(Severity::Warning),
+            _ => FindingAction::Note,
         },
-        (Some(Outside::Includer), Role::Root) => Verdict::Keep,
+        (Some(Outside::Includer), Role::Root) => FindingAction::Keep,
     }
 }
 

@@ -1,8 +1,8 @@
 //! Which files are expanded, and with which arguments.
 use std::path::Path;
 
+use super::check_task::{CheckReason, CheckTask};
 use super::session::Session;
-use super::task::{Job, Reason};
 use workspace::config::{Axes, Root, Variant};
 
 impl Session {
@@ -21,18 +21,23 @@ impl Session {
     }
 
     /// The expansions of one file of a configured root; `args` go over all others.
-    pub(super) fn jobs_of(&self, root: &Root, file: &Path, args: &[(String, String)]) -> Vec<Job> {
-        let job = |variant: Variant| {
+    pub(super) fn tasks_of(
+        &self,
+        root: &Root,
+        file: &Path,
+        args: &[(String, String)],
+    ) -> Vec<CheckTask> {
+        let task = |variant: Variant| {
             let args = variant
                 .args
                 .into_iter()
                 .chain(args.iter().cloned())
                 .collect();
-            Job {
+            CheckTask {
                 preset: variant.preset,
-                ..Job::new(file.to_path_buf(), Reason::Root, args)
+                ..CheckTask::new(file.to_path_buf(), CheckReason::Root, args)
             }
         };
-        self.variants(root, file).into_iter().map(job).collect()
+        self.variants(root, file).into_iter().map(task).collect()
     }
 }

@@ -10,7 +10,7 @@ use vfs::Vfs;
 
 /// One way to expand a robot.
 #[derive(Clone, Default, PartialEq, Eq, Hash)]
-pub(super) struct Setting {
+pub(super) struct RunSetting {
     /// Arguments: names and values.
     pub args: Vec<(String, String)>,
     /// Conditions whose outcome is given.
@@ -18,7 +18,7 @@ pub(super) struct Setting {
 }
 
 /// What an expansion gave.
-pub(super) struct Run {
+pub(super) struct RunResult {
     /// The expanded document.
     pub text: String,
     /// Whether it has errors.
@@ -39,21 +39,21 @@ pub(super) struct Run {
 const MOST_BYTES: usize = 64 << 20;
 
 /// What tells an expansion from others.
-pub(super) type Key = (PathBuf, Setting);
+pub(super) type RunKey = (PathBuf, RunSetting);
 
 /// Expansions that were made, while there is room.
 #[derive(Default)]
-pub(super) struct Runs(pub Mutex<Kept>);
+pub(super) struct Runs(pub Mutex<CachedRuns>);
 
 #[derive(Default)]
-pub(super) struct Kept {
+pub(super) struct CachedRuns {
     /// The last two of each: before and after the last change that was tried.
-    pub by_key: FastMap<Key, Vec<Arc<Run>>>,
+    pub by_key: FastMap<RunKey, Vec<Arc<RunResult>>>,
     pub bytes: usize,
 }
 
-impl Kept {
-    pub fn add(&mut self, key: Key, run: Arc<Run>) {
+impl CachedRuns {
+    pub fn add(&mut self, key: RunKey, run: Arc<RunResult>) {
         if self.bytes > MOST_BYTES {
             *self = Self::default();
         }
@@ -66,7 +66,7 @@ impl Kept {
     }
 }
 
-impl Run {
+impl RunResult {
     /// Whether the files that it read have the same texts as then.
     pub fn is_current(&self, vfs: &Vfs) -> bool {
         self.texts

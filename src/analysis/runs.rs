@@ -2,30 +2,36 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::job;
+use super::check_task::CheckTask;
 use super::lock::locked;
-use super::run_cache::{Run, Runs, Setting};
+use super::run_cache::{RunResult, RunSetting, Runs};
+use super::run_task;
 use super::session::Session;
-use super::task::Job;
 use base::{CancelFlag, TextRange};
 use expand::{
-    Expansion, FileUse, FrameKind, Problem, ProblemKind, Read, Request, Severity, World, expand,
-    write,
+    Expansion, FileUse, FrameKind, Problem, ProblemKind, ProblemSeverity, Read, Request, Sources,
+    expand, write,
 };
 use vfs::Vfs;
 
-impl Run {
+impl RunResult {
     /// Expand a robot from the files that `vfs` shows.
-    fn of(session: &Session, vfs: &Vfs, cancel: &CancelFlag, job: &Job, setting: &Setting) -> Self {
-        let World { packages, env, .. } = job::world(session);
-        let Setting { args, forced } = setting.clone();
+    fn of(
+        session: &Session,
+        vfs: &Vfs,
+        cancel: &CancelFlag,
+        task: &CheckTask,
+        setting: &RunSetting,
+    ) -> Self {
+        let Sources { packages, env, .. } = run_task::sources(session);
+        let RunSetting { args, forced } = setting.clone();
         let request = Request {
             probe: false,
             args,
             forced,
-            ..job::request(session, cancel, job)
+            ..run_task::request(session, cancel, task)
         };
-        let expansion = expand(World { vfs, packages, env }, &request);
+        let expansion = expand(Sources { vfs, packages, env }, &request);
         let is_broken = |file: &FileUse| !file.source.document.errors().is_empty();
         let texts = expansion.record.iter().filter_map(|read| match read {
             Read::File(path, hash) => Some((path.clone(), *hash)),
@@ -71,7 +77,7 @@ fn failures(expansion: &Expansion) -> Vec<(ProblemKind, PathBuf, u32)> {
     let errors = expansion
         .problems
         .iter()
-        .filter(|problem| problem.severity == Severity::Error);
+        .filter(|problem| problem.severity == ProblemSeverity::Error);
     let place = |problem: &Problem| {
         let file = expansion.files.get(problem.place.file)?;
         Some((
@@ -110,16 +116,16 @@ impl Runs {
         session: &Session,
         vfs: &Vfs,
         cancel: &CancelFlag,
-        job: &Job,
-        setting: &Setting,
-    ) -> Arc<Run> {
-        let key = (job.file.clone(), setting.clone());
+        task: &CheckTask,
+        setting: &RunSetting,
+    ) -> Arc<RunResult> {
+        let key = (task.file.clone(), setting.clone());
         let known = locked(&self.0).by_key.get(&key).cloned();
         let known: Vec<_> = known.unwrap_or_default();
         if let Some(run) = known.into_iter().find(|run| run.is_current(vfs)) {
             return run;
         }
-        let run = Arc::new(Run::of(session, vfs, cancel, job, setting));
+        let run = Arc::new(RunResult::of(session, vfs, cancel, task, setting));
         if !cancel.is_cancelled() {
             locked(&self.0).add(key, run.clone());
         }

@@ -1,16 +1,16 @@
 //! Files that nobody uses: copies and old versions, and what xacro generated.
 use std::path::{Path, PathBuf};
 
+use super::check_task::{CheckReason, CheckTask};
 use super::drift::banner;
-use super::outcome::Outcome;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::{Job, Reason};
 use base::{FastMap, FastSet, FileId};
 use expand::ProblemKind;
 use model::{Joint, Robot};
 use rules::{Category, Edit, Finding, Group, Severity, Trait, named};
 use vfs::SourceFile;
-use workspace::{Caller, Era, Target};
+use workspace::{Caller, Era, RosVersion};
 
 /// Words in the name of a file or folder that say that it is kept and not used.
 const KEPT: [&str; 17] = [
@@ -56,76 +56,76 @@ impl Session {
     /// What is wrong in a file that was set aside is an info. Not when somebody asks for this very file.
     pub(super) fn settle_set_aside(
         &self,
-        job: &Job,
+        task: &CheckTask,
         robot: Option<&Robot>,
         findings: &mut [Finding],
     ) {
         let is_news = |finding: &Finding| finding.severity > Severity::Info;
-        if job.reason != Reason::Walked || !findings.iter().any(is_news) {
+        if task.reason != CheckReason::Walked || !findings.iter().any(is_news) {
             return;
         }
         if robot.is_some_and(is_list_of_joints)
-            || self.is_wrong_on_purpose(&job.file)
-            || self.is_for_tests(&job.file)
-            || self.packages.is_never_built(&job.file)
+            || self.is_wrong_on_purpose(&task.file)
+            || self.is_for_tests(&task.file)
+            || self.packages.is_never_built(&task.file)
         {
             lower(findings);
-        } else if self.is_set_aside(&job.file) {
-            self.lower_unused(&job.file, findings);
+        } else if self.is_set_aside(&task.file) {
+            self.lower_unused(&task.file, findings);
         }
         let about_simulation = |finding: &Finding| {
             finding.rule.category == Category::Inertia || finding.rule.has(Trait::Contact)
         };
         self.lower_where(findings, about_simulation, || {
-            self.is_only_shown(&job.file).then_some(Severity::Info)
+            self.is_only_shown(&task.file).then_some(Severity::Info)
         });
         // a value of the wrong sign is a slip, whoever reads it
         let is_idle =
             |finding: &Finding| about_simulation(finding) && !finding.rule.has(Trait::WrongSign);
         self.lower_where(findings, is_idle, || {
-            let is_idle = !self.is_loaded(&job.file) && self.is_never_simulated(&job.file)
-                || self.is_for_kinematics(&job.file);
+            let is_idle = !self.is_loaded(&task.file) && self.is_never_simulated(&task.file)
+                || self.is_for_kinematics(&task.file);
             is_idle.then_some(Severity::Info)
         });
         let about_inertia = |finding: &Finding| {
             finding.rule.category == Category::Inertia && !finding.rule.has(Trait::WrongSign)
         };
         self.lower_where(findings, about_inertia, || {
-            let is_idle = self.is_never_weighed(&job.file)
-                || self.is_handled_elsewhere(&job.file)
-                || self.is_loaded_without_masses(&job.file);
+            let is_idle = self.is_never_weighed(&task.file)
+                || self.is_handled_elsewhere(&task.file)
+                || self.is_loaded_without_masses(&task.file);
             is_idle.then_some(Severity::Info)
         });
         let is_impossible = |finding: &Finding| finding.rule == named::INERTIA_TRIANGLE_INEQUALITY;
         self.lower_where(findings, is_impossible, || {
-            self.is_never_refused(&job.file)
+            self.is_never_refused(&task.file)
                 .then_some(Severity::Warning)
         });
         let about_contact = |finding: &Finding| finding.rule.has(Trait::Contact);
         self.lower_where(findings, about_contact, || {
-            let is_idle = self.is_loaded(&job.file) && self.is_never_met(&job.file)
-                || self.is_loaded_without_triangles(&job.file);
+            let is_idle = self.is_loaded(&task.file) && self.is_never_met(&task.file)
+                || self.is_loaded_without_triangles(&task.file);
             is_idle.then_some(Severity::Info)
         });
         // Bullet computes inertia from the shapes unless it is told otherwise
         let about_bullet = |finding: &Finding| {
             let is_taken = is_before_declaration(finding)
                 || finding.rule.has(Trait::AcceptedByBullet)
-                || finding.rule == named::MESH_NOT_FOUND && self.is_above(&job.file, finding);
+                || finding.rule == named::MESH_NOT_FOUND && self.is_above(&task.file, finding);
             is_taken || finding.rule.category == Category::Inertia
         };
         self.lower_where(findings, about_bullet, || {
-            self.is_for_bullet(&job.file).then_some(Severity::Info)
+            self.is_for_bullet(&task.file).then_some(Severity::Info)
         });
         let about_raisim = |finding: &Finding| {
             is_before_declaration(finding) || finding.rule.has(Trait::AcceptedByRaiSim)
         };
         self.lower_where(findings, about_raisim, || {
-            self.is_for_raisim(&job.file).then_some(Severity::Info)
+            self.is_for_raisim(&task.file).then_some(Severity::Info)
         });
         // urdfdom and the readers that use it skip what is blank
         self.lower_where(findings, is_before_declaration, || {
-            self.is_read_without_xacro(&job.file)
+            self.is_read_without_xacro(&task.file)
                 .then_some(Severity::Warning)
         });
         let about_prefixes = |finding: &Finding| {
@@ -135,7 +135,7 @@ impl Session {
                     && finding.message.starts_with("`insert_block`")
         };
         if let Some(most) = self.lower_where(findings, about_prefixes, || {
-            self.severity_of_bare_tags(&job.file)
+            self.severity_of_bare_tags(&task.file)
         }) {
             // all of them are for another xacro
             let of_old_xacro =
@@ -149,19 +149,22 @@ impl Session {
         }
         let about_order =
             |finding: &Finding| finding.problem == Some(ProblemKind::UseBeforeDefinition);
-        let is_unordered = || (self.era(&job.file) == Era::Unordered).then_some(Severity::Info);
+        let is_unordered = || (self.era(&task.file) == Era::Unordered).then_some(Severity::Info);
         self.lower_where(findings, about_order, is_unordered);
         // a library of which the robots that are launched use a part
         let is_uncalled = |finding: &Finding| finding.probed;
-        let is_library = || self.is_beside_launched(&job.file).then_some(Severity::Info);
+        let is_library = || {
+            self.is_beside_launched(&task.file)
+                .then_some(Severity::Info)
+        };
         self.lower_where(findings, is_uncalled, is_library);
         let is_placeholder = |finding: &Finding| match finding.problem {
-            Some(ProblemKind::ExpressionError) => self.is_replaced(&job.file, finding),
-            _ => finding.rule == named::INVALID_NUMBER && self.is_filled_in(&job.file, finding),
+            Some(ProblemKind::ExpressionError) => self.is_replaced(&task.file, finding),
+            _ => finding.rule == named::INVALID_NUMBER && self.is_filled_in(&task.file, finding),
         };
         self.lower_where(findings, is_placeholder, || Some(Severity::Info));
-        self.settle_made_elsewhere(job, findings);
-        self.settle_by_use(job, findings);
+        self.settle_made_elsewhere(task, findings);
+        self.settle_by_use(task, findings);
     }
 
     /// Whether a file is plain URDF and nothing that names it runs xacro.
@@ -233,7 +236,7 @@ impl Session {
             Era::Melodic if self.is_for_old_ros(file) => Some(Severity::Info),
             Era::Melodic => Some(Severity::Warning),
             // to read all pages takes longer than to expand the robot
-            Era::Any if self.packages.generation(file) == Some(Target::Ros2) => None,
+            Era::Any if self.packages.generation(file) == Some(RosVersion::Ros2) => None,
             Era::Any => self.is_for_old_ros(file).then_some(Severity::Info),
         }
     }
@@ -397,30 +400,30 @@ fn lower(findings: &mut [Finding]) {
 
 /// What is wrong in a file that xacro generated, and in its source as well, is said of the source. The rest is an info
 /// where nothing loads the file: it has to be generated again.
-pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
+pub(super) fn leave_out_copies(session: &Session, results: &mut [RootResult]) {
     let generated: Vec<(usize, String)> = (0..)
-        .zip(&*outcomes)
-        .filter_map(|(number, outcome)| Some((number, generated_from(outcome.files.first()?)?)))
+        .zip(&*results)
+        .filter_map(|(number, result)| Some((number, generated_from(result.files.first()?)?)))
         .collect();
     for (number, source) in generated {
-        let Some(file) = outcomes.get(number).map(|outcome| outcome.job.file.clone()) else {
+        let Some(file) = results.get(number).map(|result| result.task.file.clone()) else {
             continue;
         };
-        let is_source = |outcome: &&Outcome| {
-            outcome
-                .job
+        let is_source = |result: &&RootResult| {
+            result
+                .task
                 .file
                 .file_name()
                 .is_some_and(|name| name == source.as_str())
-                && outcome.job.file != file
+                && result.task.file != file
         };
-        let shared = |outcome: &&Outcome| {
-            let (a, b) = (outcome.job.file.components(), file.components());
+        let shared = |result: &&RootResult| {
+            let (a, b) = (result.task.file.components(), file.components());
             a.zip(b).take_while(|(a, b)| a == b).count()
         };
-        let Some(source) = outcomes.iter().filter(is_source).max_by_key(shared) else {
-            if is_scratch(session, outcomes, number) {
-                lower_all(outcomes, number);
+        let Some(source) = results.iter().filter(is_source).max_by_key(shared) else {
+            if is_scratch(session, results, number) {
+                lower_all(results, number);
             }
             continue;
         };
@@ -433,13 +436,13 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
         };
         let said: FastSet<(&str, Severity, String)> =
             source.findings.iter().flat_map(said).collect();
-        if let Some(outcome) = outcomes.get_mut(number) {
-            outcome.findings.retain(|finding| {
+        if let Some(result) = results.get_mut(number) {
+            result.findings.retain(|finding| {
                 !said.contains(&(finding.rule.code, finding.severity, finding.message.clone()))
             });
-            let is_walked = outcome.job.reason == Reason::Walked;
+            let is_walked = result.task.reason == CheckReason::Walked;
             if is_walked && !session.is_loaded(&file) && !session.is_included(&file) {
-                lower(&mut outcome.findings);
+                lower(&mut result.findings);
             }
         }
     }
@@ -447,29 +450,29 @@ pub(super) fn leave_out_copies(session: &Session, outcomes: &mut [Outcome]) {
 
 /// Whether a file that was generated from another one, which is gone, lies beside a description that was not, and nothing
 /// names or includes it while others are launched.
-fn is_scratch(session: &Session, outcomes: &[Outcome], number: usize) -> bool {
-    let Some(own) = outcomes.get(number) else {
+fn is_scratch(session: &Session, results: &[RootResult], number: usize) -> bool {
+    let Some(own) = results.get(number) else {
         return false;
     };
-    let is_beside = |other: &Outcome| {
-        other.job.file != own.job.file
-            && other.job.file.parent() == own.job.file.parent()
+    let is_beside = |other: &RootResult| {
+        other.task.file != own.task.file
+            && other.task.file.parent() == own.task.file.parent()
             && other
                 .files
                 .first()
                 .is_some_and(|file| generated_from(file).is_none())
     };
-    let file = &own.job.file;
-    own.job.reason == Reason::Walked
-        && outcomes.iter().any(is_beside)
+    let file = &own.task.file;
+    own.task.reason == CheckReason::Walked
+        && results.iter().any(is_beside)
         && session.are_others_launched(file)
         && !session.is_named(file)
         && !session.is_included(file)
 }
 
-fn lower_all(outcomes: &mut [Outcome], number: usize) {
-    if let Some(outcome) = outcomes.get_mut(number) {
-        lower(&mut outcome.findings);
+fn lower_all(results: &mut [RootResult], number: usize) {
+    if let Some(result) = results.get_mut(number) {
+        lower(&mut result.findings);
     }
 }
 

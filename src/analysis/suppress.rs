@@ -3,11 +3,11 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::check_task::CheckReason;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
 use super::proof::enclosing;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::Reason;
 use base::{FastSet, FileId, Span, TextRange};
 use rules::{
     Check, Directive, Finding, Rule, Safety, Selector, Suppression, Suppressions, all, named,
@@ -16,7 +16,7 @@ use rules::{
 use vfs::SourceFile;
 
 /// A comment: file, number in the file, number of the rule it names.
-type Used = (FileId, usize, usize);
+type UsedSuppression = (FileId, usize, usize);
 
 /// The suppressions of all files of a run.
 pub(super) struct SuppressionFilter<'a> {
@@ -24,7 +24,7 @@ pub(super) struct SuppressionFilter<'a> {
     files: BTreeMap<FileId, (Arc<SourceFile>, Suppressions)>,
     /// Files that all rules have checked.
     judged: FastSet<FileId>,
-    used: FastSet<Used>,
+    used: FastSet<UsedSuppression>,
     /// Where the macros are defined that were called.
     called: FastSet<Span>,
     /// Files of robots that have arguments: with others, more may be hidden.
@@ -32,25 +32,27 @@ pub(super) struct SuppressionFilter<'a> {
 }
 
 impl<'a> SuppressionFilter<'a> {
-    /// Those of the files that `outcomes` read.
-    pub(super) fn new(session: &'a Session, options: &CheckOptions, outcomes: &[Outcome]) -> Self {
+    /// Those of the files that `results` read.
+    pub(super) fn new(
+        session: &'a Session,
+        options: &CheckOptions,
+        results: &[RootResult],
+    ) -> Self {
         let mut files = BTreeMap::new();
-        for file in outcomes.iter().flat_map(|outcome| &outcome.files) {
+        for file in results.iter().flat_map(|result| &result.files) {
             files
                 .entry(file.id)
                 .or_insert_with(|| (file.clone(), Suppressions::of(&file.document)));
         }
         files.retain(|_, (_, found)| !found.list.is_empty());
-        let judged = judged(session, options, outcomes);
-        let called = outcomes
+        let judged = judged(session, options, results);
+        let called = results
             .iter()
-            .flat_map(|outcome| outcome.called.iter().copied())
+            .flat_map(|result| result.called.iter().copied())
             .collect();
-        let variable = outcomes
-            .iter()
-            .filter(|outcome| !outcome.arguments.is_empty());
+        let variable = results.iter().filter(|result| !result.arguments.is_empty());
         let variable = variable
-            .flat_map(|outcome| outcome.files.iter().map(|file| file.id))
+            .flat_map(|result| result.files.iter().map(|file| file.id))
             .collect();
         Self {
             session,
@@ -223,19 +225,19 @@ fn including(file: FileId, includes: &[(FileId, Span)]) -> Vec<Span> {
 /// The files about which all rules had their say: those of robots that could be expanded as a whole. What is
 /// only included may serve robots outside of this run as well, unless whole folders are checked; and one preset
 /// of several, as in an editor, says nothing about the others.
-fn judged(session: &Session, options: &CheckOptions, outcomes: &[Outcome]) -> FastSet<FileId> {
+fn judged(session: &Session, options: &CheckOptions, results: &[RootResult]) -> FastSet<FileId> {
     let absolute = options.paths.iter().map(|path| session.vfs.absolute(path));
     let folders: Vec<PathBuf> = absolute.filter(|path| session.vfs.is_dir(path)).collect();
     let mut judged = FastSet::default();
-    for outcome in outcomes
+    for result in results
         .iter()
-        .filter(|outcome| outcome.is_robot && outcome.complete)
+        .filter(|result| result.is_robot && result.complete)
     {
-        let alone = matches!(outcome.job.reason, Reason::Named | Reason::Alone);
-        if alone && outcome.job.preset.is_some() {
+        let alone = matches!(result.task.reason, CheckReason::Named | CheckReason::Alone);
+        if alone && result.task.preset.is_some() {
             continue;
         }
-        let known = outcome.files.iter().enumerate().filter(|(number, file)| {
+        let known = result.files.iter().enumerate().filter(|(number, file)| {
             *number == 0 || !alone && folders.iter().any(|folder| file.path.starts_with(folder))
         });
         judged.extend(known.map(|(_, file)| file.id));

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::beside::{Sort, is_settings, sort};
+use super::check_task::CheckReason;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::Reason;
 use base::{FastMap, FastSet, FileId};
-use project::{Controller, Settings};
+use project::{Controller, YamlSettings};
 use rules::{Finding, Severity, Trait, named};
 use workspace::{has_name, without_comments};
 
@@ -19,7 +19,7 @@ impl Session {
     pub(super) fn read_for_used(
         &self,
         options: &CheckOptions,
-        outcomes: &mut [Outcome],
+        results: &mut [RootResult],
     ) -> Option<FastSet<PathBuf>> {
         let folders = options.paths.iter().map(|path| self.vfs.absolute(path));
         let has_copies =
@@ -30,15 +30,16 @@ impl Session {
         }
         let asked = asked(self, options);
         let mut used = FastSet::default();
-        for outcome in outcomes {
-            if outcome.job.reason == Reason::Walked && self.is_other(&outcome.job.file, &asked) {
-                for finding in &mut outcome.findings {
+        for result in results {
+            if result.task.reason == CheckReason::Walked && self.is_other(&result.task.file, &asked)
+            {
+                for finding in &mut result.findings {
                     finding.severity = finding.severity.min(Severity::Info);
                 }
                 continue;
             }
-            used.insert(outcome.job.file.clone());
-            used.extend(outcome.reads.iter().cloned());
+            used.insert(result.task.file.clone());
+            used.extend(result.reads.iter().cloned());
         }
         Some(used)
     }
@@ -197,7 +198,7 @@ impl Session {
         let Some(folder) = folder else {
             return false;
         };
-        let holds = |settings: Arc<Settings>| !settings.controllers.is_empty();
+        let holds = |settings: Arc<YamlSettings>| !settings.controllers.is_empty();
         let is_own = self.is_for_manager(file) || self.beside_settings(file).is_some_and(holds);
         if !is_own || self.is_mentioned(file) {
             return false;

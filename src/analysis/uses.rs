@@ -1,17 +1,17 @@
 //! What is right, and of no account for those who use the file.
 use std::path::{Path, PathBuf};
 
+use super::check_task::CheckTask;
 use super::session::Session;
-use super::task::Job;
 use expand::ProblemKind;
 use rules::{Finding, Rule, Severity, named};
 use vfs::without_parents;
-use workspace::{RobotCall, Target};
+use workspace::{RobotCall, RosVersion};
 
 impl Session {
     /// What breaks nothing for the launch files and programs that use a file is an info.
-    pub(super) fn settle_by_use(&self, job: &Job, findings: &mut [Finding]) {
-        let file = &job.file;
+    pub(super) fn settle_by_use(&self, task: &CheckTask, findings: &mut [Finding]) {
+        let file = &task.file;
         let info = || Some(Severity::Info);
         // both blocks meet in a robot whose controllers nothing starts
         self.lower_where(findings, about(named::ROS2_CONTROL_DUPLICATE_JOINT), || {
@@ -73,7 +73,7 @@ impl Session {
     fn is_for_ament(&self, file: &Path) -> bool {
         let package = self.packages.containing(file);
         let manifest = package.map(|package| self.vfs.text(&package.folder.join("package.xml")));
-        self.packages.generation(file) == Some(Target::Ros2)
+        self.packages.generation(file) == Some(RosVersion::Ros2)
             && manifest
                 .is_some_and(|manifest| manifest.is_ok_and(|file| file.text.contains("ament_")))
     }

@@ -6,7 +6,7 @@
 
 /// A limit as the documentation lists it.
 #[derive(Clone, Copy, Debug)]
-pub struct Limit {
+pub struct DocumentedLimit {
     /// The part of the program it belongs to.
     pub group: &'static str,
     /// The name of its constant.
@@ -26,7 +26,7 @@ macro_rules! limits {
         $($(#[doc = $what] pub const $name: $type = $value;)+)+
 
         /// All of them.
-        pub const ALL: &[Limit] = &[$($(Limit {
+        pub const ALL: &[DocumentedLimit] = &[$($(DocumentedLimit {
             group: $group,
             name: stringify!($name),
             value: $name as u64,

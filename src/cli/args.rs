@@ -87,7 +87,7 @@ pub(super) struct RulesArgs {
     pub(super) category: Option<String>,
     /// Only rules of this severity
     #[arg(long, value_enum)]
-    pub(super) severity: Option<Level>,
+    pub(super) severity: Option<SeverityArg>,
     /// Only rules that this profile enables
     #[arg(long, value_parser = PROFILES)]
     pub(super) profile: Option<String>,
@@ -106,7 +106,7 @@ fn categories() -> PossibleValuesParser {
 
 /// Severities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Level {
+pub(super) enum SeverityArg {
     /// A common tool rejects the robot, or it is physically impossible
     Error,
     /// Accepted, but almost certainly a mistake
@@ -117,14 +117,14 @@ pub(super) enum Level {
     Hint,
 }
 
-impl Level {
+impl SeverityArg {
     /// Its name.
     pub(super) fn name(self) -> &'static str {
         match self {
-            Level::Error => "error",
-            Level::Warning => "warning",
-            Level::Info => "info",
-            Level::Hint => "hint",
+            SeverityArg::Error => "error",
+            SeverityArg::Warning => "warning",
+            SeverityArg::Info => "info",
+            SeverityArg::Hint => "hint",
         }
     }
 }

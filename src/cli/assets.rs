@@ -30,7 +30,7 @@ impl AssetOptions {
 }
 
 /// Where an expansion read from, and where its output goes.
-pub(super) struct Places<'p> {
+pub(super) struct AssetPaths<'p> {
     pub vfs: &'p Vfs,
     pub packages: &'p Packages,
     pub cwd: &'p Path,
@@ -46,7 +46,7 @@ pub(super) struct Places<'p> {
 pub(super) fn rename(
     expansion: &mut Expansion,
     options: &AssetOptions,
-    places: &Places<'_>,
+    places: &AssetPaths<'_>,
 ) -> Result<Vec<String>, String> {
     let named = named_assets(expansion, places.cwd);
     let around = places
@@ -58,7 +58,7 @@ pub(super) fn rename(
     let mut copies = options
         .copy_to
         .as_ref()
-        .map(|folder| Copies::to(without_parents(&places.cwd.join(folder))));
+        .map(|folder| AssetCopies::to(without_parents(&places.cwd.join(folder))));
     for (id, attr, from) in named {
         let path = match asset(&attr.value, &from, places, &belongs) {
             Ok(path) => path,
@@ -123,7 +123,7 @@ fn named_assets(expansion: &Expansion, cwd: &Path) -> Vec<(XId, XAttr, PathBuf)>
 fn asset(
     name: &str,
     from: &Path,
-    places: &Places<'_>,
+    places: &AssetPaths<'_>,
     belongs: &dyn Fn(&Path) -> bool,
 ) -> Result<PathBuf, String> {
     let path = match places.packages.resolve_uri(name, from).outcome {
@@ -160,7 +160,7 @@ fn is_asset(path: &Path) -> bool {
 }
 
 /// The copies of assets in one folder: of a package by its name and the path inside it, of other files by their folder.
-struct Copies {
+struct AssetCopies {
     folder: PathBuf,
     /// Which file each copy is of.
     of: FastMap<PathBuf, PathBuf>,
@@ -168,7 +168,7 @@ struct Copies {
     left_out: Vec<String>,
 }
 
-impl Copies {
+impl AssetCopies {
     fn to(folder: PathBuf) -> Self {
         Self {
             folder,
@@ -182,7 +182,7 @@ impl Copies {
     fn copy_mesh(
         &mut self,
         path: &Path,
-        places: &Places<'_>,
+        places: &AssetPaths<'_>,
         belongs: &dyn Fn(&Path) -> bool,
     ) -> Result<PathBuf, String> {
         let copy = self.copy(path, places)?;
@@ -207,7 +207,7 @@ impl Copies {
         Ok(copy)
     }
 
-    fn copy(&mut self, path: &Path, places: &Places<'_>) -> Result<PathBuf, String> {
+    fn copy(&mut self, path: &Path, places: &AssetPaths<'_>) -> Result<PathBuf, String> {
         let package = places.packages.containing(path);
         let below = package.and_then(|package| {
             Some(Path::new(&package.name).join(path.strip_prefix(&package.folder).ok()?))
@@ -227,7 +227,7 @@ impl Copies {
         &mut self,
         path: &Path,
         place: PathBuf,
-        places: &Places<'_>,
+        places: &AssetPaths<'_>,
     ) -> Result<PathBuf, String> {
         if self.of.insert(place.clone(), path.to_owned()).is_none() {
             let bytes = places.vfs.bytes(path, MESH_BYTES);

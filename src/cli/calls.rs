@@ -12,7 +12,7 @@ use analysis::{Session, Setup};
 use base::counted;
 use vfs::Environment;
 use workspace::RobotCall;
-use workspace::launch::{Argument, Why};
+use workspace::launch::{CallArgument, Why};
 
 /// List the calls of robots: where they stand, the description, and the arguments as far as they are known.
 pub(super) fn run(args: &CallsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -116,7 +116,7 @@ fn table(calls: &[RobotCall], session: &Session, cwd: &Path, io: &mut Io<'_>) {
 }
 
 /// An argument with its value, or why this is not known.
-fn shown(argument: &Argument) -> String {
+fn shown(argument: &CallArgument) -> String {
     let (name, value) = (&argument.name, argument.value.shown());
     match argument.value.why() {
         None => format!("{name}:={value}"),

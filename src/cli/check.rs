@@ -4,16 +4,16 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::check_args::{CheckArgs, FailLevel, Format, Show};
+use super::check_args::{CheckArgs, FailLevel, OutputFormat, Show};
 use super::consumers::counted_line;
 use super::diff::unified;
 use super::io::Io;
-use super::listing::{Listing, incomplete, least_shown, wants_all};
+use super::listing::{FindingList, incomplete, least_shown, wants_all};
 use super::options::with_assignment;
 use super::prepare::{Prepared, prepare};
 use super::progress::watched;
 use super::render::{shown_path, visible};
-use super::watch::{Round, State, watch};
+use super::watch::{Round, WatchedFiles, watch};
 use super::{sarif, services, text};
 use analysis::{Baseline, CheckOptions, FixOptions, Fixed, Report, Session};
 use rules::{Safety, Severity};
@@ -32,7 +32,7 @@ pub(super) fn run(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     if !args.watch {
         return once(args, env, io).code;
     }
-    let look = |known: &State| match prepare(args, env, &mut std::io::empty()) {
+    let look = |known: &WatchedFiles| match prepare(args, env, &mut std::io::empty()) {
         Ok(prepared) => prepared.state(known.keys().cloned().collect()),
         Err(_) => known.clone(),
     };
@@ -50,7 +50,7 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
         Err(message) => {
             return Round {
                 code: usage(io, &message),
-                state: State::default(),
+                state: WatchedFiles::default(),
             };
         }
     };
@@ -74,10 +74,10 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
         }
         return Round {
             code: warn_about_config(session, env, io),
-            state: State::default(),
+            state: WatchedFiles::default(),
         };
     }
-    let (code, reads) = Run {
+    let (code, reads) = CheckRun {
         args,
         prepared: &prepared,
         session,
@@ -96,7 +96,7 @@ fn once(args: &CheckArgs, env: &Environment, io: &mut Io<'_>) -> Round {
     std::mem::forget(prepared);
     Round {
         code,
-        state: State::default(),
+        state: WatchedFiles::default(),
     }
 }
 
@@ -124,7 +124,7 @@ fn usage(io: &mut Io<'_>, message: &str) -> u8 {
 }
 
 /// One run, set up.
-struct Run<'a> {
+struct CheckRun<'a> {
     args: &'a CheckArgs,
     session: &'a Session,
     options: &'a CheckOptions,
@@ -133,7 +133,7 @@ struct Run<'a> {
     prepared: &'a Prepared,
 }
 
-impl Run<'_> {
+impl CheckRun<'_> {
     /// The exit code, and what was read.
     fn all(&self, io: &mut Io<'_>) -> (u8, BTreeSet<PathBuf>) {
         let (session, options) = (self.session, self.options);
@@ -141,7 +141,7 @@ impl Run<'_> {
             let mut report = watched(io, &options.progress, || session.check(options));
             let reads = std::mem::take(&mut report.reads);
             self.warn_about_arguments(&report, io);
-            return (self.conclude(report, "", io), reads);
+            return (self.finish(report, "", io), reads);
         }
         let most = if self.args.unsafe_fixes {
             Safety::Unsafe
@@ -174,7 +174,7 @@ impl Run<'_> {
         let done = self.done(&fixed);
         let mut left = fixed.into_left();
         let reads = std::mem::take(&mut left.reads);
-        let code = self.conclude(left, &done, io);
+        let code = self.finish(left, &done, io);
         (if failed { 2 } else { code }, reads)
     }
 
@@ -291,7 +291,7 @@ impl Run<'_> {
     }
 
     /// Print a report, and what was (`done`) or could be fixed.
-    fn conclude(&self, mut report: Report, done: &str, io: &mut Io<'_>) -> u8 {
+    fn finish(&self, mut report: Report, done: &str, io: &mut Io<'_>) -> u8 {
         report.part_of = self.part_of.to_vec();
         if self.unreadable(&report, io) {
             return 2;
@@ -318,7 +318,7 @@ impl Run<'_> {
         if let Some(incomplete) = incomplete(&report).filter(|_| self.args.require_packages) {
             io.line(&visible(&format!("error: {incomplete}")));
         }
-        let for_people = matches!(self.args.format, Format::Text | Format::Concise);
+        let for_people = matches!(self.args.format, OutputFormat::Text | OutputFormat::Concise);
         if for_people && self.args.statistics {
             text::statistics(&report, io);
             self.say(done, io);
@@ -335,8 +335,8 @@ impl Run<'_> {
             report.grouped()
         };
         match self.args.format {
-            Format::Text => self.draw(&report, done, &could, io),
-            Format::Concise => self.list(&report, done, &could, io),
+            OutputFormat::Text => self.draw(&report, done, &could, io),
+            OutputFormat::Concise => self.list(&report, done, &could, io),
             _ => {
                 self.print(&report, io);
                 self.say(done, io);
@@ -353,7 +353,7 @@ impl Run<'_> {
 
     /// Findings with their source text, and a summary.
     fn draw(&self, report: &Report, done: &str, could: &str, io: &mut Io<'_>) {
-        let listing = Listing::of(report, self.args);
+        let listing = FindingList::of(report, self.args);
         text::full(&listing, report, &self.session.packages, &self.env.cwd, io);
         let consumers = counted_line(report, &self.options.args, &self.env.cwd);
         for line in listing.footer(done, could).into_iter().chain(consumers) {
@@ -363,7 +363,7 @@ impl Run<'_> {
 
     /// Findings of one line, for programs too: what is said beside them goes elsewhere.
     fn list(&self, report: &Report, done: &str, could: &str, io: &mut Io<'_>) {
-        let listing = Listing::of(report, self.args);
+        let listing = FindingList::of(report, self.args);
         text::concise(&listing, report, &self.env.cwd, io);
         self.say(done, io);
         for line in listing.note(could) {
@@ -400,12 +400,12 @@ impl Run<'_> {
             &self.env.cwd,
         );
         match self.args.format {
-            Format::Json => io.out(&report.to_json(cwd)),
-            Format::Sarif => io.out(&sarif::document(report, cwd)),
-            Format::Github => io.out(&services::github(report, cwd, hints)),
-            Format::Gitlab => io.out(&services::gitlab(report, cwd, hints)),
-            Format::Junit => io.out(&services::junit(report, cwd, hints, least(self.args))),
-            Format::Text | Format::Concise => {}
+            OutputFormat::Json => io.out(&report.to_json(cwd)),
+            OutputFormat::Sarif => io.out(&sarif::document(report, cwd)),
+            OutputFormat::Github => io.out(&services::github(report, cwd, hints)),
+            OutputFormat::Gitlab => io.out(&services::gitlab(report, cwd, hints)),
+            OutputFormat::Junit => io.out(&services::junit(report, cwd, hints, least(self.args))),
+            OutputFormat::Text | OutputFormat::Concise => {}
         }
     }
 }

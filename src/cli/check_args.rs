@@ -13,7 +13,7 @@ pub(super) struct CheckArgs {
     pub(super) paths: Vec<String>,
     /// Output format
     #[arg(long, alias = "output-format", value_enum, default_value_t)]
-    pub(super) format: Format,
+    pub(super) format: OutputFormat,
     /// Run only these rules (codes, code prefixes, names or ALL)
     #[arg(long, value_name = "RULE", value_delimiter = ',')]
     pub(super) select: Vec<String>,
@@ -107,7 +107,7 @@ pub(super) const PROFILES: [&str; 4] = ["ros-industrial", "mobile", "gazebo", "p
 
 /// Output formats of `check`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum Format {
+pub(super) enum OutputFormat {
     /// With source excerpts (default)
     #[default]
     Text,

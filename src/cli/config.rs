@@ -11,7 +11,7 @@ use super::render::{shown_path, visible};
 use analysis::{Overrides, Session, Setup};
 use rules::THRESHOLDS;
 use vfs::Environment;
-use workspace::config::{Config, Setting, schema};
+use workspace::config::{Config, EffectiveSetting, schema};
 
 /// Print the settings that hold for a file or folder, or the schema of the configuration file.
 pub(super) fn run(args: &ConfigArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -68,7 +68,7 @@ pub(super) fn run(args: &ConfigArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 }
 
 /// The settings, with a line for each threshold.
-fn with_thresholds(config: &Config) -> Vec<Setting> {
+fn with_thresholds(config: &Config) -> Vec<EffectiveSetting> {
     let mut all = Vec::new();
     for setting in config.settings() {
         if setting.key != "thresholds" {
@@ -83,7 +83,7 @@ fn with_thresholds(config: &Config) -> Vec<Setting> {
                 Vec::new()
             };
             let value = json!(threshold.value(config));
-            all.push(Setting {
+            all.push(EffectiveSetting {
                 key: format!("thresholds.{}", threshold.name),
                 value,
                 origins,
@@ -103,7 +103,7 @@ fn origin(origins: &[PathBuf], cwd: &Path) -> String {
 }
 
 /// As a configuration file, with the origin of each line behind it.
-fn table(config: &Config, settings: &[Setting], cwd: &Path, io: &mut Io<'_>) {
+fn table(config: &Config, settings: &[EffectiveSetting], cwd: &Path, io: &mut Io<'_>) {
     let files: Vec<String> = config
         .files
         .iter()
@@ -168,8 +168,8 @@ fn toml(value: &Value) -> String {
     }
 }
 
-fn as_json(config: &Config, settings: &[Setting], cwd: &Path) -> Value {
-    let entry = |setting: &Setting| {
+fn as_json(config: &Config, settings: &[EffectiveSetting], cwd: &Path) -> Value {
+    let entry = |setting: &EffectiveSetting| {
         let value = json!({"value": setting.value, "origins": names(&setting.origins, cwd)});
         (setting.key.clone(), value)
     };

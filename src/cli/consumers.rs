@@ -9,7 +9,7 @@ use super::args::{ConsumersArgs, Plain};
 use super::io::Io;
 use super::render::{shown_path, visible};
 use super::text::counted;
-use super::tree::{Expanded, explain, fails};
+use super::tree::{ExpandedRobot, explain, fails};
 use analysis::{Report, Session};
 use base::Encoding;
 use expand::{Expansion, Origin};
@@ -36,8 +36,8 @@ pub(super) fn run(args: &ConsumersArgs, env: &Environment, io: &mut Io<'_>) -> u
         list(args.format, io);
         return 0;
     }
-    let expanded = Expanded::of(&args.file, &args.package_path, env, io);
-    let Expanded {
+    let expanded = ExpandedRobot::of(&args.file, &args.package_path, env, io);
+    let ExpandedRobot {
         file,
         arguments,
         session,

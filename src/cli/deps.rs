@@ -7,19 +7,19 @@ use serde_json::{Value, json};
 use super::args::{DepsArgs, Plain};
 use super::io::Io;
 use super::render::{shown_path, visible};
-use super::tree::Expanded;
+use super::tree::ExpandedRobot;
 use analysis::Session;
 use expand::{Expansion, Read};
 use vfs::Environment;
 
 /// Print what an expansion depends on.
 pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let Expanded {
+    let ExpandedRobot {
         file,
         session,
         expansion,
         ..
-    } = match Expanded::of(&args.file, &args.package_path, env, io) {
+    } = match ExpandedRobot::of(&args.file, &args.package_path, env, io) {
         Ok(expanded) => expanded,
         Err(message) => {
             io.line(&format!("error: {}", visible(&message)));
@@ -53,7 +53,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let errors = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == expand::Severity::Error)
+        .filter(|p| p.severity == expand::ProblemSeverity::Error)
         .count();
     if errors > 0 {
         io.line(&format!(

@@ -7,19 +7,21 @@ use std::sync::Arc;
 
 use annotate_snippets::Level;
 
-use super::assets::{Places, rename};
+use super::assets::{AssetPaths, rename};
 use super::diff::unified;
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
-use super::render::{Mark, Report, ShownFile, render, shown_path, visible, visible_name};
+use super::render::{
+    AnnotatedRange, ProblemReport, ShownFile, render, shown_path, visible, visible_name,
+};
 use super::text::is_shown;
 use analysis::FixedFile;
 use base::limits::DRAWN_PROBLEMS;
 use base::paths::HERE;
 use base::{Encoding, IdVec};
 use expand::{
-    Expansion, FileIdx, FileUse, Limits, Place, Problem, Request, Severity, World, Written, expand,
-    write, write_mapped,
+    Expansion, ExpansionLimits, FileIdx, FileRange, FileUse, Problem, ProblemSeverity, Request,
+    Sources, Written, expand, write, write_mapped,
 };
 use ide::source_map;
 use vfs::{Environment, LoadError, Vfs};
@@ -82,7 +84,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     // of a configuration only the limits count here: what comes out is as with the reference
     let config = Config::for_file(&vfs, &root.join(&options.input)).config;
     vfs.set_max_file_bytes(config.limits.file_bytes());
-    let limits = Limits::configured(&config.limits);
+    let limits = ExpansionLimits::configured(&config.limits);
     let file = match read_stdin(options, env, &vfs, io) {
         Ok(file) => file,
         Err(message) => {
@@ -110,7 +112,7 @@ fn run_with(options: &ExpandOptions, env: &Environment, io: &mut Io<'_>) -> u8 {
     // the process ends behind this: it need not take everything apart first
     let (vfs, packages) = (ManuallyDrop::new(vfs), ManuallyDrop::new(packages));
     let mut expansion = ManuallyDrop::new(expand(
-        World {
+        Sources {
             vfs: &vfs,
             packages: &packages,
             env,
@@ -173,7 +175,7 @@ fn rename_assets(
         .or(options.check.as_ref())
         .map(|file| env.cwd.join(file));
     let output = file.as_deref().and_then(Path::parent).unwrap_or(&env.cwd);
-    let places = Places {
+    let places = AssetPaths {
         vfs,
         packages,
         cwd: &env.cwd,
@@ -299,7 +301,7 @@ fn report(
     });
     let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
-        if problem.reference.is_empty() && problem.severity == Severity::Warning {
+        if problem.reference.is_empty() && problem.severity == ProblemSeverity::Warning {
             continue;
         }
         let concealed;
@@ -310,8 +312,8 @@ fn report(
             }
             _ => problem,
         };
-        errors += usize::from(problem.severity == Severity::Error);
-        if options.verbosity < 1 && problem.severity == Severity::Warning {
+        errors += usize::from(problem.severity == ProblemSeverity::Error);
+        if options.verbosity < 1 && problem.severity == ProblemSeverity::Warning {
             io.line(&visible(&format!("warning: {}", problem.reference)));
             continue;
         }
@@ -369,10 +371,10 @@ fn located(problem: &Problem, files: &ShownFiles<'_>) -> String {
 }
 
 /// A problem as it is drawn; none when nothing of the text that led to it may be shown.
-fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<'a>> {
+fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<ProblemReport<'a>> {
     let level = match problem.severity {
-        Severity::Error => Level::ERROR,
-        Severity::Warning => Level::WARNING,
+        ProblemSeverity::Error => Level::ERROR,
+        ProblemSeverity::Warning => Level::WARNING,
     };
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
@@ -387,7 +389,7 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
             (caller.place, located(problem, files))
         }
     };
-    Some(Report {
+    Some(ProblemReport {
         level,
         id: None,
         url: None,
@@ -402,8 +404,12 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
 }
 
 /// A place with a message in one line; none when its file may not be shown.
-fn mark<'a>(place: Place, message: &str, files: &'a ShownFiles<'a>) -> Option<Mark<'a>> {
-    Some(Mark {
+fn mark<'a>(
+    place: FileRange,
+    message: &str,
+    files: &'a ShownFiles<'a>,
+) -> Option<AnnotatedRange<'a>> {
+    Some(AnnotatedRange {
         file: drawn(place, files)?,
         range: place.range,
         label: message.replace('\n', " "),
@@ -411,7 +417,7 @@ fn mark<'a>(place: Place, message: &str, files: &'a ShownFiles<'a>) -> Option<Ma
 }
 
 /// The file of a place, when its text may be shown.
-fn drawn<'a>(place: Place, files: &'a ShownFiles<'a>) -> Option<&'a ShownFile<'a>> {
+fn drawn<'a>(place: FileRange, files: &'a ShownFiles<'a>) -> Option<&'a ShownFile<'a>> {
     files
         .get(place.file)
         .filter(|(_, is_drawn)| *is_drawn)

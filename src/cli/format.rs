@@ -14,7 +14,7 @@ use vfs::Environment;
 
 /// What became of the files.
 #[derive(Default)]
-struct Done {
+struct FormatCounts {
     changed: usize,
     same: usize,
     /// Files that could not be formatted.
@@ -49,7 +49,7 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
             &format!("cannot read {}", visible(&vfs::slashed(missing))),
         );
     }
-    let mut done = Done::default();
+    let mut done = FormatCounts::default();
     for path in session
         .files(&options)
         .into_iter()
@@ -63,8 +63,8 @@ pub(super) fn run(args: &FormatArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     }
     match done {
         _ if code > 0 => code,
-        Done { failed: 1.., .. } => 2,
-        Done { changed: 1.., .. } if args.check || args.diff => 1,
+        FormatCounts { failed: 1.., .. } => 2,
+        FormatCounts { changed: 1.., .. } if args.check || args.diff => 1,
         _ => 0,
     }
 }
@@ -93,7 +93,7 @@ fn one(
     path: &Path,
     env: &Environment,
     io: &mut Io<'_>,
-    done: &mut Done,
+    done: &mut FormatCounts,
 ) {
     let shown = visible(&shown_path(path, &env.cwd));
     let Ok(source) = session.vfs.document(path) else {
@@ -134,7 +134,7 @@ fn one(
     done.same += usize::from(same);
 }
 
-fn summary(args: &FormatArgs, done: &Done) -> String {
+fn summary(args: &FormatArgs, done: &FormatCounts) -> String {
     let verb = if args.check || args.diff {
         "would format"
     } else {

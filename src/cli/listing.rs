@@ -19,7 +19,7 @@ const HANDFUL: usize = 5;
 const MOST_RULES: usize = 8;
 
 /// The findings of a report that are printed, and how many are not.
-pub(super) struct Listing<'a> {
+pub(super) struct FindingList<'a> {
     report: &'a Report,
     /// Those that are printed.
     pub(super) shown: Vec<&'a Finding>,
@@ -53,7 +53,7 @@ pub(super) fn least_shown(args: &CheckArgs) -> Severity {
     }
 }
 
-impl<'a> Listing<'a> {
+impl<'a> FindingList<'a> {
     pub(super) fn of(report: &'a Report, args: &CheckArgs) -> Self {
         let (least, all) = (least_shown(args), wants_all(args));
         let mut listing = Self {

@@ -59,7 +59,7 @@ pub(super) fn run(args: &McpArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 
 /// What all calls have in common.
 struct Server {
-    /// A world that ends at the folders that may be read.
+    /// An environment that ends at the folders that may be read.
     env: Environment,
     package_path: Vec<String>,
 }

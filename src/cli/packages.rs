@@ -10,7 +10,7 @@ use super::io::Io;
 use super::render::{shown_path, visible, visible_name};
 use analysis::{Session, Setup};
 use vfs::Environment;
-use workspace::Entry;
+use workspace::PackageEntry;
 
 /// Print the packages that can be found, with the step of the look-up that gave each.
 pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
@@ -59,7 +59,7 @@ pub(super) fn run(args: &PackagesArgs, env: &Environment, io: &mut Io<'_>) -> u8
     0
 }
 
-fn table(entries: &[Entry], cwd: &Path, io: &mut Io<'_>) {
+fn table(entries: &[PackageEntry], cwd: &Path, io: &mut Io<'_>) {
     let (mut names, mut steps) = (0, 0);
     for entry in entries {
         names = names.max(entry.name.chars().count());

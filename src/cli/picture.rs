@@ -8,15 +8,15 @@ use super::args::{Arguments, Command, RenderArgs, Viewpoint};
 use super::io::Io;
 use super::render::visible;
 use super::svg;
-use super::tree::{Expanded, explain, fails, good_tree, no_tree};
+use super::tree::{ExpandedRobot, explain, fails, good_tree, no_tree};
 use analysis::Session;
 use expand::Expansion;
 use model::Robot;
 use picture::{
-    Background, Content, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, View, Viewport, movable,
-    picture_png, picture_svg,
+    Background, LONGEST_SIDE, MOST_PIXELS, Positions, Scene, SceneOptions, ViewDirection, Viewport,
+    movable, picture_png, picture_svg,
 };
-use preview::{Joint, Model, still};
+use preview::{JointModel, Model, still};
 use vfs::{Environment, write_atomically};
 use workspace::nearest;
 
@@ -58,12 +58,12 @@ fn draw(
 ) -> Result<(u8, Option<Vec<u8>>), String> {
     let form = form(&args.output, args.tree)?;
     let shot = shot(args)?;
-    let Expanded {
+    let ExpandedRobot {
         file,
         arguments,
         session,
         expansion,
-    } = Expanded::of(&args.file, &args.package_path, env, io)?;
+    } = ExpandedRobot::of(&args.file, &args.package_path, env, io)?;
     let robot = Robot::of(&expansion);
     let tree = robot
         .as_ref()
@@ -99,7 +99,7 @@ fn picture(
 ) -> Result<Option<(Vec<u8>, bool)>, String> {
     let (model, files) = still(session, expansion, robot);
     let positions = positions(&args.joint, &model)?;
-    let content = Content {
+    let content = SceneOptions {
         collisions: args.collision,
         frames: args.frames,
         positions,
@@ -148,10 +148,10 @@ fn form(output: &Path, tree: bool) -> Result<Form, String> {
 /// How the picture is taken.
 fn shot(args: &RenderArgs) -> Result<Viewport, String> {
     let view = match args.view {
-        Viewpoint::Iso => View::Iso,
-        Viewpoint::Front => View::Front,
-        Viewpoint::Side => View::Side,
-        Viewpoint::Top => View::Top,
+        Viewpoint::Iso => ViewDirection::Iso,
+        Viewpoint::Front => ViewDirection::Front,
+        Viewpoint::Side => ViewDirection::Side,
+        Viewpoint::Top => ViewDirection::Top,
     };
     let background = Background::of(&args.background).ok_or_else(|| {
         format!(
@@ -211,7 +211,7 @@ fn positions(wanted: &[String], model: &Model) -> Result<Positions, String> {
 }
 
 /// Radians, degrees as `90deg`, or meters.
-fn position(joint: &Joint, value: &str) -> Result<f64, String> {
+fn position(joint: &JointModel, value: &str) -> Result<f64, String> {
     let name = &joint.name;
     if let Some(mimic) = &joint.mimic {
         return Err(format!(

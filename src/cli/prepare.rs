@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use super::check_args::{CheckArgs, Format};
+use super::check_args::{CheckArgs, OutputFormat};
 use super::io::all_of;
 use super::options::mappings;
-use super::watch::State;
+use super::watch::WatchedFiles;
 use analysis::{Baseline, CheckOptions, Overrides, Session, Setup};
 use serde_json::Value;
 use vfs::Environment;
@@ -26,7 +26,7 @@ pub(super) struct Prepared {
 impl Prepared {
     /// The state of files that were read, of those that would be checked now, and of those that would be read if they
     /// came to be: what was named, and configurations.
-    pub(super) fn state(&self, mut files: BTreeSet<PathBuf>) -> State {
+    pub(super) fn state(&self, mut files: BTreeSet<PathBuf>) -> WatchedFiles {
         let vfs = &self.session.vfs;
         files.extend(self.session.files(&self.options));
         let named = self
@@ -176,7 +176,7 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
             changed,
             entries: args.entry.clone(),
             args: arguments,
-            count_consumers: args.format == Format::Text && !args.statistics && !args.changed,
+            count_consumers: args.format == OutputFormat::Text && !args.statistics && !args.changed,
             ..CheckOptions::default()
         }),
     }
@@ -184,7 +184,7 @@ fn options(args: &CheckArgs) -> Result<CheckOptions, String> {
 
 /// Options that do not go together.
 fn contradictions(args: &CheckArgs) -> Result<(), String> {
-    let for_people = matches!(args.format, Format::Text | Format::Concise);
+    let for_people = matches!(args.format, OutputFormat::Text | OutputFormat::Concise);
     let message = if args.watch && stdin_name(args).is_some() {
         "--watch cannot be used with standard input"
     } else if args.statistics && !for_people {

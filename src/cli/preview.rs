@@ -10,11 +10,11 @@ use super::args::PreviewArgs;
 use super::io::Io;
 use super::render::{shown_path, visible};
 use super::tree::file_and_arguments;
-use super::watch::State;
-use analysis::{RootChoice, World};
+use super::watch::WatchedFiles;
+use analysis::{AnalysisHost, RootConfig};
 use base::paths::HERE;
 use base::{CancelFlag, Encoding};
-use preview::{FromViewer, Hub, Location, Names, Received, RootName, Views, file_uri};
+use preview::{FromViewer, Hub, Location, LocationFormat, Received, RootName, Views, file_uri};
 use vfs::Environment;
 use workspace::percent_decoded;
 
@@ -36,7 +36,7 @@ pub(super) fn run(args: &PreviewArgs, env: &Environment, io: &mut Io<'_>) -> u8 
 }
 
 struct Preview {
-    world: World,
+    host: AnalysisHost,
     views: Views,
     hub: std::sync::Arc<Hub>,
     said: Receiver<Received>,
@@ -45,11 +45,11 @@ struct Preview {
 
 fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
     let (file, arguments) = file_and_arguments(&args.file)?;
-    let mut world = World::new(env.clone(), Vec::new());
+    let mut host = AnalysisHost::new(env.clone(), Vec::new());
     if !args.package_path.is_empty() {
-        world.set_editor_settings(json!({ "packagePaths": args.package_path }));
+        host.set_editor_settings(json!({ "packagePaths": args.package_path }));
     }
-    let vfs = world.session().vfs.clone();
+    let vfs = host.session().vfs.clone();
     let path = vfs.absolute(Path::new(&file));
     if !vfs.is_file(&path) {
         return Err(format!("{file}: no such file"));
@@ -62,9 +62,9 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
         );
     }
     let mut views = Views::default();
-    let id = views.open(RootChoice {
+    let id = views.open(RootConfig {
         args: arguments,
-        ..RootChoice::plain(&path)
+        ..RootConfig::plain(&path)
     });
     let (say, said) = mpsc::channel();
     // the other end is gone only when the process ends
@@ -73,7 +73,7 @@ fn open(args: &PreviewArgs, env: &Environment) -> Result<Preview, String> {
         .map_err(|error| format!("cannot start the preview: {error}"))?;
     hub.open(id);
     Ok(Preview {
-        world,
+        host,
         views,
         hub,
         said,
@@ -86,9 +86,9 @@ impl Preview {
         io.out(&format!("{}\n", self.hub.url(self.id)));
         io.line("open this address in a browser; press Ctrl-C to stop");
         io.flush();
-        let mut state = State::new();
+        let mut state = WatchedFiles::new();
         let mut around = Instant::now();
-        self.follow(&mut state, State::new());
+        self.follow(&mut state, WatchedFiles::new());
         loop {
             let begin = Instant::now();
             let now = self.state();
@@ -110,7 +110,7 @@ impl Preview {
     }
 
     /// Send what became of changed files: those that are `now` not as they were in `state`.
-    fn follow(&mut self, state: &mut State, now: State) {
+    fn follow(&mut self, state: &mut WatchedFiles, now: WatchedFiles) {
         let differs =
             |(path, one): &(&PathBuf, &u64)| state.get(*path).is_some_and(|known| known != *one);
         let changed: Vec<PathBuf> = now
@@ -119,14 +119,14 @@ impl Preview {
             .map(|(path, _)| path.clone())
             .collect();
         if !changed.is_empty() {
-            self.world.changed_on_disk(&changed);
+            self.host.changed_on_disk(&changed);
         }
         let Self {
-            world, views, hub, ..
+            host, views, hub, ..
         } = self;
         let watched = |id| hub.is_watched(id);
         let (messages, _) =
-            with_names(|names| views.update(world, names, &watched, &CancelFlag::default()));
+            with_names(|names| views.update(host, names, &watched, &CancelFlag::default()));
         messages.iter().for_each(|message| hub.tell(message));
         // what changed while it was read counts as not seen yet
         *state = self.state();
@@ -134,8 +134,8 @@ impl Preview {
             .for_each(|(path, one)| drop(state.entry(path).and_modify(|known| *known = one)));
     }
 
-    fn state(&self) -> State {
-        let vfs = &self.world.session().vfs;
+    fn state(&self) -> WatchedFiles {
+        let vfs = &self.host.session().vfs;
         self.views
             .reads()
             .into_iter()
@@ -174,15 +174,15 @@ impl Preview {
     }
 
     /// A root that a page names: one that was offered, with any arguments.
-    fn chosen(&self, name: RootName) -> Option<RootChoice> {
+    fn chosen(&self, name: RootName) -> Option<RootConfig> {
         let file = path_of(&name.uri)?;
         let offered = self
             .views
             .root(self.id)
             .is_some_and(|root| root.file == file)
-            || self.world.known_files().contains(&file);
+            || self.host.known_files().contains(&file);
         let args = name.args.into_iter().collect();
-        offered.then_some(RootChoice {
+        offered.then_some(RootConfig {
             file,
             args,
             preset: name.preset,
@@ -206,9 +206,9 @@ fn say_place(location: &Location, env: &Environment, io: &mut Io<'_>) {
     io.flush();
 }
 
-fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
+fn with_names<T>(work: impl FnOnce(&LocationFormat<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));
-    work(&Names {
+    work(&LocationFormat {
         uri: &uri,
         path: &path_of,
         encoding: Encoding::Utf32,

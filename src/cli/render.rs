@@ -17,7 +17,7 @@ pub struct ShownFile<'a> {
 }
 
 /// A place with words.
-pub struct Mark<'a> {
+pub struct AnnotatedRange<'a> {
     /// The file.
     pub file: &'a ShownFile<'a>,
     /// Absolute byte range.
@@ -27,7 +27,7 @@ pub struct Mark<'a> {
 }
 
 /// Everything to be said about one problem.
-pub struct Report<'a> {
+pub struct ProblemReport<'a> {
     /// Error, warning or info.
     pub level: Level<'static>,
     /// Shown in brackets behind the level.
@@ -37,11 +37,11 @@ pub struct Report<'a> {
     /// The headline.
     pub title: String,
     /// The wrong text.
-    pub primary: Mark<'a>,
+    pub primary: AnnotatedRange<'a>,
     /// The way that led there, innermost first.
-    pub trace: Vec<Mark<'a>>,
+    pub trace: Vec<AnnotatedRange<'a>>,
     /// Further places of the same defect.
-    pub places: Vec<Mark<'a>>,
+    pub places: Vec<AnnotatedRange<'a>>,
     /// What to do.
     pub help: Option<String>,
 }
@@ -52,20 +52,20 @@ const MOST_STEPS: usize = 8;
 const MOST_PLACES: usize = 3;
 
 /// Draw a report.
-pub fn render(report: &Report<'_>, color: bool) -> String {
+pub fn render(report: &ProblemReport<'_>, color: bool) -> String {
     let title = visible(&report.title);
-    let primary = Piece::cut(&report.primary);
-    let trace: Vec<Piece> = report
+    let primary = RenderedLines::cut(&report.primary);
+    let trace: Vec<RenderedLines> = report
         .trace
         .iter()
         .take(MOST_STEPS)
-        .map(Piece::cut)
+        .map(RenderedLines::cut)
         .collect();
-    let places: Vec<Piece> = report
+    let places: Vec<RenderedLines> = report
         .places
         .iter()
         .take(MOST_PLACES)
-        .map(Piece::cut)
+        .map(RenderedLines::cut)
         .collect();
     let mut head = report.level.clone().primary_title(title.as_str());
     if let Some(id) = &report.id {
@@ -108,7 +108,7 @@ pub fn render(report: &Report<'_>, color: bool) -> String {
 }
 
 /// The lines of a mark, ready to be drawn.
-struct Piece {
+struct RenderedLines {
     path: String,
     line: usize,
     /// The line; none when it is too long to be drawn.
@@ -124,8 +124,8 @@ fn harmless(line: &str) -> String {
         .replace(['\u{2028}', '\u{2029}'], "\u{240a}")
 }
 
-impl Piece {
-    fn cut(mark: &Mark<'_>) -> Self {
+impl RenderedLines {
+    fn cut(mark: &AnnotatedRange<'_>) -> Self {
         let document = &mark.file.source.document;
         let start = document.line_col(mark.range.start, Encoding::Utf8);
         let end = document.line_col(mark.range.end, Encoding::Utf8);
@@ -198,7 +198,7 @@ pub fn visible(text: &str) -> String {
 mod tests {
     use annotate_snippets::Level;
 
-    use super::{Mark, Report, ShownFile, render};
+    use super::{AnnotatedRange, ProblemReport, ShownFile, render};
     use base::TextRange;
     use vfs::testing::Tree;
 
@@ -211,12 +211,12 @@ mod tests {
             source: &source,
             path: "a.urdf".to_owned(),
         };
-        let report = Report {
+        let report = ProblemReport {
             level: Level::ERROR,
             id: Some("no-links".to_owned()),
             url: Some("https://example.org/no-links".to_owned()),
             title: "robot has no links".to_owned(),
-            primary: Mark {
+            primary: AnnotatedRange {
                 file: &file,
                 range: TextRange::new(0, 6),
                 label: String::new(),

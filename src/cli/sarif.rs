@@ -16,7 +16,7 @@ const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
 
 /// All findings as one document.
 pub(super) fn document(report: &Report, cwd: &Path) -> String {
-    let writer = Writer { report, cwd };
+    let writer = SarifWriter { report, cwd };
     let mut rules: IndexMap<&str, &Rule> = IndexMap::new();
     for finding in &report.findings {
         rules.entry(finding.rule.code).or_insert(finding.rule);
@@ -82,12 +82,12 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-struct Writer<'a> {
+struct SarifWriter<'a> {
     report: &'a Report,
     cwd: &'a Path,
 }
 
-impl Writer<'_> {
+impl SarifWriter<'_> {
     fn result(&self, finding: &Finding, rule_index: usize, fingerprint: &str) -> Value {
         let text = match &finding.help {
             Some(help) => format!("{}; {help}", finding.message),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::tree::{Tree, kind};
+use super::tree::{LinkTree, kind};
 use base::escape_xml;
 
 /// Width of a character, in user units (a monospaced font of size 12).
@@ -24,7 +24,7 @@ text{font:12px ui-monospace,SFMono-Regular,Menlo,Consolas,monospace;dominant-bas
 .joint path{stroke:#7a8699}.joint text{fill:#a9b3c3}}";
 
 /// A link that has its place.
-struct Placed {
+struct LinkLayout {
     link: usize,
     depth: usize,
     row: f64,
@@ -33,7 +33,7 @@ struct Placed {
 }
 
 /// Draw a tree.
-pub(super) fn draw(tree: &Tree<'_>) -> String {
+pub(super) fn draw(tree: &LinkTree<'_>) -> String {
     let placed = place(tree);
     let columns = columns(tree, &placed);
     let rows = placed.iter().map(|p| p.row).fold(0.0, f64::max) + 1.0;
@@ -96,23 +96,23 @@ pub(super) fn draw(tree: &Tree<'_>) -> String {
 }
 
 /// The left edge of the box of a link.
-fn left(columns: &[Column], placed: &Placed) -> f64 {
+fn left(columns: &[Column], placed: &LinkLayout) -> f64 {
     columns.get(placed.depth).map_or(0.0, |column| column.left)
 }
 
 /// The width of the box of a link.
-fn width(tree: &Tree<'_>, placed: &Placed) -> f64 {
+fn width(tree: &LinkTree<'_>, placed: &LinkLayout) -> f64 {
     length(tree.link(placed.link)) * CHAR + 2.0 * PADDING
 }
 
 /// The height at which the joints of a link begin and end.
-fn middle(placed: &Placed) -> f64 {
+fn middle(placed: &LinkLayout) -> f64 {
     MARGIN + placed.row * ROW + BOX / 2.0
 }
 
 /// Give each link a row: leaves one after the other, every other link halfway between its first and last child.
-fn place(tree: &Tree<'_>) -> Vec<Placed> {
-    let mut placed = vec![Placed {
+fn place(tree: &LinkTree<'_>) -> Vec<LinkLayout> {
+    let mut placed = vec![LinkLayout {
         link: tree.root,
         depth: 0,
         row: 0.0,
@@ -133,7 +133,7 @@ fn place(tree: &Tree<'_>) -> Vec<Placed> {
                 .get_mut(at)
                 .into_iter()
                 .for_each(|list| list.push(placed.len()));
-            placed.push(Placed {
+            placed.push(LinkLayout {
                 link: child,
                 depth: depth + 1,
                 row: 0.0,
@@ -162,7 +162,7 @@ fn place(tree: &Tree<'_>) -> Vec<Placed> {
     placed
 }
 
-fn row(placed: &[Placed], number: Option<&usize>) -> f64 {
+fn row(placed: &[LinkLayout], number: Option<&usize>) -> f64 {
     number
         .and_then(|&number| placed.get(number))
         .map_or(0.0, |p| p.row)
@@ -174,7 +174,7 @@ struct Column {
     left: f64,
 }
 
-fn columns(tree: &Tree<'_>, placed: &[Placed]) -> Vec<Column> {
+fn columns(tree: &LinkTree<'_>, placed: &[LinkLayout]) -> Vec<Column> {
     let depth = placed.iter().map(|p| p.depth).max().unwrap_or(0);
     let mut boxes = vec![0.0_f64; depth + 1];
     let mut labels = vec![0.0_f64; depth + 1];

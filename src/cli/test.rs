@@ -60,7 +60,7 @@ pub(super) fn run(args: &TestArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
         tests: &tests,
         env,
     }
-    .conclude(io);
+    .finish(io);
     // the process ends after this: it need not take everything apart first
     std::mem::forget((session, tests));
     code
@@ -79,7 +79,7 @@ struct Runner<'a> {
 }
 
 impl Runner<'_> {
-    fn conclude(&self, io: &mut Io<'_>) -> u8 {
+    fn finish(&self, io: &mut Io<'_>) -> u8 {
         let code = self.preconditions(io);
         if code > 0 {
             return code;

@@ -4,8 +4,10 @@ use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
 use super::io::Io;
-use super::listing::{Listing, counts};
-use super::render::{Mark, Report as Drawing, ShownFile, render, shown_path, visible};
+use super::listing::{FindingList, counts};
+use super::render::{
+    AnnotatedRange, ProblemReport as Drawing, ShownFile, render, shown_path, visible,
+};
 use analysis::{Position, Report};
 use annotate_snippets::Level;
 use base::{FastMap, FastSet, FileId, Span};
@@ -14,7 +16,7 @@ use workspace::{Packages, TrustedPaths};
 
 /// With the source text.
 pub(super) fn full(
-    listing: &Listing<'_>,
+    listing: &FindingList<'_>,
     report: &Report,
     packages: &Packages,
     cwd: &Path,
@@ -30,7 +32,7 @@ pub(super) fn full(
 }
 
 /// One line a finding.
-pub(super) fn concise(listing: &Listing<'_>, report: &Report, cwd: &Path, io: &mut Io<'_>) {
+pub(super) fn concise(listing: &FindingList<'_>, report: &Report, cwd: &Path, io: &mut Io<'_>) {
     for finding in &listing.shown {
         let Position {
             start: (row, column),
@@ -166,8 +168,8 @@ fn mark<'f>(
     files: &'f FastMap<FileId, ShownFile<'f>>,
     span: Span,
     label: &str,
-) -> Option<Mark<'f>> {
-    Some(Mark {
+) -> Option<AnnotatedRange<'f>> {
+    Some(AnnotatedRange {
         file: files.get(&span.file)?,
         range: span.range,
         label: label.to_owned(),

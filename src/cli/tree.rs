@@ -12,20 +12,20 @@ use super::options::{mappings, with_assignment};
 use super::render::{visible, visible_name};
 use super::{svg, text};
 use analysis::{CheckOptions, Session, Setup};
-use expand::{Expansion, Request, World, expand};
+use expand::{Expansion, Request, Sources, expand};
 use model::{Joint, Kinematics, Robot};
 use rules::{Category, Severity};
 use vfs::Environment;
 
 /// A robot whose links hang together as a tree.
-pub(super) struct Tree<'a> {
+pub(super) struct LinkTree<'a> {
     pub(super) robot: &'a Robot,
     pub(super) kinematics: Kinematics,
     /// The link at the top.
     pub(super) root: usize,
 }
 
-impl Tree<'_> {
+impl LinkTree<'_> {
     /// The name of a link.
     pub(super) fn link(&self, link: usize) -> &str {
         self.robot
@@ -37,7 +37,7 @@ impl Tree<'_> {
 
     /// The joints below a link with the links they lead to, in the order of urdfdom.
     pub(super) fn children(&self, link: usize) -> impl DoubleEndedIterator<Item = (&Joint, usize)> {
-        let joints = self.kinematics.down(link).iter();
+        let joints = self.kinematics.child_joints(link).iter();
         joints.filter_map(|&joint| {
             Some((
                 self.robot.joints.get(joint)?,
@@ -54,8 +54,8 @@ pub(super) fn kind(joint: &Joint) -> &str {
 
 /// Run `tree`.
 pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
-    let expanded = Expanded::of(&args.file, &args.package_path, env, io);
-    let Expanded {
+    let expanded = ExpandedRobot::of(&args.file, &args.package_path, env, io);
+    let ExpandedRobot {
         file,
         arguments,
         session,
@@ -97,7 +97,7 @@ pub(super) fn fails(io: &mut Io<'_>, message: &str) -> u8 {
 }
 
 /// The tree of a robot in which every link but one hangs on exactly one joint.
-pub(super) fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
+pub(super) fn good_tree(robot: &Robot) -> Option<LinkTree<'_>> {
     let kinematics = Kinematics::of(robot);
     robot.name.as_ref().filter(|name| !name.value.is_empty())?;
     let mut roots = kinematics.roots(robot).into_iter();
@@ -105,10 +105,10 @@ pub(super) fn good_tree(robot: &Robot) -> Option<Tree<'_>> {
         return None;
     };
     // n links in a tree hang on n - 1 joints; a cycle would need one more, a loose link one less
-    let single =
-        (0..robot.links.len()).all(|link| kinematics.up(link).len() == usize::from(link != root));
+    let single = (0..robot.links.len())
+        .all(|link| kinematics.parent_joints(link).len() == usize::from(link != root));
     let joined = (0..robot.joints.len()).all(|joint| kinematics.ends(joint).is_some());
-    (single && joined && kinematics.cycles().is_empty()).then_some(Tree {
+    (single && joined && kinematics.cycles().is_empty()).then_some(LinkTree {
         robot,
         kinematics,
         root,
@@ -150,14 +150,14 @@ pub(super) fn explain(
 }
 
 /// The robot that a command line names, expanded.
-pub(super) struct Expanded {
+pub(super) struct ExpandedRobot {
     pub(super) file: String,
     pub(super) arguments: Vec<(String, String)>,
     pub(super) session: Session,
     pub(super) expansion: Expansion,
 }
 
-impl Expanded {
+impl ExpandedRobot {
     /// Expand the one file among `names` with the arguments there; the message of an error when it cannot be read.
     pub(super) fn of(
         names: &[String],
@@ -199,13 +199,13 @@ pub(super) fn open(
 }
 
 pub(super) fn expand_in(session: &Session, file: &str, args: Vec<(String, String)>) -> Expansion {
-    let world = World {
+    let sources = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
     };
     expand(
-        world,
+        sources,
         &Request {
             file: file.to_owned(),
             args,
@@ -228,7 +228,7 @@ pub(super) fn file_and_arguments(
 }
 
 /// What `check_urdf` prints; `joints` adds names and types of joints.
-fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
+fn text_tree(tree: &LinkTree<'_>, joints: bool) -> String {
     let name = tree
         .robot
         .name
@@ -263,7 +263,7 @@ fn text_tree(tree: &Tree<'_>, joints: bool) -> String {
 
 /// The joints below a link, the last one first: level, number among its siblings, joint, link.
 fn below<'t>(
-    tree: &'t Tree<'_>,
+    tree: &'t LinkTree<'_>,
     link: usize,
     level: usize,
 ) -> impl Iterator<Item = (usize, usize, &'t Joint, usize)> {
@@ -275,8 +275,8 @@ fn below<'t>(
 }
 
 /// Links and joints in document order, as lists: trees may be deeper than JSON readers bear.
-fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
-    let text = |text: &Option<model::Text>| text.as_ref().map(|text| text.value.to_string());
+fn as_json(tree: &LinkTree<'_>, beside: serde_json::Value) -> serde_json::Value {
+    let text = |text: &Option<model::AttrValue>| text.as_ref().map(|text| text.value.to_string());
     let links: Vec<_> = (0..tree.robot.links.len())
         .map(|link| tree.link(link))
         .collect();
@@ -303,7 +303,7 @@ fn as_json(tree: &Tree<'_>, beside: serde_json::Value) -> serde_json::Value {
 }
 
 /// For Graphviz: boxes for links, ellipses for joints.
-fn dot(tree: &Tree<'_>) -> String {
+fn dot(tree: &LinkTree<'_>) -> String {
     let name = tree
         .robot
         .name

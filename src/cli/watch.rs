@@ -11,12 +11,12 @@ use super::render::{shown_path, visible};
 use super::text::counted;
 
 /// What a run depended on, with what it was like.
-pub(super) type State = BTreeMap<PathBuf, u64>;
+pub(super) type WatchedFiles = BTreeMap<PathBuf, u64>;
 
 /// One run: its exit code and the state of the files it read.
 pub(super) struct Round {
     pub(super) code: u8,
-    pub(super) state: State,
+    pub(super) state: WatchedFiles,
 }
 
 /// Run, wait for a change, run again. A first run that failed (exit code 2) is the only one; later ones may, since files
@@ -25,7 +25,7 @@ pub(super) fn watch(
     io: &mut Io<'_>,
     cwd: &Path,
     mut run: impl FnMut(&mut Io<'_>) -> Round,
-    mut look: impl FnMut(&State) -> State,
+    mut look: impl FnMut(&WatchedFiles) -> WatchedFiles,
     mut wait: impl FnMut() -> bool,
 ) -> u8 {
     let mut round = run(io);
@@ -61,7 +61,7 @@ pub(super) fn watch(
 }
 
 /// A file that differs.
-fn difference(before: &State, now: &State) -> Option<PathBuf> {
+fn difference(before: &WatchedFiles, now: &WatchedFiles) -> Option<PathBuf> {
     let differs = |(path, state): &(&PathBuf, &u64)| before.get(*path) != Some(state);
     let gone = before.keys().find(|path| !now.contains_key(*path));
     now.iter()
@@ -78,14 +78,15 @@ mod tests {
     use std::path::Path;
 
     use super::super::io::Io;
-    use super::{Round, State, watch};
+    use super::{Round, WatchedFiles, watch};
 
     #[test]
     fn runs_again_when_something_changes() {
         let (mut out, mut err, mut stdin) = (Vec::new(), Vec::new(), std::io::empty());
         let mut io = Io::plain(&mut out, &mut err, &mut stdin);
         let tick = Cell::new(0u64);
-        let state = || -> State { BTreeMap::from([("/ws/a.xacro".into(), 1 + tick.get() / 2)]) };
+        let state =
+            || -> WatchedFiles { BTreeMap::from([("/ws/a.xacro".into(), 1 + tick.get() / 2)]) };
         let mut runs = 0;
         let run = |io: &mut Io<'_>| {
             runs += 1;

@@ -7,7 +7,7 @@ use super::origin::{FrameId, FrameKind, Origin};
 use super::symbols::SourceRange;
 use super::tree::Piece;
 use base::{FastSet, TextRange};
-use expr::{self, Token, Value, is_identifier};
+use expr::{self, TemplateToken, Value, is_identifier};
 
 /// Calls that hand a value down, at most.
 const MOST_CALLS: usize = 64;
@@ -81,10 +81,12 @@ pub fn depends_on_parameter(expansion: &Expansion, instances: &[Origin]) -> bool
         return false;
     };
     let template = expr::split(text);
-    let tokens = template
-        .tokens
-        .iter()
-        .filter(|token| matches!(token, Token::Expr { .. } | Token::Subst { .. }));
+    let tokens = template.tokens.iter().filter(|token| {
+        matches!(
+            token,
+            TemplateToken::Expr { .. } | TemplateToken::Subst { .. }
+        )
+    });
     let mut all: FastSet<FrameId> = FastSet::default();
     for token in tokens {
         let range = token.range().shift(first.range.start);

@@ -5,7 +5,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::meant;
 use super::origin::Origin;
-use super::scope::TextPlace;
+use super::scope::TextOrigin;
 use super::state::EvalContext;
 use super::tag::Tag;
 use base::TextRange;
@@ -23,7 +23,7 @@ impl Expander<'_> {
         tag: Tag<'a>,
         name: &str,
         cx: EvalContext,
-    ) -> Option<(Cow<'a, str>, TextPlace)> {
+    ) -> Option<(Cow<'a, str>, TextOrigin)> {
         let attr = tag.attr(name)?;
         let origin = Origin {
             src: tag.src,
@@ -32,7 +32,7 @@ impl Expander<'_> {
         };
         Some((
             attr.value(self.entities(tag.src)),
-            TextPlace {
+            TextOrigin {
                 origin,
                 is_attr: true,
             },
@@ -45,7 +45,7 @@ impl Expander<'_> {
         tag: Tag<'a>,
         name: &str,
         cx: EvalContext,
-    ) -> Option<(Cow<'a, str>, TextPlace)> {
+    ) -> Option<(Cow<'a, str>, TextOrigin)> {
         let found = self.attr(tag, name, cx);
         if found.is_none() {
             let message = format!("missing attribute `{name}` in `{}`", tag.name);

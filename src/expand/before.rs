@@ -1,6 +1,6 @@
 //! The last expansion of the same root, of which steps may be taken over.
 use super::expansion::Expansion;
-use super::memo::{Kept, Memo};
+use super::memo::{Memo, StepResult};
 use super::origin::SrcId;
 use super::request::Request;
 
@@ -28,7 +28,7 @@ impl<'w> Before<'w> {
         })
     }
 
-    pub fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w Kept> {
+    pub fn step(&self, call: (SrcId, xml::NodeId)) -> Option<&'w StepResult> {
         let steps = &self.memo.steps;
         steps.get(
             steps

@@ -2,11 +2,11 @@
 use super::binding_info::{BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::macro_table::{MacroDef, Open, Param};
+use super::macro_table::{MacroDef, MacroParam, OpenParams};
 use super::origin::Origin;
-use super::problem::{Detail, Outside, Step};
+use super::problem::{Detail, Outside, TraceStep};
 use super::property::literal_of;
-use super::scope::{Block, State, TextPlace};
+use super::scope::{Block, PropertyState, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::UseKind;
 use super::tag::Tag;
@@ -33,8 +33,8 @@ impl Expander<'_> {
         def: &'d MacroDef,
         cx: EvalContext,
         body: EvalContext,
-    ) -> Vec<&'d Param> {
-        let mut open = Open::new(&def.params);
+    ) -> Vec<&'d MacroParam> {
+        let mut open = OpenParams::new(&def.params);
         for attr in tag.attrs() {
             let at = Origin {
                 src: tag.src,
@@ -62,7 +62,7 @@ impl Expander<'_> {
             self.bind_param(
                 param,
                 &text,
-                TextPlace {
+                TextOrigin {
                     origin,
                     is_attr: true,
                 },
@@ -76,9 +76,9 @@ impl Expander<'_> {
     /// Evaluate a text in the caller's scope and bind it in the body's.
     fn bind_param(
         &mut self,
-        param: &Param,
+        param: &MacroParam,
         text: &str,
-        place: TextPlace,
+        place: TextOrigin,
         cx: EvalContext,
         body: EvalContext,
     ) {
@@ -92,7 +92,7 @@ impl Expander<'_> {
         self.bind(
             body.scope,
             param.name.clone(),
-            State::Ready(value),
+            PropertyState::Ready(value),
             info,
             place.origin,
         );
@@ -117,11 +117,11 @@ impl Expander<'_> {
         tag: Tag<'_>,
         (given, is_sure): (Vec<GivenBlock>, bool),
         def: &MacroDef,
-        open: &mut Vec<&Param>,
+        open: &mut Vec<&MacroParam>,
         cx: EvalContext,
         body: EvalContext,
     ) {
-        let mut wanted: Vec<&Param> = open.iter().copied().filter(|p| p.is_block()).collect();
+        let mut wanted: Vec<&MacroParam> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
         if given.len() > wanted.len() {
             wanted.extend(self.blocks_without_star(def, open));
@@ -135,7 +135,7 @@ impl Expander<'_> {
                 Some(GivenBlock::Known(block)) => {
                     let origin = self.result.tree.get(block).origin;
                     let info = param_info(param, origin);
-                    let state = State::Block(Block::Built(block));
+                    let state = PropertyState::Block(Block::Built(block));
                     let key = if param.is_block() {
                         param.name.clone()
                     } else {
@@ -183,8 +183,8 @@ impl Expander<'_> {
     fn blocks_without_star<'d>(
         &mut self,
         def: &MacroDef,
-        open: &mut Vec<&'d Param>,
-    ) -> Vec<&'d Param> {
+        open: &mut Vec<&'d MacroParam>,
+    ) -> Vec<&'d MacroParam> {
         if !self.request.probe {
             return Vec::new();
         }
@@ -198,7 +198,7 @@ impl Expander<'_> {
         let inserted: Vec<&str> = inserts
             .filter_map(|node| Some(node.attr("name")?.raw()))
             .collect();
-        let (meant, others): (Vec<&Param>, Vec<&Param>) = std::mem::take(open)
+        let (meant, others): (Vec<&MacroParam>, Vec<&MacroParam>) = std::mem::take(open)
             .into_iter()
             .partition(|param| param.default.is_none() && inserted.contains(&param.name.as_str()));
         *open = others;
@@ -224,7 +224,7 @@ impl Expander<'_> {
     pub(super) fn bind_defaults(
         &mut self,
         def: &MacroDef,
-        open: &mut Vec<&Param>,
+        open: &mut Vec<&MacroParam>,
         at: Origin,
         cx: EvalContext,
         body: EvalContext,
@@ -247,7 +247,7 @@ impl Expander<'_> {
                     self.bind_param(
                         param,
                         text,
-                        TextPlace {
+                        TextOrigin {
                             origin,
                             is_attr: true,
                         },
@@ -262,7 +262,13 @@ impl Expander<'_> {
     }
 
     /// `^`: the value the caller sees under the same name.
-    fn forward(&mut self, param: &Param, at: Origin, cx: EvalContext, body: EvalContext) -> bool {
+    fn forward(
+        &mut self,
+        param: &MacroParam,
+        at: Origin,
+        cx: EvalContext,
+        body: EvalContext,
+    ) -> bool {
         let name = &param.name;
         let mark = self.names.reads.len();
         let outer = self
@@ -288,14 +294,20 @@ impl Expander<'_> {
         self.bind(
             body.scope,
             name.clone(),
-            State::Ready(literal_of(value)),
+            PropertyState::Ready(literal_of(value)),
             info,
             at,
         );
         true
     }
 
-    fn nothing_to_forward(&mut self, def: &MacroDef, param: &Param, at: Origin, body: EvalContext) {
+    fn nothing_to_forward(
+        &mut self,
+        def: &MacroDef,
+        param: &MacroParam,
+        at: Origin,
+        body: EvalContext,
+    ) {
         let name = &param.name;
         let message = format!(
             "parameter `{name}` of macro `{}` uses `{name}` of the caller, which is not defined",
@@ -310,12 +322,12 @@ impl Expander<'_> {
         self.bind_unknown(param, at, body);
     }
 
-    pub(super) fn bind_unknown(&mut self, param: &Param, at: Origin, body: EvalContext) {
+    pub(super) fn bind_unknown(&mut self, param: &MacroParam, at: Origin, body: EvalContext) {
         self.result.complete = false;
         self.bind(
             body.scope,
             param.name.clone(),
-            State::Ready(Value::Unknown),
+            PropertyState::Ready(Value::Unknown),
             param_info(param, at),
             at,
         );
@@ -324,7 +336,7 @@ impl Expander<'_> {
     pub(super) fn missing_params(
         &mut self,
         def: &MacroDef,
-        open: &[&Param],
+        open: &[&MacroParam],
         at: Origin,
         body: EvalContext,
     ) {
@@ -363,7 +375,7 @@ impl Expander<'_> {
 
     /// Whether a parameter that a call lacks has the name of one before; reports it where it is listed again: a call gives
     /// only one of them.
-    fn is_listed_twice(&mut self, def: &MacroDef, param: &Param) -> bool {
+    fn is_listed_twice(&mut self, def: &MacroDef, param: &MacroParam) -> bool {
         let mut same = def.params.iter().filter(|other| other.name == param.name);
         let first = same.next().and_then(|first| first.definition);
         let (Some((first, _)), Some((again, _))) = (first, param.definition) else {
@@ -379,7 +391,7 @@ impl Expander<'_> {
             .says(format!("Undefined parameters [{name}]"))
             .help("remove one of them, or rename it");
         let place = self.result.place(first);
-        problem.trace.extend(place.map(|place| Step {
+        problem.trace.extend(place.map(|place| TraceStep {
             place,
             message: "first listed here".to_owned(),
         }));
@@ -393,10 +405,10 @@ impl Expander<'_> {
         &mut self,
         tag: Tag<'_>,
         def: &MacroDef,
-        open: &mut Open<'d>,
+        open: &mut OpenParams<'d>,
         (name, at): (&str, Origin),
         body: EvalContext,
-    ) -> Option<&'d Param> {
+    ) -> Option<&'d MacroParam> {
         let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
         let mut problem = self
             .problem(ProblemKind::UnknownMacroParam, at, message)
@@ -434,7 +446,7 @@ impl Expander<'_> {
             self.bind(
                 body.scope,
                 name.into(),
-                State::Ready(Value::Unknown),
+                PropertyState::Ready(Value::Unknown),
                 info,
                 at,
             );
@@ -446,10 +458,11 @@ impl Expander<'_> {
     fn block_of_name<'d>(
         &self,
         def: &MacroDef,
-        open: &mut Open<'d>,
+        open: &mut OpenParams<'d>,
         name: &str,
-    ) -> Option<&'d Param> {
-        let is_it = |param: &&Param| param.is_block() && param.name.trim_start_matches('*') == name;
+    ) -> Option<&'d MacroParam> {
+        let is_it =
+            |param: &&MacroParam| param.is_block() && param.name.trim_start_matches('*') == name;
         let block = def
             .params
             .iter()
@@ -460,7 +473,7 @@ impl Expander<'_> {
 }
 
 /// A parameter of a call, with its value at `at`.
-fn param_info(param: &Param, at: Origin) -> BindingInfo {
+fn param_info(param: &MacroParam, at: Origin) -> BindingInfo {
     let info = BindingInfo::new(param.name.clone(), BindingKind::Parameter, at);
     BindingInfo {
         definition: param.definition.map(|(_, definition)| definition),

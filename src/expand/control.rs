@@ -6,12 +6,12 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FrameKind, Origin};
 use super::request::Forced;
-use super::scope::{Block, State, TextPlace};
+use super::scope::{Block, PropertyState, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::{SymbolKind, UseKind};
 use super::tag::Tag;
 use super::tree::{XAttr, XId, XKind};
-use super::undefined::NameKind;
+use super::undefined::UndefinedKind;
 use base::limits::BLOCK_DEPTH;
 use expr::{Value, display};
 use xml::Attr;
@@ -89,7 +89,7 @@ impl Expander<'_> {
         self.check_attrs(tag, &["name", "default"], cx);
         if let Some((name, place)) = name {
             let name = EcoString::from(name.as_ref());
-            self.defined(NameKind::Arg, &name, cx.scope, place.origin);
+            self.defined(UndefinedKind::Arg, &name, cx.scope, place.origin);
             let definition = self.define(SymbolKind::Argument, &name, place.origin);
             let given = self.names.args.get(&name).map(|(_, info)| *info);
             if let Some(info) = given.and_then(|info| self.result.index.bindings.get_mut(info)) {
@@ -128,10 +128,10 @@ impl Expander<'_> {
         let found = ["**", "*"].into_iter().find_map(|stars| {
             let key = format!("{stars}{name}");
             let (_, binding) = self.names.scopes.find(cx.scope, &key)?;
-            if matches!(binding.state, State::Ready(Value::Unknown)) {
+            if matches!(binding.state, PropertyState::Ready(Value::Unknown)) {
                 unknown = Some(stars);
             }
-            let State::Block(block) = binding.state else {
+            let PropertyState::Block(block) = binding.state else {
                 return None;
             };
             let info = binding.info;
@@ -202,10 +202,10 @@ impl Expander<'_> {
         }
     }
 
-    fn undefined_block(&mut self, name: &str, place: TextPlace, cx: EvalContext) {
+    fn undefined_block(&mut self, name: &str, place: TextOrigin, cx: EvalContext) {
         // a call around it gives fewer blocks than it was meant to
         self.gaps.losses += 1;
-        let Some(missing) = self.missing_name(NameKind::Block, name, |expander| {
+        let Some(missing) = self.missing_name(UndefinedKind::Block, name, |expander| {
             expander.names.scopes.visible_blocks(cx.scope)
         }) else {
             return;
@@ -245,7 +245,7 @@ impl Expander<'_> {
             XKind::Text => {
                 self.eval_pieces(
                     &text,
-                    TextPlace {
+                    TextOrigin {
                         origin,
                         is_attr: false,
                     },
@@ -286,7 +286,7 @@ impl Expander<'_> {
                 if !attr.value.contains('$') {
                     return attr;
                 }
-                let place = TextPlace {
+                let place = TextOrigin {
                     origin: attr.origin,
                     is_attr: true,
                 };

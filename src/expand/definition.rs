@@ -3,15 +3,15 @@ use ecow::EcoString;
 
 use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::macro_table::{MacroDef, Param, Params};
+use super::macro_table::{MacroDef, MacroParam, MacroParams};
 use super::origin::Origin;
 use super::problem::{Detail, Problem};
-use super::scope::{SrcRef, TextPlace};
+use super::scope::{SrcRef, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::{DefinitionId, SymbolKind};
 use super::tag::Tag;
 use super::tree::XId;
-use super::undefined::NameKind;
+use super::undefined::UndefinedKind;
 use super::{meant, params};
 use base::TextRange;
 use workspace::nearest;
@@ -100,12 +100,12 @@ impl Expander<'_> {
                 "list index out of range",
             );
         }
-        self.defined(NameKind::Macro, &name, cx.scope, place.origin);
+        self.defined(UndefinedKind::Macro, &name, cx.scope, place.origin);
         let definition = self.define(SymbolKind::Macro, &name, place.origin);
         let params = params.and_then(|(list, place)| Some((list?, place)));
         let params = params.map_or_else(
-            || Params::new(attributes),
-            |(list, place)| Params::new(self.define_params((&text, list), place, definition)),
+            || MacroParams::new(attributes),
+            |(list, place)| MacroParams::new(self.define_params((&text, list), place, definition)),
         );
         let body = SrcRef {
             src: tag.src,
@@ -223,10 +223,10 @@ impl Expander<'_> {
     fn repaired_params(
         &mut self,
         of: &str,
-        (text, params): (&str, Vec<Param>),
-        place: TextPlace,
-    ) -> Vec<Param> {
-        let is_bad = |param: &Param| meant::by_parameter(&param.name).is_some();
+        (text, params): (&str, Vec<MacroParam>),
+        place: TextOrigin,
+    ) -> Vec<MacroParam> {
+        let is_bad = |param: &MacroParam| meant::by_parameter(&param.name).is_some();
         if !self.request.probe || !params.iter().any(is_bad) {
             return params;
         }
@@ -248,7 +248,7 @@ impl Expander<'_> {
         repaired
     }
 
-    fn bad_parameter(&self, of: &str, param: &Param, names: &[&str], at: Origin) -> Problem {
+    fn bad_parameter(&self, of: &str, param: &MacroParam, names: &[&str], at: Origin) -> Problem {
         let name = &param.name;
         let (why, help) = if name.contains('$') {
             ("contains an expression", "use plain parameter names")
@@ -268,10 +268,10 @@ impl Expander<'_> {
     /// Note where the parameters of a macro stand.
     fn define_params(
         &mut self,
-        (text, mut params): (&str, Vec<Param>),
-        place: TextPlace,
+        (text, mut params): (&str, Vec<MacroParam>),
+        place: TextOrigin,
         of: DefinitionId,
-    ) -> Vec<Param> {
+    ) -> Vec<MacroParam> {
         // all places at once: to find one takes as long as the list is
         let mut origin_of = self.origins_in(self.site(text, place));
         let mut places = Vec::with_capacity(params.len());

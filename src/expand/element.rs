@@ -8,10 +8,10 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FileIdx, Origin, SrcId};
 use super::params::strip;
-use super::scope::TextPlace;
+use super::scope::TextOrigin;
 use super::stack::with_stack;
 use super::state::EvalContext;
-use super::tag::{Siblings, Tag};
+use super::tag::{SiblingState, Tag};
 use super::tree::{XAttr, XId, XKind};
 use base::TextRange;
 use base::limits::ELEMENT_DEPTH;
@@ -83,7 +83,7 @@ impl Expander<'_> {
         let document = used.source.document.clone();
         let (header, count) = (used.first_source, used.items);
         let has_tail = document.footer_content().next().is_some();
-        let mut siblings = Siblings::default();
+        let mut siblings = SiblingState::default();
         for i in 0..count {
             let src = SrcId(header.0 + 1 + i);
             let Some(item) = self
@@ -110,7 +110,7 @@ impl Expander<'_> {
 
     /// The children of an element inside an item.
     pub fn eval_children(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: EvalContext) {
-        let mut siblings = Siblings::default();
+        let mut siblings = SiblingState::default();
         self.eval_nodes(node.children(), src, false, out, cx, &mut siblings);
     }
 
@@ -122,7 +122,7 @@ impl Expander<'_> {
         more: bool,
         out: XId,
         cx: EvalContext,
-        siblings: &mut Siblings,
+        siblings: &mut SiblingState,
     ) {
         let mut joined = None;
         for node in nodes {
@@ -172,7 +172,7 @@ impl Expander<'_> {
         src: SrcId,
         out: XId,
         cx: EvalContext,
-        siblings: &mut Siblings,
+        siblings: &mut SiblingState,
     ) {
         if let Some(name) = self
             .entities(src)
@@ -210,7 +210,7 @@ impl Expander<'_> {
         src: SrcId,
         out: XId,
         cx: EvalContext,
-        siblings: &mut Siblings,
+        siblings: &mut SiblingState,
     ) {
         // references to empty entities only: an XML parser makes no node of that
         if text.is_empty() {
@@ -224,7 +224,7 @@ impl Expander<'_> {
         let value = self
             .eval_pieces(
                 text,
-                TextPlace {
+                TextOrigin {
                     origin,
                     is_attr: false,
                 },
@@ -244,7 +244,7 @@ impl Expander<'_> {
         src: SrcId,
         out: XId,
         cx: EvalContext,
-        siblings: &mut Siblings,
+        siblings: &mut SiblingState,
     ) {
         let raw = node.raw();
         if raw.contains("xacro:eval-comments") {
@@ -263,7 +263,7 @@ impl Expander<'_> {
         let text = if siblings.eval_comments && data.contains('$') {
             self.eval_pieces(
                 &data,
-                TextPlace {
+                TextOrigin {
                     origin,
                     is_attr: false,
                 },
@@ -384,7 +384,7 @@ impl Expander<'_> {
             let (value, pieces) = if text.contains('$') {
                 self.eval_pieces(
                     &text,
-                    TextPlace {
+                    TextOrigin {
                         origin,
                         is_attr: true,
                     },

@@ -6,32 +6,38 @@ use super::binding_info::{BindingId, BindingInfo};
 use super::expansion::Expansion;
 use super::kind::ProblemKind;
 use super::macro_table::Macros;
-use super::memo::Argument;
+use super::memo::ArgumentValue;
 use super::origin::{Frame, FrameId, FrameKind, Origin};
-use super::problem::{Problem, Severity};
+use super::problem::{Problem, ProblemSeverity};
 use super::problems::Problems;
 use super::record::Read;
-use super::request::{Request, World};
+use super::request::{Request, Sources};
 use super::scope::Scopes;
 use super::stack::with_stack;
-use super::state::{EvalContext, Files, Flow, Gaps, Guards, IncludeFrame, Names, Probing, Steps};
+use super::state::{
+    EvalContext, Flow, Gaps, Guards, IncludeFrame, NameTables, Probing, ReadFiles, Steps,
+};
 use super::tree::{XAttr, XId, XKind};
 use base::FastMap;
 use base::clock::Instant;
 use expr::Value;
 
 /// Expand a file. Never fails: what went wrong is in [`Expansion::problems`].
-pub fn expand(world: World<'_>, request: &Request) -> Expansion {
-    expand_again(world, request, None)
+pub fn expand(sources: Sources<'_>, request: &Request) -> Expansion {
+    expand_again(sources, request, None)
 }
 
 /// The same after an edit: macro calls of the root are taken over from the expansion `before` where nothing that they read
 /// has changed. The result is the same as that of [`expand`].
-pub fn expand_again(world: World<'_>, request: &Request, before: Option<&Expansion>) -> Expansion {
-    let made = with_stack(|| Expander::new(world, request, Before::of(before, request)).run());
+pub fn expand_again(
+    sources: Sources<'_>,
+    request: &Request,
+    before: Option<&Expansion>,
+) -> Expansion {
+    let made = with_stack(|| Expander::new(sources, request, Before::of(before, request)).run());
     #[cfg(debug_assertions)]
     if before.is_some() && !request.cancel.is_cancelled() {
-        let fresh = with_stack(|| Expander::new(world, request, None).run());
+        let fresh = with_stack(|| Expander::new(sources, request, None).run());
         // a new edit may have cut it short
         if !request.cancel.is_cancelled() {
             super::verify::same(&made, &fresh);
@@ -47,12 +53,12 @@ pub(super) fn raise(key: &str) -> String {
 
 /// The state of an expansion.
 pub(super) struct Expander<'w> {
-    pub world: World<'w>,
+    pub sources: Sources<'w>,
     pub request: &'w Request,
     pub result: Expansion,
     pub problems: Problems,
-    pub names: Names,
-    pub files: Files,
+    pub names: NameTables,
+    pub files: ReadFiles,
     pub guards: Guards,
     pub flow: Flow,
     pub gaps: Gaps,
@@ -68,7 +74,7 @@ impl<'w> Expander<'w> {
     /// Steps shown of the way to a problem.
     pub(super) const TRACE_STEPS: usize = 100;
 
-    fn new(world: World<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
+    fn new(sources: Sources<'w>, request: &'w Request, before: Option<Before<'w>>) -> Self {
         let mut result = Expansion {
             complete: true,
             ..Expansion::default()
@@ -82,12 +88,12 @@ impl<'w> Expander<'w> {
         });
         let marker = result.tree.add(XKind::Text, "\n\n".into(), Origin::NOWHERE);
         Self {
-            world,
+            sources,
             request,
             result,
             problems: Problems::default(),
-            names: Names::new(),
-            files: Files::new(),
+            names: NameTables::new(),
+            files: ReadFiles::new(),
             guards: Guards::new(request),
             flow: Flow::default(),
             gaps: Gaps::default(),
@@ -134,7 +140,7 @@ impl<'w> Expander<'w> {
 
     fn argument_values(&self) -> Vec<(EcoString, EcoString)> {
         let known =
-            |(name, (value, _)): (&EcoString, &Argument)| Some((name.clone(), value.clone()?));
+            |(name, (value, _)): (&EcoString, &ArgumentValue)| Some((name.clone(), value.clone()?));
         let mut values: Vec<_> = self.names.args.iter().filter_map(known).collect();
         values.sort_unstable();
         values
@@ -147,7 +153,7 @@ impl<'w> Expander<'w> {
             .problems
             .list
             .iter()
-            .any(|problem| problem.severity == Severity::Error);
+            .any(|problem| problem.severity == ProblemSeverity::Error);
         let asked_for = self.gaps.guessed || !self.request.unknown_args.is_empty();
         if self.result.complete
             || reported

@@ -6,8 +6,8 @@ use ecow::EcoString;
 use super::binding_info::{BindingId, BindingInfo};
 use super::evaluations::Evaluations;
 use super::memo::Memo;
-use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, Source, SrcId};
-use super::problem::{Place, Problem, Severity};
+use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
+use super::problem::{FileRange, Problem, ProblemSeverity};
 use super::record::Record;
 use super::symbols::{DefinitionId, Symbols};
 use super::tree::{XId, XTree};
@@ -68,7 +68,7 @@ pub struct Expansion {
     /// The files in the order of first use; the root file is the first.
     pub files: IdVec<FileIdx, FileUse>,
     /// Items that origins refer to.
-    pub sources: IdVec<SrcId, Source>,
+    pub sources: IdVec<SrcId, SourceItem>,
     /// Steps that origins refer to.
     pub frames: IdVec<FrameId, Frame>,
     /// What names refer to, and the values of expressions.
@@ -114,9 +114,9 @@ impl Expansion {
     }
 
     /// The absolute place of an origin.
-    pub fn place(&self, origin: Origin) -> Option<Place> {
+    pub fn place(&self, origin: Origin) -> Option<FileRange> {
         let source = self.sources.get(origin.src)?;
-        Some(Place {
+        Some(FileRange {
             file: source.file,
             range: origin.range.shift(source.base),
         })
@@ -132,6 +132,8 @@ impl Expansion {
 
     /// Whether the reference would have refused the file.
     pub fn has_errors(&self) -> bool {
-        self.problems.iter().any(|p| p.severity == Severity::Error)
+        self.problems
+            .iter()
+            .any(|p| p.severity == ProblemSeverity::Error)
     }
 }

@@ -4,8 +4,8 @@ use ecow::EcoString;
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::Origin;
-use super::problem::{Outside, Problem, Step};
-use super::undefined::{Early, Missing, NameKind};
+use super::problem::{Outside, Problem, TraceStep};
+use super::undefined::{Early, UndefinedKind, UndefinedName};
 use base::limits::COMPARED_NAMES;
 use expr::ScopeId;
 use workspace::{misspelled, nearest};
@@ -20,10 +20,10 @@ impl Expander<'_> {
     /// is reported only when it is misspelled.
     pub fn missing_name<'n>(
         &mut self,
-        kind: NameKind,
+        kind: UndefinedKind,
         name: &'n str,
         known: impl FnOnce(&Self) -> Vec<&str>,
-    ) -> Option<Missing<'n>> {
+    ) -> Option<UndefinedName<'n>> {
         let known = if self.compares() {
             known(self)
         } else {
@@ -39,7 +39,7 @@ impl Expander<'_> {
             self.result.complete = false;
             return None;
         }
-        Some(Missing {
+        Some(UndefinedName {
             kind,
             name,
             is_misspelled,
@@ -73,9 +73,14 @@ impl Expander<'_> {
     }
 
     /// Report that a name is not defined (yet) where `scope` sees it.
-    pub fn push_undefined(&mut self, missing: Missing<'_>, scope: ScopeId, mut problem: Problem) {
+    pub fn push_undefined(
+        &mut self,
+        missing: UndefinedName<'_>,
+        scope: ScopeId,
+        mut problem: Problem,
+    ) {
         let before = self.problems.list.len();
-        let Missing {
+        let UndefinedName {
             kind,
             name,
             is_misspelled,
@@ -83,8 +88,10 @@ impl Expander<'_> {
         } = missing;
         problem.outside = match kind {
             _ if is_misspelled => None,
-            NameKind::Arg => Some(Outside::Argument(name.into())),
-            NameKind::Property | NameKind::Macro | NameKind::Block => Some(Outside::Includer),
+            UndefinedKind::Arg => Some(Outside::Argument(name.into())),
+            UndefinedKind::Property | UndefinedKind::Macro | UndefinedKind::Block => {
+                Some(Outside::Includer)
+            }
         };
         self.push(problem);
         if self.problems.list.len() > before {
@@ -102,15 +109,16 @@ impl Expander<'_> {
 
     /// A name is defined at `at`, in `scope`: uses that see this scope came too early. A parameter of another macro that
     /// happens to have the name is no definition.
-    pub fn defined(&mut self, kind: NameKind, name: &EcoString, scope: ScopeId, at: Origin) {
+    pub fn defined(&mut self, kind: UndefinedKind, name: &EcoString, scope: ScopeId, at: Origin) {
         if self.names.undefined.is_empty() {
             return;
         }
         let Some(uses) = self.names.undefined.remove(&(kind, name.clone())) else {
             return;
         };
-        let sees =
-            |early: &Early| kind == NameKind::Arg || self.names.scopes.sees(early.scope, scope);
+        let sees = |early: &Early| {
+            kind == UndefinedKind::Arg || self.names.scopes.sees(early.scope, scope)
+        };
         let (early, others): (Vec<Early>, Vec<Early>) = uses.into_iter().partition(sees);
         if !others.is_empty() {
             self.names.undefined.insert((kind, name.clone()), others);
@@ -119,7 +127,7 @@ impl Expander<'_> {
             return;
         };
         let noun = kind.noun();
-        let step = Step {
+        let step = TraceStep {
             place,
             message: format!("{noun} `{name}` is defined here"),
         };
@@ -130,7 +138,7 @@ impl Expander<'_> {
             problem.kind = ProblemKind::UseBeforeDefinition;
             problem.message = format!("{noun} `{name}` is used before it is defined");
             problem.help = Some(match kind {
-                NameKind::Arg => format!(
+                UndefinedKind::Arg => format!(
                     "pass {name}:=..., or move <xacro:arg name=\"{name}\"> before `$(arg {name})`; xacro reads the \
                      attributes of the root element first"
                 ),

@@ -13,7 +13,7 @@ use super::yaml_value::file_value;
 use base::TextRange;
 use expr::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value, display, literal};
 use vfs::{LoadError, LoadErrorKind, YamlFile};
-use yaml::{Kind, Node, YamlError};
+use yaml::{YamlError, YamlKind, YamlNode};
 
 /// The host of one expression.
 pub(super) struct ExprHost<'m, 'w, 't> {
@@ -181,15 +181,15 @@ impl ExprHost<'_, '_, '_> {
         self.expander.note_unclear();
         let name = self.expander.absolute_name(&name);
         // load_yaml opens relative to the working directory, whatever --root-dir says
-        let mut path: PathBuf = self.expander.world.env.cwd.join(&name);
-        let mut loaded = self.expander.world.vfs.yaml(&path, &name);
+        let mut path: PathBuf = self.expander.sources.env.cwd.join(&name);
+        let mut loaded = self.expander.sources.vfs.yaml(&path, &name);
         if loaded
             .as_ref()
             .is_err_and(|error| error.kind == LoadErrorKind::NotFound)
             && let Some(built) = self.expander.built(&path)
         {
             path = built.path;
-            loaded = self.expander.world.vfs.yaml(&path, &name);
+            loaded = self.expander.sources.vfs.yaml(&path, &name);
         }
         let loaded = match loaded {
             Ok(loaded) => loaded,
@@ -221,9 +221,11 @@ impl ExprHost<'_, '_, '_> {
 
     /// Whether a file does not belong to the robot.
     fn is_foreign(&self, path: &Path) -> bool {
-        let Expander { world, request, .. } = &self.expander;
+        let Expander {
+            sources, request, ..
+        } = &self.expander;
         let root = self.expander.file_path(&request.file);
-        !world.packages.around([&*root]).hold(path)
+        !sources.packages.around([&*root]).hold(path)
     }
 
     fn unreadable(&mut self, name: &str, error: &LoadError) -> Result<Value, EvalError> {
@@ -249,8 +251,8 @@ impl ExprHost<'_, '_, '_> {
 
 /// Whether a loaded file is one bare text, as any key, token or table of passwords reads as YAML; or none that can be
 /// loaded, where the error may quote it.
-fn is_telling(value: &Result<Node, YamlError>) -> bool {
-    !matches!(value, Ok(node) if !matches!(node.kind, Kind::Str(_)))
+fn is_telling(value: &Result<YamlNode, YamlError>) -> bool {
+    !matches!(value, Ok(node) if !matches!(node.kind, YamlKind::Str(_)))
 }
 
 /// Why such a file is not loaded from outside of the robot. Its text is not quoted: the message may stand in a public log.

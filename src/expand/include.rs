@@ -8,7 +8,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FileIdx, FrameKind, Origin};
 use super::record::Read;
-use super::scope::State;
+use super::scope::PropertyState;
 use super::state::{EvalContext, IncludeFrame};
 use super::symbols::SymbolKind;
 use super::tag::Tag;
@@ -22,7 +22,7 @@ use xml::NodeKind;
 
 /// What every tag of an include knows.
 #[derive(Clone)]
-struct Inclusion {
+struct IncludeTag {
     optional: bool,
     /// The file name is computed or stands under a condition: it can end a recursion.
     computed: bool,
@@ -57,7 +57,7 @@ impl Expander<'_> {
             return;
         };
         let names = self.included_names(&name, place.origin);
-        let inclusion = Inclusion {
+        let inclusion = IncludeTag {
             optional,
             computed: is_computed(&text),
             argument,
@@ -75,7 +75,7 @@ impl Expander<'_> {
     fn include_file(
         &mut self,
         name: &str,
-        inclusion: &Inclusion,
+        inclusion: &IncludeTag,
         content: XId,
         parent: XId,
         cx: EvalContext,
@@ -163,7 +163,7 @@ impl Expander<'_> {
         self.bind(
             cx.scope,
             name,
-            State::Ready(Value::Scope(scope)),
+            PropertyState::Ready(Value::Scope(scope)),
             info,
             place.origin,
         );
@@ -235,7 +235,7 @@ impl Expander<'_> {
     /// The path of a name in the file system.
     pub fn file_path(&self, name: &str) -> PathBuf {
         let root = self.request.root_dir.as_deref().unwrap_or("");
-        self.world.env.cwd.join(root).join(name)
+        self.sources.env.cwd.join(root).join(name)
     }
 
     fn included_names(&mut self, name: &EcoString, at: Origin) -> Vec<String> {
@@ -245,9 +245,9 @@ impl Expander<'_> {
         }
         let found =
             match self
-                .world
+                .sources
                 .vfs
-                .glob(&name, &self.world.env.cwd, &mut self.files.glob_entries)
+                .glob(&name, &self.sources.env.cwd, &mut self.files.glob_entries)
             {
                 Ok(found) => found,
                 Err(why) => {
@@ -288,7 +288,7 @@ impl Expander<'_> {
     }
 
     /// Whether including `file` once more can never end; reports it.
-    fn is_include_cycle(&mut self, file: FileIdx, inclusion: &Inclusion) -> bool {
+    fn is_include_cycle(&mut self, file: FileIdx, inclusion: &IncludeTag) -> bool {
         let most = self.request.limits.include_depth;
         let open = self.files.open.iter().rev().find(|f| f.file == Some(file));
         let endless =

@@ -8,10 +8,10 @@ use super::expander::{Expander, raise};
 use super::expansion::FileUse;
 use super::kind::ProblemKind;
 use super::meant;
-use super::origin::{FileIdx, Origin, Source};
+use super::origin::{FileIdx, Origin, SourceItem};
 use super::problem::{Detail, Outside};
 use super::record::Read;
-use super::request::World;
+use super::request::Sources;
 use base::TextRange;
 use base::paths::HERE;
 use vfs::{LoadError, LoadErrorKind, SourceFile, slashed};
@@ -28,17 +28,17 @@ impl Expander<'_> {
         argument: Option<&EcoString>,
     ) -> Option<FileIdx> {
         let path = self.file_path(name);
-        let (path, loaded) = match self.world.vfs.document(&path) {
+        let (path, loaded) = match self.sources.vfs.document(&path) {
             Err(error) if error.kind == LoadErrorKind::NotFound && at != Origin::NOWHERE => {
                 match self.built(&path) {
                     Some(built)
-                        if built.is_template && has_placeholders(&self.world, &built.path) =>
+                        if built.is_template && has_placeholders(&self.sources, &built.path) =>
                     {
                         self.generated(name, &built.path, at);
                         return None;
                     }
                     Some(built) => {
-                        let loaded = self.world.vfs.document(&built.path);
+                        let loaded = self.sources.vfs.document(&built.path);
                         (built.path, loaded)
                     }
                     None => (path, Err(error)),
@@ -70,7 +70,7 @@ impl Expander<'_> {
     /// What the build of a package puts at a path that does not exist. The result depends on the path and on the
     /// build files.
     pub fn built(&mut self, path: &Path) -> Option<Built> {
-        let World { vfs, packages, .. } = self.world;
+        let Sources { vfs, packages, .. } = self.sources;
         self.result.record.add(Read::Missing(path.to_owned()));
         for file in packages
             .build_around(path)
@@ -116,7 +116,7 @@ impl Expander<'_> {
             return;
         };
         let range = TextRange::empty((*offset).min(source.document.len()));
-        let place = super::Place { file, range };
+        let place = super::FileRange { file, range };
         let byte = message
             .strip_prefix("'utf-8' codec can't decode ")
             .and_then(|rest| rest.split(": ").next());
@@ -128,17 +128,17 @@ impl Expander<'_> {
     fn add_sources(&mut self, file: FileIdx, name: &str, source: &Arc<SourceFile>) {
         let document = &source.document;
         let footer_base = document.len() - document.footer().text().len() as u32;
-        let header = Source {
+        let header = SourceItem {
             file,
             item: document.header().clone(),
             base: 0,
         };
-        let items = document.items().map(|(base, item)| Source {
+        let items = document.items().map(|(base, item)| SourceItem {
             file,
             item: item.clone(),
             base,
         });
-        let footer = Source {
+        let footer = SourceItem {
             file,
             item: document.footer().clone(),
             base: footer_base,
@@ -248,7 +248,7 @@ impl Expander<'_> {
 
     /// What to do about a file that is missing here and may be there on another computer, or after a build.
     fn excuse(&self, path: &Path, at: Origin) -> Option<&'static str> {
-        let packages = self.world.packages;
+        let packages = self.sources.packages;
         if packages.may_be_made(path) {
             Some("build the package to generate the file, or correct the path")
         } else if packages.is_in_a_build(path) {
@@ -268,7 +268,7 @@ impl Expander<'_> {
     fn is_ignored_itself(&self, at: Origin) -> bool {
         let place = self.result.place(at);
         let file = place.and_then(|place| self.result.files.get(place.file));
-        file.is_none_or(|file| self.world.packages.is_ignored_by_git(&file.source.path))
+        file.is_none_or(|file| self.sources.packages.is_ignored_by_git(&file.source.path))
     }
 
     fn root_name(&self) -> &str {
@@ -297,7 +297,7 @@ impl Expander<'_> {
         };
         let mut problem = self.syntax_problem(first, &document, at, file);
         if let Some(place) = self.result.place(include) {
-            problem.trace.push(super::Step {
+            problem.trace.push(super::TraceStep {
                 place,
                 message: "included here".to_owned(),
             });
@@ -334,7 +334,7 @@ impl Expander<'_> {
             ProblemKind::XmlSyntaxError
         };
         let mut problem = self.problem(kind, at, error.headline());
-        problem.place = super::Place {
+        problem.place = super::FileRange {
             file,
             range: error.range,
         };
@@ -343,8 +343,8 @@ impl Expander<'_> {
             false => error.help(),
         });
         if let Some((range, what)) = error.related {
-            problem.trace.push(super::Step {
-                place: super::Place { file, range },
+            problem.trace.push(super::TraceStep {
+                place: super::FileRange { file, range },
                 message: what.to_owned(),
             });
         }
@@ -353,8 +353,8 @@ impl Expander<'_> {
 }
 
 /// Whether a template has places that the build fills in: `@NAME@`, or those of a template language.
-fn has_placeholders(world: &World<'_>, template: &Path) -> bool {
-    let Ok(file) = world.vfs.text(template) else {
+fn has_placeholders(sources: &Sources<'_>, template: &Path) -> bool {
+    let Ok(file) = sources.vfs.text(template) else {
         return true;
     };
     let is_name =

@@ -36,12 +36,12 @@ pub(super) struct MacroDef {
     /// Where it stands: range of its `name` value.
     pub origin: Origin,
     pub definition: DefinitionId,
-    pub params: Params,
+    pub params: MacroParams,
 }
 
 /// A parameter specification.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Param {
+pub struct MacroParam {
     /// Its name; that of a block begins with `*` or `**`.
     pub name: EcoString,
     /// Where it stands in the (decoded) `params` text.
@@ -56,7 +56,7 @@ pub struct Param {
     pub default_at: Option<Origin>,
 }
 
-impl Param {
+impl MacroParam {
     /// A parameter without default that no list names.
     pub(super) fn named(name: EcoString) -> Self {
         let range = TextRange::default();
@@ -97,16 +97,16 @@ impl Param {
 
 /// The parameters of a macro.
 #[derive(Debug, Default)]
-pub(super) struct Params {
-    list: Vec<Param>,
+pub(super) struct MacroParams {
+    list: Vec<MacroParam>,
     /// Of each name, the first one.
     first: FastMap<EcoString, usize>,
     /// Of each name, the last one that says which value it has when a call gives none.
     fallback: FastMap<EcoString, usize>,
 }
 
-impl Params {
-    pub fn new(list: Vec<Param>) -> Self {
+impl MacroParams {
+    pub fn new(list: Vec<MacroParam>) -> Self {
         let (mut first, mut fallback) = (FastMap::default(), FastMap::default());
         for (index, param) in list.iter().enumerate() {
             first.entry(param.name.clone()).or_insert(index);
@@ -121,24 +121,24 @@ impl Params {
         }
     }
 
-    pub fn iter(&self) -> std::slice::Iter<'_, Param> {
+    pub fn iter(&self) -> std::slice::Iter<'_, MacroParam> {
         self.list.iter()
     }
 
     /// What a parameter is when a call does not give it.
-    pub fn fallback(&self, name: &str) -> Option<&Param> {
+    pub fn fallback(&self, name: &str) -> Option<&MacroParam> {
         self.list.get(*self.fallback.get(name)?)
     }
 }
 
 /// The parameters that a call has not given yet.
-pub(super) struct Open<'p> {
-    params: &'p Params,
+pub(super) struct OpenParams<'p> {
+    params: &'p MacroParams,
     given: Vec<bool>,
 }
 
-impl<'p> Open<'p> {
-    pub fn new(params: &'p Params) -> Self {
+impl<'p> OpenParams<'p> {
+    pub fn new(params: &'p MacroParams) -> Self {
         Self {
             params,
             given: vec![false; params.list.len()],
@@ -146,7 +146,7 @@ impl<'p> Open<'p> {
     }
 
     /// Give the first one of that name.
-    pub fn take(&mut self, name: &str) -> Option<&'p Param> {
+    pub fn take(&mut self, name: &str) -> Option<&'p MacroParam> {
         let first = *self.params.first.get(name)?;
         let mut from = self.params.list.iter().zip(&mut self.given).skip(first);
         let (param, given) = from.find(|(param, given)| !**given && param.name == name)?;
@@ -155,7 +155,7 @@ impl<'p> Open<'p> {
     }
 
     /// Those that are left, in order.
-    pub fn left(self) -> Vec<&'p Param> {
+    pub fn left(self) -> Vec<&'p MacroParam> {
         let left = self
             .params
             .iter()

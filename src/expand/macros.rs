@@ -13,7 +13,7 @@ use super::state::EvalContext;
 use super::symbols::UseKind;
 use super::tag::Tag;
 use super::tree::{XId, XKind};
-use super::undefined::{Missing, NameKind};
+use super::undefined::{UndefinedKind, UndefinedName};
 use base::TextRange;
 use expr::{ScopeId, Value, display};
 
@@ -179,7 +179,7 @@ impl Expander<'_> {
         let place = self.result.place(def.origin);
         problem
             .trace
-            .extend(place.map(|place| super::Step { place, message }));
+            .extend(place.map(|place| super::TraceStep { place, message }));
         self.push(problem);
     }
 
@@ -219,10 +219,10 @@ impl Expander<'_> {
     fn unknown_macro(&mut self, tag: Tag<'_>, name: &str, cx: EvalContext) {
         let at = self.tag_origin(tag, cx);
         let (table, path, own) = self.names.macros.inside(cx.macros, name);
-        let known = self.missing_name(NameKind::Macro, own, |expander| {
+        let known = self.missing_name(UndefinedKind::Macro, own, |expander| {
             expander.names.macros.visible_names(table)
         });
-        if let Some(missing) = known.map(|missing| Missing { name, ..missing }) {
+        if let Some(missing) = known.map(|missing| UndefinedName { name, ..missing }) {
             let message = format!("macro `{name}` is not defined");
             let mut problem = self
                 .problem(ProblemKind::UndefinedMacro, at, message)

@@ -5,14 +5,14 @@ use workspace::{misspelled, nearest};
 
 /// What a text was meant to be.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Meant {
+pub(super) struct MeantText {
     /// What to know about it.
     help: String,
     /// The text to type in its place, where that is sure.
     text: Option<String>,
 }
 
-impl Meant {
+impl MeantText {
     pub fn new(help: impl Into<String>) -> Self {
         Self {
             help: help.into(),
@@ -39,7 +39,7 @@ impl Meant {
 const COMMANDS: [&str; 6] = ["find", "arg", "env", "optenv", "dirname", "eval"];
 
 /// Of a `${code}` that does not parse.
-pub(super) fn by_expression(code: &str) -> Option<Meant> {
+pub(super) fn by_expression(code: &str) -> Option<MeantText> {
     let command = code.split_whitespace().next().unwrap_or_default();
     if COMMANDS.contains(&command) && (code != command || command == "dirname") {
         let what = match command {
@@ -51,13 +51,13 @@ pub(super) fn by_expression(code: &str) -> Option<Meant> {
             "$({})",
             code.split_whitespace().collect::<Vec<_>>().join(" ")
         );
-        return Some(Meant::new(format!("write `{text}` {what}")).with(text));
+        return Some(MeantText::new(format!("write `{text}` {what}")).with(text));
     }
     SLIPS.iter().find_map(|(help, repair)| {
         let text =
             repair(code).filter(|text| text != code && expr::parse(text).errors.is_empty())?;
         let text = format!("${{{text}}}");
-        let meant = Meant::new(format!("{help}: `{text}`"));
+        let meant = MeantText::new(format!("{help}: `{text}`"));
         // other signs would have to be written as references
         Some(if text.contains(['<', '&', '"', '\'']) {
             meant
@@ -122,10 +122,10 @@ pub(super) fn plain_signs(text: &str) -> String {
 }
 
 /// Of an expression that Python cannot evaluate, with its words.
-pub(super) fn by_failure(code: &str, message: &str) -> Option<Meant> {
+pub(super) fn by_failure(code: &str, message: &str) -> Option<MeantText> {
     if message.contains("for ^:") {
         let text = format!("${{{}}}", code.replace('^', "**"));
-        let meant = Meant::new(format!(
+        let meant = MeantText::new(format!(
             "write `{text}`; the power operator of Python is `**`"
         ));
         return Some(if code.contains(['<', '&', '"', '\'']) {
@@ -144,14 +144,14 @@ const KNOWN: [&str; 12] = [
 ];
 
 /// Of a name that nothing defines: the one that expressions know.
-pub(super) fn by_name(name: &str) -> Option<Meant> {
+pub(super) fn by_name(name: &str) -> Option<MeantText> {
     let bare = name.strip_prefix("M_").unwrap_or(name).to_lowercase();
     let is_meant = |known: &&&str| {
         known.to_lowercase() == bare
             || known.len() > 4 && known.strip_suffix('s') == Some(bare.as_str())
     };
     let known = *KNOWN.iter().find(is_meant)?;
-    Some(Meant::new(format!("did you mean `{known}`?")).with(known))
+    Some(MeantText::new(format!("did you mean `{known}`?")).with(known))
 }
 
 /// Of a name that nothing defines in `side == right`: the comparison with a string.
@@ -196,7 +196,7 @@ pub(super) fn by_foreign_tag(name: &str) -> Option<&'static str> {
 }
 
 /// Of the name of an included file that is not there.
-pub(super) fn by_include(name: &str) -> Option<Meant> {
+pub(super) fn by_include(name: &str) -> Option<MeantText> {
     let rest = ["package://", "$find ", "$find(", "(find ", "{find "]
         .iter()
         .find_map(|open| name.strip_prefix(open))?;
@@ -208,11 +208,11 @@ pub(super) fn by_include(name: &str) -> Option<Meant> {
             .chars()
             .all(|c| c.is_alphanumeric() || "_-.".contains(c));
     let text = format!("$(find {package}){file}");
-    (is_name && file.starts_with('/')).then(|| Meant::new(format!("write `{text}`")).with(text))
+    (is_name && file.starts_with('/')).then(|| MeantText::new(format!("write `{text}`")).with(text))
 }
 
 /// Of a `${` that is closed with `)`, or a `$(` that is closed with `}`; `rest` is the text from there on.
-pub(super) fn by_other_bracket(rest: &str, open: &str) -> Option<Meant> {
+pub(super) fn by_other_bracket(rest: &str, open: &str) -> Option<MeantText> {
     let (other, close) = if open == "${" { (')', '}') } else { ('}', ')') };
     let inner = rest.strip_prefix(open)?;
     let end = inner.find(other)?;
@@ -223,7 +223,7 @@ pub(super) fn by_other_bracket(rest: &str, open: &str) -> Option<Meant> {
             .all(|c| c.is_alphanumeric() || " _.".contains(c));
     let text = format!("{open}{code}{close}");
     let whole = format!("{text}{}", behind.get(1..)?);
-    is_plain.then(|| Meant::new(format!("write `{text}`")).with(whole))
+    is_plain.then(|| MeantText::new(format!("write `{text}`")).with(whole))
 }
 
 /// Of a `$(inner)` that is no substitution: a property or an argument, as far as there are such.
@@ -231,20 +231,20 @@ pub(super) fn by_round_brackets(
     inner: &str,
     is_property: bool,
     is_argument: bool,
-) -> Option<Meant> {
+) -> Option<MeantText> {
     if !is_identifier(inner) {
         return None;
     }
     let (property, argument) = (format!("${{{inner}}}"), format!("$(arg {inner})"));
     Some(match (is_property, is_argument) {
-        (true, _) => Meant::new(format!(
+        (true, _) => MeantText::new(format!(
             "write `{property}` to read a property or parameter"
         ))
         .with(property),
         (false, true) => {
-            Meant::new(format!("write `{argument}` to read an argument")).with(argument)
+            MeantText::new(format!("write `{argument}` to read an argument")).with(argument)
         }
-        _ => Meant::new(format!(
+        _ => MeantText::new(format!(
             "write `{property}` to read a property, or `{argument}` to read an argument"
         )),
     })

@@ -26,14 +26,14 @@ pub(super) struct Memo {
     /// What was asked for; the cancel flag is left out.
     pub request: Request,
     /// In document order.
-    pub steps: Vec<Kept>,
+    pub steps: Vec<StepResult>,
     /// How many of them were taken over from the expansion before.
     pub taken_over: usize,
 }
 
 /// A step and its elements.
 #[derive(Clone, Debug)]
-pub(super) struct Kept {
+pub(super) struct StepResult {
     pub step: Arc<StepMemo>,
     /// Its first element, and the node behind its last one.
     pub content: (XId, XId),
@@ -71,7 +71,7 @@ pub(super) struct StepMemo {
 }
 
 /// The value of an argument, where it is known, and its binding.
-pub(super) type Argument = (Option<EcoString>, BindingId);
+pub(super) type ArgumentValue = (Option<EcoString>, BindingId);
 
 /// What a step reads from around it.
 #[derive(Debug, Default)]
@@ -80,7 +80,7 @@ pub(super) struct StepReads {
     /// Macros of the document, each once.
     pub macros: Vec<(EcoString, Option<SrcRef>)>,
     /// Arguments: value and binding.
-    pub args: Vec<(EcoString, Option<Argument>)>,
+    pub args: Vec<(EcoString, Option<ArgumentValue>)>,
     /// Packages: name, the file that asks, the folder.
     pub packages: Vec<(EcoString, PathBuf, PathBuf)>,
     /// Items whose text was evaluated.

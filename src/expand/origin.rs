@@ -50,7 +50,7 @@ impl Origin {
 
 /// An item that was read.
 #[derive(Clone, Debug)]
-pub struct Source {
+pub struct SourceItem {
     /// The file it belongs to.
     pub file: FileIdx,
     /// The item; identity survives edits elsewhere in the file.

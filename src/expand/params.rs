@@ -3,7 +3,7 @@
 //! The reference reads it with one regular expression; its backtracking is observable (a `${...}`
 //! default may stretch to a later brace), so it is followed step by step here.
 
-use super::macro_table::Param;
+use super::macro_table::MacroParam;
 use base::TextRange;
 
 /// Python's `str.isspace` for one character.
@@ -17,7 +17,7 @@ pub(super) fn strip(text: &str) -> &str {
 }
 
 /// The parameters of a `params` text; `None` when it holds nothing but blanks, which the reference refuses.
-pub fn parse(text: &str) -> Option<Vec<Param>> {
+pub fn parse(text: &str) -> Option<Vec<MacroParam>> {
     let mut params = Vec::new();
     let (mut text, mut at, mut is_cut) = (text, 0, false);
     let mut closings = Closings::default();
@@ -40,7 +40,7 @@ pub fn parse(text: &str) -> Option<Vec<Param>> {
 }
 
 /// A word up to the next blank: a parameter without default.
-fn bare_word(text: &str, at: usize) -> Option<(Param, usize)> {
+fn bare_word(text: &str, at: usize) -> Option<(MacroParam, usize)> {
     let start = skip_spaces(text, at);
     let end = run(text, start, |c| !is_space(c));
     if start == end {
@@ -50,7 +50,7 @@ fn bare_word(text: &str, at: usize) -> Option<(Param, usize)> {
 }
 
 /// `NAME := [^|]DEFAULT` followed by a blank or the end.
-fn with_default(text: &str, at: usize, closings: &mut Closings) -> Option<(Param, usize)> {
+fn with_default(text: &str, at: usize, closings: &mut Closings) -> Option<(MacroParam, usize)> {
     let start = skip_spaces(text, at);
     let end = run(text, start, |c| !is_space(c) && c != ':' && c != '=');
     let mut i = skip_spaces(text, end);
@@ -87,9 +87,9 @@ fn param(
     end: usize,
     forward: bool,
     default: Option<(usize, usize)>,
-) -> Param {
+) -> MacroParam {
     let range = TextRange::new(start as u32, end as u32);
-    Param {
+    MacroParam {
         name: range.slice(text).into(),
         range,
         definition: None,
@@ -229,7 +229,7 @@ mod tests {
         let Some(params) = parse(text) else {
             return "error".into();
         };
-        let one = |p: &super::Param| {
+        let one = |p: &super::MacroParam| {
             let default = p
                 .default
                 .as_ref()

@@ -7,7 +7,7 @@ use base::TextRange;
 
 /// How bad a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Severity {
+pub enum ProblemSeverity {
     /// The reference refuses the file.
     Error,
     /// The reference prints a warning and goes on.
@@ -16,7 +16,7 @@ pub enum Severity {
 
 /// A place in a file of the expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Place {
+pub struct FileRange {
     /// Index of [`Expansion::files`].
     pub file: super::FileIdx,
     /// Absolute byte range.
@@ -25,9 +25,9 @@ pub struct Place {
 
 /// A step of the trace of a problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Step {
+pub struct TraceStep {
     /// Where it happened.
-    pub place: Place,
+    pub place: FileRange,
     /// What happened there, e.g. "in this call of macro `leg`".
     pub message: String,
 }
@@ -62,7 +62,7 @@ pub struct Problem {
     /// What kind of problem it is.
     pub kind: ProblemKind,
     /// Error or warning.
-    pub severity: Severity,
+    pub severity: ProblemSeverity,
     /// One line in our words: lower case, names the entity.
     pub message: String,
     /// What the reference says about it (may hold line feeds).
@@ -80,19 +80,19 @@ pub struct Problem {
     /// An error of this run only: other arguments, or the build of the package, give what is missing.
     pub excused: bool,
     /// The text that is wrong.
-    pub place: Place,
+    pub place: FileRange,
     /// How expansion came there, innermost step first.
-    pub trace: Vec<Step>,
+    pub trace: Vec<TraceStep>,
     /// Further ways that lead to the same place: the calls behind the first one.
-    pub more_calls: Vec<Step>,
+    pub more_calls: Vec<TraceStep>,
 }
 
 impl Problem {
     /// A problem at `place`; the builder methods add the rest.
-    pub fn new(kind: ProblemKind, place: Place, message: impl Into<String>) -> Self {
+    pub fn new(kind: ProblemKind, place: FileRange, message: impl Into<String>) -> Self {
         Self {
             kind,
-            severity: Severity::Error,
+            severity: ProblemSeverity::Error,
             message: message.into(),
             reference: String::new(),
             help: None,
@@ -110,7 +110,7 @@ impl Problem {
     /// The same as a warning.
     #[must_use]
     pub fn warning(mut self) -> Self {
-        self.severity = Severity::Warning;
+        self.severity = ProblemSeverity::Warning;
         self
     }
 
@@ -158,7 +158,7 @@ impl Problem {
 
     /// With a trace.
     #[must_use]
-    pub fn via(mut self, trace: Vec<Step>) -> Self {
+    pub fn via(mut self, trace: Vec<TraceStep>) -> Self {
         self.trace = trace;
         self
     }

@@ -2,7 +2,7 @@
 use std::cell::Cell;
 
 use super::kind::ProblemKind;
-use super::problem::{Place, Problem, Step};
+use super::problem::{FileRange, Problem, TraceStep};
 use super::{FileIdx, advice};
 use base::{FastMap, TextRange};
 
@@ -26,7 +26,7 @@ impl Problems {
     }
 
     /// The number of a problem that was reported.
-    pub fn find(&self, kind: ProblemKind, place: Place, message: &str) -> Option<usize> {
+    pub fn find(&self, kind: ProblemKind, place: FileRange, message: &str) -> Option<usize> {
         self.touched.set(self.touched.get() + 1);
         let here = self.seen.get(&(kind, place.file, place.range))?;
         let is_same = |i: &&usize| self.list.get(**i).is_some_and(|old| old.message == message);
@@ -41,7 +41,7 @@ impl Problems {
     }
 
     /// Note a further call that leads to a problem.
-    pub fn add_call(&mut self, known: usize, call: Option<Step>) {
+    pub fn add_call(&mut self, known: usize, call: Option<TraceStep>) {
         if let (Some(old), Some(call)) = (self.list.get_mut(known), call)
             && old.more_calls.len() < Self::MOST_CALLS
             && !old.trace.contains(&call)

@@ -8,7 +8,7 @@ use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::meant;
 use super::origin::Origin;
-use super::scope::{Binding, Block, Scopes, SrcRef, State, TextPlace};
+use super::scope::{Binding, Block, PropertyState, Scopes, SrcRef, TextOrigin};
 use super::state::EvalContext;
 use super::symbols::SymbolKind;
 use super::tag::Tag;
@@ -22,7 +22,7 @@ const PROPERTY_ATTRS: [&str; 6] = ["name", "value", "default", "remove", "scope"
 /// Words of a wrong name that may be meant by themselves.
 const MOST_WORDS: usize = 8;
 
-type AttrText<'a> = Option<(Cow<'a, str>, TextPlace)>;
+type AttrText<'a> = Option<(Cow<'a, str>, TextOrigin)>;
 
 impl Expander<'_> {
     /// Define, default or remove a property.
@@ -77,7 +77,7 @@ impl Expander<'_> {
         &mut self,
         tag: Tag<'_>,
         name: &EcoString,
-        name_place: TextPlace,
+        name_place: TextOrigin,
         value: AttrText<'_>,
         scope: AttrText<'_>,
         lazy: bool,
@@ -105,7 +105,7 @@ impl Expander<'_> {
                 });
                 (
                     EcoString::from(format!("**{name}")),
-                    State::Block(block),
+                    PropertyState::Block(block),
                     at,
                 )
             }
@@ -121,7 +121,7 @@ impl Expander<'_> {
                 return self.put(
                     target,
                     name.clone(),
-                    State::Ready(value),
+                    PropertyState::Ready(value),
                     info,
                     name_place.origin,
                     scope,
@@ -137,7 +137,7 @@ impl Expander<'_> {
         &mut self,
         target: Option<ScopeId>,
         key: EcoString,
-        state: State,
+        state: PropertyState,
         info: BindingInfo,
         at: Origin,
         scope: AttrText<'_>,
@@ -154,13 +154,13 @@ impl Expander<'_> {
                 .help("remove scope=\"parent\"");
             return self.push(problem);
         };
-        let is_value = !matches!(state, State::Block(_));
+        let is_value = !matches!(state, PropertyState::Block(_));
         let state = match is_value
             && self.flow.unknown_conditions > 0
             && self.names.scopes.holder(target, &key).is_some()
         {
             // the branch may not be taken: then the value before holds
-            true => State::Ready(Value::Unknown),
+            true => PropertyState::Ready(Value::Unknown),
             false => state,
         };
         self.bind(target, key, state, info, at);
@@ -171,7 +171,7 @@ impl Expander<'_> {
         &mut self,
         scope: ScopeId,
         key: EcoString,
-        state: State,
+        state: PropertyState,
         mut info: BindingInfo,
         at: Origin,
     ) {
@@ -184,8 +184,8 @@ impl Expander<'_> {
                 format!("redefining global symbol: {key}"),
             );
         }
-        self.defined(super::undefined::NameKind::Property, &key, scope, at);
-        if let State::Ready(value) = &state {
+        self.defined(super::undefined::UndefinedKind::Property, &key, scope, at);
+        if let PropertyState::Ready(value) = &state {
             info.value = Some(value.clone());
         }
         let info = self.add_binding(info);
@@ -213,7 +213,7 @@ impl Expander<'_> {
     fn property_name(
         &mut self,
         name: &Value,
-        place: TextPlace,
+        place: TextOrigin,
         cx: EvalContext,
     ) -> Option<EcoString> {
         let Value::Str(name) = name else {
@@ -307,7 +307,13 @@ impl Expander<'_> {
     fn bind_lost(&mut self, name: EcoString, at: Origin, cx: EvalContext) {
         self.result.complete = false;
         let info = BindingInfo::new(name.clone(), BindingKind::Property, at);
-        self.bind(cx.scope, name, State::Ready(Value::Unknown), info, at);
+        self.bind(
+            cx.scope,
+            name,
+            PropertyState::Ready(Value::Unknown),
+            info,
+            at,
+        );
     }
 
     /// A boolean attribute; `None` when its value is an error or unknown.
@@ -350,7 +356,7 @@ impl Expander<'_> {
         self.bind_lost(name.clone(), at, cx);
     }
 
-    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: TextPlace) {
+    fn remove_property(&mut self, scope: ScopeId, name: &EcoString, place: TextOrigin) {
         self.names.scopes.remove_everywhere(scope, name);
         if is_global_symbol(name) {
             let message = format!("cannot remove the built-in symbol `{name}`");
@@ -373,18 +379,18 @@ pub(super) fn literal_of(value: Value) -> Value {
 }
 
 /// What a property with this text is until its first use.
-fn lazy_state(text: &str, place: TextPlace) -> State {
+fn lazy_state(text: &str, place: TextOrigin) -> PropertyState {
     let Value::Str(literal) = literal::from_text(text) else {
-        return State::Ready(literal::from_text(text));
+        return PropertyState::Ready(literal::from_text(text));
     };
     if !literal.contains('$') {
         // nothing to evaluate: only the literal rule is applied once more
-        return State::Ready(literal::from_text(&literal));
+        return PropertyState::Ready(literal::from_text(&literal));
     }
     let mut place = place;
     if literal.len() + 2 == text.len() && text.starts_with('\'') {
         let range = place.origin.range;
         place.origin.range = TextRange::new(range.start + 1, range.end.saturating_sub(1));
     }
-    State::Lazy(literal, place)
+    PropertyState::Lazy(literal, place)
 }

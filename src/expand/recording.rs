@@ -5,7 +5,7 @@ use ecow::EcoString;
 
 use super::expander::Expander;
 use super::macro_table::Macros;
-use super::memo::{ForcedProperty, Kept, Memo, Recorder, StepMemo, StepReads};
+use super::memo::{ForcedProperty, Memo, Recorder, StepMemo, StepReads, StepResult};
 use super::origin::{FrameId, SrcId};
 use super::plain::is_plain;
 use super::record::Read;
@@ -77,7 +77,7 @@ impl Expander<'_> {
             // a marker that stays inside is part of the content
             let marker = self.result.tree.parent(self.marker);
             if !memo.moves_marker || marker == Some(out) {
-                self.steps.done.push(Kept {
+                self.steps.done.push(StepResult {
                     step: Arc::new(memo),
                     content: (first, first),
                     evaluations,
@@ -280,7 +280,7 @@ impl Expander<'_> {
         let steps = steps.filter_map(|(kept, &ordinal)| {
             let first = *elements.get(ordinal)?;
             let last = *elements.get(ordinal + kept.step.elements - 1)?;
-            Some(Kept {
+            Some(StepResult {
                 content: (first, tree.behind(last)),
                 ..kept
             })

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::before::Before;
 use super::expander::Expander;
 use super::expansion::Expansion;
-use super::memo::{Kept, StepMemo, StepReads};
+use super::memo::{StepMemo, StepReads, StepResult};
 use super::origin::{Frame, SrcId};
 use super::plain::is_same_value;
-use super::scope::{Binding, Block, Scopes, State};
+use super::scope::{Binding, Block, PropertyState, Scopes};
 use super::state::EvalContext;
 use super::symbols::{Definition, DefinitionId, Symbols};
 use super::tag::Tag;
@@ -59,7 +59,7 @@ impl Expander<'_> {
             }
             self.place_body(body, has_next, out, cx);
             if let Some(first) = first {
-                self.steps.done.push(Kept {
+                self.steps.done.push(StepResult {
                     step: Arc::clone(&kept.step),
                     content: (first, first),
                     evaluations,
@@ -136,7 +136,7 @@ impl Expander<'_> {
                 .iter()
                 .all(|(name, then)| self.names.args.get(name) == then.as_ref())
             && packages.iter().all(|(name, from, folder)| {
-                self.world
+                self.sources
                     .packages
                     .find(name, from)
                     .is_ok_and(|now| now.path == *folder)
@@ -193,20 +193,21 @@ impl Expander<'_> {
     fn is_same_binding(&self, before: &Expansion, then: &Binding, now: &Binding) -> bool {
         then.info == now.info
             && match (&then.state, &now.state) {
-                (State::Ready(then), State::Ready(now)) => is_same_value(then, now),
-                (State::Lazy(then, from), State::Lazy(now, at)) => {
+                (PropertyState::Ready(then), PropertyState::Ready(now)) => is_same_value(then, now),
+                (PropertyState::Lazy(then, from), PropertyState::Lazy(now, at)) => {
                     then == now
                         && (from.origin, from.is_attr) == (at.origin, at.is_attr)
                         && self.is_same_source(before, at.origin.src)
                 }
-                (State::Block(Block::Source(then)), State::Block(Block::Source(now))) => {
-                    then == now && self.is_same_source(before, now.src)
-                }
+                (
+                    PropertyState::Block(Block::Source(then)),
+                    PropertyState::Block(Block::Source(now)),
+                ) => then == now && self.is_same_source(before, now.src),
                 _ => false,
             }
     }
 
-    fn add_lists(&mut self, before: &Expansion, kept: &Kept) {
+    fn add_lists(&mut self, before: &Expansion, kept: &StepResult) {
         let step = &kept.step;
         let result = &mut self.result;
         result
@@ -252,7 +253,7 @@ impl Expander<'_> {
                 .vars
                 .get_mut(&forced.name)
             {
-                binding.state = State::Ready(forced.value.clone());
+                binding.state = PropertyState::Ready(forced.value.clone());
             }
         }
         self.guards.budget.steps -= step.spent.0;

@@ -5,7 +5,7 @@
     clippy::disallowed_methods,
     clippy::print_stdout
 )] // a test may fail loudly
-use super::{Expansion, Request, World, expand_again};
+use super::{Expansion, Request, Sources, expand_again};
 use base::TextRange;
 use vfs::Environment;
 use vfs::testing::Tree;
@@ -175,7 +175,7 @@ impl Session {
 
     /// Expand again; how many calls were taken over.
     fn expand(&mut self) -> usize {
-        let world = World {
+        let sources = Sources {
             vfs: self.tree.vfs(),
             packages: &self.packages,
             env: &self.env,
@@ -188,7 +188,7 @@ impl Session {
             ros_shell: true,
             ..Request::default()
         };
-        let made = expand_again(world, &request, self.last.as_ref());
+        let made = expand_again(sources, &request, self.last.as_ref());
         let taken_over = made.taken_over();
         self.last = Some(made);
         taken_over

@@ -2,7 +2,7 @@
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::origin::{FileIdx, Frame, FrameKind, Origin};
-use super::problem::{Place as ProblemPlace, Problem, Step, step_message};
+use super::problem::{FileRange as ProblemPlace, Problem, TraceStep, step_message};
 use base::{FastSet, TextRange};
 
 impl Expander<'_> {
@@ -41,7 +41,7 @@ impl Expander<'_> {
 
     /// How expansion came to `at`, in at most `most` steps: uses of lazy properties, then the frames around the
     /// innermost use. Calls may be nested deeply: what is beyond is not worked out.
-    pub(super) fn trace(&self, at: Origin, most: usize) -> Vec<Step> {
+    pub(super) fn trace(&self, at: Origin, most: usize) -> Vec<TraceStep> {
         let mut steps = Vec::new();
         let mut from = at;
         for used in self.names.lazy_uses.iter().rev() {
@@ -62,7 +62,7 @@ impl Expander<'_> {
             steps.extend(
                 self.result
                     .place(used.at)
-                    .map(|place| Step { place, message }),
+                    .map(|place| TraceStep { place, message }),
             );
             from = used.at;
         }
@@ -75,10 +75,10 @@ impl Expander<'_> {
         &self,
         frames: impl Iterator<Item = &'f Frame>,
         most: usize,
-        steps: &mut Vec<Step>,
+        steps: &mut Vec<TraceStep>,
     ) {
         let placed = frames.filter_map(|frame| {
-            Some(Step {
+            Some(TraceStep {
                 place: self.result.place(frame.call)?,
                 message: step_message(frame),
             })

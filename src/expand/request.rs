@@ -9,7 +9,7 @@ use workspace::{Packages, config};
 
 /// Where an expansion reads from.
 #[derive(Clone, Copy)]
-pub struct World<'w> {
+pub struct Sources<'w> {
     /// Files.
     pub vfs: &'w Vfs,
     /// `$(find)`.
@@ -20,7 +20,7 @@ pub struct World<'w> {
 
 /// Budgets of one expansion; the defaults are those of the configuration's `[limits]`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Limits {
+pub struct ExpansionLimits {
     /// Steps of expression evaluation.
     pub eval_steps: u64,
     /// Bytes of text made.
@@ -35,7 +35,7 @@ pub struct Limits {
     pub include_depth: u32,
 }
 
-impl Default for Limits {
+impl Default for ExpansionLimits {
     fn default() -> Self {
         Self {
             eval_steps: limits::EVAL_STEPS,
@@ -48,7 +48,7 @@ impl Default for Limits {
     }
 }
 
-impl Limits {
+impl ExpansionLimits {
     /// The budgets of a configuration.
     pub fn configured(limits: &config::Limits) -> Self {
         Self {
@@ -72,7 +72,7 @@ pub struct Request {
     /// `--root-dir`: what relative names are relative to; the working directory when absent.
     pub root_dir: Option<String>,
     /// Budgets.
-    pub limits: Limits,
+    pub limits: ExpansionLimits,
     /// Whether more is wanted than the document: macros that nothing calls are looked into, with parameters whose
     /// values are unknown, and it is noted what names refer to and what expressions gave.
     pub probe: bool,

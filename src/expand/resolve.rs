@@ -8,11 +8,11 @@ use super::macro_table::Macros;
 use super::meant;
 use super::memo::ForcedProperty;
 use super::origin::Origin;
-use super::problem::{Outside, Step};
-use super::scope::{Block, Scopes, State};
+use super::problem::{Outside, TraceStep};
+use super::scope::{Block, PropertyState, Scopes};
 use super::stack::with_stack;
 use super::symbols::UseKind;
-use super::undefined::{Missing, NameKind};
+use super::undefined::{UndefinedKind, UndefinedName};
 use base::limits::LAZY_DEPTH;
 use expr::{ScopeId, Value, literal};
 use xml::NodeKind;
@@ -38,13 +38,13 @@ impl Expander<'_> {
         &mut self,
         holder: ScopeId,
         (name, info): (&str, BindingId),
-        state: State,
+        state: PropertyState,
         at: Origin,
     ) -> Value {
         let value = match state {
-            State::Block(_) => return Value::Unknown,
-            State::Ready(value) => value,
-            State::Lazy(..) => self.force(holder, name, at),
+            PropertyState::Block(_) => return Value::Unknown,
+            PropertyState::Ready(value) => value,
+            PropertyState::Lazy(..) => self.force(holder, name, at),
         };
         self.names.reads.push(info);
         value
@@ -53,7 +53,7 @@ impl Expander<'_> {
     /// Evaluate a lazy property for good.
     fn force(&mut self, holder: ScopeId, name: &str, at: Origin) -> Value {
         let scope = self.names.scopes.get_mut(holder);
-        let Some((name, State::Lazy(text, place), info)) = scope
+        let Some((name, PropertyState::Lazy(text, place), info)) = scope
             .vars
             .get(name)
             .map(|(n, b)| (n.clone(), b.state.clone(), b.info))
@@ -103,7 +103,7 @@ impl Expander<'_> {
         let scope = self.names.scopes.get_mut(holder);
         scope.resolving.retain(|n| *n != name);
         if let Some(binding) = scope.vars.get_mut(&name) {
-            binding.state = State::Ready(value.clone());
+            binding.state = PropertyState::Ready(value.clone());
         }
         value
     }
@@ -153,7 +153,7 @@ impl Expander<'_> {
             .says(reference)
             .help("give one of them a constant value, or add lazy_eval=\"false\" to it");
         let others = cycle.iter().skip(1).filter_map(|&(name, origin)| {
-            Some(Step {
+            Some(TraceStep {
                 place: self.result.place(origin)?,
                 message: format!("`{name}` is part of the cycle"),
             })
@@ -170,13 +170,13 @@ impl Expander<'_> {
         if self.is_repeated(ProblemKind::UndefinedProperty, at, &message) {
             return;
         }
-        let Some(missing) = self.missing_name(NameKind::Property, name, |expander| {
+        let Some(missing) = self.missing_name(UndefinedKind::Property, name, |expander| {
             expander.names.scopes.visible_names(scope)
         }) else {
             return;
         };
         let is_block = self.holds_block(scope, name);
-        let missing = Missing {
+        let missing = UndefinedName {
             is_misspelled: missing.is_misspelled || is_block,
             ..missing
         };
@@ -229,7 +229,7 @@ impl Expander<'_> {
     fn text_of_block(&self, scope: ScopeId, name: &str) -> Option<String> {
         const LONGEST: usize = 60;
         let (_, binding) = self.names.scopes.find(scope, &format!("**{name}"))?;
-        let State::Block(Block::Source(at)) = binding.state else {
+        let PropertyState::Block(Block::Source(at)) = binding.state else {
             return None;
         };
         let node = self.result.sources.get(at.src)?.item.node(at.node);
@@ -270,7 +270,7 @@ impl Expander<'_> {
 
     /// Report an argument that was neither declared nor given; `said` is how the reference shows its name.
     pub fn undefined_arg(&mut self, name: &str, at: Origin, said: String) {
-        let Some(missing) = self.missing_name(NameKind::Arg, name, |expander| {
+        let Some(missing) = self.missing_name(UndefinedKind::Arg, name, |expander| {
             expander.names.args.keys().map(EcoString::as_str).collect()
         }) else {
             return;

@@ -22,7 +22,7 @@ pub(super) struct SrcRef {
 
 /// Text of the source that may hold expressions.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TextPlace {
+pub(super) struct TextOrigin {
     /// The text as it is written, and the frame it was reached through.
     pub origin: Origin,
     /// Whether it is an attribute value (character data otherwise).
@@ -32,16 +32,16 @@ pub(super) struct TextPlace {
 /// What a property scope knows of a name.
 #[derive(Clone, Debug)]
 pub(super) struct Binding {
-    pub state: State,
+    pub state: PropertyState,
     /// Its number in the expansion's list of bindings.
     pub info: BindingId,
 }
 
 /// The life of a property.
 #[derive(Clone, Debug)]
-pub(super) enum State {
+pub(super) enum PropertyState {
     /// Not evaluated yet: evaluated on first use, in the scope that holds it.
-    Lazy(EcoString, TextPlace),
+    Lazy(EcoString, TextOrigin),
     /// Evaluated for good.
     Ready(Value),
     /// A block: `**name` properties and `*name` parameters.
@@ -59,7 +59,7 @@ pub(super) enum Block {
 
 /// A property scope.
 #[derive(Debug, Default)]
-pub(super) struct Scope {
+pub(super) struct PropertyScope {
     pub parent: Option<ScopeId>,
     /// Made by `ns=` of an include.
     pub is_namespace: bool,
@@ -159,7 +159,7 @@ impl Watch {
 /// All property scopes of an expansion; none is ever dropped, since lambdas may keep one.
 #[derive(Debug)]
 pub(super) struct Scopes {
-    pub(super) list: IdVec<ScopeId, Scope>,
+    pub(super) list: IdVec<ScopeId, PropertyScope>,
     pub(super) watch: Option<RefCell<Watch>>,
 }
 
@@ -168,7 +168,7 @@ impl Scopes {
 
     pub fn new() -> Self {
         Self {
-            list: IdVec::from(vec![Scope::default()]),
+            list: IdVec::from(vec![PropertyScope::default()]),
             watch: None,
         }
     }
@@ -179,18 +179,18 @@ impl Scopes {
     }
 
     pub fn push(&mut self, parent: ScopeId, is_namespace: bool) -> ScopeId {
-        self.list.push(Scope {
+        self.list.push(PropertyScope {
             parent: Some(parent),
             is_namespace,
-            ..Scope::default()
+            ..PropertyScope::default()
         })
     }
 
-    pub fn get(&self, id: ScopeId) -> &Scope {
+    pub fn get(&self, id: ScopeId) -> &PropertyScope {
         &self.list.as_slice()[id.index()]
     }
 
-    pub fn get_mut(&mut self, id: ScopeId) -> &mut Scope {
+    pub fn get_mut(&mut self, id: ScopeId) -> &mut PropertyScope {
         &mut self.list.as_mut_slice()[id.index()]
     }
 
@@ -235,9 +235,9 @@ impl Scopes {
         self.note_unclear();
         let scope = self.get(id);
         let value = |binding: &Binding| match &binding.state {
-            State::Lazy(text, _) => Value::Str(text.clone()),
-            State::Ready(value) => value.clone(),
-            State::Block(_) => Value::Unknown,
+            PropertyState::Lazy(text, _) => Value::Str(text.clone()),
+            PropertyState::Ready(value) => value.clone(),
+            PropertyState::Block(_) => Value::Unknown,
         };
         let mut entries: Vec<_> = scope
             .vars
@@ -278,7 +278,7 @@ impl Scopes {
         let mut found = Vec::new();
         for (id, scope) in self.list.iter_ids() {
             let lazy = |(name, binding): (&EcoString, &Binding)| match &binding.state {
-                State::Lazy(_, place) => Some((id, name.clone(), place.origin)),
+                PropertyState::Lazy(_, place) => Some((id, name.clone(), place.origin)),
                 _ => None,
             };
             found.extend(scope.vars.iter().filter_map(lazy));
@@ -323,7 +323,7 @@ impl Scopes {
     /// Count scopes that were not made.
     pub fn skip(&mut self, count: usize) {
         self.list
-            .extend(std::iter::repeat_with(Scope::default).take(count));
+            .extend(std::iter::repeat_with(PropertyScope::default).take(count));
     }
 
     /// Write down from now on what scopes that are there say to new ones.
@@ -366,7 +366,7 @@ impl Scopes {
     pub fn has_lazy_from(&self, start: usize) -> bool {
         let scopes = self.list.iter().skip(start);
         let mut bindings = scopes.flat_map(|scope| scope.vars.iter());
-        bindings.any(|(_, binding)| matches!(binding.state, State::Lazy(..)))
+        bindings.any(|(_, binding)| matches!(binding.state, PropertyState::Lazy(..)))
     }
 
     pub fn note_lookup(

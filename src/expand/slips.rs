@@ -7,8 +7,8 @@ use ecow::EcoString;
 use super::binding_info::{BindingId, BindingInfo, BindingKind};
 use super::expander::Expander;
 use super::kind::ProblemKind;
-use super::macro_table::Param;
-use super::meant::Meant;
+use super::macro_table::MacroParam;
+use super::meant::MeantText;
 use super::origin::Origin;
 use super::problem::{Outside, Problem};
 use super::scope::Scopes;
@@ -116,7 +116,7 @@ impl Expander<'_> {
         let missing = path
             .ancestors()
             .skip(1)
-            .take_while(|folder| !self.world.vfs.is_dir(folder))
+            .take_while(|folder| !self.sources.vfs.is_dir(folder))
             .last()?;
         let (name, around) = (missing.file_name()?.to_str()?, missing.parent()?);
         let is_it = |binding: &&BindingInfo| {
@@ -125,7 +125,7 @@ impl Expander<'_> {
         };
         let argument = self.result.index.bindings.iter().find(is_it)?;
         let at = argument.origin?;
-        let folders = self.world.vfs.list_dir(around);
+        let folders = self.sources.vfs.list_dir(around);
         let mut names: Vec<&str> = folders
             .iter()
             .filter(|entry| entry.is_dir)
@@ -172,7 +172,7 @@ impl Expander<'_> {
 
     /// What to write for an include that leads nowhere, where one file of that name is near: relative to the file with the
     /// include, when it lies there or below, else through its package.
-    pub(super) fn namesake_of(&self, missing: &Path, at: Origin) -> Option<Meant> {
+    pub(super) fn namesake_of(&self, missing: &Path, at: Origin) -> Option<MeantText> {
         let text = self.text_of(at);
         let is_plain = |text: &str| !text.contains(['$', '*', '?', '[', '{']);
         let is_written = is_plain(text) || text.strip_prefix("$(find ").is_some_and(is_plain);
@@ -186,21 +186,25 @@ impl Expander<'_> {
             .source
             .path
             .clone();
-        let found = self.world.packages.namesake(missing, None, &from)?;
+        let found = self.sources.packages.namesake(missing, None, &from)?;
         let folder = from.parent()?;
         let text = match found.strip_prefix(folder) {
             Ok(below) if !text.starts_with('$') => below.to_str()?.to_owned(),
             _ => {
-                let package = self.world.packages.containing(&found)?;
+                let package = self.sources.packages.containing(&found)?;
                 let inside = found.strip_prefix(&package.folder).ok()?.to_str()?;
                 format!("$(find {})/{inside}", package.name)
             }
         };
-        Some(Meant::new(format!("write `{text}`")).with(text))
+        Some(MeantText::new(format!("write `{text}`")).with(text))
     }
 
     /// The parameters of a macro that has no `params`, and attributes that its body reads instead.
-    pub(super) fn params_in_attributes(&mut self, tag: Tag<'_>, cx: EvalContext) -> Vec<Param> {
+    pub(super) fn params_in_attributes(
+        &mut self,
+        tag: Tag<'_>,
+        cx: EvalContext,
+    ) -> Vec<MacroParam> {
         if !self.request.probe || tag.attr("params").is_some() {
             return Vec::new();
         }
@@ -255,7 +259,7 @@ impl Expander<'_> {
         } else {
             problem
         });
-        names.into_iter().map(Param::named).collect()
+        names.into_iter().map(MacroParam::named).collect()
     }
 
     /// The name, the place and the text of a value that is written in the source and is of a kind.

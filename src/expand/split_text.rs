@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::scope::TextPlace;
+use super::scope::TextOrigin;
 use base::TextRange;
 use expr::Template;
 
@@ -27,7 +27,7 @@ impl SplitText {
 #[derive(Clone, Copy)]
 pub(super) struct TextSite<'t> {
     pub text: &'t str,
-    pub place: TextPlace,
+    pub place: TextOrigin,
     /// Whether the source spells the text as it is, without references.
     pub is_raw: bool,
 }

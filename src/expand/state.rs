@@ -7,7 +7,7 @@ use ecow::EcoString;
 use super::before::Before;
 use super::binding_info::{BindingId, LazyUse};
 use super::macro_table::{MacroDef, Macros, MacrosId};
-use super::memo::{Argument, Kept, Recorder};
+use super::memo::{ArgumentValue, Recorder, StepResult};
 use super::origin::{FileIdx, FrameId};
 use super::request::Request;
 use super::scope::Scopes;
@@ -27,11 +27,11 @@ pub(super) struct EvalContext {
 }
 
 /// Names and what they stand for.
-pub(super) struct Names {
+pub(super) struct NameTables {
     pub scopes: Scopes,
     pub macros: Macros,
     /// Arguments: value (none when unknown) and binding.
-    pub args: FastMap<EcoString, Argument>,
+    pub args: FastMap<EcoString, ArgumentValue>,
     /// Lazy properties being evaluated, outermost first.
     pub lazy_uses: Vec<LazyUse>,
     /// Bindings read since the mark of whoever is interested.
@@ -42,7 +42,7 @@ pub(super) struct Names {
     pub compared: usize,
 }
 
-impl Names {
+impl NameTables {
     pub(super) fn new() -> Self {
         Self {
             scopes: Scopes::new(),
@@ -66,7 +66,7 @@ pub(super) struct IncludeFrame {
 }
 
 /// The files read so far.
-pub(super) struct Files {
+pub(super) struct ReadFiles {
     /// Files being processed, the innermost last.
     pub open: Vec<IncludeFrame>,
     /// Files by absolute path.
@@ -82,7 +82,7 @@ pub(super) struct Files {
     pub optional_includes: Vec<bool>,
 }
 
-impl Files {
+impl ReadFiles {
     pub(super) fn new() -> Self {
         Self {
             open: Vec::new(),
@@ -166,7 +166,7 @@ pub(super) struct Steps<'w> {
     /// Whether steps are kept for the next expansion.
     pub keeps: bool,
     /// The steps so far.
-    pub done: Vec<Kept>,
+    pub done: Vec<StepResult>,
     /// What the step that is evaluated now reads.
     pub recorder: Option<Recorder>,
     /// How many steps were taken over.

@@ -20,22 +20,22 @@ use vfs::slashed;
 use workspace::RosVariable;
 
 /// Why a substitution has no value.
-enum Failure {
+enum SubstFailure {
     /// Reported already.
     Reported,
     /// To be reported.
     Error(SubstError),
 }
 
-impl From<SubstError> for Failure {
+impl From<SubstError> for SubstFailure {
     fn from(error: SubstError) -> Self {
-        Failure::Error(error)
+        SubstFailure::Error(error)
     }
 }
 
 /// A substitution in the text it stands in.
 #[derive(Clone, Copy)]
-struct Here<'t> {
+struct SubstitutionSite<'t> {
     inner: &'t str,
     whole: TextRange,
     /// Where the inner text stands; none when it was put together at run time.
@@ -54,7 +54,7 @@ impl Expander<'_> {
         site: TextSite<'_>,
         (scope, mark): (ScopeId, usize),
     ) -> Value {
-        let here = Here {
+        let here = SubstitutionSite {
             inner,
             whole,
             start: static_inner.map(|range| range.start),
@@ -62,15 +62,19 @@ impl Expander<'_> {
         };
         match expr::resolve_substitution(inner, |subst| self.substitution_text(subst, here)) {
             Ok(text) => Value::Str(text),
-            Err(Failure::Reported) => Value::Unknown,
-            Err(Failure::Error(error)) => {
+            Err(SubstFailure::Reported) => Value::Unknown,
+            Err(SubstFailure::Error(error)) => {
                 self.bad_substitution(&error, here, (scope, mark));
                 Value::Unknown
             }
         }
     }
 
-    fn substitution_text(&mut self, subst: &Subst, here: Here<'_>) -> Result<EcoString, Failure> {
+    fn substitution_text(
+        &mut self,
+        subst: &Subst,
+        here: SubstitutionSite<'_>,
+    ) -> Result<EcoString, SubstFailure> {
         match subst {
             Subst::Arg(name) => self.argument(name, here),
             Subst::Find(name) => self.package(name, here),
@@ -87,7 +91,11 @@ impl Expander<'_> {
         }
     }
 
-    fn argument(&mut self, name: &SubstArg, here: Here<'_>) -> Result<EcoString, Failure> {
+    fn argument(
+        &mut self,
+        name: &SubstArg,
+        here: SubstitutionSite<'_>,
+    ) -> Result<EcoString, SubstFailure> {
         self.note_argument(&name.text);
         match self.names.args.get(&name.text) {
             Some((Some(value), info)) => {
@@ -96,7 +104,7 @@ impl Expander<'_> {
                 self.note_read(self.word_origin(name, here), info, UseKind::Read);
                 Ok(value)
             }
-            Some((None, _)) => Err(Failure::Reported),
+            Some((None, _)) => Err(SubstFailure::Reported),
             None => {
                 let at = self.word_origin(name, here);
                 self.result
@@ -107,12 +115,16 @@ impl Expander<'_> {
                     at,
                     format!("Undefined substitution argument {}", name.text),
                 );
-                Err(Failure::Reported)
+                Err(SubstFailure::Reported)
             }
         }
     }
 
-    fn package(&mut self, name: &SubstArg, here: Here<'_>) -> Result<EcoString, Failure> {
+    fn package(
+        &mut self,
+        name: &SubstArg,
+        here: SubstitutionSite<'_>,
+    ) -> Result<EcoString, SubstFailure> {
         let at = self.word_origin(name, here);
         let from = self
             .result
@@ -120,10 +132,10 @@ impl Expander<'_> {
             .get(at.src)
             .and_then(|s| self.result.files.get(s.file))
             .map_or_else(
-                || self.world.env.cwd.clone(),
+                || self.sources.env.cwd.clone(),
                 |f| f.source.path.to_path_buf(),
             );
-        match self.world.packages.find(&name.text, &from) {
+        match self.sources.packages.find(&name.text, &from) {
             Ok(found) => {
                 self.note_package(&name.text, &from, &found.path);
                 self.result.record.add(Read::Package(
@@ -167,28 +179,28 @@ impl Expander<'_> {
                     ),
                 };
                 self.push(problem);
-                Err(Failure::Reported)
+                Err(SubstFailure::Reported)
             }
         }
     }
 
     /// The value of an environment variable that must be set.
-    fn environment(&mut self, name: &str) -> Result<EcoString, Failure> {
+    fn environment(&mut self, name: &str) -> Result<EcoString, SubstFailure> {
         match self
             .env_var(name)
             .map(Some)
             .or_else(|| self.ros_variable(name))
         {
-            Some(value) => value.ok_or(Failure::Reported),
+            Some(value) => value.ok_or(SubstFailure::Reported),
             None => {
                 let message = format!("environment variable '{name}' is not set");
-                Err(Failure::Error(SubstError::new(message)))
+                Err(SubstFailure::Error(SubstError::new(message)))
             }
         }
     }
 
     fn env_var(&mut self, name: &str) -> Option<EcoString> {
-        let value = self.world.env.var(name).map(EcoString::from);
+        let value = self.sources.env.var(name).map(EcoString::from);
         self.result.record.add(Read::Env(
             name.to_owned(),
             value.as_ref().map(EcoString::to_string),
@@ -203,7 +215,7 @@ impl Expander<'_> {
             return None;
         }
         let root = self.file_path(&self.request.file);
-        match self.world.packages.ros_variable(name, &root)? {
+        match self.sources.packages.ros_variable(name, &root)? {
             RosVariable::Value(value) => Some(Some(value.into())),
             RosVariable::Unknown => {
                 self.gaps.guessed = true;
@@ -213,14 +225,18 @@ impl Expander<'_> {
     }
 
     /// `$(eval code)`: arguments are its variables.
-    fn eval_substitution(&mut self, code: &str, here: Here<'_>) -> Result<EcoString, Failure> {
+    fn eval_substitution(
+        &mut self,
+        code: &str,
+        here: SubstitutionSite<'_>,
+    ) -> Result<EcoString, SubstFailure> {
         let parsed = expr::parse(code);
         if let Some(error) = parsed.errors.first() {
             let error = SubstError {
                 class: "SyntaxError",
                 message: error.reference.clone(),
             };
-            return Err(Failure::Error(error));
+            return Err(SubstFailure::Error(error));
         }
         let mut budget = self.guards.budget.clone();
         let mut host = ArgHost {
@@ -238,14 +254,14 @@ impl Expander<'_> {
         }
         if let Some(name) = undefined {
             let message = format!("name '{name}' is not defined");
-            return Err(Failure::Error(SubstError {
+            return Err(SubstFailure::Error(SubstError {
                 class: "NameError",
                 message,
             }));
         }
         match value {
-            Ok(value) => display::to_str(&value).ok_or(Failure::Reported),
-            Err(error) => Err(Failure::Error(SubstError {
+            Ok(value) => display::to_str(&value).ok_or(SubstFailure::Reported),
+            Err(error) => Err(SubstFailure::Error(SubstError {
                 class: class_of(&error),
                 message: error.message,
             })),
@@ -255,7 +271,7 @@ impl Expander<'_> {
     fn bad_substitution(
         &mut self,
         error: &SubstError,
-        here: Here<'_>,
+        here: SubstitutionSite<'_>,
         (scope, mark): (ScopeId, usize),
     ) {
         let at = self.origin_in(here.site, here.whole);
@@ -298,7 +314,7 @@ impl Expander<'_> {
         self.push(problem);
     }
 
-    fn word_origin(&self, word: &SubstArg, here: Here<'_>) -> Origin {
+    fn word_origin(&self, word: &SubstArg, here: SubstitutionSite<'_>) -> Origin {
         let inside = here
             .start
             .filter(|_| word.range.slice(here.inner) == word.text);
@@ -327,10 +343,10 @@ fn class_of(error: &EvalError) -> &'static str {
 /// The names of `$(eval)`: its functions, `math`, and arguments, converted by their looks.
 struct ArgHost<'m, 'w, 't> {
     expander: &'m mut Expander<'w>,
-    here: Here<'t>,
+    here: SubstitutionSite<'t>,
     undefined: Option<String>,
     /// Why the first call of a function has no value.
-    failed: Option<Failure>,
+    failed: Option<SubstFailure>,
 }
 
 impl ArgHost<'_, '_, '_> {
@@ -348,7 +364,7 @@ impl ArgHost<'_, '_, '_> {
         function: HostFn,
         args: &[Value],
         keywords: &[(EcoString, Value)],
-    ) -> Result<Result<Value, Failure>, EvalError> {
+    ) -> Result<Result<Value, SubstFailure>, EvalError> {
         Ok(match function {
             HostFn::Arg => {
                 let name = text_argument("_eval_arg_context", "name", args, keywords)?;

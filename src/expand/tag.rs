@@ -25,7 +25,7 @@ impl<'a> Tag<'a> {
 
 /// What is remembered from sibling to sibling.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Siblings {
+pub(super) struct SiblingState {
     /// After `xacro:eval-comments`.
     pub eval_comments: bool,
 }

@@ -9,7 +9,7 @@ use super::functions::ExprHost;
 use super::kind::ProblemKind;
 use super::origin::Origin;
 use super::problem::Outside;
-use super::scope::TextPlace;
+use super::scope::TextOrigin;
 use super::split_text::{CodeSite, SplitText, TextSite};
 use super::state::EvalContext;
 use super::tree::Piece;
@@ -18,8 +18,8 @@ use base::TextRange;
 use base::paths::HERE;
 use expr::ast::ExprKind;
 use expr::{
-    self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, Token, Value,
-    display,
+    self, Code, ErrorKind, EvalError, ExprErrorKind, Parsed, ScopeId, Template, TemplateToken,
+    Value, display,
 };
 
 /// Bytes of texts that are kept in their split form: blocks can be evaluated again and again with ever new texts.
@@ -30,7 +30,7 @@ pub(super) const UNKNOWN_TEXT: &str = "?";
 
 impl Expander<'_> {
     /// The typed value of a text: one token keeps its type, several are joined as strings.
-    pub fn eval_text(&mut self, text: &str, place: TextPlace, scope: ScopeId) -> Value {
+    pub fn eval_text(&mut self, text: &str, place: TextOrigin, scope: ScopeId) -> Value {
         if !text.contains('$') {
             return Value::Str(text.into());
         }
@@ -65,7 +65,7 @@ impl Expander<'_> {
     pub fn eval_pieces(
         &mut self,
         text: &str,
-        place: TextPlace,
+        place: TextOrigin,
         cx: EvalContext,
     ) -> (EcoString, Box<[Piece]>) {
         if !text.contains('$') {
@@ -101,8 +101,13 @@ impl Expander<'_> {
 
     /// A built-in function as text is no value: a property of that name was meant. The reference writes the text that
     /// Python shows of it.
-    fn without_function(&mut self, value: Value, token: &Token, site: TextSite<'_>) -> Value {
-        let (Value::Builtin(_) | Value::Type(_), Token::Expr { range, inner, .. }) =
+    fn without_function(
+        &mut self,
+        value: Value,
+        token: &TemplateToken,
+        site: TextSite<'_>,
+    ) -> Value {
+        let (Value::Builtin(_) | Value::Type(_), TemplateToken::Expr { range, inner, .. }) =
             (&value, token)
         else {
             return value;
@@ -157,30 +162,34 @@ impl Expander<'_> {
     /// The value of a token; of one that is evaluated also where it stands and what was read for it.
     fn eval_token(
         &mut self,
-        token: &Token,
+        token: &TemplateToken,
         site: TextSite<'_>,
         scope: ScopeId,
     ) -> (Value, Option<(Origin, TextRange)>) {
         let mark = self.names.reads.len();
         let value = self.token_value(token, site, scope);
         let read = match token {
-            Token::Expr { range, .. } | Token::Subst { range, .. } => {
+            TemplateToken::Expr { range, .. } | TemplateToken::Subst { range, .. } => {
                 let at = self.origin_in(site, *range);
                 Some((at, self.note_value(at, &value, mark)))
             }
-            Token::Invalid { range, .. } => {
+            TemplateToken::Invalid { range, .. } => {
                 Some((self.origin_in(site, *range), TextRange::default()))
             }
-            Token::Text(_) | Token::Escape(_) => None,
+            TemplateToken::Text(_) | TemplateToken::Escape(_) => None,
         };
         (value, read)
     }
 
-    fn token_value(&mut self, token: &Token, site: TextSite<'_>, scope: ScopeId) -> Value {
+    fn token_value(&mut self, token: &TemplateToken, site: TextSite<'_>, scope: ScopeId) -> Value {
         match token {
-            Token::Text(range) | Token::Escape(range) => Value::Str(range.slice(site.text).into()),
-            Token::Expr { range, inner, code } => self.eval_code(code, *range, *inner, site, scope),
-            Token::Subst {
+            TemplateToken::Text(range) | TemplateToken::Escape(range) => {
+                Value::Str(range.slice(site.text).into())
+            }
+            TemplateToken::Expr { range, inner, code } => {
+                self.eval_code(code, *range, *inner, site, scope)
+            }
+            TemplateToken::Subst {
                 range,
                 inner,
                 nested,
@@ -201,7 +210,9 @@ impl Expander<'_> {
                     (scope, mark),
                 )
             }
-            Token::Invalid { range, unclosed } => self.invalid_text(*range, *unclosed, site),
+            TemplateToken::Invalid { range, unclosed } => {
+                self.invalid_text(*range, *unclosed, site)
+            }
         }
     }
 
@@ -429,7 +440,7 @@ impl Expander<'_> {
     }
 
     /// A text with its place.
-    pub fn site<'t>(&self, text: &'t str, place: TextPlace) -> TextSite<'t> {
+    pub fn site<'t>(&self, text: &'t str, place: TextOrigin) -> TextSite<'t> {
         let source = self.result.sources.get(place.origin.src);
         let raw = source.map(|source| place.origin.range.slice(source.item.text()));
         TextSite {
@@ -441,7 +452,7 @@ impl Expander<'_> {
 
     /// The same for many ranges of one text: one pass, as long as each is behind the one before.
     pub fn origins_in(&self, site: TextSite<'_>) -> impl FnMut(TextRange) -> Origin {
-        let TextPlace { origin, is_attr } = site.place;
+        let TextOrigin { origin, is_attr } = site.place;
         let source = self.result.sources.get(origin.src);
         let raw = source.map(|source| origin.range.slice(source.item.text()));
         let is_same = site.is_raw;

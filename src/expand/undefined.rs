@@ -6,26 +6,26 @@ use expr::ScopeId;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum NameKind {
+pub(super) enum UndefinedKind {
     Property,
     Macro,
     Arg,
     Block,
 }
 
-impl NameKind {
+impl UndefinedKind {
     pub(super) fn noun(self) -> &'static str {
         match self {
-            NameKind::Property => "property",
-            NameKind::Macro => "macro",
-            NameKind::Arg => "argument",
-            NameKind::Block => "block",
+            UndefinedKind::Property => "property",
+            UndefinedKind::Macro => "macro",
+            UndefinedKind::Arg => "argument",
+            UndefinedKind::Block => "block",
         }
     }
 }
 
 /// Problems about undefined names, by name.
-pub(super) type Undefined = FastMap<(NameKind, EcoString), Vec<Early>>;
+pub(super) type Undefined = FastMap<(UndefinedKind, EcoString), Vec<Early>>;
 
 /// A use of a name that was not defined yet.
 #[derive(Clone, Copy, Debug)]
@@ -38,8 +38,8 @@ pub(super) struct Early {
 
 /// A name that is not defined.
 #[derive(Clone, Debug)]
-pub(super) struct Missing<'n> {
-    pub(super) kind: NameKind,
+pub(super) struct UndefinedName<'n> {
+    pub(super) kind: UndefinedKind,
     pub(super) name: &'n str,
     /// It is one that is there, spelled wrong: nothing from outside defines it.
     pub(super) is_misspelled: bool,

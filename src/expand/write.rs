@@ -47,14 +47,19 @@ pub fn write_mapped(tree: &XTree, input: &str) -> Written {
 
 /// The same with [`Written::lines`].
 pub fn write_lined(tree: &XTree, input: &str) -> Written {
-    written(tree, input, None, Some(Lines::default()))
+    written(tree, input, None, Some(LineNodes::default()))
 }
 
-fn written(tree: &XTree, input: &str, map: Option<MapBuilder>, lines: Option<Lines>) -> Written {
+fn written(
+    tree: &XTree,
+    input: &str,
+    map: Option<MapBuilder>,
+    lines: Option<LineNodes>,
+) -> Written {
     let mut text = String::with_capacity(tree.len() * 32);
     text.push_str("<?xml version=\"1.0\" ?>\n");
     text.push_str(&banner(input));
-    let mut writer = Writer {
+    let mut writer = XmlWriter {
         tree,
         text,
         lines,
@@ -70,14 +75,14 @@ fn written(tree: &XTree, input: &str, map: Option<MapBuilder>, lines: Option<Lin
 
 /// The nodes by line, as far as a text is written.
 #[derive(Default)]
-struct Lines {
+struct LineNodes {
     nodes: Vec<Option<XId>>,
     /// Line feeds in the first `seen` bytes of the text.
     line: usize,
     seen: usize,
 }
 
-impl Lines {
+impl LineNodes {
     /// Note that `id` starts where `text` ends.
     fn mark(&mut self, text: &str, id: XId) {
         let new = text.as_bytes().get(self.seen..).unwrap_or_default();
@@ -92,14 +97,14 @@ impl Lines {
     }
 }
 
-struct Writer<'t> {
+struct XmlWriter<'t> {
     tree: &'t XTree,
     text: String,
-    lines: Option<Lines>,
+    lines: Option<LineNodes>,
     map: Option<MapBuilder>,
 }
 
-impl Writer<'_> {
+impl XmlWriter<'_> {
     fn nodes(&mut self, parent: XId, depth: usize) {
         // an explicit stack: documents may be nested deeper than the call stack is
         let mut stack = vec![(self.tree.first_child(parent), depth, None)];

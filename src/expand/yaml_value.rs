@@ -6,30 +6,30 @@ use expr::{
     self, Budget, DateValue, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Str, Value,
     literal,
 };
-use yaml::{Kind, Node, Unit};
+use yaml::{Unit, YamlKind, YamlNode};
 
 /// The value of a loaded file, with xacro's unit tags computed. Only the outermost list or mapping has
 /// dotted access; it hands it on to what is taken out of it.
 ///
 /// # Errors
 /// When the expression of a value with a unit cannot be evaluated.
-pub fn file_value(node: &Node, budget: &mut Budget) -> Result<Value, EvalError> {
+pub fn file_value(node: &YamlNode, budget: &mut Budget) -> Result<Value, EvalError> {
     convert(node, true, budget)
 }
 
-fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalError> {
+fn convert(node: &YamlNode, top: bool, budget: &mut Budget) -> Result<Value, EvalError> {
     Ok(match &node.kind {
-        Kind::Null => Value::None,
-        Kind::Bool(value) => Value::Bool(*value),
-        Kind::Int(value) => Value::int(value.clone()),
-        Kind::Float(value) => Value::Float(*value),
-        Kind::Str(text) => Value::Str(text.as_str().into()),
-        Kind::Timestamp { text, .. } => date(text),
-        Kind::Binary(bytes) => Value::Bytes(bytes.as_slice().into()),
-        Kind::List(items) => Value::list_from(list(items, budget)?, top),
-        Kind::Map(items) => Value::dict_from(pairs(items, budget)?, top),
-        Kind::Set(items) => Value::set_from(list(items, budget)?),
-        Kind::Pairs(items) => {
+        YamlKind::Null => Value::None,
+        YamlKind::Bool(value) => Value::Bool(*value),
+        YamlKind::Int(value) => Value::int(value.clone()),
+        YamlKind::Float(value) => Value::Float(*value),
+        YamlKind::Str(text) => Value::Str(text.as_str().into()),
+        YamlKind::Timestamp { text, .. } => date(text),
+        YamlKind::Binary(bytes) => Value::Bytes(bytes.as_slice().into()),
+        YamlKind::List(items) => Value::list_from(list(items, budget)?, top),
+        YamlKind::Map(items) => Value::dict_from(pairs(items, budget)?, top),
+        YamlKind::Set(items) => Value::set_from(list(items, budget)?),
+        YamlKind::Pairs(items) => {
             let pairs = pairs(items, budget)?;
             Value::list_from(
                 pairs
@@ -38,19 +38,22 @@ fn convert(node: &Node, top: bool, budget: &mut Budget) -> Result<Value, EvalErr
                 top,
             )
         }
-        Kind::Tagged { unit, text } => Value::Float(measure(text, budget)? * factor(*unit)),
+        YamlKind::Tagged { unit, text } => Value::Float(measure(text, budget)? * factor(*unit)),
     })
 }
 
-fn list(items: &[Node], budget: &mut Budget) -> Result<Vec<Value>, EvalError> {
+fn list(items: &[YamlNode], budget: &mut Budget) -> Result<Vec<Value>, EvalError> {
     items
         .iter()
         .map(|item| convert(item, false, budget))
         .collect()
 }
 
-fn pairs(items: &[(Node, Node)], budget: &mut Budget) -> Result<Vec<(Value, Value)>, EvalError> {
-    let pair = |(key, value): &(Node, Node)| {
+fn pairs(
+    items: &[(YamlNode, YamlNode)],
+    budget: &mut Budget,
+) -> Result<Vec<(Value, Value)>, EvalError> {
+    let pair = |(key, value): &(YamlNode, YamlNode)| {
         Ok((convert(key, false, budget)?, convert(value, false, budget)?))
     };
     items.iter().map(pair).collect()

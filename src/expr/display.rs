@@ -71,7 +71,7 @@ fn repr_of(value: &Value, limit: u64) -> Eval<Str> {
         let _ = write!(out, "{int}");
         return Ok(out);
     }
-    let mut writer = Writer {
+    let mut writer = ReprWriter {
         out: String::new(),
         limit,
         active: Vec::new(),
@@ -80,7 +80,7 @@ fn repr_of(value: &Value, limit: u64) -> Eval<Str> {
     Ok(writer.out.into())
 }
 
-struct Writer {
+struct ReprWriter {
     out: String,
     /// Bytes it may have.
     limit: u64,
@@ -88,7 +88,7 @@ struct Writer {
     active: Vec<usize>,
 }
 
-impl Writer {
+impl ReprWriter {
     fn value(&mut self, value: &Value) -> Eval<()> {
         if self.out.len() as u64 > self.limit {
             let limit = self.limit;

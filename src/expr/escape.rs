@@ -12,7 +12,7 @@ pub(super) struct EscapeError {
 
 /// A decoded string.
 #[derive(Default)]
-pub(super) struct Decoded {
+pub(super) struct DecodedString {
     pub(super) text: String,
     pub(super) error: Option<EscapeError>,
     /// Something Python can do and we cannot.
@@ -20,12 +20,12 @@ pub(super) struct Decoded {
 }
 
 /// Decode the escapes of a string; stops at the first error.
-pub(super) fn decode_str(source: &str) -> Decoded {
+pub(super) fn decode_str(source: &str) -> DecodedString {
     let mut decoder = Decoder {
         source,
         chars: source.char_indices().peekable(),
         position: 0,
-        out: Decoded::default(),
+        out: DecodedString::default(),
     };
     while let Some((at, c)) = decoder.chars.next() {
         if c != '\\' {
@@ -43,7 +43,7 @@ struct Decoder<'s> {
     chars: Peekable<CharIndices<'s>>,
     /// Where we are in CPython's working copy, in which characters beyond ASCII take ten bytes.
     position: usize,
-    out: Decoded,
+    out: DecodedString,
 }
 
 impl Decoder<'_> {

@@ -5,18 +5,18 @@ use std::sync::Arc;
 use ecow::EcoVec;
 
 use super::ast::{CompKind, Comprehension, Expr, ExprKind};
-use super::interp::{Context, Interp};
-use super::iter::{Cursor, Iter, IterKind};
+use super::interp::{ClosureContext, Interp};
+use super::iter::{Iter, IterKind, IterState};
 use super::stop::{Eval, Stop};
-use super::value::{Dict, DictMap, Frame, Key, List, Set, SetMap, Value};
+use super::value::{Dict, DictMap, Key, List, Locals, Set, SetMap, Value};
 
 /// A generator between two of its items.
 #[derive(Debug)]
 pub(crate) struct Generator {
     comprehension: Arc<Comprehension>,
-    context: Context,
+    context: ClosureContext,
     /// One per `for` that is under way, outermost first.
-    cursors: Vec<Cursor>,
+    cursors: Vec<IterState>,
 }
 
 impl Interp<'_> {
@@ -31,9 +31,9 @@ impl Interp<'_> {
             .map_err(|stop| stop.at(self.place(first.iter.range)))?;
         // About the size of the variables and the result.
         self.budget.items(6)?;
-        let frame = Arc::new(Frame::new(self.env.clone(), true, Vec::new()));
+        let frame = Arc::new(Locals::new(self.env.clone(), true, Vec::new()));
         if comprehension.kind == CompKind::Generator {
-            let context = Context {
+            let context = ClosureContext {
                 env: Some(frame),
                 ..self.context()
             };
@@ -43,7 +43,7 @@ impl Interp<'_> {
                 context,
                 cursors: vec![cursor],
             };
-            let cursor = Cursor::Generator(Box::new(generator));
+            let cursor = IterState::Generator(Box::new(generator));
             return Ok(Value::Iter(Iter::new(IterKind::Generator, cursor)));
         }
         let outer = self.env.replace(frame);
@@ -52,7 +52,7 @@ impl Interp<'_> {
         result
     }
 
-    fn gather(&mut self, comprehension: &Comprehension, mut cursors: Vec<Cursor>) -> Eval {
+    fn gather(&mut self, comprehension: &Comprehension, mut cursors: Vec<IterState>) -> Eval {
         let mut list = EcoVec::new();
         let mut set = SetMap::default();
         let mut dict = DictMap::default();
@@ -78,7 +78,11 @@ impl Interp<'_> {
     }
 
     /// Bind the variables for the next element; false when there is none.
-    fn advance(&mut self, comprehension: &Comprehension, cursors: &mut Vec<Cursor>) -> Eval<bool> {
+    fn advance(
+        &mut self,
+        comprehension: &Comprehension,
+        cursors: &mut Vec<IterState>,
+    ) -> Eval<bool> {
         while let Some(cursor) = cursors.last_mut() {
             let Some(item) = self.next(cursor)? else {
                 cursors.pop();

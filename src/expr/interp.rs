@@ -9,7 +9,7 @@ use super::builtins;
 use super::host::{EvalError, Host, Lookup, ScopeId};
 use super::literal;
 use super::stop::{Eval, Stop};
-use super::value::{Closure, Frame, Str, Value};
+use super::value::{Closure, Locals, Str, Value};
 use base::TextRange;
 
 /// Evaluate an expression.
@@ -40,8 +40,8 @@ pub fn evaluate(expr: &Expr, host: &mut dyn Host, budget: &mut Budget) -> Result
 
 /// What a lambda or generator takes along from where it was written.
 #[derive(Clone, Debug)]
-pub(crate) struct Context {
-    pub(crate) env: Option<Arc<Frame>>,
+pub(crate) struct ClosureContext {
+    pub(crate) env: Option<Arc<Locals>>,
     pub(crate) scope: Option<ScopeId>,
     pub(crate) home: u64,
 }
@@ -51,9 +51,9 @@ pub(crate) struct Interp<'a> {
     pub(crate) host: &'a mut dyn Host,
     pub(crate) budget: &'a mut Budget,
     /// Variables of the comprehensions and lambdas around the current node.
-    pub(crate) env: Option<Arc<Frame>>,
+    pub(crate) env: Option<Arc<Locals>>,
     /// Variables bound by `:=` outside of any lambda.
-    top: Option<Arc<Frame>>,
+    top: Option<Arc<Locals>>,
     /// Where free names are looked up; none for the host's current scope.
     scope: Option<ScopeId>,
     /// Identifies this evaluation to the lambdas it creates; 0 before the first.
@@ -94,13 +94,13 @@ impl Interp<'_> {
     }
 
     /// What a lambda or generator written here takes along.
-    pub(crate) fn context(&mut self) -> Context {
+    pub(crate) fn context(&mut self) -> ClosureContext {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         if self.home == 0 {
             self.home = NEXT.fetch_add(1, Ordering::Relaxed);
         }
         let scope = self.scope.or_else(|| self.host.current_scope());
-        Context {
+        ClosureContext {
             env: self.env.clone(),
             scope,
             home: self.home,
@@ -108,7 +108,11 @@ impl Interp<'_> {
     }
 
     /// Run `body` with the names of `context`.
-    pub(crate) fn inside<T>(&mut self, context: Context, body: impl FnOnce(&mut Self) -> T) -> T {
+    pub(crate) fn inside<T>(
+        &mut self,
+        context: ClosureContext,
+        body: impl FnOnce(&mut Self) -> T,
+    ) -> T {
         let elsewhere = if context.home == self.home {
             self.elsewhere
         } else {
@@ -171,16 +175,16 @@ impl Interp<'_> {
             None => {
                 let top = self
                     .top
-                    .get_or_insert_with(|| Arc::new(Frame::new(None, false, Vec::new())));
+                    .get_or_insert_with(|| Arc::new(Locals::new(None, false, Vec::new())));
                 top.set(name, value);
             }
         }
     }
 
     /// The context in which the body of `closure` runs, with its own variables.
-    pub(crate) fn closure_context(closure: &Closure, vars: Vec<(Str, Value)>) -> Context {
-        let frame = Frame::new(closure.env.clone(), false, vars);
-        Context {
+    pub(crate) fn closure_context(closure: &Closure, vars: Vec<(Str, Value)>) -> ClosureContext {
+        let frame = Locals::new(closure.env.clone(), false, vars);
+        ClosureContext {
             env: Some(Arc::new(frame)),
             scope: closure.scope,
             home: closure.home,

@@ -32,7 +32,7 @@ pub struct Iter(Arc<IterObject>);
 struct IterObject {
     kind: IterKind,
     /// Taken out while the iterator runs.
-    cursor: Mutex<Option<Cursor>>,
+    cursor: Mutex<Option<IterState>>,
 }
 
 impl Drop for IterObject {
@@ -42,7 +42,7 @@ impl Drop for IterObject {
 }
 
 impl IterObject {
-    fn take(&self) -> Option<Cursor> {
+    fn take(&self) -> Option<IterState> {
         self.cursor
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
@@ -51,7 +51,7 @@ impl IterObject {
 }
 
 impl Iter {
-    pub(crate) fn new(kind: IterKind, cursor: Cursor) -> Self {
+    pub(crate) fn new(kind: IterKind, cursor: IterState) -> Self {
         Self(Arc::new(IterObject {
             kind,
             cursor: Mutex::new(Some(cursor)),
@@ -69,7 +69,7 @@ impl Iter {
 
 /// A place in something that is iterated.
 #[derive(Debug)]
-pub(crate) enum Cursor {
+pub(crate) enum IterState {
     /// Items that cannot change any more.
     Items(EcoVec<Value>, usize),
     /// A list, which may grow or shrink meanwhile.
@@ -93,19 +93,19 @@ pub(crate) enum Cursor {
     },
     Map {
         function: Value,
-        sources: Vec<Cursor>,
+        sources: Vec<IterState>,
     },
     Filter {
         function: Value,
-        source: Box<Cursor>,
+        source: Box<IterState>,
     },
     Zip {
-        sources: Vec<Cursor>,
+        sources: Vec<IterState>,
         strict: bool,
     },
     Enumerate {
         count: Value,
-        source: Box<Cursor>,
+        source: Box<IterState>,
     },
     Generator(Box<Generator>),
     Shared(Iter),
@@ -114,23 +114,23 @@ pub(crate) enum Cursor {
 
 impl Interp<'_> {
     /// Python's `iter()`.
-    pub(crate) fn iter(&mut self, value: &Value) -> Eval<Cursor> {
+    pub(crate) fn iter(&mut self, value: &Value) -> Eval<IterState> {
         Ok(match value {
             Value::Unknown => return Err(Stop::Unknown),
             Value::Scope(_) | Value::Module(_) => entries(&self.entries(value)?, ViewKind::Keys),
-            Value::List(list) => Cursor::List(list.clone(), 0),
-            Value::Tuple(tuple) => Cursor::Items(tuple.snapshot(), 0),
-            Value::Str(text) => Cursor::Chars(text.clone(), 0),
-            Value::Bytes(bytes) => Cursor::Bytes(bytes.clone(), 0),
-            Value::Range(range) => Cursor::Range {
+            Value::List(list) => IterState::List(list.clone(), 0),
+            Value::Tuple(tuple) => IterState::Items(tuple.snapshot(), 0),
+            Value::Str(text) => IterState::Chars(text.clone(), 0),
+            Value::Bytes(bytes) => IterState::Bytes(bytes.clone(), 0),
+            Value::Range(range) => IterState::Range {
                 next: range.start,
                 step: range.step,
                 left: range.len(),
             },
             Value::Dict(dict) => entries(dict, ViewKind::Keys),
             Value::View(view) => entries(&view.dict, view.kind),
-            Value::Set(set) => Cursor::Items(set.ordered().into_iter().collect(), 0),
-            Value::Iter(iter) => Cursor::Shared(iter.clone()),
+            Value::Set(set) => IterState::Items(set.ordered().into_iter().collect(), 0),
+            Value::Iter(iter) => IterState::Shared(iter.clone()),
             other => {
                 return Err(Stop::typ(format!(
                     "'{}' object is not iterable",
@@ -141,28 +141,28 @@ impl Interp<'_> {
     }
 
     /// The next item, if there is one.
-    pub(crate) fn next(&mut self, cursor: &mut Cursor) -> Eval<Option<Value>> {
+    pub(crate) fn next(&mut self, cursor: &mut IterState) -> Eval<Option<Value>> {
         self.budget.step()?;
         let item = match cursor {
-            Cursor::Items(items, at) => advance(at, |i| items.get(i).cloned()),
-            Cursor::List(list, at) => advance(at, |i| list.get(i)),
-            Cursor::ListBack(list, left) => {
+            IterState::Items(items, at) => advance(at, |i| items.get(i).cloned()),
+            IterState::List(list, at) => advance(at, |i| list.get(i)),
+            IterState::ListBack(list, left) => {
                 *left = (*left).saturating_sub(1).min(list.len());
                 let item = list.snapshot().get(*left).cloned();
                 if *left == 0 {
-                    *cursor = Cursor::Done;
+                    *cursor = IterState::Done;
                 }
                 item
             }
-            Cursor::Chars(text, at) => {
+            IterState::Chars(text, at) => {
                 let c = text.get(*at..).and_then(|rest| rest.chars().next());
                 *at += c.map_or(0, char::len_utf8);
                 c.map(|c| Value::Str(c.into()))
             }
-            Cursor::Bytes(bytes, at) => {
+            IterState::Bytes(bytes, at) => {
                 advance(at, |i| bytes.get(i).map(|&b| Value::Int(i64::from(b))))
             }
-            Cursor::Range { next, step, left } => {
+            IterState::Range { next, step, left } => {
                 if *left == 0 {
                     return Ok(None);
                 }
@@ -171,7 +171,7 @@ impl Interp<'_> {
                 *next = next.saturating_add(*step);
                 Some(Value::wide(item))
             }
-            Cursor::Entries {
+            IterState::Entries {
                 dict,
                 kind,
                 index,
@@ -183,34 +183,34 @@ impl Interp<'_> {
                 }
                 advance(index, |i| entry(dict, *kind, i))
             }
-            Cursor::Done => None,
+            IterState::Done => None,
             other => return self.next_nested(other),
         };
         Ok(item)
     }
 
     /// Iterators over other iterators.
-    fn next_nested(&mut self, cursor: &mut Cursor) -> Eval<Option<Value>> {
+    fn next_nested(&mut self, cursor: &mut IterState) -> Eval<Option<Value>> {
         self.down()?;
         let result = match cursor {
-            Cursor::Map { function, sources } => self.next_map(function, sources),
-            Cursor::Filter { function, source } => self.next_filtered(function, source),
-            Cursor::Zip { sources, strict } => self.next_zipped(sources, *strict),
-            Cursor::Enumerate { count, source } => self.next_counted(count, source),
-            Cursor::Shared(iter) => self.next_shared(iter),
-            Cursor::Generator(generator) => self.next_generated(generator),
+            IterState::Map { function, sources } => self.next_map(function, sources),
+            IterState::Filter { function, source } => self.next_filtered(function, source),
+            IterState::Zip { sources, strict } => self.next_zipped(sources, *strict),
+            IterState::Enumerate { count, source } => self.next_counted(count, source),
+            IterState::Shared(iter) => self.next_shared(iter),
+            IterState::Generator(generator) => self.next_generated(generator),
             _ => Ok(None),
         };
         self.up();
         if !matches!(result, Ok(Some(_)))
-            && !matches!(cursor, Cursor::Shared(_) | Cursor::Map { .. })
+            && !matches!(cursor, IterState::Shared(_) | IterState::Map { .. })
         {
-            *cursor = Cursor::Done;
+            *cursor = IterState::Done;
         }
         result
     }
 
-    fn next_map(&mut self, function: &Value, sources: &mut [Cursor]) -> Eval<Option<Value>> {
+    fn next_map(&mut self, function: &Value, sources: &mut [IterState]) -> Eval<Option<Value>> {
         let mut args = Vec::with_capacity(sources.len());
         for source in sources {
             match self.next(source)? {
@@ -221,7 +221,7 @@ impl Interp<'_> {
         self.apply(function, args).map(Some)
     }
 
-    fn next_filtered(&mut self, function: &Value, source: &mut Cursor) -> Eval<Option<Value>> {
+    fn next_filtered(&mut self, function: &Value, source: &mut IterState) -> Eval<Option<Value>> {
         while let Some(item) = self.next(source)? {
             let keep = match function {
                 Value::None => self.truth(&item)?,
@@ -237,7 +237,7 @@ impl Interp<'_> {
         Ok(None)
     }
 
-    fn next_zipped(&mut self, sources: &mut [Cursor], strict: bool) -> Eval<Option<Value>> {
+    fn next_zipped(&mut self, sources: &mut [IterState], strict: bool) -> Eval<Option<Value>> {
         let mut items = EcoVec::with_capacity(sources.len());
         let count = sources.len();
         for (i, source) in sources.iter_mut().enumerate() {
@@ -252,7 +252,7 @@ impl Interp<'_> {
         Ok((!items.is_empty()).then(|| Value::Tuple(super::value::Tuple::new(items))))
     }
 
-    fn next_counted(&mut self, count: &mut Value, source: &mut Cursor) -> Eval<Option<Value>> {
+    fn next_counted(&mut self, count: &mut Value, source: &mut IterState) -> Eval<Option<Value>> {
         let Some(item) = self.next(source)? else {
             return Ok(None);
         };
@@ -306,8 +306,8 @@ fn uneven(i: usize, how: &str) -> Stop {
     Stop::value(format!("zip() argument {} is {how} than {others}", i + 1))
 }
 
-fn entries(dict: &Dict, kind: ViewKind) -> Cursor {
-    Cursor::Entries {
+fn entries(dict: &Dict, kind: ViewKind) -> IterState {
+    IterState::Entries {
         dict: dict.clone(),
         kind,
         index: 0,

@@ -4,14 +4,14 @@
 //! an empty range. So the parser can skip and recover without counting.
 
 use super::number;
-use super::report::{Report, Stage, Unclosed};
+use super::report::{ErrorStage, ExprErrors, OpenBracket};
 use super::syntax::{is_name_continue, is_name_start};
 use super::token::{Bracket, Tok, Token, is_string_prefix, keyword, operator};
 use base::TextRange;
 use base::limits::BRACKETS;
 
 /// What to read.
-pub(super) struct Source<'t> {
+pub(super) struct LexerInput<'t> {
     pub(super) text: &'t str,
     /// First and last offset of the expression proper.
     pub(super) start: usize,
@@ -23,7 +23,7 @@ pub(super) struct Source<'t> {
 }
 
 /// Split the source into tokens; the last is [`Tok::End`].
-pub(super) fn lex(source: &Source<'_>, report: &mut Report<'_>) -> Vec<Token> {
+pub(super) fn lex(source: &LexerInput<'_>, report: &mut ExprErrors<'_>) -> Vec<Token> {
     let text = source.text.get(..source.end).unwrap_or(source.text);
     let mut lexer = Lexer {
         text,
@@ -46,7 +46,7 @@ struct Lexer<'t, 'r, 'x> {
     bracketed: bool,
     stack: Vec<(Bracket, u32)>,
     tokens: Vec<Token>,
-    report: &'r mut Report<'x>,
+    report: &'r mut ExprErrors<'x>,
 }
 
 impl Lexer<'_, '_, '_> {
@@ -75,7 +75,8 @@ impl Lexer<'_, '_, '_> {
     }
 
     fn error(&mut self, range: TextRange, message: impl Into<String>, reference: &str) {
-        self.report.add(Stage::Token, range, message, reference);
+        self.report
+            .add(ErrorStage::Token, range, message, reference);
     }
 
     fn token(&mut self, b: u8) {
@@ -362,7 +363,7 @@ impl Lexer<'_, '_, '_> {
     fn finish(&mut self, outer_end: usize) {
         let end = TextRange::empty(outer_end as u32);
         if let Some(&(open, at)) = self.stack.last() {
-            self.report.unclosed = Some(Unclosed {
+            self.report.unclosed = Some(OpenBracket {
                 open: open.open(),
                 at,
             });
@@ -371,7 +372,7 @@ impl Lexer<'_, '_, '_> {
             self.push(Tok::Close(open), end);
             let open = open.open();
             self.report.add(
-                Stage::Unclosed,
+                ErrorStage::Unclosed,
                 TextRange::new(at, at + 1),
                 format!("unclosed `{open}`"),
                 &format!("'{open}' was never closed"),

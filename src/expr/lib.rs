@@ -40,7 +40,7 @@ mod words;
 pub use attribute::is_namespace_attribute;
 pub use budget::Budget;
 pub use builtins::{
-    GlobalSymbol, SymbolKind, eval_symbol, global_symbol, global_symbols, is_global_symbol,
+    BuiltinKind, GlobalSymbol, eval_symbol, global_symbol, global_symbols, is_global_symbol,
     module_symbol,
 };
 pub use host::{ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId};
@@ -51,9 +51,9 @@ pub use syntax::{
     ExprError, ExprErrorKind, NameUse, Parsed, is_identifier, is_python_space, names, normalized,
     parse,
 };
-pub use template::{Code, Template, Token, split};
+pub use template::{Code, Template, TemplateToken, split};
 pub use value::{
-    DateValue, Dict, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, View, ViewKind,
+    DateValue, Dict, DictView, List, Module, Range, Set, Slice, Str, Tuple, Type, Value, ViewKind,
 };
 
 pub use words::{WordKind, words};

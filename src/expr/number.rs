@@ -16,7 +16,7 @@ pub(super) struct Scanned {
 
 /// Scan a number literal; `bytes` starts with a digit, or a dot and a digit.
 pub(super) fn scan(bytes: &[u8]) -> Scanned {
-    let mut cursor = Cursor { bytes, pos: 0 };
+    let mut cursor = NumberReader { bytes, pos: 0 };
     match cursor.literal() {
         Ok(()) => Scanned {
             len: cursor.pos,
@@ -36,12 +36,12 @@ pub(super) fn scan(bytes: &[u8]) -> Scanned {
     }
 }
 
-struct Cursor<'b> {
+struct NumberReader<'b> {
     bytes: &'b [u8],
     pos: usize,
 }
 
-impl Cursor<'_> {
+impl NumberReader<'_> {
     fn peek(&self, ahead: usize) -> Option<u8> {
         self.bytes.get(self.pos + ahead).copied()
     }

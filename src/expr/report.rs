@@ -12,7 +12,7 @@ use base::limits::EXPRESSION_ERRORS;
 
 /// When CPython notices an error; the earliest stage wins, whatever the place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Stage {
+pub(super) enum ErrorStage {
     /// While reading tokens: these win even behind a grammar error.
     Token,
     /// In the grammar, or while decoding a literal.
@@ -29,21 +29,21 @@ pub(super) enum Stage {
 
 /// The innermost bracket that is open at the end of the text.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Unclosed {
+pub(super) struct OpenBracket {
     pub(super) open: char,
     pub(super) at: u32,
 }
 
 /// The errors of one expression.
-pub(super) struct Report<'t> {
+pub(super) struct ExprErrors<'t> {
     text: &'t str,
     /// Where the stripped expression starts: its line is line 1.
     start: u32,
-    errors: Vec<(Stage, ExprError)>,
-    pub(super) unclosed: Option<Unclosed>,
+    errors: Vec<(ErrorStage, ExprError)>,
+    pub(super) unclosed: Option<OpenBracket>,
 }
 
-impl<'t> Report<'t> {
+impl<'t> ExprErrors<'t> {
     pub(super) fn new(text: &'t str, start: u32) -> Self {
         Self {
             text,
@@ -71,7 +71,7 @@ impl<'t> Report<'t> {
     /// An error of the given stage; `reference` is CPython's text without the place.
     pub(super) fn add(
         &mut self,
-        stage: Stage,
+        stage: ErrorStage,
         range: TextRange,
         message: impl Into<String>,
         reference: &str,
@@ -86,7 +86,7 @@ impl<'t> Report<'t> {
     /// The same with CPython's idea of the line.
     pub(super) fn add_at_line(
         &mut self,
-        stage: Stage,
+        stage: ErrorStage,
         range: TextRange,
         message: impl Into<String>,
         reference: &str,
@@ -99,7 +99,7 @@ impl<'t> Report<'t> {
     /// Something Python allows and we do not.
     pub(super) fn not_supported(
         &mut self,
-        stage: Stage,
+        stage: ErrorStage,
         range: TextRange,
         message: &str,
         reference: &str,
@@ -122,7 +122,7 @@ impl<'t> Report<'t> {
 
     pub(super) fn push(
         &mut self,
-        stage: Stage,
+        stage: ErrorStage,
         kind: ExprErrorKind,
         range: TextRange,
         message: impl Into<String>,
@@ -154,8 +154,8 @@ impl<'t> Report<'t> {
 
     /// The first of the errors from `mark` on for which CPython has no better text than "invalid syntax".
     pub(super) fn plain_since(&self, mark: usize) -> Option<usize> {
-        let plain = |(stage, error): &(Stage, ExprError)| {
-            *stage == Stage::Grammar && error.reference.starts_with("invalid syntax (")
+        let plain = |(stage, error): &(ErrorStage, ExprError)| {
+            *stage == ErrorStage::Grammar && error.reference.starts_with("invalid syntax (")
         };
         self.errors
             .iter()
@@ -177,12 +177,12 @@ impl<'t> Report<'t> {
     }
 
     /// Take over the errors of a replacement field, worded as CPython does for these.
-    pub(super) fn absorb(&mut self, inner: Report<'_>, prefix: &str) {
+    pub(super) fn absorb(&mut self, inner: ExprErrors<'_>, prefix: &str) {
         for (stage, mut error) in inner.errors {
-            if stage == Stage::Grammar {
+            if stage == ErrorStage::Grammar {
                 error.reference.insert_str(0, prefix);
             }
-            self.errors.push((stage.max(Stage::Grammar), error));
+            self.errors.push((stage.max(ErrorStage::Grammar), error));
         }
     }
 

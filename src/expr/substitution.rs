@@ -166,7 +166,7 @@ fn no_command() -> SubstError {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum State {
+enum ScanState {
     Out,
     Dollar,
     Open,
@@ -176,28 +176,28 @@ enum State {
 /// The contents of all `$(…)` in a text.
 fn collect(text: &str) -> Result<Vec<TextRange>, SubstError> {
     let mut found = Vec::new();
-    let mut state = State::Out;
+    let mut state = ScanState::Out;
     for (i, c) in text.char_indices() {
         state = match (c, state) {
-            ('$', State::Out | State::Dollar) => State::Dollar,
+            ('$', ScanState::Out | ScanState::Dollar) => ScanState::Dollar,
             ('$', _) => {
                 let message =
                     format!("Dollar signs \"$\" cannot be inside of substitution args [{text}]");
                 return Err(SubstError::new(message));
             }
-            ('(', State::Dollar) => State::Open,
-            ('(', State::Out) => State::Out,
+            ('(', ScanState::Dollar) => ScanState::Open,
+            ('(', ScanState::Out) => ScanState::Out,
             ('(', _) => {
                 let message =
                     format!("Invalid left parenthesis \"(\" in substitution args [{text}]");
                 return Err(SubstError::new(message));
             }
-            (')', State::In(start)) => {
+            (')', ScanState::In(start)) => {
                 found.push(TextRange::new(start as u32, i as u32));
-                State::Out
+                ScanState::Out
             }
-            (')', _) | (_, State::Dollar) => State::Out,
-            (_, State::Open) => State::In(i),
+            (')', _) | (_, ScanState::Dollar) => ScanState::Out,
+            (_, ScanState::Open) => ScanState::In(i),
             (_, state) => state,
         };
     }

@@ -10,17 +10,17 @@ use base::TextRange;
 /// A text split into tokens. All ranges, also those of nested templates, are byte offsets in the
 /// text given to [`split`].
 ///
-/// The reference reads one token ahead: it reports an [`Token::Invalid`] before it evaluates the
+/// The reference reads one token ahead: it reports a [`TemplateToken::Invalid`] before it evaluates the
 /// token in front of that, but after those further left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Template {
     /// The tokens in order; together they cover the text. Empty for the empty text.
-    pub tokens: Vec<Token>,
+    pub tokens: Vec<TemplateToken>,
 }
 
 /// A piece of a text.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Token {
+pub enum TemplateToken {
     /// Verbatim text.
     Text(TextRange),
     /// `$${` or `$$(`, maybe with more dollars: this much of it is put out, the first `$` is not.
@@ -66,17 +66,17 @@ impl Template {
     pub fn is_verbatim(&self) -> bool {
         self.tokens
             .iter()
-            .all(|token| matches!(token, Token::Text(_)))
+            .all(|token| matches!(token, TemplateToken::Text(_)))
     }
 }
 
-impl Token {
+impl TemplateToken {
     /// Where the token stands.
     pub fn range(&self) -> TextRange {
         match self {
-            Token::Text(range) | Token::Invalid { range, .. } => *range,
-            Token::Escape(output) => TextRange::new(output.start - 1, output.end),
-            Token::Expr { range, .. } | Token::Subst { range, .. } => *range,
+            TemplateToken::Text(range) | TemplateToken::Invalid { range, .. } => *range,
+            TemplateToken::Escape(output) => TextRange::new(output.start - 1, output.end),
+            TemplateToken::Expr { range, .. } | TemplateToken::Subst { range, .. } => *range,
         }
     }
 }
@@ -86,7 +86,7 @@ pub fn split(text: &str) -> Template {
     if u32::try_from(text.len()).is_err() {
         return Template { tokens: Vec::new() };
     }
-    Splitter {
+    TemplateSplitter {
         text,
         end: text.len(),
         pos: 0,
@@ -96,14 +96,14 @@ pub fn split(text: &str) -> Template {
 }
 
 /// Works on `text[pos..end]`; brackets are looked for within that only.
-struct Splitter<'t> {
+struct TemplateSplitter<'t> {
     text: &'t str,
     end: usize,
     pos: usize,
-    tokens: Vec<Token>,
+    tokens: Vec<TemplateToken>,
 }
 
-impl Splitter<'_> {
+impl TemplateSplitter<'_> {
     fn run(mut self) -> Template {
         while self.pos < self.end {
             self.token();
@@ -146,8 +146,10 @@ impl Splitter<'_> {
     fn push_text(&mut self, end: usize) {
         let (start, stop) = (self.pos as u32, end as u32);
         match self.tokens.last_mut() {
-            Some(Token::Text(last)) => last.end = stop,
-            _ => self.tokens.push(Token::Text(TextRange::new(start, stop))),
+            Some(TemplateToken::Text(last)) => last.end = stop,
+            _ => self
+                .tokens
+                .push(TemplateToken::Text(TextRange::new(start, stop))),
         }
         self.pos = end;
     }
@@ -159,7 +161,7 @@ impl Splitter<'_> {
         match self.byte(count) {
             Some(b'{' | b'(') => {
                 self.pos = start + count + 1;
-                self.tokens.push(Token::Escape(TextRange::new(
+                self.tokens.push(TemplateToken::Escape(TextRange::new(
                     start as u32 + 1,
                     self.pos as u32,
                 )));
@@ -170,7 +172,7 @@ impl Splitter<'_> {
 
     fn invalid(&mut self, unclosed: Option<&'static str>) {
         let range = TextRange::new(self.pos as u32, self.end as u32);
-        self.tokens.push(Token::Invalid { range, unclosed });
+        self.tokens.push(TemplateToken::Invalid { range, unclosed });
         self.pos = self.end;
     }
 
@@ -186,9 +188,9 @@ impl Splitter<'_> {
                 Some(template) if !template.is_verbatim() => Code::Dynamic(template),
                 _ => Code::Static(Arc::new(parse(inner.slice(self.text)))),
             };
-            Token::Expr { range, inner, code }
+            TemplateToken::Expr { range, inner, code }
         } else {
-            Token::Subst {
+            TemplateToken::Subst {
                 range,
                 inner,
                 nested: nested.filter(|template| !template.is_verbatim()),
@@ -203,7 +205,7 @@ impl Splitter<'_> {
         let (pos, end) = (inner.start as usize, inner.end as usize);
         memchr(b'$', self.text.as_bytes().get(pos..end)?)?;
         Some(Box::new(
-            Splitter {
+            TemplateSplitter {
                 text: self.text,
                 end,
                 pos,
@@ -228,9 +230,9 @@ mod tests {
             assert_eq!(token.range().start, at, "gap in {text:?}");
             at = token.range().end;
             out.push(match token {
-                Token::Text(range) => json!(["text", range.slice(text)]),
-                Token::Escape(range) => json!(["escape", range.slice(text)]),
-                Token::Expr { inner, code, .. } => {
+                TemplateToken::Text(range) => json!(["text", range.slice(text)]),
+                TemplateToken::Escape(range) => json!(["escape", range.slice(text)]),
+                TemplateToken::Expr { inner, code, .. } => {
                     let inner_text = inner.slice(text);
                     json!([
                         "expr",
@@ -242,7 +244,7 @@ mod tests {
                         }
                     ])
                 }
-                Token::Subst { inner, nested, .. } => {
+                TemplateToken::Subst { inner, nested, .. } => {
                     let inner_text = inner.slice(text);
                     json!([
                         "subst",
@@ -253,7 +255,7 @@ mod tests {
                         }
                     ])
                 }
-                Token::Invalid { range, .. } => json!(["invalid", range.slice(text)]),
+                TemplateToken::Invalid { range, .. } => json!(["invalid", range.slice(text)]),
             });
         }
         assert_eq!(at, within.end, "rest of {text:?}");
@@ -273,7 +275,7 @@ mod tests {
     fn unclosed_brackets_are_named() {
         for (text, want) in [("a ${b", Some("${")), ("$(a", Some("$(")), ("a $$ b", None)] {
             let template = split(text);
-            let Some(Token::Invalid { unclosed, .. }) = template.tokens.last() else {
+            let Some(TemplateToken::Invalid { unclosed, .. }) = template.tokens.last() else {
                 panic!("{text}")
             };
             assert_eq!(*unclosed, want, "{text}");
@@ -284,7 +286,7 @@ mod tests {
     fn expressions_count_from_their_start() {
         let text = "x ${ a+1}";
         let template = split(text);
-        let Some(Token::Expr {
+        let Some(TemplateToken::Expr {
             inner,
             code: Code::Static(parsed),
             ..

@@ -86,7 +86,7 @@ fn comprehension<'e>(comp: &'e Comprehension, f: &mut dyn FnMut(&'e Expr)) {
 
 /// Collect the names that `expr` does not bind itself.
 pub(super) fn free_names<'e>(expr: &'e Expr, found: &mut Vec<NameUse<'e>>) {
-    Scopes {
+    BoundNames {
         bound: Vec::new(),
         found,
     }
@@ -94,12 +94,12 @@ pub(super) fn free_names<'e>(expr: &'e Expr, found: &mut Vec<NameUse<'e>>) {
 }
 
 /// The names bound so far, innermost last; a scope ends by truncating to its mark.
-struct Scopes<'e, 'f> {
+struct BoundNames<'e, 'f> {
     bound: Vec<&'e str>,
     found: &'f mut Vec<NameUse<'e>>,
 }
 
-impl<'e> Scopes<'e, '_> {
+impl<'e> BoundNames<'e, '_> {
     fn visit(&mut self, expr: &'e Expr) {
         match &expr.kind {
             ExprKind::Name(name) => {

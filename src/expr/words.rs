@@ -1,7 +1,7 @@
 //! The words of an expression as they stand, for colors: half-typed text has words too.
 
-use super::lexer::{Source, lex};
-use super::report::Report;
+use super::lexer::{LexerInput, lex};
+use super::report::ExprErrors;
 use super::token::Tok;
 use base::TextRange;
 
@@ -27,8 +27,8 @@ pub fn words(text: &str) -> Vec<(TextRange, WordKind)> {
     if u32::try_from(text.len()).is_err() {
         return Vec::new();
     }
-    let mut report = Report::new(text, 0);
-    let source = Source {
+    let mut report = ExprErrors::new(text, 0);
+    let source = LexerInput {
         text,
         start: 0,
         end: text.len(),

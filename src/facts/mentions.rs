@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use base::TextRange;
 use expr::ast::{Expr, ExprKind};
-use expr::{self, Code, Subst, Template, Token};
+use expr::{self, Code, Subst, Template, TemplateToken};
 use xml::{Entities, decode_text, source_offset};
 
 /// A text that holds expressions.
@@ -72,7 +72,7 @@ pub(super) fn site(raw: &str, range: TextRange, is_attr: bool) -> Option<Site> {
 fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
     for token in &template.tokens {
         match token {
-            Token::Expr {
+            TemplateToken::Expr {
                 inner,
                 code: Code::Dynamic(nested),
                 ..
@@ -84,18 +84,18 @@ fn collect(template: &Template, text: &str, found: &mut Vec<Mention>) {
                     names(&parsed.expr, inner.start, MentionKind::Name, found);
                 }
             }
-            Token::Subst {
+            TemplateToken::Subst {
                 nested: Some(nested),
                 ..
             } => collect(nested, text, found),
-            Token::Expr {
+            TemplateToken::Expr {
                 inner,
                 code: Code::Static(parsed),
                 ..
             } => {
                 names(&parsed.expr, inner.start, MentionKind::Name, found);
             }
-            Token::Subst {
+            TemplateToken::Subst {
                 inner,
                 nested: None,
                 ..

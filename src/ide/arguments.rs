@@ -6,7 +6,7 @@ use std::path::Path;
 use super::context::Cx;
 use super::expressions::ExprText;
 use super::hover::declared_argument;
-use super::locate::{At, Part, locate};
+use super::locate::{LocatedNode, NodePart, locate};
 use super::names::definition_of;
 use base::{Span, TextRange};
 use expand::{DefinitionId, Read, SourceRange, SymbolKind};
@@ -58,8 +58,8 @@ pub fn arguments_behind(cx: &Cx<'_>, range: TextRange) -> Vec<String> {
 }
 
 /// The argument whose default stands at a place.
-fn declared_at(at: &At<'_>) -> Option<String> {
-    let Part::AttrValue(attr) = at.part else {
+fn declared_at(at: &LocatedNode<'_>) -> Option<String> {
+    let NodePart::AttrValue(attr) = at.part else {
         return None;
     };
     let node = at.node.filter(|node| node.name() == "xacro:arg")?;
@@ -68,7 +68,7 @@ fn declared_at(at: &At<'_>) -> Option<String> {
 }
 
 /// The expression around a range, or all of the text that it stands in.
-fn whole_text(cx: &Cx<'_>, at: &At<'_>, range: TextRange) -> TextRange {
+fn whole_text(cx: &Cx<'_>, at: &LocatedNode<'_>, range: TextRange) -> TextRange {
     let Some(text) = ExprText::at(&cx.source.document, at) else {
         return range;
     };

@@ -5,9 +5,9 @@ use ecow::EcoString;
 use super::context::Cx;
 use super::names::place;
 use super::rename_robot::{NamePart, parts};
-use super::robot_names::NameKind;
+use super::robot_names::RobotNameKind;
 use base::{FileId, Span, TextRange};
-use project::{Kind, Settings, Srdf};
+use project::{ProjectNameKind, Srdf, YamlSettings};
 
 /// A name of a link, joint or group in a file beside the robot.
 #[derive(Clone, Debug)]
@@ -18,19 +18,19 @@ pub struct BesideName {
     pub place: Span,
     /// Whether the thing is given there: a group, or a virtual joint.
     pub is_definition: bool,
-    pub(super) kind: NameKind,
+    pub(super) kind: RobotNameKind,
     /// What it holds, in one line: of a group where it is given.
     pub(super) content: String,
     /// The parts of it that are written letter by letter.
     pub(super) parts: Vec<NamePart>,
 }
 
-impl From<Kind> for NameKind {
-    fn from(kind: Kind) -> Self {
+impl From<ProjectNameKind> for RobotNameKind {
+    fn from(kind: ProjectNameKind) -> Self {
         match kind {
-            Kind::Link => NameKind::Link,
-            Kind::Joint => NameKind::Joint,
-            Kind::Group => NameKind::Group,
+            ProjectNameKind::Link => RobotNameKind::Link,
+            ProjectNameKind::Joint => RobotNameKind::Joint,
+            ProjectNameKind::Group => RobotNameKind::Group,
         }
     }
 }
@@ -45,13 +45,15 @@ pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
         .filter_map(|(text, kind, is_definition)| {
             let group = srdf
                 .group(&text.value)
-                .filter(|_| kind == Kind::Group && is_definition);
+                .filter(|_| kind == ProjectNameKind::Group && is_definition);
             Some(BesideName {
                 value: text.value.clone(),
                 place: place(cx, text.origin)?,
                 is_definition,
                 kind: kind.into(),
-                content: group.map(project::Group::in_short).unwrap_or_default(),
+                content: group
+                    .map(project::PlanningGroup::in_short)
+                    .unwrap_or_default(),
                 parts: parts(cx, text),
             })
         })
@@ -59,8 +61,8 @@ pub fn names_in_srdf(cx: &Cx<'_>, srdf: &Srdf) -> Vec<BesideName> {
 }
 
 /// The names in a YAML file with this text.
-pub fn names_in_settings(file: FileId, text: &str, settings: &Settings) -> Vec<BesideName> {
-    let name = |(named, kind): (&project::Named, Kind)| {
+pub fn names_in_settings(file: FileId, text: &str, settings: &YamlSettings) -> Vec<BesideName> {
+    let name = |(named, kind): (&project::SpannedName, ProjectNameKind)| {
         // a quoted name is written inside of its quotes
         let written = named.range.slice(text);
         let before = written.find(named.name.as_str())? as u32;

@@ -1,13 +1,13 @@
 //! Which macro calls which.
 
 use super::context::Cx;
-use super::names::{Target, definition_of};
+use super::names::{NavigationTarget, definition_of};
 use base::{FileId, Span, TextRange};
 use expand::{DefinitionId, SourceRange, SymbolKind, Use, UseKind};
 
 /// Who calls or is called.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Caller {
+pub enum CallParticipant {
     /// The body of a macro.
     Macro(DefinitionId),
     /// What stands in a file outside of macros.
@@ -16,9 +16,9 @@ pub enum Caller {
 
 /// Somebody at the other end of calls, and the names in these calls.
 #[derive(Clone, Debug)]
-pub struct Calls {
+pub struct CallEdge {
     /// Who.
-    pub other: Caller,
+    pub other: CallParticipant,
     /// Where.
     pub at: Vec<Span>,
 }
@@ -38,7 +38,7 @@ fn is_macro(cx: &Cx<'_>, id: DefinitionId) -> bool {
 }
 
 /// Who calls a macro.
-pub fn incoming(cx: &Cx<'_>, id: DefinitionId) -> Vec<Calls> {
+pub fn incoming(cx: &Cx<'_>, id: DefinitionId) -> Vec<CallEdge> {
     let mut found = Vec::new();
     for used in calls(cx).filter(|used| used.definition == id) {
         if let (Some(caller), Some(span)) = (caller(cx, used.place), cx.span(used.place)) {
@@ -49,11 +49,11 @@ pub fn incoming(cx: &Cx<'_>, id: DefinitionId) -> Vec<Calls> {
 }
 
 /// The macros that somebody calls.
-pub fn outgoing(cx: &Cx<'_>, from: &Caller) -> Vec<Calls> {
+pub fn outgoing(cx: &Cx<'_>, from: &CallParticipant) -> Vec<CallEdge> {
     let mut found = Vec::new();
     for used in calls(cx).filter(|used| caller(cx, used.place).as_ref() == Some(from)) {
         if let Some(span) = cx.span(used.place) {
-            add(&mut found, Caller::Macro(used.definition), span);
+            add(&mut found, CallParticipant::Macro(used.definition), span);
         }
     }
     found
@@ -68,10 +68,10 @@ pub fn calls_of(cx: &Cx<'_>, id: DefinitionId) -> Vec<Span> {
 }
 
 /// Where a caller stands.
-pub fn caller_target(cx: &Cx<'_>, caller: &Caller) -> Option<Target> {
+pub fn caller_target(cx: &Cx<'_>, caller: &CallParticipant) -> Option<NavigationTarget> {
     match caller {
-        Caller::Macro(id) => definition_of(cx, *id),
-        Caller::File(file) => {
+        CallParticipant::Macro(id) => definition_of(cx, *id),
+        CallParticipant::File(file) => {
             let document = &cx.file_of(*file)?.document;
             let whole = Span {
                 file: *file,
@@ -80,7 +80,7 @@ pub fn caller_target(cx: &Cx<'_>, caller: &Caller) -> Option<Target> {
             let name = document
                 .root()
                 .map_or(TextRange::default(), |root| root.name_range());
-            Some(Target {
+            Some(NavigationTarget {
                 whole,
                 name: Span {
                     file: *file,
@@ -115,10 +115,10 @@ fn calls<'a>(cx: &Cx<'a>) -> impl Iterator<Item = &'a Use> {
         .filter(|used| used.kind == UseKind::Call)
 }
 
-fn add(found: &mut Vec<Calls>, other: Caller, span: Span) {
+fn add(found: &mut Vec<CallEdge>, other: CallParticipant, span: Span) {
     match found.iter_mut().find(|known| known.other == other) {
         Some(known) => known.at.push(span),
-        None => found.push(Calls {
+        None => found.push(CallEdge {
             other,
             at: vec![span],
         }),
@@ -126,7 +126,7 @@ fn add(found: &mut Vec<Calls>, other: Caller, span: Span) {
 }
 
 /// The macro around a call, or its file.
-fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
+fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<CallParticipant> {
     let source = cx.expansion.sources.get(place.src)?;
     let macros = source
         .item
@@ -147,7 +147,9 @@ fn caller(cx: &Cx<'_>, place: SourceRange) -> Option<Caller> {
             .map(|(id, _)| id)
     });
     match defined {
-        Some(id) => Some(Caller::Macro(id)),
-        None => Some(Caller::File(cx.expansion.files.get(source.file)?.source.id)),
+        Some(id) => Some(CallParticipant::Macro(id)),
+        None => Some(CallParticipant::File(
+            cx.expansion.files.get(source.file)?.source.id,
+        )),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::beside::BesideName;
 use base::{FastMap, FileId, Span, TextRange};
-use expand::{DefinitionId, Expansion, FileIdx, FrameId, Source, SourceRange, SrcId, Use};
+use expand::{DefinitionId, Expansion, FileIdx, FrameId, SourceItem, SourceRange, SrcId, Use};
 use model::{Kinematics, Robot};
 use vfs::SourceFile;
 
@@ -20,7 +20,7 @@ pub struct Cx<'a> {
     /// The names in files beside the robot.
     pub beside: &'a [BesideName],
     /// The macro call that the user looks at: of values that differ by call, its own are shown.
-    pub pinned: Option<FrameId>,
+    pub selected_frame: Option<FrameId>,
 }
 
 impl<'a> Cx<'a> {
@@ -56,7 +56,7 @@ impl<'a> Cx<'a> {
     }
 
     /// The source texts of the file in order, and the number of the first.
-    fn own_sources(&self) -> Option<(u32, &'a [Source])> {
+    fn own_sources(&self) -> Option<(u32, &'a [SourceItem])> {
         let file = self.file()?;
         let first = self.expansion.files.get(file)?.first_source.0;
         let rest = self.expansion.sources.as_slice().get(first as usize..)?;

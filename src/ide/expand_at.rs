@@ -4,7 +4,7 @@ use super::context::Cx;
 use super::expressions::ExprText;
 use super::hover::call_label;
 use super::instances::{frames_of_macro, frames_of_tag, is_within, macro_of, numbered};
-use super::locate::{At, locate};
+use super::locate::{LocatedNode, locate};
 use super::values::{self, UNKNOWN};
 use base::TextRange;
 use expand::{Expansion, FrameId, FrameKind, Origin, Written, XKind};
@@ -27,7 +27,7 @@ pub struct ExpandedAt {
 }
 
 /// What stands at an offset, and each of its results.
-struct Found {
+struct EvaluatedText {
     kind: &'static str,
     title: String,
     range: TextRange,
@@ -35,7 +35,7 @@ struct Found {
 }
 
 /// What the place at an offset expands to on the way with the number `instance`; without one, on the way that was
-/// picked, else on the first.
+/// selected, else on the first.
 pub fn expand_at(
     cx: &Cx<'_>,
     written: &Written,
@@ -44,14 +44,14 @@ pub fn expand_at(
 ) -> Option<ExpandedAt> {
     let at = locate(&cx.source.document, offset);
     let found = expression(cx, &at).or_else(|| element(cx, written, &at))?;
-    let picked = || {
-        let pin = cx.pinned?;
+    let selected = || {
+        let selected_frame = cx.selected_frame?;
         found
             .results
             .iter()
-            .position(|(frame, _)| is_within(cx.expansion, *frame, pin))
+            .position(|(frame, _)| is_within(cx.expansion, *frame, selected_frame))
     };
-    let index = instance.or_else(picked).unwrap_or(0);
+    let index = instance.or_else(selected).unwrap_or(0);
     let result = found.results.get(index);
     let mut title = found.title;
     if found.results.len() > 1
@@ -73,7 +73,7 @@ fn text(value: &Value) -> String {
     display::to_str(value).map_or_else(|| UNKNOWN.to_owned(), |text| text.to_string())
 }
 
-fn expression(cx: &Cx<'_>, at: &At<'_>) -> Option<Found> {
+fn expression(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<EvaluatedText> {
     let text_here = ExprText::at(&cx.source.document, at)?;
     let token = text_here.token_at(at.offset)?;
     let range = text_here.range(token.range());
@@ -83,7 +83,7 @@ fn expression(cx: &Cx<'_>, at: &At<'_>) -> Option<Found> {
         .map(|instance| (instance.frame, text(&instance.value)))
         .collect();
     let title = format!("`{}`", cx.source.document.slice(range));
-    Some(Found {
+    Some(EvaluatedText {
         kind: "expression",
         title,
         range,
@@ -92,7 +92,7 @@ fn expression(cx: &Cx<'_>, at: &At<'_>) -> Option<Found> {
 }
 
 /// The element around a place that expands to something.
-fn element(cx: &Cx<'_>, written: &Written, at: &At<'_>) -> Option<Found> {
+fn element(cx: &Cx<'_>, written: &Written, at: &LocatedNode<'_>) -> Option<EvaluatedText> {
     let mut next = at.node;
     while let Some(node) = next {
         let found = (node.kind() == NodeKind::Element).then(|| of_element(cx, written, at, node));
@@ -104,7 +104,12 @@ fn element(cx: &Cx<'_>, written: &Written, at: &At<'_>) -> Option<Found> {
     None
 }
 
-fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Option<Found> {
+fn of_element(
+    cx: &Cx<'_>,
+    written: &Written,
+    at: &LocatedNode<'_>,
+    node: Node<'_>,
+) -> Option<EvaluatedText> {
     let tag = node.name().strip_prefix("xacro:")?;
     let range = at.shift(node.range());
     let (kind, title, results) = match tag {
@@ -149,7 +154,7 @@ fn of_element(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Op
             made_by_tag(cx, written, at, node),
         ),
     };
-    Some(Found {
+    Some(EvaluatedText {
         kind,
         title,
         range,
@@ -166,7 +171,7 @@ fn raw<'a>(node: Node<'a>, attr: &str) -> &'a str {
 fn made_by_tag(
     cx: &Cx<'_>,
     written: &Written,
-    at: &At<'_>,
+    at: &LocatedNode<'_>,
     node: Node<'_>,
 ) -> Vec<(FrameId, String)> {
     let frames = frames_of_tag(cx, at.shift(node.start_tag_range()));
@@ -182,7 +187,7 @@ fn made_in_each(cx: &Cx<'_>, written: &Written, frames: Vec<FrameId>) -> Vec<(Fr
 fn condition(
     cx: &Cx<'_>,
     written: &Written,
-    at: &At<'_>,
+    at: &LocatedNode<'_>,
     node: Node<'_>,
 ) -> Vec<(FrameId, String)> {
     let expansion = cx.expansion;
@@ -208,7 +213,7 @@ fn steps(expansion: &Expansion, origin: Origin) -> impl Iterator<Item = Origin> 
 }
 
 /// The frames in which an element was looked at: those of the macro around it, or of its file.
-fn contexts(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Vec<FrameId> {
+fn contexts(cx: &Cx<'_>, at: &LocatedNode<'_>, node: Node<'_>) -> Vec<FrameId> {
     let mut outer = node.parent();
     while let Some(around) = outer {
         if around.name() == "xacro:macro" {
@@ -235,7 +240,12 @@ fn contexts(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Vec<FrameId> {
 }
 
 /// The values that a property had, or what its block gave where it was put in.
-fn property(cx: &Cx<'_>, written: &Written, at: &At<'_>, node: Node<'_>) -> Vec<(FrameId, String)> {
+fn property(
+    cx: &Cx<'_>,
+    written: &Written,
+    at: &LocatedNode<'_>,
+    node: Node<'_>,
+) -> Vec<(FrameId, String)> {
     let expansion = cx.expansion;
     let name = node
         .attr("name")

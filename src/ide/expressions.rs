@@ -2,10 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::locate::{At, Part};
+use super::locate::{LocatedNode, NodePart};
 use base::TextRange;
 use expr::ast::{Expr, ExprKind};
-use expr::{self, Code, Template, Token};
+use expr::{self, Code, Template, TemplateToken};
 use xml::{Attr, Document, Entities, Node, decode_text, source_offset};
 
 /// The value of an attribute or character data, decoded and split.
@@ -43,10 +43,10 @@ impl<'a> ExprText<'a> {
     }
 
     /// The text that stands at a place, if it is one that may hold expressions.
-    pub fn at(document: &'a Document, at: &At<'a>) -> Option<Self> {
+    pub fn at(document: &'a Document, at: &LocatedNode<'a>) -> Option<Self> {
         match (at.part, at.node) {
-            (Part::AttrValue(attr), _) => Some(Self::of_attr(document, at.base, attr)),
-            (Part::Text, Some(node)) => Some(Self::of_text(document, at.base, node)),
+            (NodePart::AttrValue(attr), _) => Some(Self::of_attr(document, at.base, attr)),
+            (NodePart::Text, Some(node)) => Some(Self::of_text(document, at.base, node)),
             _ => None,
         }
     }
@@ -100,11 +100,13 @@ impl<'a> ExprText<'a> {
     }
 
     /// The expression or substitution at an offset of the file.
-    pub fn token_at(&self, offset: u32) -> Option<&Token> {
+    pub fn token_at(&self, offset: u32) -> Option<&TemplateToken> {
         let inside = self.offset(offset);
-        let holds = |token: &&Token| {
-            matches!(token, Token::Expr { .. } | Token::Subst { .. })
-                && token.range().touches(inside)
+        let holds = |token: &&TemplateToken| {
+            matches!(
+                token,
+                TemplateToken::Expr { .. } | TemplateToken::Subst { .. }
+            ) && token.range().touches(inside)
         };
         // between two expressions, the one behind
         self.template.tokens.iter().rfind(holds)
@@ -113,9 +115,9 @@ impl<'a> ExprText<'a> {
 
 /// The parsed expression of a token, and where it begins in the decoded text; none for substitutions and for code
 /// that is put together when it is evaluated.
-pub fn parsed(token: &Token) -> Option<(&Expr, u32)> {
+pub fn parsed(token: &TemplateToken) -> Option<(&Expr, u32)> {
     match token {
-        Token::Expr {
+        TemplateToken::Expr {
             inner,
             code: Code::Static(parsed),
             ..

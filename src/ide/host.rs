@@ -8,7 +8,7 @@ use expr::ast::Expr;
 use expr::{self, Budget, ErrorKind, EvalError, Host, HostFn, Lookup, ScopeId, Value};
 
 /// Where names get their values from.
-pub(super) trait Names {
+pub(super) trait NameResolver {
     /// A property or parameter.
     fn name(&mut self, name: &str) -> Lookup;
 
@@ -31,13 +31,13 @@ pub(super) fn budget(depth: u32) -> Budget {
 }
 
 /// The value of an expression; unknown when something in it is.
-pub(super) fn evaluate(expr: &Expr, names: &mut impl Names, depth: u32) -> Value {
+pub(super) fn evaluate(expr: &Expr, names: &mut impl NameResolver, depth: u32) -> Value {
     expr::evaluate(expr, &mut NamesHost(names), &mut budget(depth)).unwrap_or(Value::Unknown)
 }
 
 struct NamesHost<'a, N>(&'a mut N);
 
-impl<N: Names> Host for NamesHost<'_, N> {
+impl<N: NameResolver> Host for NamesHost<'_, N> {
     fn lookup(&mut self, name: &str, _: TextRange) -> Lookup {
         self.0.name(name)
     }

@@ -13,7 +13,7 @@ use expand::{
 };
 use xml::{Node, NodeKind};
 
-/// A call that was picked, in terms that hold after an edit.
+/// A call that was selected, in terms that hold after an edit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SelectedInstance {
     /// The macro.
@@ -98,11 +98,11 @@ fn choices(cx: &Cx<'_>, offset: u32) -> Vec<FrameId> {
     Vec::new()
 }
 
-/// Pick one of the calls at an offset.
+/// Select one of the calls at an offset.
 ///
 /// # Errors
 /// How many there are to choose from.
-pub fn pin(cx: &Cx<'_>, offset: u32, index: usize) -> Result<SelectedInstance, usize> {
+pub fn select_instance(cx: &Cx<'_>, offset: u32, index: usize) -> Result<SelectedInstance, usize> {
     let choices = choices(cx, offset);
     let Some(&chosen) = choices.get(index) else {
         return Err(choices.len());
@@ -158,16 +158,16 @@ fn tag(expansion: &Expansion, frame: &Frame) -> Option<String> {
     Some(node.start_tag_range().slice(source.item.text()).to_owned())
 }
 
-/// The frame of the call that was picked; none when it is gone.
-pub fn pinned(expansion: &Expansion, pin: &SelectedInstance) -> Option<FrameId> {
+/// The frame of the call that was selected; none when it is gone.
+pub fn selected_frame(expansion: &Expansion, selected: &SelectedInstance) -> Option<FrameId> {
     let symbols = expansion.index.symbols.iter();
     let mut known =
-        symbols.filter(|(_, known)| known.kind == SymbolKind::Macro && known.name == pin.name);
-    let (id, _) = known.find(|(_, known)| is_in(expansion, known.place, &pin.file))?;
+        symbols.filter(|(_, known)| known.kind == SymbolKind::Macro && known.name == selected.name);
+    let (id, _) = known.find(|(_, known)| is_in(expansion, known.place, &selected.file))?;
     let frames = frames_of_macro(expansion, id);
-    let same = |frame: &&FrameId| tags(expansion, **frame) == pin.tags;
+    let same = |frame: &&FrameId| tags(expansion, **frame) == selected.tags;
     // calls that read alike are told apart by their order
-    match frames.get(pin.index) {
+    match frames.get(selected.index) {
         Some(frame) if same(&frame) => Some(*frame),
         other => frames.iter().find(same).or(other).copied(),
     }

@@ -47,11 +47,13 @@ pub use actions::{
 };
 pub use arguments::{arguments_behind, possible_values};
 pub use beside::{BesideName, names_in_settings, names_in_srdf};
-pub use calls::{Caller, Calls, caller_target, calls_of, incoming, macro_at, macros_of, outgoing};
+pub use calls::{
+    CallEdge, CallParticipant, caller_target, calls_of, incoming, macro_at, macros_of, outgoing,
+};
 pub use colors::{Color, color_text, colors};
 pub use completion::{
-    BesideSources, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic,
-    completions, completions_in_settings, documentation, signature_help,
+    BesideSources, Completion, CompletionScope, CompletionSources, Completions, ItemKind,
+    Signature, Topic, completions, completions_in_settings, documentation, signature_help,
 };
 pub use context::Cx;
 pub use expand_at::{ExpandedAt, expand_at};
@@ -59,12 +61,12 @@ pub use folding::{Fold, FoldKind, folds, largest};
 pub use format::{Indent, format, format_range, indentation, own_indentation};
 pub use hints::{Hint, HintKind, HintSettings, hints};
 pub use hover::{Hover, declared_argument, hover, hover_while_typing, value_of};
-pub use instances::{SelectedInstance, pin, pinned};
-pub use locate::{At, Part, locate, on_name_of_tag};
+pub use instances::{SelectedInstance, select_instance, selected_frame};
+pub use locate::{LocatedNode, NodePart, locate, on_name_of_tag};
 pub use moved::{Move, renamed_files};
-pub use names::{NameUse, Target, definition_of, definitions};
+pub use names::{NameOccurrence, NavigationTarget, definition_of, definitions};
 pub use navigate::{
-    FilePlace, declaration, file_definition, implementations, is_text, type_definition,
+    FileLocation, declaration, file_definition, implementations, is_text, type_definition,
 };
 pub use on_type::{Insertion, on_type};
 pub use outline::{Outline, OutlineKind, outline};
@@ -74,12 +76,12 @@ pub use rename_robot::{rename as rename_part, renameable as renameable_part};
 pub use robot_names::{RobotThing, robot_name_at, uses_of};
 pub use search::{Hit, fit, search};
 pub use selection::selection;
-pub use source_map::{Lines, SourceMap, entry_at, instances, origin_of, source_map, steps};
+pub use source_map::{SourceMap, TextLines, entry_at, instances, origin_of, source_map, steps};
 pub use tags::{matching_tags, same_tag_names};
 pub use text_names::{
-    Documents, Given, Meaning, NameText, TextNames, definitions_by_text, definitions_elsewhere,
-    further_places, occurrences,
+    Documents, Meaning, NameText, TextDefinition, TextNames, definitions_by_text,
+    definitions_elsewhere, further_places, occurrences,
 };
-pub use tokens::{Modifiers, Token, TokenKind, tokens};
+pub use tokens::{HighlightToken, Modifiers, TokenKind, tokens};
 pub use unseen::unseen_name;
 pub use values::cut;

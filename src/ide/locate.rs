@@ -7,7 +7,7 @@ use xml::{Attr, Document, Item, Node, NodeKind};
 
 /// What stands at an offset: the part of the document, its innermost node and what of it. All ranges of nodes
 /// and attributes count from `base`.
-pub struct At<'a> {
+pub struct LocatedNode<'a> {
     /// The offset asked for.
     pub offset: u32,
     /// Offset of the item.
@@ -17,12 +17,12 @@ pub struct At<'a> {
     /// The innermost node around the offset.
     pub node: Option<Node<'a>>,
     /// What of the node.
-    pub part: Part<'a>,
+    pub part: NodePart<'a>,
 }
 
 /// A part of a node.
 #[derive(Clone, Copy)]
-pub enum Part<'a> {
+pub enum NodePart<'a> {
     /// The name in the start tag.
     StartName,
     /// The name in the end tag.
@@ -42,7 +42,7 @@ pub enum Part<'a> {
 }
 
 /// What stands at `offset` of a document.
-pub fn locate(document: &Document, offset: u32) -> At<'_> {
+pub fn locate(document: &Document, offset: u32) -> LocatedNode<'_> {
     let place = document.item_at(offset);
     let (base, item) = (place.start, place.item);
     let inside = offset.saturating_sub(base);
@@ -53,8 +53,8 @@ pub fn locate(document: &Document, offset: u32) -> At<'_> {
             || range.touches(inside) && node.kind() == NodeKind::Text
     };
     let node = item.all_nodes().filter(around).last();
-    let part = node.map_or(Part::Between, |node| part(node, inside));
-    At {
+    let part = node.map_or(NodePart::Between, |node| part(node, inside));
+    LocatedNode {
         offset,
         base,
         item,
@@ -63,36 +63,36 @@ pub fn locate(document: &Document, offset: u32) -> At<'_> {
     }
 }
 
-fn part(node: Node<'_>, inside: u32) -> Part<'_> {
+fn part(node: Node<'_>, inside: u32) -> NodePart<'_> {
     match node.kind() {
         NodeKind::Element => {}
-        NodeKind::Text => return Part::Text,
-        NodeKind::Junk => return Part::Between,
-        _ => return Part::Verbatim,
+        NodeKind::Text => return NodePart::Text,
+        NodeKind::Junk => return NodePart::Between,
+        _ => return NodePart::Verbatim,
     }
     if node.name_range().touches(inside) {
-        return Part::StartName;
+        return NodePart::StartName;
     }
     if node
         .end_name_range()
         .is_some_and(|range| range.touches(inside))
     {
-        return Part::EndName;
+        return NodePart::EndName;
     }
     for attr in node.attrs() {
         if attr.has_equals() && attr.value_range().touches(inside) && inside > attr.name_range().end
         {
-            return Part::AttrValue(attr);
+            return NodePart::AttrValue(attr);
         }
         if attr.name_range().touches(inside) {
-            return Part::AttrName(attr);
+            return NodePart::AttrName(attr);
         }
     }
     let tag = node.start_tag_range();
     if tag.start < inside && inside < tag.end {
-        Part::InTag
+        NodePart::InTag
     } else {
-        Part::Between
+        NodePart::Between
     }
 }
 
@@ -122,7 +122,7 @@ fn start_of_name(node: &Node<'_>) -> u32 {
     node.name_range().start + prefix
 }
 
-impl At<'_> {
+impl LocatedNode<'_> {
     /// A range of the item as a range of the file.
     pub fn shift(&self, range: TextRange) -> TextRange {
         range.shift(self.base)

@@ -8,7 +8,7 @@ use expand::{DefinitionId, Origin, SourceRange, SymbolKind};
 
 /// A place where a name stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct NameUse {
+pub struct NameOccurrence {
     /// The name's text.
     pub span: Span,
     /// Whether the name is given there.
@@ -17,7 +17,7 @@ pub struct NameUse {
 
 /// A place to jump to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Target {
+pub struct NavigationTarget {
     /// All that belongs to it: an element, or the file.
     pub whole: Span,
     /// Its name.
@@ -26,12 +26,12 @@ pub struct Target {
 
 /// What the name at an offset refers to, with the name's range: the definition of a xacro name, or the links and
 /// joints of the robot that a text names, with the calls that made them behind.
-pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)> {
+pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<NavigationTarget>)> {
     if let Some((id, range)) = cx.symbol_at(offset) {
         return Some((range, definition_of(cx, id).into_iter().collect()));
     }
     let (range, names) = named_at(cx, offset)?;
-    let mut targets: Vec<Target> = Vec::new();
+    let mut targets: Vec<NavigationTarget> = Vec::new();
     for text in names {
         for target in made_by(cx, text.origin) {
             if !targets.contains(&target) {
@@ -45,7 +45,7 @@ pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)>
             name.is_definition && name.kind.is(asked.kind) && name.value == asked.value
         };
         let given = cx.beside.iter().filter(is_it);
-        targets.extend(given.map(|name| Target {
+        targets.extend(given.map(|name| NavigationTarget {
             whole: name.place,
             name: name.place,
         }));
@@ -54,7 +54,7 @@ pub fn definitions(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Target>)>
 }
 
 /// The place of a definition.
-pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
+pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<NavigationTarget> {
     let definition = cx.expansion.index.symbols.get(id)?;
     let name = cx.span(definition.place)?;
     let source = cx.expansion.sources.get(definition.place.src)?;
@@ -70,18 +70,18 @@ pub fn definition_of(cx: &Cx<'_>, id: DefinitionId) -> Option<Target> {
             ..name
         },
     };
-    Some(Target { whole, name })
+    Some(NavigationTarget { whole, name })
 }
 
 /// A definition and its uses, as far as they were evaluated.
-pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
+pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameOccurrence> {
     let given = cx
         .expansion
         .index
         .symbols
         .get(id)
         .and_then(|definition| cx.span(definition.place));
-    let given = given.map(|span| NameUse {
+    let given = given.map(|span| NameOccurrence {
         span,
         is_definition: true,
     });
@@ -92,7 +92,7 @@ pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
         .all_uses()
         .filter(|used| used.definition == id)
         .filter_map(|used| {
-            Some(NameUse {
+            Some(NameOccurrence {
                 span: cx.span(used.place)?,
                 is_definition: false,
             })
@@ -101,15 +101,15 @@ pub(super) fn evaluated_uses(cx: &Cx<'_>, id: DefinitionId) -> Vec<NameUse> {
 }
 
 /// The text at an origin, then the calls that led there.
-fn made_by(cx: &Cx<'_>, origin: Origin) -> Vec<Target> {
-    let own = place(cx, origin).map(|name| Target { whole: name, name });
+fn made_by(cx: &Cx<'_>, origin: Origin) -> Vec<NavigationTarget> {
+    let own = place(cx, origin).map(|name| NavigationTarget { whole: name, name });
     let calls = cx
         .expansion
         .frames_of(origin)
         .filter(|frame| frame.kind == expand::FrameKind::Macro);
     let calls = calls
         .filter_map(|frame| place(cx, frame.call))
-        .map(|name| Target { whole: name, name });
+        .map(|name| NavigationTarget { whole: name, name });
     own.into_iter().chain(calls).collect()
 }
 

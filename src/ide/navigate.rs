@@ -6,25 +6,25 @@ use std::path::{Path, PathBuf};
 use super::context::Cx;
 use super::expressions::{ExprText, parsed, path_to};
 use super::instances::{frames_of_macro, is_within};
-use super::locate::{At, locate};
-use super::names::{Target, definition_of};
+use super::locate::{LocatedNode, locate};
+use super::names::{NavigationTarget, definition_of};
 use super::paths::{FileKind, FileTarget, file_name_at, file_names};
 use base::TextRange;
 use expand::{DefinitionId, SymbolKind, Written};
-use expr::Token;
+use expr::TemplateToken;
 use expr::ast::{Const, Expr, ExprKind};
 use rules::RuleEnv;
 
 /// A place in a file that need not be a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FilePlace {
+pub struct FileLocation {
     /// The file.
     pub path: PathBuf,
     /// Bytes in its text; an empty range at its start means all of it.
     pub range: TextRange,
 }
 
-impl FilePlace {
+impl FileLocation {
     fn start(path: PathBuf) -> Self {
         Self {
             path,
@@ -41,7 +41,7 @@ pub fn file_definition(
     cx: &Cx<'_>,
     world: RuleEnv<'_>,
     offset: u32,
-) -> Option<(TextRange, FilePlace)> {
+) -> Option<(TextRange, FileLocation)> {
     let at = locate(&cx.source.document, offset);
     package(cx, world, &at)
         .or_else(|| key(cx, world, &at))
@@ -49,7 +49,7 @@ pub fn file_definition(
             let name = file_name_at(cx, world, &at)?;
             match name.target {
                 FileTarget::Found(path) if world.vfs.is_file(&path) => {
-                    Some((name.range, FilePlace::start(path)))
+                    Some((name.range, FileLocation::start(path)))
                 }
                 _ => None,
             }
@@ -57,7 +57,11 @@ pub fn file_definition(
 }
 
 /// `$(find package)`
-fn package(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
+fn package(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, FileLocation)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (range, name) = super::hover::package_at(&text, at.offset)?;
     let found = world.packages.find(name, &cx.source.path).ok()?;
@@ -65,11 +69,11 @@ fn package(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, F
     world
         .vfs
         .is_file(&manifest)
-        .then(|| (range, FilePlace::start(manifest)))
+        .then(|| (range, FileLocation::start(manifest)))
 }
 
 /// A key of a value that came from YAML: `cam['mass']`, `cam.mass`.
-fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FilePlace)> {
+fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, FileLocation)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let (expr, start) = parsed(text.token_at(at.offset)?)?;
     let inside = text.offset(at.offset).checked_sub(start)?;
@@ -80,17 +84,18 @@ fn key(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, FileP
         ExprKind::Const(Const::Str(_)) => (*path.get(path.len().checked_sub(2)?)?, last.range),
         _ => return None,
     };
-    let value = Loaded::of(cx, world, chain, MOST_STEPS).filter(|value| !value.keys.is_empty())?;
+    let value =
+        YamlTarget::of(cx, world, chain, MOST_STEPS).filter(|value| !value.keys.is_empty())?;
     Some((text.range(range.shift(start)), value.place(world)?))
 }
 
 /// What stands for a part of a YAML file.
-struct Loaded {
+struct YamlTarget {
     path: PathBuf,
     keys: Vec<String>,
 }
 
-impl Loaded {
+impl YamlTarget {
     /// Follow names and keys of an expression back to the file they were read from.
     fn of(cx: &Cx<'_>, world: RuleEnv<'_>, expr: &Expr, steps: u32) -> Option<Self> {
         let (inner, key) = match &expr.kind {
@@ -146,7 +151,7 @@ impl Loaded {
             return None;
         };
         // with a package in it, the code is put together when it is evaluated
-        let Token::Expr { inner: range, .. } = token else {
+        let TemplateToken::Expr { inner: range, .. } = token else {
             return None;
         };
         let code = range.slice(&text.text).trim();
@@ -170,19 +175,19 @@ impl Loaded {
     }
 
     /// Where the value of the last key is named.
-    fn place(self, world: RuleEnv<'_>) -> Option<FilePlace> {
+    fn place(self, world: RuleEnv<'_>) -> Option<FileLocation> {
         let file = world.vfs.yaml(&self.path, &vfs::slashed(&self.path)).ok()?;
         let mut node = file.value.as_ref().ok()?;
         let mut range = TextRange::default();
         for key in &self.keys {
-            let yaml::Kind::Map(entries) = &node.kind else {
+            let yaml::YamlKind::Map(entries) = &node.kind else {
                 return None;
             };
-            let is_it = |(name, _): &&(yaml::Node, yaml::Node)| matches!(&name.kind, yaml::Kind::Str(name) if name == key);
+            let is_it = |(name, _): &&(yaml::YamlNode, yaml::YamlNode)| matches!(&name.kind, yaml::YamlKind::Str(name) if name == key);
             let (name, value) = entries.iter().find(is_it)?;
             (range, node) = (name.range, value);
         }
-        Some(FilePlace {
+        Some(FileLocation {
             path: self.path,
             range,
         })
@@ -194,7 +199,7 @@ pub fn type_definition(
     cx: &Cx<'_>,
     world: RuleEnv<'_>,
     offset: u32,
-) -> Option<(TextRange, FilePlace)> {
+) -> Option<(TextRange, FileLocation)> {
     if let Some((id, range)) = cx.symbol_at(offset) {
         let own = cx
             .expansion
@@ -202,14 +207,14 @@ pub fn type_definition(
             .symbols
             .get(id)
             .filter(|given| given.kind == SymbolKind::Property);
-        let value = own.and_then(|_| Loaded::of_definition(cx, world, id, MOST_STEPS))?;
+        let value = own.and_then(|_| YamlTarget::of_definition(cx, world, id, MOST_STEPS))?;
         return Some((range, value.place(world)?));
     }
     file_definition(cx, world, offset)
 }
 
 /// The text that declares the parameter, block or argument at an offset.
-pub fn declaration(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Target)> {
+pub fn declaration(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, NavigationTarget)> {
     use SymbolKind::{Argument, BlockParameter, Parameter};
     let (id, range) = cx.symbol_at(offset)?;
     let given = cx.expansion.index.symbols.get(id)?;

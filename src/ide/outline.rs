@@ -59,28 +59,28 @@ pub fn outline(document: &Document) -> Vec<Outline> {
 /// The symbol of an element, or those inside of it when it is none. Elements may be nested deeper than the call
 /// stack is, so the tree is put together bottom up.
 fn symbols(top: Node<'_>, base: u32, entities: &Entities) -> Vec<Outline> {
-    enum Step<'a> {
+    enum OutlineStep<'a> {
         Enter(Node<'a>),
         Leave(Outline, usize),
     }
-    let mut steps = vec![Step::Enter(top)];
+    let mut steps = vec![OutlineStep::Enter(top)];
     let mut found: Vec<Outline> = Vec::new();
     let mut open = 0;
     while let Some(step) = steps.pop() {
         match step {
-            Step::Enter(node) => {
+            OutlineStep::Enter(node) => {
                 match symbol(node, base, entities) {
                     Some(symbol) if open < SYMBOL_DEPTH => {
-                        steps.push(Step::Leave(symbol, found.len()));
+                        steps.push(OutlineStep::Leave(symbol, found.len()));
                         open += 1;
                     }
                     flat => found.extend(flat),
                 }
                 let start = steps.len();
-                steps.extend(node.child_elements().map(Step::Enter));
+                steps.extend(node.child_elements().map(OutlineStep::Enter));
                 steps.get_mut(start..).into_iter().for_each(<[_]>::reverse);
             }
-            Step::Leave(mut symbol, first) => {
+            OutlineStep::Leave(mut symbol, first) => {
                 open -= 1;
                 symbol.children = found.split_off(first);
                 found.push(symbol);

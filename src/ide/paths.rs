@@ -5,10 +5,10 @@ use vfs::without_parents;
 
 use super::context::Cx;
 use super::expressions::ExprText;
-use super::locate::{At, Part};
+use super::locate::{LocatedNode, NodePart};
 use super::values::{distinct, instances};
 use base::TextRange;
-use expr::{self, Subst, Token, Value, WordKind, display, parse_substitution, words};
+use expr::{self, Subst, TemplateToken, Value, WordKind, display, parse_substitution, words};
 use rules::RuleEnv;
 use workspace::UriOutcome;
 use xml::{Attr, Node, NodeKind};
@@ -69,11 +69,11 @@ pub fn file_names(cx: &Cx<'_>, world: RuleEnv<'_>) -> Vec<FileName> {
 }
 
 /// The name of a file at a place.
-pub fn file_name_at(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<FileName> {
+pub fn file_name_at(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>) -> Option<FileName> {
     let node = at.node?;
     let names = match at.part {
-        Part::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
-        Part::Text => of_text(
+        NodePart::AttrValue(attr) => of_attr(cx, world, at.base, node, attr),
+        NodePart::Text => of_text(
             cx,
             world,
             &ExprText::of_text(&cx.source.document, at.base, node),
@@ -200,8 +200,13 @@ fn resource(
 }
 
 /// The name that `load_yaml` reads in an expression.
-fn yaml(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, token: &Token) -> Option<FileName> {
-    let Token::Expr { inner, .. } = token else {
+fn yaml(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    text: &ExprText<'_>,
+    token: &TemplateToken,
+) -> Option<FileName> {
+    let TemplateToken::Expr { inner, .. } = token else {
         return None;
     };
     let range = loaded_name(inner.slice(&text.text))?.shift(inner.start);
@@ -243,8 +248,8 @@ fn folded(cx: &Cx<'_>, world: RuleEnv<'_>, text: &ExprText<'_>, part: TextRange)
     for token in &template.tokens {
         let range = token.range().shift(part.start);
         match token {
-            Token::Text(_) => out.push_str(range.slice(&text.text)),
-            Token::Expr { .. } | Token::Subst { .. } => {
+            TemplateToken::Text(_) => out.push_str(range.slice(&text.text)),
+            TemplateToken::Expr { .. } | TemplateToken::Subst { .. } => {
                 let values = instances(cx, text.range(range));
                 let values = distinct(values.iter().map(|instance| &instance.value));
                 match values.as_slice() {

@@ -4,13 +4,13 @@
 use std::collections::BTreeMap;
 
 use super::context::Cx;
-use super::robot_names::{NameKind, all_names};
+use super::robot_names::{RobotNameKind, all_names};
 use ecow::EcoString;
 
 use base::{Encoding, FastMap, FastSet, FileId, Span, TextRange};
 use expand::{FrameKind, Origin, SourceRange, blamed_argument};
-use expr::Token;
-use model::Text;
+use expr::TemplateToken;
+use model::AttrValue;
 use vfs::SourceFile;
 
 /// A part of a name and where it is written.
@@ -25,7 +25,7 @@ pub(super) struct NamePart {
 /// A name of the robot, in the robot or beside it.
 struct Name {
     value: EcoString,
-    kind: NameKind,
+    kind: RobotNameKind,
     is_definition: bool,
     /// Where it came from in the expansion of the robot.
     origin: Option<Origin>,
@@ -33,7 +33,7 @@ struct Name {
 
 /// The parts of a name that are written as they are: its own text between expressions, and what calls pass for
 /// parameters, which may be put together in the same way.
-pub(super) fn parts(cx: &Cx<'_>, text: &Text) -> Vec<NamePart> {
+pub(super) fn parts(cx: &Cx<'_>, text: &AttrValue) -> Vec<NamePart> {
     let whole = TextRange::new(0, text.value.len() as u32);
     let made_by_one = match &*text.pieces {
         [piece] if piece.source == text.origin => split(cx, &text.value, whole, text.origin),
@@ -125,7 +125,7 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
     let (mut at, mut open) = (of.start, None);
     for (number, token) in tokens.iter().enumerate() {
         match token {
-            Token::Text(literal) => {
+            TemplateToken::Text(literal) => {
                 let (literal, rest) = (literal.slice(raw), value.get(at as usize..)?);
                 let is_last = number + 1 == tokens.len();
                 let found = if is_last {
@@ -144,7 +144,7 @@ fn split(cx: &Cx<'_>, value: &str, of: TextRange, origin: Origin) -> Option<(Ori
                 at += literal.len() as u32;
             }
             // where one expression follows another, nothing says where it begins
-            Token::Expr { .. } | Token::Subst { .. } if open.is_none() => {
+            TemplateToken::Expr { .. } | TemplateToken::Subst { .. } if open.is_none() => {
                 open = Some(token.range().shift(start));
             }
             _ => return None,
@@ -255,7 +255,7 @@ pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> 
     let all = with_parts(cx);
     let nowhere = || "nothing to rename here".to_owned();
     let first = asked(cx, &all, offset).ok_or_else(nowhere)?;
-    let mut work = Work {
+    let mut work = PendingRename {
         cx,
         all: &all,
         changed: BTreeMap::new(),
@@ -268,7 +268,7 @@ pub fn rename(cx: &Cx<'_>, offset: u32, new: &str) -> Result<Vec<Span>, String> 
 }
 
 /// Names that change, and the texts that make them change.
-struct Work<'a, 'b> {
+struct PendingRename<'a, 'b> {
     cx: &'b Cx<'a>,
     all: &'b [(Name, Vec<NamePart>)],
     /// Which bytes change, by the number of the name.
@@ -278,11 +278,11 @@ struct Work<'a, 'b> {
 }
 
 /// Where parts of names are written. Texts are divided at their expressions: two places are the same or apart.
-struct Written {
+struct NameLocations {
     places: Vec<(Span, Vec<(usize, NamePart)>)>,
 }
 
-impl Written {
+impl NameLocations {
     fn of(all: &[(Name, Vec<NamePart>)]) -> Self {
         let mut places: BTreeMap<(FileId, u32, u32), Vec<(usize, NamePart)>> = BTreeMap::new();
         for (number, (_, parts)) in all.iter().enumerate() {
@@ -317,14 +317,14 @@ impl Written {
     }
 }
 
-impl Work<'_, '_> {
+impl PendingRename<'_, '_> {
     /// From texts to the names they are part of, from names to all that name the same, and to the texts of these.
     fn spread(&mut self) -> Result<(), String> {
         let mut by_value: FastMap<&str, Vec<usize>> = FastMap::default();
         for (number, (name, _)) in self.all.iter().enumerate() {
             by_value.entry(&name.value).or_default().push(number);
         }
-        let written = Written::of(self.all);
+        let written = NameLocations::of(self.all);
         let mut next = 0;
         while let Some(&span) = self.spans.get(next) {
             next += 1;
@@ -429,7 +429,7 @@ impl Work<'_, '_> {
             .iter()
             .enumerate()
             .filter(|(_, (name, _))| name.is_definition);
-        let staying: FastMap<&str, NameKind> = defined
+        let staying: FastMap<&str, RobotNameKind> = defined
             .filter(|(number, _)| !self.changed.contains_key(number))
             .map(|(_, (name, _))| (name.value.as_str(), name.kind))
             .collect();

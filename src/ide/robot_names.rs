@@ -2,17 +2,17 @@
 
 use super::context::Cx;
 use super::instances::is_within;
-use super::names::{NameUse, place};
+use super::names::{NameOccurrence, place};
 use base::{Span, TextRange};
 use expand::{XId, XKind, XTree, blamed_argument};
-use model::Text;
+use model::AttrValue;
 
 /// The name of a link, joint or material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RobotThing {
     /// Its name in the expanded robot.
     pub name: String,
-    kind: NameKind,
+    kind: RobotNameKind,
 }
 
 /// The link, joint, material or group that the text at an offset names.
@@ -29,8 +29,8 @@ pub fn robot_name_at(cx: &Cx<'_>, offset: u32) -> Option<RobotThing> {
 }
 
 /// All places that give or use a name of the robot.
-pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
-    let mut found: Vec<NameUse> = Vec::new();
+pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameOccurrence> {
+    let mut found: Vec<NameOccurrence> = Vec::new();
     for other in all_names(cx)
         .into_iter()
         .filter(|other| other.kind.is(thing.kind))
@@ -40,7 +40,7 @@ pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
         if let Some(span) = span
             && !found.iter().any(|used| used.span == span)
         {
-            found.push(NameUse {
+            found.push(NameOccurrence {
                 span,
                 is_definition: other.is_definition,
             });
@@ -51,7 +51,7 @@ pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
         .iter()
         .filter(|other| other.kind.is(thing.kind) && *other.value == *thing.name)
     {
-        let used = NameUse {
+        let used = NameOccurrence {
             span: other.place,
             is_definition: other.is_definition,
         };
@@ -64,7 +64,7 @@ pub fn uses_of(cx: &Cx<'_>, thing: &RobotThing) -> Vec<NameUse> {
 
 /// What a name is the name of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NameKind {
+pub(super) enum RobotNameKind {
     Link,
     Joint,
     /// `gazebo` says only that it means one of both.
@@ -74,7 +74,7 @@ pub(super) enum NameKind {
     Group,
 }
 
-impl NameKind {
+impl RobotNameKind {
     /// Whether two names may mean one thing.
     pub fn is(self, other: Self) -> bool {
         self == other || self.is_either(other) || other.is_either(self)
@@ -89,18 +89,18 @@ impl NameKind {
 /// A text that gives or names a link, joint or material.
 #[derive(Clone)]
 pub(super) struct RobotName {
-    pub text: Text,
+    pub text: AttrValue,
     pub is_definition: bool,
-    pub kind: NameKind,
+    pub kind: RobotNameKind,
 }
 
 /// The names that the attribute value at an offset stands for (it may give several, when a macro is called often):
 /// texts that define them.
-pub(super) fn named_at(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>)> {
+pub(super) fn named_at(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<AttrValue>)> {
     named(cx, offset).map(|(range, names, _)| (range, names))
 }
 
-fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
+fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<AttrValue>, RobotNameKind)> {
     let all = all_names(cx);
     if let Some(beside) = cx.beside.iter().find(|name| name.is_at(cx, offset)) {
         let is_it = |name: &&RobotName| {
@@ -121,14 +121,14 @@ fn named(cx: &Cx<'_>, offset: u32) -> Option<(TextRange, Vec<Text>, NameKind)> {
         asked.extend(own.map(|span| (name, span.range)));
     }
     let &(first, range) = asked.first()?;
-    if asked.iter().any(|(name, _)| is_picked(cx, name)) {
-        asked.retain(|(name, _)| is_picked(cx, name));
+    if asked.iter().any(|(name, _)| is_selected(cx, name)) {
+        asked.retain(|(name, _)| is_selected(cx, name));
     }
     let given = all
         .iter()
         .filter(|name| name.is_definition && name.kind.is(first.kind));
     let values: Vec<_> = asked.iter().map(|(asked, _)| &asked.text.value).collect();
-    let names: Vec<Text> = given
+    let names: Vec<AttrValue> = given
         .map(|name| &name.text)
         .filter(|text| values.contains(&&text.value))
         .cloned()
@@ -146,23 +146,23 @@ fn is_at(cx: &Cx<'_>, span: Span, offset: u32) -> bool {
     span.file == cx.source.id && span.range.touches(offset)
 }
 
-/// Whether the call that was picked made a name.
-fn is_picked(cx: &Cx<'_>, name: &RobotName) -> bool {
-    cx.pinned
-        .is_some_and(|pin| is_within(cx.expansion, name.text.origin.frame, pin))
+/// Whether the call that was selected made a name.
+fn is_selected(cx: &Cx<'_>, name: &RobotName) -> bool {
+    cx.selected_frame
+        .is_some_and(|frame| is_within(cx.expansion, name.text.origin.frame, frame))
 }
 
 /// The names of links and joints, and the texts that refer to them; true: it is given there.
-pub(super) fn robot_names(cx: &Cx<'_>) -> Vec<(Text, bool)> {
+pub(super) fn robot_names(cx: &Cx<'_>) -> Vec<(AttrValue, bool)> {
     let names = all_names(cx)
         .into_iter()
-        .filter(|name| name.kind != NameKind::Material);
+        .filter(|name| name.kind != RobotNameKind::Material);
     names.map(|name| (name.text, name.is_definition)).collect()
 }
 
 /// All names of links, joints and materials, and the texts that refer to them.
 pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
-    use NameKind::{Joint, Link, LinkOrJoint, Material};
+    use RobotNameKind::{Joint, Link, LinkOrJoint, Material};
     let Some(robot) = cx.robot else {
         return Vec::new();
     };
@@ -176,7 +176,7 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
                 .any(|child| tree.get(child).kind == XKind::Element);
             add(
                 &mut found,
-                &Text::attr(tree, material, "name"),
+                &AttrValue::attr(tree, material, "name"),
                 is_given,
                 Material,
             );
@@ -212,7 +212,12 @@ pub(super) fn all_names(cx: &Cx<'_>) -> Vec<RobotName> {
     found
 }
 
-fn add(found: &mut Vec<RobotName>, text: &Option<Text>, is_definition: bool, kind: NameKind) {
+fn add(
+    found: &mut Vec<RobotName>,
+    text: &Option<AttrValue>,
+    is_definition: bool,
+    kind: RobotNameKind,
+) {
     found.extend(text.iter().map(|text| RobotName {
         text: text.clone(),
         is_definition,
@@ -237,7 +242,7 @@ fn children_named<'a>(
 }
 
 /// What elements in a `gazebo` element say that are there to name a link or joint, as `frameName` of a plugin is.
-fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
+fn contents(tree: &XTree, gazebo: XId) -> Vec<(AttrValue, RobotNameKind)> {
     let mut found = Vec::new();
     let mut open = vec![gazebo];
     while let Some(element) = open.pop() {
@@ -248,25 +253,25 @@ fn contents(tree: &XTree, gazebo: XId) -> Vec<(Text, NameKind)> {
         let Some(kind) = meant_by(&tree.get(element).text) else {
             continue;
         };
-        found.extend(Text::content(tree, element).map(|text| (text, kind)));
+        found.extend(AttrValue::content(tree, element).map(|text| (text, kind)));
     }
     found
 }
 
 /// What the content of an element in a plugin names, as its tag says.
-fn meant_by(tag: &str) -> Option<NameKind> {
+fn meant_by(tag: &str) -> Option<RobotNameKind> {
     let tag = tag.to_lowercase();
     let is_link = ["frame", "body", "link"]
         .iter()
         .any(|word| tag.contains(word));
     match tag.contains("joint") {
-        true => Some(NameKind::Joint),
-        false => is_link.then_some(NameKind::Link),
+        true => Some(RobotNameKind::Joint),
+        false => is_link.then_some(RobotNameKind::Link),
     }
 }
 
 /// Where a name is written: in the text itself, or, when that is a parameter of a macro, in the call.
-fn written(cx: &Cx<'_>, text: &Text) -> Option<Span> {
+fn written(cx: &Cx<'_>, text: &AttrValue) -> Option<Span> {
     place(
         cx,
         blamed_argument(cx.expansion, text.origin).unwrap_or(text.origin),

@@ -15,10 +15,10 @@ pub fn element_below(root: &'static ElementSpec, node: Node<'_>) -> Vec<&'static
         return vec![root];
     }
     let parents = match around(root, node) {
-        Around::Element(parent) => element_below(root, parent),
-        Around::Robot => vec![root],
-        Around::Unknown if root.key != robot().key => return Vec::new(),
-        Around::Unknown => return elements().filter(|spec| spec.name == name).collect(),
+        ParentElement::Element(parent) => element_below(root, parent),
+        ParentElement::Robot => vec![root],
+        ParentElement::Unknown if root.key != robot().key => return Vec::new(),
+        ParentElement::Unknown => return elements().filter(|spec| spec.name == name).collect(),
     };
     let mut found: Vec<&ElementSpec> = parents
         .iter()
@@ -58,31 +58,31 @@ fn may_turn(node: Node<'_>) -> bool {
     )
 }
 
-enum Around<'a> {
+enum ParentElement<'a> {
     Element(Node<'a>),
     Robot,
     Unknown,
 }
 
 /// What an element stands in once conditions and macros are gone.
-fn around<'a>(root: &ElementSpec, node: Node<'a>) -> Around<'a> {
+fn around<'a>(root: &ElementSpec, node: Node<'a>) -> ParentElement<'a> {
     let mut next = node.parent();
     while let Some(parent) = next {
         match parent.name() {
             "xacro:if" | "xacro:unless" => next = parent.parent(),
             // a body may be called anywhere; what is no part of a robot by itself is a piece of something
             "xacro:macro" => return top(root, node),
-            name if name.starts_with("xacro:") => return Around::Unknown,
-            _ => return Around::Element(parent),
+            name if name.starts_with("xacro:") => return ParentElement::Unknown,
+            _ => return ParentElement::Element(parent),
         }
     }
     top(root, node)
 }
 
-fn top<'a>(root: &ElementSpec, node: Node<'a>) -> Around<'a> {
+fn top<'a>(root: &ElementSpec, node: Node<'a>) -> ParentElement<'a> {
     if root.child(node.name()).is_some() {
-        Around::Robot
+        ParentElement::Robot
     } else {
-        Around::Unknown
+        ParentElement::Unknown
     }
 }

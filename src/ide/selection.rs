@@ -1,9 +1,9 @@
 //! Growing selections: from a word to the file.
 
-use super::locate::{Part, locate};
+use super::locate::{NodePart, locate};
 use base::TextRange;
 use base::limits::SELECTIONS;
-use expr::{self, Token};
+use expr::{self, TemplateToken};
 use xml::{Document, Node};
 
 /// The ranges around an offset, the smallest first; each holds the one in front of it.
@@ -12,18 +12,18 @@ pub fn selection(document: &Document, offset: u32) -> Vec<TextRange> {
     let inside = offset.saturating_sub(at.base);
     let mut ranges = Vec::new();
     match at.part {
-        Part::AttrValue(attr) => {
+        NodePart::AttrValue(attr) => {
             expression(attr.raw(), attr.value_range().start, inside, &mut ranges);
             ranges.extend([attr.value_range(), attr.range()]);
         }
-        Part::AttrName(attr) => ranges.extend([attr.name_range(), attr.range()]),
-        Part::Text => {
+        NodePart::AttrName(attr) => ranges.extend([attr.name_range(), attr.range()]),
+        NodePart::Text => {
             if let Some(node) = at.node {
                 expression(node.raw(), node.raw_range().start, inside, &mut ranges);
             }
         }
-        Part::StartName => ranges.extend(at.node.map(Node::name_range)),
-        Part::EndName => ranges.extend(at.node.and_then(Node::end_name_range)),
+        NodePart::StartName => ranges.extend(at.node.map(Node::name_range)),
+        NodePart::EndName => ranges.extend(at.node.and_then(Node::end_name_range)),
         _ => {}
     }
     let mut around = at.node;
@@ -73,7 +73,7 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
     else {
         return;
     };
-    if let Token::Expr {
+    if let TemplateToken::Expr {
         inner,
         code: expr::Code::Static(parsed),
         ..
@@ -102,6 +102,6 @@ fn expression(raw: &str, start: u32, inside: u32, ranges: &mut Vec<TextRange>) {
     ranges.push(token.range().shift(start));
 }
 
-fn is_text(token: &Token) -> bool {
-    matches!(token, Token::Text(_) | Token::Escape(_))
+fn is_text(token: &TemplateToken) -> bool {
+    matches!(token, TemplateToken::Text(_) | TemplateToken::Escape(_))
 }

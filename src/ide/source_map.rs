@@ -32,7 +32,7 @@ pub fn source_map(
     name: impl Fn(&expand::FileUse) -> String,
 ) -> SourceMap {
     let files: Vec<String> = expansion.files.iter().map(&name).collect();
-    let places = Places {
+    let places = SourcePositions {
         expansion,
         encoding,
     };
@@ -48,7 +48,7 @@ pub fn source_map(
             frame.name.to_string(),
         )
     });
-    let out = Lines::of(&written.text, encoding);
+    let out = TextLines::of(&written.text, encoding);
     let row = |entry: &MapEntry| {
         let origin = origin_of(expansion, entry);
         let [file, sl, sc, el, ec] = places.of(origin)?;
@@ -250,12 +250,12 @@ pub fn steps(expansion: &Expansion, origin: Origin) -> impl Iterator<Item = (Fra
 }
 
 /// Lines and columns in the sources.
-struct Places<'a> {
+struct SourcePositions<'a> {
     expansion: &'a Expansion,
     encoding: Encoding,
 }
 
-impl Places<'_> {
+impl SourcePositions<'_> {
     /// File, start line and column, end line and column.
     fn of(&self, origin: Origin) -> Option<[u32; 5]> {
         let place = self.expansion.place(origin)?;
@@ -267,13 +267,13 @@ impl Places<'_> {
 }
 
 /// Lines of a text that is no document.
-pub struct Lines<'a> {
+pub struct TextLines<'a> {
     text: &'a str,
     starts: Vec<u32>,
     encoding: Encoding,
 }
 
-impl<'a> Lines<'a> {
+impl<'a> TextLines<'a> {
     /// The lines of a text whose lines end with a line feed.
     pub fn of(text: &'a str, encoding: Encoding) -> Self {
         let ends = memchr::memchr_iter(b'\n', text.as_bytes()).map(|at| at as u32 + 1);

@@ -1,6 +1,6 @@
 //! The two tags of an element.
 
-use super::locate::{Part, locate};
+use super::locate::{NodePart, locate};
 use base::TextRange;
 use xml::Document;
 
@@ -22,7 +22,7 @@ pub fn matching_tags(document: &Document, offset: u32) -> Option<[TextRange; 2]>
     }
     let node = at
         .node
-        .filter(|_| matches!(at.part, Part::StartName | Part::EndName))?;
+        .filter(|_| matches!(at.part, NodePart::StartName | NodePart::EndName))?;
     Some([
         at.shift(node.name_range()),
         at.shift(node.end_name_range()?),

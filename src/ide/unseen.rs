@@ -1,7 +1,7 @@
 //! Names that no evaluated robot has: why they cannot be renamed.
 
 use super::context::Cx;
-use super::locate::{Part, locate};
+use super::locate::{NodePart, locate};
 use rules::schema::{AttributeKind, every_element};
 use xml::{Attr, Node};
 
@@ -9,7 +9,7 @@ use xml::{Attr, Node};
 /// `None` where no such name is written.
 pub fn unseen_name(cx: &Cx<'_>, offset: u32) -> Option<String> {
     let at = locate(&cx.source.document, offset);
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return None;
     };
     if !names_part_of_robot(node, attr) {

@@ -1,7 +1,7 @@
 //! The values that expressions have in the expansion, and how they are shown.
 
 use super::context::Cx;
-use super::host::{self, Names};
+use super::host::{self, NameResolver};
 use super::instances::is_within;
 use base::{FastSet, TextRange};
 use expand::{BindingId, BindingKind, Evaluation, FrameId};
@@ -21,20 +21,20 @@ pub struct Instance {
 pub const UNKNOWN: &str = "?";
 
 /// The values of the `${...}` or `$(...)` at `range` of the file, one for each way that led there; of those in the
-/// macro whose call was picked, only what that call gave.
+/// macro whose call was selected, only what that call gave.
 pub fn instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
-    of_picked(cx, all_instances(cx, range))
+    of_selected(cx, all_instances(cx, range))
 }
 
-/// The same, whatever call was picked.
+/// The same, whatever call was selected.
 pub fn all_instances(cx: &Cx<'_>, range: TextRange) -> Vec<Instance> {
     part_instances(cx, range, |_, evaluation| evaluation.value.clone())
 }
 
-/// Of values that came through the call that was picked and others, only the former.
-pub fn of_picked(cx: &Cx<'_>, mut found: Vec<Instance>) -> Vec<Instance> {
-    if let Some(pin) = cx.pinned {
-        let own = |instance: &Instance| is_within(cx.expansion, instance.frame, pin);
+/// Of values that came through the call that was selected and others, only the former.
+pub fn of_selected(cx: &Cx<'_>, mut found: Vec<Instance>) -> Vec<Instance> {
+    if let Some(selected) = cx.selected_frame {
+        let own = |instance: &Instance| is_within(cx.expansion, instance.frame, selected);
         if found.iter().any(own) {
             found.retain(own);
         }
@@ -47,7 +47,7 @@ pub fn part_values(cx: &Cx<'_>, range: TextRange, whole: &Expr, part: &Expr) -> 
     if std::ptr::eq(whole, part) {
         return instances(cx, range);
     }
-    of_picked(
+    of_selected(
         cx,
         part_instances(cx, range, |cx, evaluation| {
             part_value(cx, evaluation, whole, part)
@@ -115,7 +115,7 @@ fn part_value(cx: &Cx<'_>, evaluation: &Evaluation, whole: &Expr, part: &Expr) -
     if changes_something(part) {
         return Value::Unknown;
     }
-    let mut known = Known {
+    let mut known = KnownValues {
         cx,
         reads: cx.expansion.index.read_in(evaluation.reads),
     };
@@ -147,12 +147,12 @@ fn changes_something(part: &Expr) -> bool {
 }
 
 /// Answers with what was read before, and with nothing else.
-struct Known<'a> {
+struct KnownValues<'a> {
     cx: &'a Cx<'a>,
     reads: &'a [BindingId],
 }
 
-impl Known<'_> {
+impl KnownValues<'_> {
     fn value(&self, name: &str, of: impl Fn(BindingKind) -> bool) -> Option<Value> {
         let bindings = self
             .reads
@@ -182,7 +182,7 @@ impl Known<'_> {
     }
 }
 
-impl Names for Known<'_> {
+impl NameResolver for KnownValues<'_> {
     fn name(&mut self, name: &str) -> Lookup {
         self.named(name)
     }

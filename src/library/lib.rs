@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use base::Encoding;
-use expand::{Expansion, Limits, Origin, Place, Request, World, Written};
+use expand::{Expansion, ExpansionLimits, FileRange, Origin, Request, Sources, Written};
 use vfs::{Environment, Vfs};
 use workspace::config::Config;
 use workspace::{PackageOptions, Packages, UriOutcome};
@@ -138,11 +138,11 @@ pub fn expand(file: impl AsRef<Path>, options: &Options) -> Robot {
     let request = Request {
         file: vfs::slashed(file.as_ref()),
         args: options.args.clone(),
-        limits: Limits::configured(&Config::default().limits),
+        limits: ExpansionLimits::configured(&Config::default().limits),
         ..Request::default()
     };
     let expansion = expand::expand(
-        World {
+        Sources {
             vfs: &vfs,
             packages: &packages,
             env: &env,
@@ -204,7 +204,7 @@ fn problems(expansion: &Expansion) -> Vec<Problem> {
         calls: Vec::new(),
     });
     let found = expansion.problems.iter().map(|problem| Problem {
-        is_error: problem.severity == expand::Severity::Error,
+        is_error: problem.severity == expand::ProblemSeverity::Error,
         message: problem.message.clone(),
         help: problem.help.clone(),
         location: location(expansion, problem.place),
@@ -217,7 +217,7 @@ fn problems(expansion: &Expansion) -> Vec<Problem> {
     unreadable.into_iter().chain(found).collect()
 }
 
-fn location(expansion: &Expansion, place: Place) -> Option<Location> {
+fn location(expansion: &Expansion, place: FileRange) -> Option<Location> {
     let source = &expansion.files.get(place.file)?.source;
     let at = source.document.line_col(place.range.start, Encoding::Utf32);
     Some(Location {

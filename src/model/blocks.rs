@@ -1,7 +1,7 @@
 //! Blocks beside links and joints: Gazebo, ros2_control, transmissions.
 
+use super::attr_value::AttrValue;
 use super::source::{child, children};
-use super::text::Text;
 use expand::{XId, XTree};
 
 /// A `gazebo` element of the robot.
@@ -10,7 +10,7 @@ pub struct Gazebo {
     /// Its element.
     pub element: XId,
     /// The link or joint it speaks about; none: the robot.
-    pub reference: Option<Text>,
+    pub reference: Option<AttrValue>,
 }
 
 /// A `ros2_control` element.
@@ -19,9 +19,9 @@ pub struct Ros2Control {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its `type`: system, actuator or sensor.
-    pub kind: Option<Text>,
+    pub kind: Option<AttrValue>,
     /// Its `hardware` elements.
     pub hardware: Vec<XId>,
     /// Its `joint`s.
@@ -34,9 +34,9 @@ pub struct ControlJoint {
     /// Its element.
     pub element: XId,
     /// The joint of the robot it stands for.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its `mimic` attribute.
-    pub mimic: Option<Text>,
+    pub mimic: Option<AttrValue>,
     /// Its `command_interface`s.
     pub commands: Vec<Interface>,
     /// Its `state_interface`s.
@@ -49,20 +49,20 @@ pub struct Interface {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its `param`s.
-    pub params: Vec<Param>,
+    pub params: Vec<InterfaceParam>,
 }
 
 /// A `param` of an interface.
 #[derive(Clone, Debug)]
-pub struct Param {
+pub struct InterfaceParam {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// The text inside.
-    pub value: Option<Text>,
+    pub value: Option<AttrValue>,
 }
 
 /// A `transmission` of the robot.
@@ -71,16 +71,16 @@ pub struct Transmission {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its `joint`s: the element and its `name`.
-    pub joints: Vec<(XId, Option<Text>)>,
+    pub joints: Vec<(XId, Option<AttrValue>)>,
 }
 
 impl Gazebo {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            reference: Text::attr(tree, element, "reference"),
+            reference: AttrValue::attr(tree, element, "reference"),
         }
     }
 }
@@ -89,8 +89,8 @@ impl Ros2Control {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
-            kind: Text::attr(tree, element, "type"),
+            name: AttrValue::attr(tree, element, "name"),
+            kind: AttrValue::attr(tree, element, "type"),
             hardware: children(tree, element, "hardware").collect(),
             joints: children(tree, element, "joint")
                 .map(|joint| ControlJoint::of(tree, joint))
@@ -108,8 +108,8 @@ impl ControlJoint {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
-            mimic: Text::attr(tree, element, "mimic"),
+            name: AttrValue::attr(tree, element, "name"),
+            mimic: AttrValue::attr(tree, element, "mimic"),
             commands: Interface::all(tree, element, "command_interface"),
             states: Interface::all(tree, element, "state_interface"),
         }
@@ -137,10 +137,10 @@ impl Interface {
     }
 
     fn of(tree: &XTree, element: XId) -> Self {
-        let params = children(tree, element, "param").map(|param| Param::of(tree, param));
+        let params = children(tree, element, "param").map(|param| InterfaceParam::of(tree, param));
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             params: params.collect(),
         }
     }
@@ -149,34 +149,35 @@ impl Interface {
     pub fn is(&self, name: &str) -> bool {
         self.name
             .as_ref()
-            .and_then(Text::name)
+            .and_then(AttrValue::name)
             .is_some_and(|own| own == name)
     }
 
     /// The text of its first `param` of a name.
-    pub fn param(&self, name: &str) -> Option<&Text> {
-        let is_named = |param: &&Param| param.name.as_ref().is_some_and(|own| own.value == name);
+    pub fn param(&self, name: &str) -> Option<&AttrValue> {
+        let is_named =
+            |param: &&InterfaceParam| param.name.as_ref().is_some_and(|own| own.value == name);
         self.params.iter().find(is_named)?.value.as_ref()
     }
 }
 
-impl Param {
+impl InterfaceParam {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
-            value: Text::content(tree, element),
+            name: AttrValue::attr(tree, element, "name"),
+            value: AttrValue::content(tree, element),
         }
     }
 }
 
 impl Transmission {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let joints =
-            children(tree, element, "joint").map(|joint| (joint, Text::attr(tree, joint, "name")));
+        let joints = children(tree, element, "joint")
+            .map(|joint| (joint, AttrValue::attr(tree, joint, "name")));
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             joints: joints.collect(),
         }
     }

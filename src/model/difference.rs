@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use super::attr_value::decimal;
 use super::canonical::{Element, canonical};
-use super::text::decimal;
 
 /// What a comparison gave.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,12 +24,12 @@ pub struct Difference {
     /// Its place in the second text.
     pub other: Range<usize>,
     /// What differs.
-    pub what: What,
+    pub what: DifferenceKind,
 }
 
 /// What differs.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum What {
+pub enum DifferenceKind {
     /// The text of an attribute or element; none where it is missing.
     Value {
         /// The attribute or element: `value` of `mass`.
@@ -75,7 +75,7 @@ struct Comparer<'t> {
 impl Comparer<'_> {
     fn elements(&self, a: &Element, b: &Element) -> Option<Difference> {
         if !is_counterpart(a, b) {
-            return Some(self.difference(a, b, None, What::OnlyOne(shown(a))));
+            return Some(self.difference(a, b, None, DifferenceKind::OnlyOne(shown(a))));
         }
         self.attributes(a, b).or_else(|| self.children(a, b))
     }
@@ -98,7 +98,7 @@ impl Comparer<'_> {
             "" => "text".to_owned(),
             _ => format!("`{name}` of {}", shown(a)),
         };
-        let what = What::Value {
+        let what = DifferenceKind::Value {
             of,
             one: a.attr(name).map(str::to_owned),
             other: b.attr(name).map(str::to_owned),
@@ -110,7 +110,12 @@ impl Comparer<'_> {
         let mut others = b.children.iter().peekable();
         for (number, child) in a.children.iter().enumerate() {
             let Some(other) = others.next() else {
-                return Some(self.difference(child, b, None, What::OnlyOne(shown(child))));
+                return Some(self.difference(
+                    child,
+                    b,
+                    None,
+                    DifferenceKind::OnlyOne(shown(child)),
+                ));
             };
             if is_counterpart(child, other) {
                 if let Some(difference) = self.elements(child, other) {
@@ -121,20 +126,26 @@ impl Comparer<'_> {
             // one that comes later in the first text is there, and this one is in addition
             let rest = a.children.get(number + 1..).unwrap_or_default();
             let what = match rest.iter().any(|later| is_counterpart(later, other)) {
-                true => What::OnlyOne(shown(child)),
-                false => What::OnlyOther(shown(other)),
+                true => DifferenceKind::OnlyOne(shown(child)),
+                false => DifferenceKind::OnlyOther(shown(other)),
             };
             return Some(self.difference(child, other, None, what));
         }
         let other = others.next()?;
-        Some(self.difference(a, other, None, What::OnlyOther(shown(other))))
+        Some(self.difference(a, other, None, DifferenceKind::OnlyOther(shown(other))))
     }
 
-    fn difference(&self, a: &Element, b: &Element, attr: Option<&str>, what: What) -> Difference {
+    fn difference(
+        &self,
+        a: &Element,
+        b: &Element,
+        attr: Option<&str>,
+        what: DifferenceKind,
+    ) -> Difference {
         let (one, other) = (place(self.one, a, attr), place(self.other, b, attr));
         let is_value = matches!(
             &what,
-            What::Value {
+            DifferenceKind::Value {
                 one: Some(_),
                 other: Some(_),
                 ..
@@ -272,7 +283,7 @@ fn last_name(path: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::{Comparison, What, compare};
+    use super::{Comparison, DifferenceKind, compare};
 
     fn robot(content: &str) -> String {
         format!("<robot name='r'>{content}</robot>")
@@ -319,9 +330,9 @@ mod tests {
             panic!("{one}\n{other}")
         };
         let what = match found.what {
-            What::Value { of, one, other } => format!("{of}: {one:?} {other:?}"),
-            What::OnlyOne(what) => format!("+{what}"),
-            What::OnlyOther(what) => format!("-{what}"),
+            DifferenceKind::Value { of, one, other } => format!("{of}: {one:?} {other:?}"),
+            DifferenceKind::OnlyOne(what) => format!("+{what}"),
+            DifferenceKind::OnlyOther(what) => format!("-{what}"),
         };
         assert_eq!(
             (&one[found.one], &other[found.other], what.as_str()),

@@ -2,9 +2,9 @@
 
 use ecow::EcoString;
 
+use super::attr_value::AttrValue;
 use super::pose::Pose;
 use super::source::child;
-use super::text::Text;
 use super::version::Version;
 use expand::{XId, XTree};
 
@@ -14,13 +14,13 @@ pub struct Joint {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its `type`.
-    pub kind: Option<Text>,
+    pub kind: Option<AttrValue>,
     /// The `link` of its `parent`.
-    pub parent: Option<Text>,
+    pub parent: Option<AttrValue>,
     /// The `link` of its `child`.
-    pub child: Option<Text>,
+    pub child: Option<AttrValue>,
     /// Where the child's frame stands in the parent's at position zero.
     pub origin: Option<Pose>,
     /// Its first `axis`.
@@ -32,7 +32,7 @@ pub struct Joint {
     /// Its first `mimic`.
     pub mimic: Option<Box<Mimic>>,
     /// Its first `safety_controller`.
-    pub safety: Option<Box<Safety>>,
+    pub safety: Option<Box<SafetyController>>,
 }
 
 /// The types of joints that URDF knows.
@@ -81,7 +81,7 @@ pub struct Axis {
     /// Its element.
     pub element: XId,
     /// Its direction in the joint's frame; unit length is expected, 1 0 0 is the default.
-    pub xyz: Option<Text>,
+    pub xyz: Option<AttrValue>,
 }
 
 /// A `limit`: radians or meters, N m or N, rad/s or m/s.
@@ -89,12 +89,12 @@ pub struct Axis {
 #[allow(missing_docs)]
 pub struct Limit {
     pub element: XId,
-    pub lower: Option<Text>,
-    pub upper: Option<Text>,
-    pub effort: Option<Text>,
-    pub velocity: Option<Text>,
+    pub lower: Option<AttrValue>,
+    pub upper: Option<AttrValue>,
+    pub effort: Option<AttrValue>,
+    pub velocity: Option<AttrValue>,
     /// `acceleration`, `deceleration` and `jerk`; none in robots older than URDF 1.2, where nobody reads them.
-    pub dynamic: [Option<Text>; 3],
+    pub dynamic: [Option<AttrValue>; 3],
 }
 
 impl Limit {
@@ -108,21 +108,21 @@ impl Limit {
 
     fn of(tree: &XTree, element: XId) -> Self {
         let dynamic = Self::DYNAMIC
-            .map(|name| Text::attr(tree, element, name).filter(|_| Version::V1_2.is_in(tree)));
+            .map(|name| AttrValue::attr(tree, element, name).filter(|_| Version::V1_2.is_in(tree)));
         Self {
             element,
-            lower: Text::attr(tree, element, "lower"),
-            upper: Text::attr(tree, element, "upper"),
-            effort: Text::attr(tree, element, "effort"),
-            velocity: Text::attr(tree, element, "velocity"),
+            lower: AttrValue::attr(tree, element, "lower"),
+            upper: AttrValue::attr(tree, element, "upper"),
+            effort: AttrValue::attr(tree, element, "effort"),
+            velocity: AttrValue::attr(tree, element, "velocity"),
             dynamic,
         }
     }
 }
 
 /// A bound of a range, zero where absent; none when it is not known.
-fn bound(text: &Option<Text>) -> Option<f64> {
-    text.as_ref().map_or(Some(0.0), Text::number)
+fn bound(text: &Option<AttrValue>) -> Option<f64> {
+    text.as_ref().map_or(Some(0.0), AttrValue::number)
 }
 
 /// A `dynamics`: N m s/rad or N s/m, N m or N.
@@ -130,8 +130,8 @@ fn bound(text: &Option<Text>) -> Option<f64> {
 #[allow(missing_docs)]
 pub struct Dynamics {
     pub element: XId,
-    pub damping: Option<Text>,
-    pub friction: Option<Text>,
+    pub damping: Option<AttrValue>,
+    pub friction: Option<AttrValue>,
 }
 
 /// A `mimic`: position = multiplier * position of the joint + offset.
@@ -139,28 +139,28 @@ pub struct Dynamics {
 #[allow(missing_docs)]
 pub struct Mimic {
     pub element: XId,
-    pub joint: Option<Text>,
-    pub multiplier: Option<Text>,
-    pub offset: Option<Text>,
+    pub joint: Option<AttrValue>,
+    pub multiplier: Option<AttrValue>,
+    pub offset: Option<AttrValue>,
 }
 
 /// A `safety_controller`.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
-pub struct Safety {
+pub struct SafetyController {
     pub element: XId,
-    pub soft_lower_limit: Option<Text>,
-    pub soft_upper_limit: Option<Text>,
-    pub k_position: Option<Text>,
-    pub k_velocity: Option<Text>,
+    pub soft_lower_limit: Option<AttrValue>,
+    pub soft_upper_limit: Option<AttrValue>,
+    pub k_position: Option<AttrValue>,
+    pub k_velocity: Option<AttrValue>,
 }
 
 impl Dynamics {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            damping: Text::attr(tree, element, "damping"),
-            friction: Text::attr(tree, element, "friction"),
+            damping: AttrValue::attr(tree, element, "damping"),
+            friction: AttrValue::attr(tree, element, "friction"),
         }
     }
 }
@@ -169,21 +169,21 @@ impl Mimic {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            joint: Text::attr(tree, element, "joint"),
-            multiplier: Text::attr(tree, element, "multiplier"),
-            offset: Text::attr(tree, element, "offset"),
+            joint: AttrValue::attr(tree, element, "joint"),
+            multiplier: AttrValue::attr(tree, element, "multiplier"),
+            offset: AttrValue::attr(tree, element, "offset"),
         }
     }
 }
 
-impl Safety {
+impl SafetyController {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            soft_lower_limit: Text::attr(tree, element, "soft_lower_limit"),
-            soft_upper_limit: Text::attr(tree, element, "soft_upper_limit"),
-            k_position: Text::attr(tree, element, "k_position"),
-            k_velocity: Text::attr(tree, element, "k_velocity"),
+            soft_lower_limit: AttrValue::attr(tree, element, "soft_lower_limit"),
+            soft_upper_limit: AttrValue::attr(tree, element, "soft_upper_limit"),
+            k_position: AttrValue::attr(tree, element, "k_position"),
+            k_velocity: AttrValue::attr(tree, element, "k_velocity"),
         }
     }
 }
@@ -193,21 +193,21 @@ impl Joint {
         // urdfdom reads the first element of each name
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
-            kind: Text::attr(tree, element, "type"),
+            name: AttrValue::attr(tree, element, "name"),
+            kind: AttrValue::attr(tree, element, "type"),
             parent: end(tree, element, "parent"),
             child: end(tree, element, "child"),
             origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
             axis: child(tree, element, "axis").map(|axis| Axis {
                 element: axis,
-                xyz: Text::attr(tree, axis, "xyz"),
+                xyz: AttrValue::attr(tree, axis, "xyz"),
             }),
             limit: child(tree, element, "limit").map(|limit| Limit::of(tree, limit)),
             dynamics: child(tree, element, "dynamics")
                 .map(|dynamics| Box::new(Dynamics::of(tree, dynamics))),
             mimic: child(tree, element, "mimic").map(|mimic| Box::new(Mimic::of(tree, mimic))),
             safety: child(tree, element, "safety_controller")
-                .map(|safety| Box::new(Safety::of(tree, safety))),
+                .map(|safety| Box::new(SafetyController::of(tree, safety))),
         }
     }
 
@@ -239,11 +239,11 @@ impl Joint {
     /// Its axis in its own frame, 1 0 0 where none is written; none when it is no known vector.
     pub fn axis(&self) -> Option<[f64; 3]> {
         let text = self.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-        text.map_or(Some([1.0, 0.0, 0.0]), Text::numbers)
+        text.map_or(Some([1.0, 0.0, 0.0]), AttrValue::numbers)
     }
 }
 
 /// The link that the `parent` or `child` element of a joint names.
-fn end(tree: &XTree, joint: XId, name: &str) -> Option<Text> {
-    Text::attr(tree, child(tree, joint, name)?, "link")
+fn end(tree: &XTree, joint: XId, name: &str) -> Option<AttrValue> {
+    AttrValue::attr(tree, child(tree, joint, name)?, "link")
 }

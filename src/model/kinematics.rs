@@ -14,9 +14,9 @@ pub struct Kinematics {
     /// Index into [`Robot::links`] by name.
     links: FastMap<EcoString, usize>,
     /// For each link, the joints whose parent it is: indices into [`Robot::joints`], ordered by joint name.
-    down: Vec<Vec<usize>>,
+    child_joints: Vec<Vec<usize>>,
     /// For each link, the joints whose child it is, in document order.
-    up: Vec<Vec<usize>>,
+    parent_joints: Vec<Vec<usize>>,
     /// For each joint, the links it joins.
     ends: Vec<Option<(usize, usize)>>,
 }
@@ -30,25 +30,27 @@ impl Kinematics {
                 links.entry(name.clone()).or_insert(i);
             }
         }
-        let mut down = vec![Vec::new(); robot.links.len()];
-        let mut up = vec![Vec::new(); robot.links.len()];
+        let mut child_joints = vec![Vec::new(); robot.links.len()];
+        let mut parent_joints = vec![Vec::new(); robot.links.len()];
         let mut ends = Vec::with_capacity(robot.joints.len());
         for (i, joint) in robot.joints.iter().enumerate() {
             let pair = joint
                 .ends()
                 .and_then(|(parent, child)| Some((*links.get(parent)?, *links.get(child)?)));
             if let Some((parent, child)) = pair {
-                down.get_mut(parent)
+                child_joints
+                    .get_mut(parent)
                     .into_iter()
                     .for_each(|joints| joints.push(i));
-                up.get_mut(child)
+                parent_joints
+                    .get_mut(child)
                     .into_iter()
                     .for_each(|joints| joints.push(i));
             }
             ends.push(pair);
         }
         // urdfdom keeps joints in a map by name and hangs children up in its order
-        for joints in &mut down {
+        for joints in &mut child_joints {
             joints.sort_by_key(|&joint: &usize| {
                 robot
                     .joints
@@ -58,8 +60,8 @@ impl Kinematics {
         }
         Self {
             links,
-            down,
-            up,
+            child_joints,
+            parent_joints,
             ends,
         }
     }
@@ -75,36 +77,36 @@ impl Kinematics {
     }
 
     /// The joints whose parent is `link`, ordered by name as urdfdom does.
-    pub fn down(&self, link: usize) -> &[usize] {
-        self.down.get(link).map_or(&[], Vec::as_slice)
+    pub fn child_joints(&self, link: usize) -> &[usize] {
+        self.child_joints.get(link).map_or(&[], Vec::as_slice)
     }
 
     /// The joints whose child is `link`, in document order.
-    pub fn up(&self, link: usize) -> &[usize] {
-        self.up.get(link).map_or(&[], Vec::as_slice)
+    pub fn parent_joints(&self, link: usize) -> &[usize] {
+        self.parent_joints.get(link).map_or(&[], Vec::as_slice)
     }
 
     /// The joints above a link, the nearest first; of several parents the first counts. A circle ends it.
-    pub fn above(&self, link: usize) -> impl Iterator<Item = usize> + '_ {
-        let next = move |&joint: &usize| self.first_up(self.ends(joint)?.0);
-        std::iter::successors(self.first_up(link), next).take(self.down.len())
+    pub fn ancestor_joints(&self, link: usize) -> impl Iterator<Item = usize> + '_ {
+        let next = move |&joint: &usize| self.first_parent_joint(self.ends(joint)?.0);
+        std::iter::successors(self.first_parent_joint(link), next).take(self.child_joints.len())
     }
 
     /// The first joint whose child is `link`.
-    fn first_up(&self, link: usize) -> Option<usize> {
-        self.up(link).first().copied()
+    fn first_parent_joint(&self, link: usize) -> Option<usize> {
+        self.parent_joints(link).first().copied()
     }
 
     /// The joints between two links, those above `from` first; none when they hang on nothing in common.
     pub fn path(&self, from: usize, to: usize) -> Option<Vec<usize>> {
         let from_root: Vec<usize> = self
-            .above(from)
+            .ancestor_joints(from)
             .collect::<Vec<_>>()
             .into_iter()
             .rev()
             .collect();
         let to_root: Vec<usize> = self
-            .above(to)
+            .ancestor_joints(to)
             .collect::<Vec<_>>()
             .into_iter()
             .rev()
@@ -117,8 +119,8 @@ impl Kinematics {
             .zip(&to_root)
             .take_while(|(a, b)| a == b)
             .count();
-        let up = from_root.into_iter().skip(common).rev();
-        Some(up.chain(to_root.into_iter().skip(common)).collect())
+        let to_common = from_root.into_iter().skip(common).rev();
+        Some(to_common.chain(to_root.into_iter().skip(common)).collect())
     }
 
     /// The link where a way of joints to `link` begins: `link` itself when there are none.
@@ -153,17 +155,17 @@ impl Kinematics {
     /// itself is no cycle. Every way back to a link above is one cycle.
     pub fn cycles(&self) -> Vec<Vec<usize>> {
         let mut cycles = Vec::new();
-        let mut state = vec![State::New; self.down.len()];
-        for start in 0..self.down.len() {
+        let mut state = vec![VisitState::New; self.child_joints.len()];
+        for start in 0..self.child_joints.len() {
             // links from `start` down to where the walk is: link, joints tried, joint taken
             let mut way = vec![(start, 0, None)];
-            if state.get(start) != Some(&State::New) {
+            if state.get(start) != Some(&VisitState::New) {
                 continue;
             }
-            set(&mut state, start, State::OnWay);
+            set(&mut state, start, VisitState::OnWay);
             while let Some(&mut (link, ref mut tried, ref mut taken)) = way.last_mut() {
-                let Some(&joint) = self.down(link).get(*tried) else {
-                    set(&mut state, link, State::Done);
+                let Some(&joint) = self.child_joints(link).get(*tried) else {
+                    set(&mut state, link, VisitState::Done);
                     way.pop();
                     continue;
                 };
@@ -174,11 +176,11 @@ impl Kinematics {
                     continue;
                 };
                 match state.get(child) {
-                    Some(State::New) => {
-                        set(&mut state, child, State::OnWay);
+                    Some(VisitState::New) => {
+                        set(&mut state, child, VisitState::OnWay);
                         way.push((child, 0, None));
                     }
-                    Some(State::OnWay) => {
+                    Some(VisitState::OnWay) => {
                         let cycle = way.iter().skip_while(|(link, ..)| *link != child);
                         cycles.push(cycle.filter_map(|&(_, _, taken)| taken).collect());
                     }
@@ -192,13 +194,13 @@ impl Kinematics {
 
 /// How far the search for cycles is with a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
+enum VisitState {
     New,
     OnWay,
     Done,
 }
 
-fn set(state: &mut [State], link: usize, to: State) {
+fn set(state: &mut [VisitState], link: usize, to: VisitState) {
     if let Some(slot) = state.get_mut(link) {
         *slot = to;
     }

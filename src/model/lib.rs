@@ -1,5 +1,6 @@
 //! The robot of an expanded document: links, joints and what belongs to them, each with the text it came from.
 
+mod attr_value;
 mod blocks;
 mod canonical;
 mod difference;
@@ -13,22 +14,21 @@ mod robot;
 mod source;
 #[cfg(test)]
 mod tests;
-mod text;
 mod version;
 
-pub use blocks::{ControlJoint, Gazebo, Interface, Param, Ros2Control, Transmission};
+pub use attr_value::{AttrValue, decimal, is_decimal};
+pub use blocks::{ControlJoint, Gazebo, Interface, InterfaceParam, Ros2Control, Transmission};
 pub use canonical::{same_but_for_mesh_formats, same_robot};
-pub use difference::{Comparison, Difference, What, compare};
-pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, Safety};
+pub use difference::{Comparison, Difference, DifferenceKind, compare};
+pub use joint::{Axis, Dynamics, Joint, JointType, Limit, Mimic, SafetyController};
 pub use kinematics::Kinematics;
 pub use link::{Body, Geometry, Inertial, Link, Material, Shape, ShapeKind};
 pub use mesh::{
-    Bounds, Defect, DefectKind, Dependency, Edges, Mesh, MeshFormat, Meshes, Missing, Surface,
-    Triangles, UpAxis, plain_stl,
+    Bounds, Defect, DefectKind, Dependency, Edges, Mesh, MeshFormat, Meshes, MissingDependency,
+    Surface, Triangles, UpAxis, plain_stl,
 };
 pub use pose::{Pose, transform};
 pub use renamed::other_difference;
 pub use robot::Robot;
 pub use source::{attr_range, element_range, source_has_elements, source_mentions, tag_start};
-pub use text::{Text, decimal, is_decimal};
 pub use version::Version;

@@ -2,9 +2,9 @@
 
 use std::sync::OnceLock;
 
+use super::attr_value::AttrValue;
 use super::pose::Pose;
 use super::source::{child, children};
-use super::text::Text;
 use expand::{XId, XTree};
 
 /// A `link` of the robot.
@@ -13,7 +13,7 @@ pub struct Link {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its first `inertial`.
     pub inertial: Option<Inertial>,
     /// Its `visual`s in document order.
@@ -32,11 +32,11 @@ pub struct Inertial {
     /// The element `mass`.
     pub mass_element: Option<XId>,
     /// The `value` of `mass`, kg.
-    pub mass: Option<Text>,
+    pub mass: Option<AttrValue>,
     /// The element `inertia`.
     pub inertia_element: Option<XId>,
     /// `ixx ixy ixz iyy iyz izz`, kg m^2.
-    pub inertia: [Option<Text>; 6],
+    pub inertia: [Option<AttrValue>; 6],
     /// Its numbers: many rules ask for them.
     entries: OnceLock<Option<[f64; 6]>>,
 }
@@ -52,9 +52,9 @@ impl Inertial {
             element,
             origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
             mass_element,
-            mass: mass_element.and_then(|mass| Text::attr(tree, mass, "value")),
+            mass: mass_element.and_then(|mass| AttrValue::attr(tree, mass, "value")),
             inertia_element,
-            inertia: Self::ENTRIES.map(|name| Text::attr(tree, inertia_element?, name)),
+            inertia: Self::ENTRIES.map(|name| AttrValue::attr(tree, inertia_element?, name)),
             entries: OnceLock::new(),
         }
     }
@@ -82,7 +82,7 @@ pub struct Body {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Where its geometry stands in the link.
     pub origin: Option<Pose>,
     /// Its first `geometry`.
@@ -95,7 +95,7 @@ impl Body {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             origin: child(tree, element, "origin").map(|origin| Pose::of(tree, origin)),
             geometry: child(tree, element, "geometry").map(|geometry| Geometry::of(tree, geometry)),
             material: child(tree, element, "material")
@@ -152,33 +152,33 @@ pub enum ShapeKind {
     /// `box`: full lengths along x, y, z, centered.
     Box {
         /// Three lengths.
-        size: Option<Text>,
+        size: Option<AttrValue>,
     },
     /// `cylinder` along z, centered.
     Cylinder {
         /// Radius.
-        radius: Option<Text>,
+        radius: Option<AttrValue>,
         /// Length.
-        length: Option<Text>,
+        length: Option<AttrValue>,
     },
     /// `capsule` along z, centered: a cylinder with half spheres at its ends.
     Capsule {
         /// Radius.
-        radius: Option<Text>,
+        radius: Option<AttrValue>,
         /// Length of the cylinder.
-        length: Option<Text>,
+        length: Option<AttrValue>,
     },
     /// `sphere`, centered.
     Sphere {
         /// Radius.
-        radius: Option<Text>,
+        radius: Option<AttrValue>,
     },
     /// `mesh`
     Mesh {
         /// The URI or path of the file.
-        filename: Option<Text>,
+        filename: Option<AttrValue>,
         /// Three factors, 1 when absent.
-        scale: Option<Text>,
+        scale: Option<AttrValue>,
     },
     /// An element that urdfdom does not know.
     Other,
@@ -188,22 +188,22 @@ impl Shape {
     fn of(tree: &XTree, element: XId) -> Self {
         let kind = match tree.get(element).text.as_str() {
             "box" => ShapeKind::Box {
-                size: Text::attr(tree, element, "size"),
+                size: AttrValue::attr(tree, element, "size"),
             },
             "cylinder" => ShapeKind::Cylinder {
-                radius: Text::attr(tree, element, "radius"),
-                length: Text::attr(tree, element, "length"),
+                radius: AttrValue::attr(tree, element, "radius"),
+                length: AttrValue::attr(tree, element, "length"),
             },
             "capsule" => ShapeKind::Capsule {
-                radius: Text::attr(tree, element, "radius"),
-                length: Text::attr(tree, element, "length"),
+                radius: AttrValue::attr(tree, element, "radius"),
+                length: AttrValue::attr(tree, element, "length"),
             },
             "sphere" => ShapeKind::Sphere {
-                radius: Text::attr(tree, element, "radius"),
+                radius: AttrValue::attr(tree, element, "radius"),
             },
             "mesh" => ShapeKind::Mesh {
-                filename: Text::attr(tree, element, "filename"),
-                scale: Text::attr(tree, element, "scale"),
+                filename: AttrValue::attr(tree, element, "filename"),
+                scale: AttrValue::attr(tree, element, "scale"),
             },
             _ => ShapeKind::Other,
         };
@@ -217,15 +217,15 @@ pub struct Material {
     /// Its element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// The first `color` element.
     pub color: Option<XId>,
     /// The `rgba` of its `color`, each 0 to 1.
-    pub rgba: Option<Text>,
+    pub rgba: Option<AttrValue>,
     /// The first `texture` element.
     pub texture: Option<XId>,
     /// The `filename` of its `texture`.
-    pub texture_file: Option<Text>,
+    pub texture_file: Option<AttrValue>,
 }
 
 impl Material {
@@ -236,11 +236,11 @@ impl Material {
         );
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             color,
-            rgba: color.and_then(|color| Text::attr(tree, color, "rgba")),
+            rgba: color.and_then(|color| AttrValue::attr(tree, color, "rgba")),
             texture,
-            texture_file: texture.and_then(|texture| Text::attr(tree, texture, "filename")),
+            texture_file: texture.and_then(|texture| AttrValue::attr(tree, texture, "filename")),
         }
     }
 }
@@ -249,7 +249,7 @@ impl Link {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             inertial: child(tree, element, "inertial").map(|inertial| Inertial::of(tree, inertial)),
             visuals: Body::all(tree, element, "visual"),
             collisions: Body::all(tree, element, "collision"),

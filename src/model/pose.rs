@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
-use super::text::Text;
+use super::attr_value::AttrValue;
 use super::version::Version;
 use expand::{XId, XTree};
 
@@ -12,30 +12,30 @@ pub struct Pose {
     /// Its element.
     pub element: XId,
     /// The translation `xyz`, meters.
-    pub xyz: Option<Text>,
+    pub xyz: Option<AttrValue>,
     /// The rotation `rpy`, radians.
-    pub rpy: Option<Text>,
+    pub rpy: Option<AttrValue>,
     /// The rotation `quat_xyzw`, of any length but zero; none in a robot of URDF 1.0, where nobody reads it. Boxed: few
     /// have one.
-    pub quaternion: Option<Box<Text>>,
+    pub quaternion: Option<Box<AttrValue>>,
 }
 
 impl Pose {
     pub(super) fn of(tree: &XTree, element: XId) -> Self {
-        let quaternion = Text::attr(tree, element, "quat_xyzw")
+        let quaternion = AttrValue::attr(tree, element, "quat_xyzw")
             .filter(|_| Version::V1_1.is_in(tree))
             .map(Box::new);
         Self {
             element,
-            xyz: Text::attr(tree, element, "xyz"),
-            rpy: Text::attr(tree, element, "rpy"),
+            xyz: AttrValue::attr(tree, element, "xyz"),
+            rpy: AttrValue::attr(tree, element, "rpy"),
             quaternion,
         }
     }
 
     /// The translation in meters, zero where none is written; none when it is no known vector.
     pub fn translation(&self) -> Option<[f64; 3]> {
-        self.xyz.as_ref().map_or(Some([0.0; 3]), Text::numbers)
+        self.xyz.as_ref().map_or(Some([0.0; 3]), AttrValue::numbers)
     }
 
     /// Roll, pitch and yaw in radians, zero where no rotation is written; none when it is no known vector.
@@ -44,7 +44,7 @@ impl Pose {
             let (roll, pitch, yaw) = self.rotation()?.euler_angles();
             return Some([roll, pitch, yaw]);
         }
-        self.rpy.as_ref().map_or(Some([0.0; 3]), Text::numbers)
+        self.rpy.as_ref().map_or(Some([0.0; 3]), AttrValue::numbers)
     }
 
     /// The rotation; none when it is not known, or written in both ways.

@@ -7,34 +7,38 @@ use roxmltree::Node;
 use super::canonical::parsed;
 
 /// The attributes that name a link, joint, material or planning group: element, attribute, what it names.
-const SLOTS: [(&str, &str, &[Kind]); 22] = [
-    ("link", "name", &[Kind::Link]),
-    ("joint", "name", &[Kind::Joint]),
-    ("parent", "link", &[Kind::Link]),
-    ("child", "link", &[Kind::Link]),
-    ("mimic", "joint", &[Kind::Joint]),
-    ("material", "name", &[Kind::Material]),
-    ("gazebo", "reference", &[Kind::Link, Kind::Joint]),
+const SLOTS: [(&str, &str, &[RenamedKind]); 22] = [
+    ("link", "name", &[RenamedKind::Link]),
+    ("joint", "name", &[RenamedKind::Joint]),
+    ("parent", "link", &[RenamedKind::Link]),
+    ("child", "link", &[RenamedKind::Link]),
+    ("mimic", "joint", &[RenamedKind::Joint]),
+    ("material", "name", &[RenamedKind::Material]),
+    (
+        "gazebo",
+        "reference",
+        &[RenamedKind::Link, RenamedKind::Joint],
+    ),
     // of SRDF
-    ("chain", "base_link", &[Kind::Link]),
-    ("chain", "tip_link", &[Kind::Link]),
-    ("disable_collisions", "link1", &[Kind::Link]),
-    ("disable_collisions", "link2", &[Kind::Link]),
-    ("disable_default_collisions", "link", &[Kind::Link]),
-    ("enable_collisions", "link1", &[Kind::Link]),
-    ("enable_collisions", "link2", &[Kind::Link]),
-    ("end_effector", "group", &[Kind::Group]),
-    ("end_effector", "parent_group", &[Kind::Group]),
-    ("end_effector", "parent_link", &[Kind::Link]),
-    ("group", "name", &[Kind::Group]),
-    ("group_state", "group", &[Kind::Group]),
-    ("passive_joint", "name", &[Kind::Joint]),
-    ("virtual_joint", "child_link", &[Kind::Link]),
-    ("virtual_joint", "name", &[Kind::Joint]),
+    ("chain", "base_link", &[RenamedKind::Link]),
+    ("chain", "tip_link", &[RenamedKind::Link]),
+    ("disable_collisions", "link1", &[RenamedKind::Link]),
+    ("disable_collisions", "link2", &[RenamedKind::Link]),
+    ("disable_default_collisions", "link", &[RenamedKind::Link]),
+    ("enable_collisions", "link1", &[RenamedKind::Link]),
+    ("enable_collisions", "link2", &[RenamedKind::Link]),
+    ("end_effector", "group", &[RenamedKind::Group]),
+    ("end_effector", "parent_group", &[RenamedKind::Group]),
+    ("end_effector", "parent_link", &[RenamedKind::Link]),
+    ("group", "name", &[RenamedKind::Group]),
+    ("group_state", "group", &[RenamedKind::Group]),
+    ("passive_joint", "name", &[RenamedKind::Joint]),
+    ("virtual_joint", "child_link", &[RenamedKind::Link]),
+    ("virtual_joint", "name", &[RenamedKind::Joint]),
 ];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
+enum RenamedKind {
     Link,
     Joint,
     Material,
@@ -48,7 +52,7 @@ pub fn other_difference(before: &str, after: &str, old: &str, new: &str) -> Opti
     let (Some(one), Some(other)) = (parsed(before), parsed(after)) else {
         return (before != after).then(|| "the robot cannot be compared".to_owned());
     };
-    let mut names = Names::default();
+    let mut names = NameMap::default();
     let mut others = other.descendants().filter(Node::is_element);
     for a in one.descendants().filter(Node::is_element) {
         let Some(b) = others.next().filter(|b| is_alike(&a, b)) else {
@@ -84,8 +88,8 @@ fn element_count(node: &Node<'_, '_>) -> usize {
 
 /// What names became.
 #[derive(Default)]
-struct Names<'a> {
-    became: BTreeMap<(Kind, &'a str), Vec<&'a str>>,
+struct NameMap<'a> {
+    became: BTreeMap<(RenamedKind, &'a str), Vec<&'a str>>,
     /// References to a link or a joint, which may be either: what each was and is.
     either: Vec<(&'a str, &'a str)>,
     /// Contents of elements that are different: what each was and is.
@@ -94,7 +98,7 @@ struct Names<'a> {
     kept: BTreeSet<&'a str>,
 }
 
-impl<'a> Names<'a> {
+impl<'a> NameMap<'a> {
     /// The first attribute that is different and is no name.
     fn attributes(
         &mut self,
@@ -143,7 +147,7 @@ impl<'a> Names<'a> {
             .then(|| format!("`<{}>` would hold `{is}`", a.tag_name().name()))
     }
 
-    fn add(&mut self, kind: Kind, was: &'a str, is: &'a str) {
+    fn add(&mut self, kind: RenamedKind, was: &'a str, is: &'a str) {
         let known = self.became.entry((kind, was)).or_default();
         if !known.contains(&is) {
             known.push(is);
@@ -152,7 +156,7 @@ impl<'a> Names<'a> {
 
     /// A name that would be another one in some places only, or that of two things.
     fn conflict(&self) -> Option<String> {
-        let mut taken: BTreeMap<(Kind, &str), &str> = BTreeMap::new();
+        let mut taken: BTreeMap<(RenamedKind, &str), &str> = BTreeMap::new();
         for ((kind, was), became) in &self.became {
             let [is] = became.as_slice() else {
                 return Some(format!("`{was}` would keep its name in places"));
@@ -189,7 +193,8 @@ impl<'a> Names<'a> {
 
     /// What the link and the joint of a name are called now.
     fn link_and_joint(&self, was: &str) -> [Option<&'a str>; 2] {
-        [Kind::Link, Kind::Joint].map(|kind| self.became.get(&(kind, was))?.first().copied())
+        [RenamedKind::Link, RenamedKind::Joint]
+            .map(|kind| self.became.get(&(kind, was))?.first().copied())
     }
 }
 

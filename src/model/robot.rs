@@ -1,9 +1,9 @@
 //! The robot of an expanded document.
 
+use super::attr_value::AttrValue;
 use super::blocks::{Gazebo, Ros2Control, Transmission};
 use super::joint::{Joint, JointType};
 use super::link::{Link, Material};
-use super::text::Text;
 use expand::{Expansion, XId, XTree};
 
 /// What an expanded document says about a robot; everything in document order.
@@ -12,7 +12,7 @@ pub struct Robot {
     /// The root element.
     pub element: XId,
     /// Its `name`.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its links.
     pub links: Vec<Link>,
     /// Its joints.
@@ -39,7 +39,7 @@ impl Robot {
     pub fn below(tree: &XTree, element: XId) -> Self {
         let mut robot = Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             links: Vec::new(),
             joints: Vec::new(),
             materials: Vec::new(),
@@ -102,7 +102,7 @@ impl Robot {
     }
 
     /// The names of links and joints and the ends of joints that are not known for sure.
-    pub fn doubtful_names(&self) -> impl Iterator<Item = &Text> {
+    pub fn doubtful_names(&self) -> impl Iterator<Item = &AttrValue> {
         let of_links = self.links.iter().filter_map(|link| link.name.as_ref());
         let of_joints = self
             .joints

@@ -1,5 +1,5 @@
 use super::{Kinematics, Robot, ShapeKind, tag_start};
-use expand::{Expansion, Request, World, expand};
+use expand::{Expansion, Request, Sources, expand};
 use vfs::testing::Tree;
 use workspace::{PackageOptions, Packages};
 
@@ -8,14 +8,14 @@ fn expanded(text: &str) -> Expansion {
     tree.write("r.xacro", text);
     let env = tree.environment(&[]);
     let packages = Packages::new(tree.vfs().clone(), &env, PackageOptions::default());
-    let world = World {
+    let sources = Sources {
         vfs: tree.vfs(),
         packages: &packages,
         env: &env,
     };
     let file = tree.path("r.xacro").display().to_string();
     expand(
-        world,
+        sources,
         &Request {
             file,
             ..Request::default()
@@ -123,7 +123,7 @@ fn what_is_no_robot() {
 fn children_are_ordered_by_joint_name() {
     let (robot, kinematics) = chain("a b c d", "j3:a>b j10:a>c J:a>d");
     let names: Vec<_> = kinematics
-        .down(0)
+        .child_joints(0)
         .iter()
         .map(|&joint| robot.joints[joint].shown())
         .collect();
@@ -157,7 +157,7 @@ fn paths_go_up_and_down_and_end_in_circles() {
             .map(|i| robot.joints[i].shown())
             .collect::<String>()
     };
-    assert_eq!(names(kinematics.above(link("b")).collect()), "yx");
+    assert_eq!(names(kinematics.ancestor_joints(link("b")).collect()), "yx");
     assert_eq!(
         kinematics.path(link("b"), link("c")).map(names).as_deref(),
         Some("yxz")
@@ -168,7 +168,7 @@ fn paths_go_up_and_down_and_end_in_circles() {
     );
     assert_eq!(kinematics.path(link("b"), link("d")), None);
     let (_, kinematics) = chain("a b", "x:a>b y:b>a");
-    assert_eq!(kinematics.above(0).count(), 2);
+    assert_eq!(kinematics.ancestor_joints(0).count(), 2);
 }
 
 #[test]
@@ -286,7 +286,8 @@ fn capsules_and_the_limits_of_version_1_2() {
         else {
             panic!("no capsule");
         };
-        let number = |text: &Option<super::Text>| text.as_ref().and_then(super::Text::number);
+        let number =
+            |text: &Option<super::AttrValue>| text.as_ref().and_then(super::AttrValue::number);
         assert_eq!((number(radius), number(length)), (Some(1.0), Some(2.0)));
     }
 }

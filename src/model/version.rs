@@ -1,6 +1,6 @@
 //! The version of URDF that a robot is written in.
 
-use super::text::Text;
+use super::attr_value::AttrValue;
 use expand::XTree;
 
 /// A version of the format; urdfdom 5.1 reads up to 1.1, 6.0 up to 1.2.
@@ -23,7 +23,7 @@ impl Version {
 
     /// The version of a document; none when it cannot be told.
     pub fn of(tree: &XTree) -> Option<Self> {
-        match Text::attr(tree, tree.root()?, "version") {
+        match AttrValue::attr(tree, tree.root()?, "version") {
             Some(text) if !text.is_known() => None,
             Some(text) => Self::parse(&text.value),
             None => Some(Self::V1_0),

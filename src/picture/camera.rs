@@ -7,7 +7,7 @@ use model::Bounds;
 
 /// Directions to look from; x points forward and z up, as REP-103 has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum View {
+pub enum ViewDirection {
     /// From the front, the right and above.
     #[default]
     Iso,
@@ -19,14 +19,14 @@ pub enum View {
     Top,
 }
 
-impl View {
+impl ViewDirection {
     /// The direction towards the camera, and what points up in the picture.
     fn directions(self) -> (Vector3<f64>, Vector3<f64>) {
         match self {
-            View::Iso => (Vector3::new(1.1, -1.3, 0.75), Vector3::z()),
-            View::Front => (Vector3::x(), Vector3::z()),
-            View::Side => (-Vector3::y(), Vector3::z()),
-            View::Top => (Vector3::z(), Vector3::y()),
+            ViewDirection::Iso => (Vector3::new(1.1, -1.3, 0.75), Vector3::z()),
+            ViewDirection::Front => (Vector3::x(), Vector3::z()),
+            ViewDirection::Side => (-Vector3::y(), Vector3::z()),
+            ViewDirection::Top => (Vector3::z(), Vector3::y()),
         }
     }
 }
@@ -68,7 +68,7 @@ impl Camera {
         let back = back.normalize();
         let right = up.cross(&back).normalize();
         let radius = (bounds.diagonal() / 2.0).max(SMALLEST);
-        let distance = (shot.view == View::Iso).then_some(radius * DISTANCE);
+        let distance = (shot.view == ViewDirection::Iso).then_some(radius * DISTANCE);
         let axes = [right, back.cross(&right), back];
         let mut camera = Self {
             axes,

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
 
 use base::FastMap;
-use preview::{Joint, Model, Pose};
+use preview::{JointModel, Model, PoseModel};
 
 /// Joints that follow others, one after the other, at most.
 const LONGEST_CHAIN: usize = 64;
@@ -12,16 +12,16 @@ const LONGEST_CHAIN: usize = 64;
 pub type Positions = FastMap<String, f64>;
 
 /// Whether a joint has a position of its own.
-pub fn movable(joint: &Joint) -> bool {
+pub fn movable(joint: &JointModel) -> bool {
     has_position(joint) && joint.mimic.is_none()
 }
 
-fn has_position(joint: &Joint) -> bool {
+fn has_position(joint: &JointModel) -> bool {
     matches!(joint.kind.as_str(), "revolute" | "continuous" | "prismatic")
 }
 
 /// The position nearest to zero that a joint can have.
-fn rest(joint: &Joint) -> f64 {
+fn rest(joint: &JointModel) -> f64 {
     match &joint.limit {
         Some(limit) if joint.kind != "continuous" => 0.0f64
             .max(limit.lower.min(limit.upper))
@@ -31,7 +31,7 @@ fn rest(joint: &Joint) -> f64 {
 }
 
 /// The position of a joint, which may follow others.
-fn position(joint: &Joint, joints: &FastMap<&str, &Joint>, set: &Positions) -> f64 {
+fn position(joint: &JointModel, joints: &FastMap<&str, &JointModel>, set: &Positions) -> f64 {
     let (mut factor, mut offset, mut at) = (1.0, 0.0, joint);
     for _ in 0..LONGEST_CHAIN {
         let Some(mimic) = &at.mimic else { break };
@@ -46,7 +46,7 @@ fn position(joint: &Joint, joints: &FastMap<&str, &Joint>, set: &Positions) -> f
 }
 
 /// A pose as a transform.
-pub(super) fn transform(pose: &Pose) -> Isometry3<f64> {
+pub(super) fn transform(pose: &PoseModel) -> Isometry3<f64> {
     let ([x, y, z], [roll, pitch, yaw]) = (pose.xyz, pose.rpy);
     Isometry3::from_parts(
         Translation3::new(x, y, z),
@@ -55,7 +55,7 @@ pub(super) fn transform(pose: &Pose) -> Isometry3<f64> {
 }
 
 /// What a joint adds to its pose at a position.
-fn motion(joint: &Joint, position: f64) -> Isometry3<f64> {
+fn motion(joint: &JointModel, position: f64) -> Isometry3<f64> {
     let Some(axis) = Unit::try_new(Vector3::from(joint.axis), 1e-9) else {
         return Isometry3::identity();
     };
@@ -74,7 +74,7 @@ fn motion(joint: &Joint, position: f64) -> Isometry3<f64> {
 
 /// A link in the world.
 #[derive(Clone, Debug)]
-pub(super) struct Placed {
+pub(super) struct LinkTransform {
     /// Its frame.
     pub at: Isometry3<f64>,
     /// The link it hangs on and the joint between, by number.
@@ -83,12 +83,12 @@ pub(super) struct Placed {
 
 /// Place the links of a robot. Links that hang on nothing stand at the origin; of several joints to a link the first
 /// counts, and of links in a circle the first one stands at the origin.
-pub(super) fn place(model: &Model, set: &Positions) -> Vec<Placed> {
+pub(super) fn place(model: &Model, set: &Positions) -> Vec<LinkTransform> {
     let mut links: FastMap<&str, usize> = FastMap::default();
     for (number, link) in model.links.iter().enumerate() {
         links.entry(link.name.as_str()).or_insert(number);
     }
-    let named: FastMap<&str, &Joint> = model
+    let named: FastMap<&str, &JointModel> = model
         .joints
         .iter()
         .rev()
@@ -110,7 +110,7 @@ pub(super) fn place(model: &Model, set: &Positions) -> Vec<Placed> {
                 .for_each(|list| list.push(child));
         }
     }
-    let mut placed: Vec<Option<Placed>> = vec![None; model.links.len()];
+    let mut placed: Vec<Option<LinkTransform>> = vec![None; model.links.len()];
     let tops = (0..up.len()).filter(|&link| up.get(link).is_some_and(Option::is_none));
     for top in tops.chain(0..up.len()) {
         let mut open = vec![(top, Isometry3::identity(), None)];
@@ -118,7 +118,7 @@ pub(super) fn place(model: &Model, set: &Positions) -> Vec<Placed> {
             let Some(slot @ None) = placed.get_mut(link) else {
                 continue;
             };
-            *slot = Some(Placed { at, by });
+            *slot = Some(LinkTransform { at, by });
             for &child in down.get(link).into_iter().flatten() {
                 let Some(&Some((_, number))) = up.get(child) else {
                     continue;
@@ -132,7 +132,7 @@ pub(super) fn place(model: &Model, set: &Positions) -> Vec<Placed> {
             }
         }
     }
-    let origin = || Placed {
+    let origin = || LinkTransform {
         at: Isometry3::identity(),
         by: None,
     };

@@ -14,18 +14,18 @@ mod svg;
 #[cfg(test)]
 mod tests;
 
-pub use camera::View;
+pub use camera::ViewDirection;
 pub use color::Background;
 pub use joints::{Positions, movable};
 pub use png::picture_png;
-pub use scene::{Content, Scene};
+pub use scene::{Scene, SceneOptions};
 pub use svg::picture_svg;
 
 /// How a picture is taken.
 #[derive(Clone, Copy, Debug)]
 pub struct Viewport {
     /// From where.
-    pub view: View,
+    pub view: ViewDirection,
     /// Width and height, pixels.
     pub size: [u32; 2],
     /// Background color of the picture.

@@ -16,7 +16,7 @@ pub(super) fn normals(solid: &Solid) -> Vec<[Vector3<f64>; 3]> {
         .iter()
         .map(|corners| face(solid, *corners))
         .collect();
-    let around = Around::of(solid);
+    let around = VertexTriangles::of(solid);
     let corners = solid.triangles.iter().zip(&faces);
     corners
         .map(|(corners, own)| corners.map(|point| normal(own, around.triangles(point), &faces)))
@@ -45,13 +45,13 @@ fn face(solid: &Solid, corners: [u32; 3]) -> Vector3<f64> {
 }
 
 /// The triangles around each point.
-struct Around {
+struct VertexTriangles {
     /// Where the list of a point begins.
     starts: Vec<u32>,
     list: Vec<u32>,
 }
 
-impl Around {
+impl VertexTriangles {
     fn of(solid: &Solid) -> Self {
         let mut starts = vec![0u32; solid.points.len() + 1];
         for &point in solid.triangles.iter().flatten() {

@@ -8,7 +8,7 @@ use super::Viewport;
 use super::camera::Camera;
 use super::color::{self, Background, Rgba};
 use super::normals::normals;
-use super::scene::{Part, Scene};
+use super::scene::{ColoredSolid, Scene};
 
 /// Samples a pixel, along each side.
 const SAMPLES: usize = 3;
@@ -116,7 +116,7 @@ pub(super) fn pixels(scene: &Scene, shot: &Viewport) -> Result<Vec<u8>, String> 
 }
 
 /// The triangles of a part as the camera sees them.
-fn facets(part: &Part, camera: &Camera, found: &mut dyn FnMut(Facet)) {
+fn facets(part: &ColoredSolid, camera: &Camera, found: &mut dyn FnMut(Facet)) {
     let mut tints = part.solid.tints.iter().peekable();
     let mut now = Light::of(part.color);
     for (number, (triangle, normals)) in part

@@ -6,16 +6,16 @@ use nalgebra::Isometry3;
 
 use super::MOST_TRIANGLES;
 use super::color::{self, AXES, LINK_LINE_COLOR, MISSING, PLAIN, Rgba};
-use super::joints::{Placed, Positions, place, transform};
+use super::joints::{LinkTransform, Positions, place, transform};
 use super::solids::Solid;
 use base::FastMap;
 use model::Meshes;
-use preview::{Body, Files, Model, Shape};
+use preview::{BodyModel, Model, ModelFiles, ShapeModel};
 use vfs::Vfs;
 
 /// What of a robot is drawn.
 #[derive(Clone, Debug, Default)]
-pub struct Content {
+pub struct SceneOptions {
     /// Collisions instead of visuals.
     pub collisions: bool,
     /// Frames too, seen through the shapes.
@@ -26,14 +26,14 @@ pub struct Content {
 
 /// A solid with its color.
 #[derive(Clone, Debug)]
-pub(super) struct Part {
+pub(super) struct ColoredSolid {
     pub solid: Solid,
     pub color: Rgba,
     /// Whether the colors of its file count.
     pub own: bool,
 }
 
-impl Part {
+impl ColoredSolid {
     fn new(solid: Solid, color: Rgba) -> Self {
         Self {
             solid,
@@ -66,7 +66,7 @@ impl Part {
 
 /// The frame of a link.
 #[derive(Clone, Debug)]
-pub(super) struct Frame {
+pub(super) struct LinkFrame {
     pub name: String,
     pub at: Isometry3<f64>,
     /// The link it hangs on, by number, with the name and the type of the joint between.
@@ -77,11 +77,11 @@ pub(super) struct Frame {
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     /// Shapes.
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<ColoredSolid>,
     /// Axes of frames and lines between them, where they are drawn too.
-    pub(super) skeleton: Vec<Part>,
+    pub(super) skeleton: Vec<ColoredSolid>,
     /// All links.
-    pub(super) frames: Vec<Frame>,
+    pub(super) frames: Vec<LinkFrame>,
     /// What could not be drawn, and why.
     pub problems: Vec<String>,
 }
@@ -94,7 +94,12 @@ impl Scene {
     ///
     /// # Errors
     /// When it has more triangles than are drawn.
-    pub fn of(model: &Model, files: &Files, vfs: &Vfs, content: &Content) -> Result<Self, String> {
+    pub fn of(
+        model: &Model,
+        files: &ModelFiles,
+        vfs: &Vfs,
+        content: &SceneOptions,
+    ) -> Result<Self, String> {
         let placed = place(model, &content.positions);
         let mut scene = Self::default();
         let mut shapes = Solids {
@@ -121,7 +126,7 @@ impl Scene {
                 let joint = model.joints.get(joint)?;
                 Some((parent, joint.name.clone(), joint.kind.clone()))
             });
-            scene.frames.push(Frame {
+            scene.frames.push(LinkFrame {
                 name: link.name.clone(),
                 at: placed.at,
                 by,
@@ -142,11 +147,11 @@ impl Scene {
         &mut self,
         link: &str,
         number: usize,
-        body: &Body,
+        body: &BodyModel,
         shapes: &mut Solids<'_>,
-        placed: &Placed,
-        content: &Content,
-    ) -> Part {
+        placed: &LinkTransform,
+        content: &SceneOptions,
+    ) -> ColoredSolid {
         let own = if content.collisions {
             color::collision(number)
         } else {
@@ -167,9 +172,9 @@ impl Scene {
             }
         };
         let opacity = if content.frames { a.min(GLASS) } else { a };
-        Part {
+        ColoredSolid {
             own: !content.collisions,
-            ..Part::new(solid, [r, g, b, opacity])
+            ..ColoredSolid::new(solid, [r, g, b, opacity])
         }
     }
 
@@ -198,7 +203,7 @@ impl Scene {
 }
 
 /// Axes of all frames, and lines from each to the one it hangs on.
-fn skeleton(scene: &Scene) -> Vec<Part> {
+fn skeleton(scene: &Scene) -> Vec<ColoredSolid> {
     let unit = scene.unit();
     let mut parts = Vec::new();
     for frame in &scene.frames {
@@ -206,7 +211,7 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
         for (axis, color) in axes.into_iter().zip(AXES) {
             let mut solid = Solid::beam(axis, unit * 0.08);
             solid.place([1.0; 3], &frame.at);
-            parts.push(Part::new(solid, color));
+            parts.push(ColoredSolid::new(solid, color));
         }
         let parent = frame
             .by
@@ -219,7 +224,7 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
         if to.coords.norm() > unit * 1e-3 {
             let mut solid = Solid::beam(to.coords.into(), unit * 0.05);
             solid.place([1.0; 3], &frame.at);
-            parts.push(Part::new(solid, LINK_LINE_COLOR));
+            parts.push(ColoredSolid::new(solid, LINK_LINE_COLOR));
         }
     }
     parts
@@ -227,21 +232,21 @@ fn skeleton(scene: &Scene) -> Vec<Part> {
 
 /// Shapes as solids; each mesh is read once.
 struct Solids<'a> {
-    files: &'a Files,
+    files: &'a ModelFiles,
     vfs: &'a Vfs,
     meshes: FastMap<String, Result<Arc<Solid>, String>>,
 }
 
 impl Solids<'_> {
     /// A shape and the factors along its axes.
-    fn solid(&mut self, shape: &Shape) -> Result<(Arc<Solid>, [f64; 3]), String> {
+    fn solid(&mut self, shape: &ShapeModel) -> Result<(Arc<Solid>, [f64; 3]), String> {
         let solid = match shape {
-            Shape::Box { size } => Solid::cuboid(*size),
-            Shape::Cylinder { radius, length } => Solid::cylinder(*radius, *length),
-            Shape::Capsule { radius, length } => Solid::capsule(*radius, *length),
-            Shape::Sphere { radius } => Solid::sphere(*radius),
-            Shape::Unknown { problem } => return Err(problem.clone()),
-            Shape::Mesh {
+            ShapeModel::Box { size } => Solid::cuboid(*size),
+            ShapeModel::Cylinder { radius, length } => Solid::cylinder(*radius, *length),
+            ShapeModel::Capsule { radius, length } => Solid::capsule(*radius, *length),
+            ShapeModel::Sphere { radius } => Solid::sphere(*radius),
+            ShapeModel::Unknown { problem } => return Err(problem.clone()),
+            ShapeModel::Mesh {
                 uri,
                 scale,
                 mesh,

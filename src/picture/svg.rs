@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::Viewport;
 use super::camera::{Camera, ROOM};
 use super::color::{AXES, Background, LINK_LINE_COLOR, hex};
-use super::scene::{Frame, Part, Scene};
+use super::scene::{ColoredSolid, LinkFrame, Scene};
 use base::escape_xml;
 
 /// Height of a line of text, and width of a letter in it, pixels.
@@ -82,7 +82,7 @@ fn shapes(scene: &Scene, camera: &Camera, out: &mut String) {
     out.push_str("</g>\n");
 }
 
-fn outline(part: &Part, seen: &[[f64; 3]]) -> String {
+fn outline(part: &ColoredSolid, seen: &[[f64; 3]]) -> String {
     let mut path = String::new();
     for (number, [x, y]) in hull(seen.iter().map(|&[x, y, _]| [x, y]).collect())
         .into_iter()
@@ -225,7 +225,7 @@ fn names(scene: &Scene, camera: &Camera, shot: &Viewport, out: &mut String) {
     }
 }
 
-fn origin(frame: &Frame, camera: &Camera) -> [f64; 2] {
+fn origin(frame: &LinkFrame, camera: &Camera) -> [f64; 2] {
     let [x, y, _] = camera.project(frame.at.translation.vector.into());
     [x, y]
 }

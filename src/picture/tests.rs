@@ -1,8 +1,10 @@
 //! Pictures of small robots.
 
-use super::{Background, Content, MOST_PIXELS, Scene, View, Viewport, picture_png, picture_svg};
+use super::{
+    Background, MOST_PIXELS, Scene, SceneOptions, ViewDirection, Viewport, picture_png, picture_svg,
+};
 use analysis::{Session, Setup};
-use expand::{Request, World, expand};
+use expand::{Request, Sources, expand};
 use model::Robot;
 use preview::still;
 use vfs::testing::Tree;
@@ -34,7 +36,7 @@ fn chain(links: &[String], joints: &str) -> String {
     text + "</robot>"
 }
 
-fn scene(tree: &Tree, robot: &str, content: &Content) -> Scene {
+fn scene(tree: &Tree, robot: &str, content: &SceneOptions) -> Scene {
     tree.write("bot/package.xml", "<package><name>bot</name></package>");
     tree.write("bot/robot.urdf", robot);
     let file = tree.path("bot/robot.urdf");
@@ -43,13 +45,13 @@ fn scene(tree: &Tree, robot: &str, content: &Content) -> Scene {
         ..Setup::default()
     };
     let session = Session::new(&tree.environment(&[]), setup).unwrap();
-    let world = World {
+    let sources = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
     };
     let expansion = expand(
-        world,
+        sources,
         &Request {
             file: file.to_str().unwrap().to_owned(),
             ..Request::default()
@@ -60,7 +62,7 @@ fn scene(tree: &Tree, robot: &str, content: &Content) -> Scene {
     Scene::of(&model, &files, &session.vfs, content).unwrap()
 }
 
-fn shot(view: View) -> Viewport {
+fn shot(view: ViewDirection) -> Viewport {
     Viewport {
         view,
         size: [60, 40],
@@ -108,9 +110,9 @@ fn a_box_fills_the_picture_up_to_the_margin() {
     let scene = scene(
         &tree,
         &chain(&[visual("<box size=\"1 2 1\"/>", "1 0 0 1")], ""),
-        &Content::default(),
+        &SceneOptions::default(),
     );
-    let pixels = drawn(&scene, &shot(View::Front));
+    let pixels = drawn(&scene, &shot(ViewDirection::Front));
     let ([x0, x1], [y0, y1]) = extent(&pixels);
     // as wide as the picture without the margins, and half as high
     assert!(
@@ -139,8 +141,8 @@ fn what_is_nearer_hides_what_is_farther() {
         )],
         "",
     );
-    let scene = scene(&tree, &robot, &Content::default());
-    let front = drawn(&scene, &shot(View::Front));
+    let scene = scene(&tree, &robot, &SceneOptions::default());
+    let front = drawn(&scene, &shot(ViewDirection::Front));
     assert!(
         front[20][30][1] > 120 && front[20][30][0] < 60,
         "{:?}",
@@ -167,9 +169,9 @@ fn joints_move_links_and_mimic_follows() {
     );
     let tree = Tree::new();
     let half_pi = std::f64::consts::FRAC_PI_2;
-    let content = Content {
+    let content = SceneOptions {
         positions: [("j1".to_owned(), half_pi)].into_iter().collect(),
-        ..Content::default()
+        ..SceneOptions::default()
     };
     let at = |scene: &Scene| -> Vec<[f64; 3]> {
         scene
@@ -179,7 +181,7 @@ fn joints_move_links_and_mimic_follows() {
             .collect()
     };
     assert_eq!(
-        at(&scene(&tree, &robot, &Content::default())),
+        at(&scene(&tree, &robot, &SceneOptions::default())),
         [[0., 0., 0.], [1., 0., 0.], [2., 0., 0.]]
     );
     let moved = scene(&tree, &robot, &content);
@@ -194,7 +196,7 @@ fn a_joint_rests_where_its_limits_let_it() {
         &[String::new(), String::new()],
         "type=\"prismatic\"><limit lower=\"0.25\" upper=\"1\" effort=\"1\" velocity=\"1\"/>",
     );
-    let scene = scene(&Tree::new(), &robot, &Content::default());
+    let scene = scene(&Tree::new(), &robot, &SceneOptions::default());
     assert!((scene.frames[1].at.translation.z - 0.25).abs() < 1e-12);
 }
 
@@ -203,11 +205,15 @@ fn links_in_a_circle_and_alone_are_placed() {
     let robot = "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link name=\"c\"/>\
         <joint name=\"ab\" type=\"fixed\"><parent link=\"a\"/><child link=\"b\"/></joint>\
         <joint name=\"ba\" type=\"fixed\"><parent link=\"b\"/><child link=\"a\"/></joint></robot>";
-    let scene = scene(&Tree::new(), robot, &Content::default());
+    let scene = scene(&Tree::new(), robot, &SceneOptions::default());
     assert_eq!(scene.frames.len(), 3);
     // frames are drawn when there is nothing else
     assert!(!scene.skeleton.is_empty());
-    assert!(!extent(&drawn(&scene, &shot(View::Iso))).0.is_empty());
+    assert!(
+        !extent(&drawn(&scene, &shot(ViewDirection::Iso)))
+            .0
+            .is_empty()
+    );
 }
 
 #[test]
@@ -220,14 +226,14 @@ fn a_mesh_that_is_missing_is_a_magenta_box() {
         )],
         "",
     );
-    let scene = scene(&tree, &robot, &Content::default());
+    let scene = scene(&tree, &robot, &SceneOptions::default());
     assert_eq!(scene.problems.len(), 1);
     let problem = &scene.problems[0];
     assert!(
         problem.starts_with("link `l0`: mesh `package://bot/gone.stl`: ")
             && problem.ends_with("not found")
     );
-    let pixel = &drawn(&scene, &shot(View::Front))[20][30];
+    let pixel = &drawn(&scene, &shot(ViewDirection::Front))[20][30];
     assert!(
         pixel[0] > 150 && pixel[1] < 40 && pixel[2] > 150,
         "{pixel:?}"
@@ -253,7 +259,7 @@ fn meshes_are_drawn_scaled_and_placed() {
         )],
         "",
     );
-    let scene = scene(&tree, &robot, &Content::default());
+    let scene = scene(&tree, &robot, &SceneOptions::default());
     assert_eq!(scene.problems, Vec::<String>::new());
     let bounds = model::Bounds::around(scene.points().copied()).unwrap();
     assert_eq!(
@@ -269,9 +275,9 @@ fn collisions_instead_of_visuals() {
         visual("<sphere radius=\"1\"/>", "1 0 0 1"),
         body("collision", "<cylinder radius=\"1\" length=\"4\"/>", "")
     );
-    let content = Content {
+    let content = SceneOptions {
         collisions: true,
-        ..Content::default()
+        ..SceneOptions::default()
     };
     let scene = scene(&Tree::new(), &chain(&[both], ""), &content);
     let size = model::Bounds::around(scene.points().copied())
@@ -290,10 +296,10 @@ fn pictures_are_the_same_each_time_and_may_be_transparent() {
         ],
         "type=\"fixed\">",
     );
-    let scene = scene(&tree, &robot, &Content::default());
+    let scene = scene(&tree, &robot, &SceneOptions::default());
     let shot = Viewport {
         background: Background::Transparent,
-        ..shot(View::Iso)
+        ..shot(ViewDirection::Iso)
     };
     let first = picture_png(&scene, &shot).unwrap();
     assert_eq!(first, picture_png(&scene, &shot).unwrap());
@@ -314,7 +320,7 @@ fn round_shapes_are_light_and_edges_sharp() {
             &[visual("<cylinder radius=\"1\" length=\"1\"/>", "1 1 1 1")],
             "",
         ),
-        &Content::default(),
+        &SceneOptions::default(),
     );
     let normals = super::normals::normals(&scene.parts[0].solid);
     let caps = normals
@@ -345,13 +351,13 @@ fn outlines_frames_and_names_in_svg() {
         "type=\"fixed\">",
     );
     let robot = robot.replace("name=\"bot\"", "name=\"a &lt; b\"");
-    let scene = scene(&tree, &robot, &Content::default());
+    let scene = scene(&tree, &robot, &SceneOptions::default());
     let svg = picture_svg(
         &scene,
         "a < b",
         &Viewport {
             size: [400, 300],
-            ..shot(View::Iso)
+            ..shot(ViewDirection::Iso)
         },
     );
     let document = roxmltree::Document::parse(&svg).unwrap();
@@ -387,13 +393,13 @@ fn names_do_not_lie_over_each_other() {
     let tree = Tree::new();
     let links: Vec<String> = vec![String::new(); 12];
     let robot = chain(&links, "type=\"fixed\">").replace("xyz=\"1 0 0\"", "xyz=\"0.2 0 0.1\"");
-    let scene = scene(&tree, &robot, &Content::default());
+    let scene = scene(&tree, &robot, &SceneOptions::default());
     let svg = picture_svg(
         &scene,
         "bot",
         &Viewport {
             size: [600, 400],
-            ..shot(View::Top)
+            ..shot(ViewDirection::Top)
         },
     );
     let document = roxmltree::Document::parse(&svg).unwrap();
@@ -438,18 +444,18 @@ fn what_would_take_too_long_is_refused() {
             )],
             "",
         ),
-        &Content::default(),
+        &SceneOptions::default(),
     );
     let large = Viewport {
         size: [2000, 2000],
-        ..shot(View::Front)
+        ..shot(ViewDirection::Front)
     };
     assert!(
         picture_png(&scene, &large)
             .unwrap_err()
             .contains("choose a smaller size")
     );
-    assert!(picture_png(&scene, &shot(View::Front)).is_ok());
+    assert!(picture_png(&scene, &shot(ViewDirection::Front)).is_ok());
 }
 
 #[test]
@@ -469,8 +475,8 @@ fn colors_of_meshes_count() {
         )],
         "",
     );
-    let scene = scene(&tree, &robot, &Content::default());
-    let pixels = drawn(&scene, &shot(View::Front));
+    let scene = scene(&tree, &robot, &SceneOptions::default());
+    let pixels = drawn(&scene, &shot(ViewDirection::Front));
     let (left, right) = (&pixels[20][15], &pixels[20][45]);
     assert!(left[0] > 150 && left[1] < 60 && left[2] < 60, "{left:?}");
     assert!(
@@ -501,7 +507,11 @@ fn backgrounds() {
 #[test]
 fn a_capsule_is_a_cylinder_with_half_spheres() {
     let capsule = visual("<capsule radius=\"1\" length=\"3\"/>", "1 1 1 1");
-    let drawn = scene(&Tree::new(), &chain(&[capsule], ""), &Content::default());
+    let drawn = scene(
+        &Tree::new(),
+        &chain(&[capsule], ""),
+        &SceneOptions::default(),
+    );
     assert_eq!(drawn.problems, [""; 0]);
     let bounds = model::Bounds::around(drawn.points().copied()).unwrap();
     assert_eq!(bounds.size(), [2.0, 2.0, 5.0]);
@@ -541,7 +551,7 @@ fn a_quaternion_turns_like_the_angles() {
         )
     };
     let points = |text: &str| -> Vec<[f64; 3]> {
-        scene(&Tree::new(), text, &Content::default())
+        scene(&Tree::new(), text, &SceneOptions::default())
             .points()
             .copied()
             .collect()

@@ -1,22 +1,26 @@
 //! What could be shown instead: the presets of the root, and the other robots of the workspace.
 
+use super::locations::LocationFormat;
 use super::messages::RootName;
-use super::places::Names;
-use analysis::{RootChoice, World};
+use analysis::{AnalysisHost, RootConfig};
 
 /// Choices that are offered at most.
 const MOST: usize = 200;
 
 /// The roots that a viewer may choose from, the one shown first.
-pub(super) fn choices(world: &mut World, shown: &RootChoice, names: &Names<'_>) -> Vec<RootName> {
+pub(super) fn choices(
+    host: &mut AnalysisHost,
+    shown: &RootConfig,
+    names: &LocationFormat<'_>,
+) -> Vec<RootName> {
     let mut found = vec![shown.clone()];
-    let own = world
+    let own = host
         .context(&shown.file)
         .candidates
         .into_iter()
         .map(|(root, _)| root);
-    let others = world.robots();
-    for root in own.chain([RootChoice::plain(&shown.file)]).chain(others) {
+    let others = host.robots();
+    for root in own.chain([RootConfig::plain(&shown.file)]).chain(others) {
         if found.len() < MOST && !found.contains(&root) {
             found.push(root);
         }

@@ -27,10 +27,10 @@ pub struct MeshFile {
 
 /// The files that models name, by id. Shared with the server that hands them out.
 #[derive(Debug, Default)]
-pub struct Files(Mutex<Known>);
+pub struct ModelFiles(Mutex<FileTable>);
 
 #[derive(Debug, Default)]
-struct Known {
+struct FileTable {
     /// How many ids were given.
     count: u64,
     /// Ids by path and state of the file.
@@ -39,7 +39,7 @@ struct Known {
     paths: FastMap<String, PathBuf>,
 }
 
-impl Files {
+impl ModelFiles {
     /// The id of a file in a state: the same file in another state has another id.
     pub fn id(&self, path: &Path, state: u64) -> String {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -79,7 +79,7 @@ impl Files {
     pub fn keep(&self, ids: &FastSet<&str>) {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         known.paths.retain(|id, _| ids.contains(id.as_str()));
-        let Known {
+        let FileTable {
             ids: named, paths, ..
         } = &mut *known;
         named.retain(|_, id| paths.contains_key(id));

@@ -7,9 +7,9 @@
 mod browser;
 mod choices;
 mod files;
+mod locations;
 mod messages;
 mod model;
-mod places;
 mod programs;
 mod select;
 mod shapes;
@@ -19,12 +19,12 @@ mod views;
 
 #[cfg(feature = "browser")]
 pub use browser::{Hub, Received};
-pub use files::Files;
-pub use messages::{FromViewer, ModelError, ModelMessage, RootName, Selection, Side, Source};
-pub use model::{Body, Joint, Link, Model, Pose};
-pub use places::{Location, Names, Point, Stretch, file_uri};
+pub use files::ModelFiles;
+pub use locations::{LinePosition, LineRange, Location, LocationFormat, file_uri};
+pub use messages::{FromViewer, ModelError, ModelMessage, ModelSource, RootName, Selection, Side};
+pub use model::{BodyModel, JointModel, LinkModel, Model, PoseModel};
 pub use programs::Programs;
-pub use shapes::Shape;
+pub use shapes::ShapeModel;
 pub use views::{MeshBytes, Views, still};
 
 /// Whether browsers can be shown anything: a build from source holds the viewer only when it was built before.

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::locations::Location;
 use super::model::Model;
-use super::places::Location;
 use super::programs::Programs;
-use analysis::{Analyzed, RootChoice};
+use analysis::{RootAnalysis, RootConfig};
 
 /// A root as messages name it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -25,7 +25,7 @@ pub struct RootName {
 }
 
 impl RootName {
-    pub(super) fn of(root: &RootChoice, uri: String) -> Self {
+    pub(super) fn of(root: &RootConfig, uri: String) -> Self {
         Self {
             uri,
             args: root.args.iter().cloned().collect(),
@@ -78,14 +78,14 @@ pub struct ModelMessage {
     pub programs: Option<Programs>,
     /// What it was made of; stays in this process.
     #[serde(skip)]
-    pub source: Source,
+    pub source: ModelSource,
 }
 
 /// The expansion that a model was made of.
 #[derive(Clone)]
-pub struct Source(pub(super) Arc<Analyzed>);
+pub struct ModelSource(pub(super) Arc<RootAnalysis>);
 
-impl Source {
+impl ModelSource {
     /// The robot as URDF.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl Source {
     }
 }
 
-impl fmt::Debug for Source {
+impl fmt::Debug for ModelSource {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str("Source")
     }

@@ -5,21 +5,21 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::files::MeshFile;
-use super::places::{Location, Places};
-use super::shapes::{Shape, Shapes};
+use super::locations::{Location, LocationMapper};
+use super::shapes::{ShapeModel, Shapes};
 use expand::XId;
 use model::{self, Robot, tag_start};
 
 /// Meters, and radians about fixed axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Pose {
+pub struct PoseModel {
     /// The translation.
     pub xyz: [f64; 3],
     /// Roll, pitch and yaw.
     pub rpy: [f64; 3],
 }
 
-impl Pose {
+impl PoseModel {
     /// The pose of an origin; what is absent or unknown is zero.
     pub(super) fn of(origin: Option<&model::Pose>) -> Self {
         let Some(origin) = origin else {
@@ -38,25 +38,25 @@ pub struct Model {
     /// Its name.
     pub robot: String,
     /// Its links in document order.
-    pub links: Vec<Link>,
+    pub links: Vec<LinkModel>,
     /// Its joints in document order.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<JointModel>,
     /// The files of its meshes and textures, by opaque id.
     pub meshes: BTreeMap<String, MeshFile>,
 }
 
 /// A link with what is drawn of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Link {
+pub struct LinkModel {
     /// Its name.
     pub name: String,
     /// Its inertia.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub inertial: Option<Inertial>,
+    pub inertial: Option<InertialModel>,
     /// What is seen of it.
-    pub visuals: Vec<Body>,
+    pub visuals: Vec<BodyModel>,
     /// What it collides with.
-    pub collisions: Vec<Body>,
+    pub collisions: Vec<BodyModel>,
     /// Where its element starts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub origin: Option<Location>,
@@ -67,14 +67,14 @@ pub struct Link {
 
 /// A visual or a collision.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Body {
+pub struct BodyModel {
     /// Its name, which most visuals do not have.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Where it stands in its link.
-    pub pose: Pose,
+    pub pose: PoseModel,
     /// Its shape, in the frame of `pose`.
-    pub shape: Shape,
+    pub shape: ShapeModel,
     /// Red, green, blue and opacity, 0 to 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub color: Option<[f64; 4]>,
@@ -88,9 +88,9 @@ pub struct Body {
 
 /// An inertia, about the center of mass.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Inertial {
+pub struct InertialModel {
     /// The frame of the inertia in the link; its translation is the center of mass.
-    pub pose: Pose,
+    pub pose: PoseModel,
     /// kg
     pub mass: f64,
     /// `ixx ixy ixz iyy iyz izz`, kg m^2.
@@ -100,7 +100,7 @@ pub struct Inertial {
 
 /// A joint, as far as it moves what is drawn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Joint {
+pub struct JointModel {
     /// Its name.
     pub name: String,
     /// Its type; `fixed` where it is not one of URDF's.
@@ -111,15 +111,15 @@ pub struct Joint {
     /// The link that hangs on it.
     pub child: String,
     /// Where the child stands in the parent at position zero.
-    pub pose: Pose,
+    pub pose: PoseModel,
     /// Its axis, in the frame of the joint.
     pub axis: [f64; 3],
     /// How far it goes.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub limit: Option<Limit>,
+    pub limit: Option<LimitModel>,
     /// Which joint it goes with.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mimic: Option<Mimic>,
+    pub mimic: Option<MimicModel>,
     /// Where its element starts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub origin: Option<Location>,
@@ -131,7 +131,7 @@ pub struct Joint {
 /// Radians or meters, N m or N, rad/s or m/s.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(missing_docs)]
-pub struct Limit {
+pub struct LimitModel {
     pub lower: f64,
     pub upper: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -143,14 +143,14 @@ pub struct Limit {
 /// Position = multiplier * position of the joint + offset.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(missing_docs)]
-pub struct Mimic {
+pub struct MimicModel {
     pub joint: String,
     pub multiplier: f64,
     pub offset: f64,
 }
 
 /// Make the model of a robot. Links without a name and joints without known ends are left out.
-pub(super) fn model(robot: &Robot, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Model {
+pub(super) fn model(robot: &Robot, places: &LocationMapper<'_>, shapes: &mut Shapes<'_>) -> Model {
     let links = robot
         .links
         .iter()
@@ -170,24 +170,28 @@ pub(super) fn model(robot: &Robot, places: &Places<'_>, shapes: &mut Shapes<'_>)
     }
 }
 
-fn start(places: &Places<'_>, element: XId) -> Option<Location> {
+fn start(places: &LocationMapper<'_>, element: XId) -> Option<Location> {
     places.of(tag_start(places.expansion, element))
 }
 
-fn call(places: &Places<'_>, element: XId) -> Option<Location> {
+fn call(places: &LocationMapper<'_>, element: XId) -> Option<Location> {
     places.call(places.expansion.tree.get(element).origin)
 }
 
-fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Option<Link> {
+fn one_link(
+    link: &model::Link,
+    places: &LocationMapper<'_>,
+    shapes: &mut Shapes<'_>,
+) -> Option<LinkModel> {
     let inertial = link.inertial.as_ref().and_then(|inertial| {
-        let pose = Pose::of(inertial.origin.as_ref());
-        Some(Inertial {
+        let pose = PoseModel::of(inertial.origin.as_ref());
+        Some(InertialModel {
             pose,
             mass: inertial.mass()?,
             inertia: inertial.entries(),
         })
     });
-    Some(Link {
+    Some(LinkModel {
         name: link.name.as_ref()?.name()?.to_string(),
         inertial,
         visuals: bodies(&link.visuals, true, places, shapes),
@@ -200,26 +204,31 @@ fn one_link(link: &model::Link, places: &Places<'_>, shapes: &mut Shapes<'_>) ->
 fn bodies(
     list: &[model::Body],
     seen: bool,
-    places: &Places<'_>,
+    places: &LocationMapper<'_>,
     shapes: &mut Shapes<'_>,
-) -> Vec<Body> {
+) -> Vec<BodyModel> {
     list.iter()
         .map(|body| one_body(body, seen, places, shapes))
         .collect()
 }
 
-fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Shapes<'_>) -> Body {
+fn one_body(
+    body: &model::Body,
+    seen: bool,
+    places: &LocationMapper<'_>,
+    shapes: &mut Shapes<'_>,
+) -> BodyModel {
     let look = if seen {
         shapes.look(body.material.as_deref())
     } else {
         Default::default()
     };
-    Body {
+    BodyModel {
         name: body
             .name
             .as_ref()
             .and_then(|name| Some(name.name()?.to_string())),
-        pose: Pose::of(body.origin.as_ref()),
+        pose: PoseModel::of(body.origin.as_ref()),
         shape: shapes.shape(body),
         color: look.color,
         texture: look.texture,
@@ -227,11 +236,11 @@ fn one_body(body: &model::Body, seen: bool, places: &Places<'_>, shapes: &mut Sh
     }
 }
 
-fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
+fn one_joint(joint: &model::Joint, places: &LocationMapper<'_>) -> Option<JointModel> {
     let (parent, child) = joint.ends()?;
     let limit = joint.limit.as_ref().and_then(|limit| {
         let (lower, upper) = limit.range()?;
-        Some(Limit {
+        Some(LimitModel {
             lower,
             upper,
             effort: number(&limit.effort),
@@ -240,7 +249,7 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
     });
     let mimic = joint.mimic.as_ref().and_then(|mimic| {
         let leader = mimic.joint.as_ref()?.name()?.to_string();
-        Some(Mimic {
+        Some(MimicModel {
             joint: leader,
             multiplier: number(&mimic.multiplier).unwrap_or(1.0),
             offset: number(&mimic.offset).unwrap_or(0.0),
@@ -250,12 +259,12 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
         let mut known = model::JointType::ALL.iter();
         known.find(|(_, one)| *one == kind).map(|(name, _)| *name)
     });
-    Some(Joint {
+    Some(JointModel {
         name: joint.name.as_ref()?.name()?.to_string(),
         kind: kind.unwrap_or("fixed").to_owned(),
         parent: parent.to_string(),
         child: child.to_string(),
-        pose: Pose::of(joint.origin.as_ref()),
+        pose: PoseModel::of(joint.origin.as_ref()),
         axis: joint.axis().unwrap_or([1.0, 0.0, 0.0]),
         limit,
         mimic,
@@ -264,6 +273,6 @@ fn one_joint(joint: &model::Joint, places: &Places<'_>) -> Option<Joint> {
     })
 }
 
-fn number(text: &Option<model::Text>) -> Option<f64> {
-    text.as_ref().and_then(model::Text::number)
+fn number(text: &Option<model::AttrValue>) -> Option<f64> {
+    text.as_ref().and_then(model::AttrValue::number)
 }

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::places::{Location, Places};
-use analysis::{Analyzed, Session};
+use super::locations::{Location, LocationMapper};
+use analysis::{RootAnalysis, Session};
 use rules::consumers::{CONSUMERS, Consumer, Outcome, Row, constructs, is_readable, rows};
 
 /// Places of a construct that are sent.
@@ -15,12 +15,12 @@ pub struct Programs {
     /// The titles of the programs: those of the configuration, or all.
     pub names: Vec<&'static str>,
     /// What some of them reject or change, the worst first.
-    pub constructs: Vec<Construct>,
+    pub constructs: Vec<AffectedConstruct>,
 }
 
 /// Something in a robot that some program rejects or changes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Construct {
+pub struct AffectedConstruct {
     /// What it is.
     pub title: &'static str,
     /// What to write instead.
@@ -48,8 +48,8 @@ pub struct Owner {
 /// What programs make of a robot; none when no program is given it, since it has errors.
 pub(super) fn programs(
     session: &Session,
-    analyzed: &Analyzed,
-    places: &Places<'_>,
+    analyzed: &RootAnalysis,
+    places: &LocationMapper<'_>,
 ) -> Option<Programs> {
     let expansion = &analyzed.expansion;
     if !is_readable(expansion) {
@@ -64,8 +64,8 @@ pub(super) fn programs(
                 .any(|name| Consumer::named(name).is_some_and(|named| named.name == consumer.name))
     };
     let consumers: Vec<&Consumer> = CONSUMERS.iter().filter(is_wanted).collect();
-    let world = session.rule_env(&settings.config);
-    let met = constructs(expansion, analyzed.robot.as_ref(), world);
+    let rule_env = session.rule_env(&settings.config);
+    let met = constructs(expansion, analyzed.robot.as_ref(), rule_env);
     let listed = rows(&met, false)
         .iter()
         .map(|row| construct(row, &consumers, places))
@@ -77,14 +77,18 @@ pub(super) fn programs(
     })
 }
 
-fn construct(row: &Row<'_>, consumers: &[&Consumer], places: &Places<'_>) -> Construct {
+fn construct(
+    row: &Row<'_>,
+    consumers: &[&Consumer],
+    places: &LocationMapper<'_>,
+) -> AffectedConstruct {
     let owners = row.met.iter().filter_map(|met| {
         Some(Owner {
             of: met.owner.clone(),
             location: places.of(met.origin)?,
         })
     });
-    Construct {
+    AffectedConstruct {
         title: &row.construct.title,
         help: row.construct.help.as_deref(),
         rejected: who(row, consumers, Outcome::Rejects),

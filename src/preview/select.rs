@@ -1,18 +1,22 @@
 //! Which links and joints a place of the source makes.
 
+use super::locations::{Location, LocationMapper};
 use super::messages::Selection;
-use super::places::{Location, Places};
 use base::TextRange;
 use expand::{FileIdx, Origin, XId};
 use model::{Robot, element_range, tag_start};
 
 /// The links and joints that the text at a place makes: those whose elements stand around it, else those that came
 /// through the call there.
-pub(super) fn made_by(robot: &Robot, places: &Places<'_>, location: &Location) -> Selection {
+pub(super) fn made_by(
+    robot: &Robot,
+    places: &LocationMapper<'_>,
+    location: &Location,
+) -> Selection {
     let Some((file, at)) = places.range(location) else {
         return Selection::default();
     };
-    let direct = pick(robot, &|element| {
+    let direct = select(robot, &|element| {
         covers(places, element_range(places.expansion, element), file, at).map(|_| 0)
     });
     if !direct.links.is_empty() || !direct.joints.is_empty() {
@@ -34,7 +38,7 @@ pub(super) fn made_by(robot: &Robot, places: &Places<'_>, location: &Location) -
     let Some(shortest) = all.filter_map(through).min() else {
         return Selection::default();
     };
-    pick(robot, &|element| {
+    select(robot, &|element| {
         through(element).filter(|length| *length == shortest)
     })
 }
@@ -42,7 +46,7 @@ pub(super) fn made_by(robot: &Robot, places: &Places<'_>, location: &Location) -
 /// Where a link or a joint stands.
 pub(super) fn location_of(
     robot: &Robot,
-    places: &Places<'_>,
+    places: &LocationMapper<'_>,
     link: Option<&str>,
     joint: Option<&str>,
 ) -> Option<Location> {
@@ -55,7 +59,7 @@ pub(super) fn location_of(
     places.of(tag_start(places.expansion, link.or(joint)?))
 }
 
-fn pick(robot: &Robot, found: &dyn Fn(XId) -> Option<u32>) -> Selection {
+fn select(robot: &Robot, found: &dyn Fn(XId) -> Option<u32>) -> Selection {
     let links = robot
         .links
         .iter()
@@ -72,14 +76,19 @@ fn pick(robot: &Robot, found: &dyn Fn(XId) -> Option<u32>) -> Selection {
 }
 
 /// The length of a text that holds a place; none when it does not.
-fn covers(places: &Places<'_>, origin: Origin, file: FileIdx, at: TextRange) -> Option<u32> {
+fn covers(
+    places: &LocationMapper<'_>,
+    origin: Origin,
+    file: FileIdx,
+    at: TextRange,
+) -> Option<u32> {
     let place = places.expansion.place(origin)?;
     let holds = place.file == file && place.range.start <= at.start && at.end <= place.range.end;
     holds.then(|| place.range.len())
 }
 
 /// The whole element whose start tag is at `tag`.
-fn whole(places: &Places<'_>, tag: Origin) -> Origin {
+fn whole(places: &LocationMapper<'_>, tag: Origin) -> Origin {
     let source = places.expansion.sources.get(tag.src);
     let node = source.and_then(|source| source.item.element_at(tag.range.start));
     node.map_or(tag, |node| Origin {

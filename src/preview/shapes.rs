@@ -7,7 +7,7 @@ use ecow::EcoString;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 
-use super::files::{Files, MeshFile};
+use super::files::{MeshFile, ModelFiles};
 use analysis::Session;
 use base::{FastMap, FastSet};
 use expand::{Expansion, Origin};
@@ -17,7 +17,7 @@ use workspace::UriOutcome;
 /// What a body looks like; lengths in meters.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
-pub enum Shape {
+pub enum ShapeModel {
     /// Centered, full lengths.
     Box {
         /// Along x, y and z.
@@ -73,7 +73,7 @@ pub(super) struct Look {
 pub(super) struct Shapes<'a> {
     session: &'a Session,
     expansion: &'a Expansion,
-    table: &'a Files,
+    table: &'a ModelFiles,
     /// Materials with a color or a texture: the first of each name.
     materials: FastMap<EcoString, &'a Material>,
     /// Files named so far.
@@ -85,7 +85,7 @@ impl<'a> Shapes<'a> {
         session: &'a Session,
         expansion: &'a Expansion,
         robot: &'a Robot,
-        table: &'a Files,
+        table: &'a ModelFiles,
     ) -> Self {
         let inside = robot.links.iter().flat_map(|link| &link.visuals);
         let inside = inside.filter_map(|visual| visual.material.as_deref());
@@ -152,45 +152,50 @@ impl<'a> Shapes<'a> {
     }
 
     /// The shape of a body.
-    pub fn shape(&mut self, body: &model::Body) -> Shape {
+    pub fn shape(&mut self, body: &model::Body) -> ShapeModel {
         let Some(shape) = body.shape() else {
-            return Shape::Unknown {
+            return ShapeModel::Unknown {
                 problem: "it has no geometry".to_owned(),
             };
         };
-        let number = |text: &Option<model::Text>| text.as_ref().and_then(model::Text::number);
+        let number =
+            |text: &Option<model::AttrValue>| text.as_ref().and_then(model::AttrValue::number);
         let found = match &shape.kind {
             ShapeKind::Box { size } => size.as_ref().and_then(|size| {
-                Some(Shape::Box {
+                Some(ShapeModel::Box {
                     size: size.numbers()?,
                 })
             }),
             ShapeKind::Cylinder { radius, length } => number(radius)
                 .zip(number(length))
-                .map(|(radius, length)| Shape::Cylinder { radius, length }),
+                .map(|(radius, length)| ShapeModel::Cylinder { radius, length }),
             ShapeKind::Capsule { radius, length } => number(radius)
                 .zip(number(length))
-                .map(|(radius, length)| Shape::Capsule { radius, length }),
-            ShapeKind::Sphere { radius } => number(radius).map(|radius| Shape::Sphere { radius }),
+                .map(|(radius, length)| ShapeModel::Capsule { radius, length }),
+            ShapeKind::Sphere { radius } => {
+                number(radius).map(|radius| ShapeModel::Sphere { radius })
+            }
             ShapeKind::Mesh { filename, scale } => {
-                let scale = scale.as_ref().map_or(Some([1.0; 3]), model::Text::numbers);
+                let scale = scale
+                    .as_ref()
+                    .map_or(Some([1.0; 3]), model::AttrValue::numbers);
                 filename
                     .as_ref()
                     .map(|file| self.mesh(file, scale.unwrap_or([1.0; 3])))
             }
             ShapeKind::Other => None,
         };
-        found.unwrap_or_else(|| Shape::Unknown {
+        found.unwrap_or_else(|| ShapeModel::Unknown {
             problem: "its dimensions are unknown".to_owned(),
         })
     }
 
-    fn mesh(&mut self, name: &model::Text, scale: [f64; 3]) -> Shape {
+    fn mesh(&mut self, name: &model::AttrValue, scale: [f64; 3]) -> ShapeModel {
         let (mesh, problem) = match self.find(name) {
             Ok(path) => (Some(self.mesh_file(&path)), None),
             Err(problem) => (None, Some(problem)),
         };
-        Shape::Mesh {
+        ShapeModel::Mesh {
             uri: name.value.to_string(),
             scale,
             mesh,
@@ -199,7 +204,7 @@ impl<'a> Shapes<'a> {
     }
 
     /// The file that a name leads to.
-    fn find(&self, name: &model::Text) -> Result<PathBuf, String> {
+    fn find(&self, name: &model::AttrValue) -> Result<PathBuf, String> {
         let from = self.file_of(name.origin).ok_or("its file is unknown")?;
         let uri = name.name().ok_or("its name is unknown")?;
         match self.session.packages.resolve_uri(uri, from).outcome {

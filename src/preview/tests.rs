@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use super::messages::ModelMessage;
 use super::model::Model;
-use super::{Names, Views, file_uri};
-use analysis::{RootChoice, World};
+use super::{LocationFormat, Views, file_uri};
+use analysis::{AnalysisHost, RootConfig};
 use base::{CancelFlag, Encoding};
 use vfs::testing::Tree;
 
-fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
+fn with_names<T>(work: impl FnOnce(&LocationFormat<'_>) -> T) -> T {
     let uri = |path: &Path| Some(file_uri(path));
     let path = |uri: &str| Some(PathBuf::from(uri.strip_prefix("file://")?));
-    work(&Names {
+    work(&LocationFormat {
         uri: &uri,
         path: &path,
         encoding: Encoding::Utf16,
@@ -21,7 +21,7 @@ fn with_names<T>(work: impl FnOnce(&Names<'_>) -> T) -> T {
 
 struct Shown {
     tree: Tree,
-    world: World,
+    host: AnalysisHost,
     views: Views,
 }
 
@@ -31,14 +31,14 @@ impl Shown {
         tree.write("bot/package.xml", "<package><name>bot</name></package>");
         tree.write("bot/robot.urdf.xacro", robot);
         let mut views = Views::default();
-        views.open(RootChoice::plain(&tree.path("bot/robot.urdf.xacro")));
-        let world = World::new(tree.environment(&[]), vec![tree.root().to_path_buf()]);
-        Self { tree, world, views }
+        views.open(RootConfig::plain(&tree.path("bot/robot.urdf.xacro")));
+        let host = AnalysisHost::new(tree.environment(&[]), vec![tree.root().to_path_buf()]);
+        Self { tree, host, views }
     }
 
     fn messages(&mut self) -> Vec<ModelMessage> {
-        let Self { world, views, .. } = self;
-        with_names(|names| views.update(world, names, &|_| true, &CancelFlag::default())).0
+        let Self { host, views, .. } = self;
+        with_names(|names| views.update(host, names, &|_| true, &CancelFlag::default())).0
     }
 
     fn model(&mut self) -> Model {
@@ -153,7 +153,7 @@ fn meshes_bring_the_files_they_name() {
     let names: Vec<&str> = file.files.keys().map(String::as_str).collect();
     assert_eq!(names, ["part.mtl", "wood.png"]);
     for id in file.files.values() {
-        assert!(shown.views.mesh(&shown.world, id).is_ok());
+        assert!(shown.views.mesh(&shown.host, id).is_ok());
     }
 }
 
@@ -220,7 +220,7 @@ fn programs_that_reject_the_robot_are_named() {
     );
     let robot = shown.tree.path("bot/robot.urdf.xacro");
     shown
-        .world
+        .host
         .set_text(&robot, "<robot name=\"bot\"><link name=\"a\"/>".into());
     assert_eq!(
         shown.messages().pop().unwrap().programs,
@@ -253,7 +253,7 @@ fn nothing_is_sent_while_nothing_changes() {
     let mut shown = Shown::new(&robot("<link name=\"a\"/>"));
     assert_eq!(shown.messages().len(), 1);
     assert_eq!(shown.messages().len(), 0);
-    shown.world.set_text(
+    shown.host.set_text(
         &shown.tree.path("bot/robot.urdf.xacro"),
         robot("<link name=\"b\"/>"),
     );
@@ -273,9 +273,9 @@ fn nothing_is_sent_while_nothing_changes() {
 fn a_file_that_is_gone_is_an_error() {
     let tree = Tree::new();
     let mut views = Views::default();
-    views.open(RootChoice::plain(&tree.path("no.urdf")));
-    let world = World::new(tree.environment(&[]), Vec::new());
-    let message = Shown { tree, world, views }.messages().pop().unwrap();
+    views.open(RootConfig::plain(&tree.path("no.urdf")));
+    let host = AnalysisHost::new(tree.environment(&[]), Vec::new());
+    let message = Shown { tree, host, views }.messages().pop().unwrap();
     assert!(
         !message.ok && message.errors[0].message.contains("cannot read the file"),
         "{message:?}"

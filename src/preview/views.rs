@@ -5,38 +5,38 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::choices::choices;
-use super::files::Files;
-use super::messages::{Argument, ModelError, ModelMessage, RootName, Selection, Side, Source};
+use super::files::ModelFiles;
+use super::locations::{Location, LocationFormat, LocationMapper};
+use super::messages::{Argument, ModelError, ModelMessage, ModelSource, RootName, Selection, Side};
 use super::model::{Model, model};
-use super::places::{Location, Names, Places};
 use super::programs::programs;
 use super::select;
 use super::shapes::Shapes;
-use analysis::{Analyzed, RootChoice, Session, World};
+use analysis::{AnalysisHost, RootAnalysis, RootConfig, Session};
 use base::limits::{SENT_BYTES, SENT_ERRORS};
 use base::{CancelFlag, Encoding, FastSet};
-use expand::{Expansion, Read, Severity};
+use expand::{Expansion, ProblemSeverity, Read};
 use model::Robot;
 
 /// All views.
 #[derive(Default)]
 pub struct Views {
     last_id: u32,
-    views: BTreeMap<u32, View>,
-    files: Arc<Files>,
+    views: BTreeMap<u32, OpenView>,
+    files: Arc<ModelFiles>,
 }
 
 /// One view: a robot, or two side by side.
-struct View {
+struct OpenView {
     revision: u64,
     sides: BTreeMap<Side, Shown>,
 }
 
 /// What one side shows.
 struct Shown {
-    root: RootChoice,
+    root: RootConfig,
     /// What was sent last.
-    sent: Option<Arc<Analyzed>>,
+    sent: Option<Arc<RootAnalysis>>,
     /// What was sent last without errors, with its revision.
     good: Option<(Arc<Model>, Option<u64>)>,
     /// The model that was sent last.
@@ -55,7 +55,7 @@ pub struct MeshBytes {
 }
 
 impl Shown {
-    fn new(root: RootChoice) -> Self {
+    fn new(root: RootConfig) -> Self {
         Self {
             root,
             sent: None,
@@ -73,15 +73,16 @@ impl Views {
     }
 
     /// The files that may be asked for.
-    pub fn files(&self) -> &Arc<Files> {
+    pub fn files(&self) -> &Arc<ModelFiles> {
         &self.files
     }
 
     /// Open a view; its number.
-    pub fn open(&mut self, root: RootChoice) -> u32 {
+    pub fn open(&mut self, root: RootConfig) -> u32 {
         self.last_id += 1;
         let sides = BTreeMap::from([(Side::Main, Shown::new(root))]);
-        self.views.insert(self.last_id, View { revision: 0, sides });
+        self.views
+            .insert(self.last_id, OpenView { revision: 0, sides });
         self.last_id
     }
 
@@ -93,7 +94,7 @@ impl Views {
     }
 
     /// Show something else; whether there is such a view.
-    pub fn show(&mut self, id: u32, root: RootChoice, compare: Option<RootChoice>) -> bool {
+    pub fn show(&mut self, id: u32, root: RootConfig, compare: Option<RootConfig>) -> bool {
         let Some(view) = self.views.get_mut(&id) else {
             return false;
         };
@@ -119,7 +120,7 @@ impl Views {
     }
 
     /// What a view shows.
-    pub fn root(&self, id: u32) -> Option<&RootChoice> {
+    pub fn root(&self, id: u32) -> Option<&RootConfig> {
         self.views
             .get(&id)?
             .sides
@@ -145,8 +146,8 @@ impl Views {
     /// What changed in the views that somebody looks at. False when it was cancelled: the rest comes the next time.
     pub fn update(
         &mut self,
-        world: &mut World,
-        names: &Names<'_>,
+        host: &mut AnalysisHost,
+        names: &LocationFormat<'_>,
         wanted: &dyn Fn(u32) -> bool,
         cancel: &CancelFlag,
     ) -> (Vec<ModelMessage>, bool) {
@@ -155,7 +156,7 @@ impl Views {
         let mut finished = true;
         for (&id, view) in self.views.iter_mut().filter(|(id, _)| wanted(**id)) {
             for (&side, shown) in &mut view.sides {
-                let Some(analyzed) = world.analyzed(&shown.root, cancel) else {
+                let Some(analyzed) = host.analyzed(&shown.root, cancel) else {
                     finished = false;
                     continue;
                 };
@@ -167,7 +168,7 @@ impl Views {
                     continue;
                 }
                 view.revision += 1;
-                let made = shown.message(world, names, &files, analyzed);
+                let made = shown.message(host, names, &files, analyzed);
                 messages.extend(made.map(|message| ModelMessage {
                     id,
                     side,
@@ -196,12 +197,12 @@ impl Views {
     }
 
     /// The bytes of a file that a model names.
-    pub fn mesh(&self, world: &World, id: &str) -> Result<MeshBytes, String> {
+    pub fn mesh(&self, host: &AnalysisHost, id: &str) -> Result<MeshBytes, String> {
         let path = self
             .files
             .path(id)
             .ok_or("no open preview uses this file")?;
-        let bytes = world.session().vfs.bytes(&path, SENT_BYTES);
+        let bytes = host.session().vfs.bytes(&path, SENT_BYTES);
         let bytes = bytes.map_err(|error| format!("it cannot be read: {}", error.reason()))?;
         Ok(MeshBytes {
             name: path
@@ -219,13 +220,18 @@ impl Views {
     /// When the view shows none, or one with errors.
     pub fn urdf(&self, id: u32) -> Result<String, String> {
         let shown = self.analyzed(id).ok_or("no robot is shown")?;
-        Source(shown.clone()).urdf()
+        ModelSource(shown.clone()).urdf()
     }
 
     /// The links and joints that the text at a place makes.
-    pub fn made_by(&self, id: u32, location: &Location, names: &Names<'_>) -> Option<Selection> {
+    pub fn made_by(
+        &self,
+        id: u32,
+        location: &Location,
+        names: &LocationFormat<'_>,
+    ) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
-        let places = Places {
+        let places = LocationMapper {
             names,
             expansion: &analyzed.expansion,
         };
@@ -242,10 +248,10 @@ impl Views {
         id: u32,
         link: Option<String>,
         joint: Option<String>,
-        names: &Names<'_>,
+        names: &LocationFormat<'_>,
     ) -> Option<Selection> {
         let analyzed = self.analyzed(id)?;
-        let places = Places {
+        let places = LocationMapper {
             names,
             expansion: &analyzed.expansion,
         };
@@ -265,7 +271,7 @@ impl Views {
         })
     }
 
-    fn analyzed(&self, id: u32) -> Option<&Arc<Analyzed>> {
+    fn analyzed(&self, id: u32) -> Option<&Arc<RootAnalysis>> {
         self.views.get(&id)?.sides.get(&Side::Main)?.sent.as_ref()
     }
 
@@ -289,19 +295,19 @@ impl Shown {
     /// The message about an expansion; its numbers are still to be given.
     fn message(
         &mut self,
-        world: &mut World,
-        names: &Names<'_>,
-        files: &Files,
-        analyzed: Arc<Analyzed>,
+        host: &mut AnalysisHost,
+        names: &LocationFormat<'_>,
+        files: &ModelFiles,
+        analyzed: Arc<RootAnalysis>,
     ) -> Option<ModelMessage> {
         let expansion = &analyzed.expansion;
         let ok = !expansion.has_errors() && expansion.root_error.is_none();
-        self.current = Some(Arc::new(drawn(world, names, files, &analyzed)));
+        self.current = Some(Arc::new(drawn(host, names, files, &analyzed)));
         if ok {
             self.good = self.current.clone().map(|model| (model, None));
         } else if self.good.is_none() {
-            let last = world.last_good(&self.root);
-            self.good = last.map(|last| (Arc::new(drawn(world, names, files, &last)), None));
+            let last = host.last_good(&self.root);
+            self.good = last.map(|last| (Arc::new(drawn(host, names, files, &last)), None));
         }
         let good = self.good.clone().filter(|_| !ok);
         let arguments = analyzed.declared_arguments().into_iter();
@@ -321,22 +327,26 @@ impl Shown {
                     value: value.to_owned(),
                 })
                 .collect(),
-            choices: self.choices(world, names),
-            programs: programs(world.session(), &analyzed, &Places { names, expansion }),
-            source: Source(analyzed.clone()),
+            choices: self.choices(host, names),
+            programs: programs(
+                host.session(),
+                &analyzed,
+                &LocationMapper { names, expansion },
+            ),
+            source: ModelSource(analyzed.clone()),
         };
         self.sent = Some(analyzed);
         Some(message)
     }
 
     /// What else could be shown; looked for again when files came or went.
-    fn choices(&mut self, world: &mut World, names: &Names<'_>) -> Vec<RootName> {
-        let count = world.known_files().len();
+    fn choices(&mut self, host: &mut AnalysisHost, names: &LocationFormat<'_>) -> Vec<RootName> {
+        let count = host.known_files().len();
         match &self.choices {
             Some((known, choices)) if *known == count => choices.clone(),
             _ => {
-                let found = choices(world, &self.root, names);
-                self.choices = Some((world.known_files().len(), found.clone()));
+                let found = choices(host, &self.root, names);
+                self.choices = Some((host.known_files().len(), found.clone()));
                 found
             }
         }
@@ -355,21 +365,26 @@ impl Shown {
 }
 
 /// The model of an expansion.
-fn drawn(world: &World, names: &Names<'_>, files: &Files, analyzed: &Analyzed) -> Model {
-    let places = Places {
+fn drawn(
+    host: &AnalysisHost,
+    names: &LocationFormat<'_>,
+    files: &ModelFiles,
+    analyzed: &RootAnalysis,
+) -> Model {
+    let places = LocationMapper {
         names,
         expansion: &analyzed.expansion,
     };
     match &analyzed.robot {
-        Some(robot) => of_robot(world.session(), robot, &places, files),
+        Some(robot) => of_robot(host.session(), robot, &places, files),
         None => Model::default(),
     }
 }
 
 /// The model of a robot, and the files of its meshes; without places.
-pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model, Files) {
-    let files = Files::default();
-    let names = Names {
+pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model, ModelFiles) {
+    let files = ModelFiles::default();
+    let names = LocationFormat {
         uri: &|_| None,
         path: &|_| None,
         encoding: Encoding::Utf8,
@@ -377,7 +392,7 @@ pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model,
     let model = of_robot(
         session,
         robot,
-        &Places {
+        &LocationMapper {
             names: &names,
             expansion,
         },
@@ -386,19 +401,28 @@ pub fn still(session: &Session, expansion: &Expansion, robot: &Robot) -> (Model,
     (model, files)
 }
 
-fn of_robot(session: &Session, robot: &Robot, places: &Places<'_>, files: &Files) -> Model {
+fn of_robot(
+    session: &Session,
+    robot: &Robot,
+    places: &LocationMapper<'_>,
+    files: &ModelFiles,
+) -> Model {
     let mut shapes = Shapes::new(session, places.expansion, robot, files);
     shapes.read_meshes(robot);
     model(robot, places, &mut shapes)
 }
 
-fn errors(names: &Names<'_>, analyzed: &Analyzed, root: &RootChoice) -> Vec<ModelError> {
+fn errors(
+    names: &LocationFormat<'_>,
+    analyzed: &RootAnalysis,
+    root: &RootConfig,
+) -> Vec<ModelError> {
     let expansion = &analyzed.expansion;
-    let places = Places { names, expansion };
+    let places = LocationMapper { names, expansion };
     let problems = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == Severity::Error && !p.probed);
+        .filter(|p| p.severity == ProblemSeverity::Error && !p.probed);
     let listed = problems.filter_map(|problem| {
         let code = rules::rule_of(problem.kind).name;
         let location = places.place(problem.place)?;

@@ -2,26 +2,26 @@
 
 use ecow::EcoString;
 
-use super::value::{Named, entries, get, text};
-use yaml::{Kind, Node};
+use super::value::{SpannedName, entries, get, text};
+use yaml::{YamlKind, YamlNode};
 
 /// The parameters of one controller.
 #[derive(Clone, Debug)]
 pub struct Controller {
     /// The last part of the name of its node.
-    pub name: Named,
+    pub name: SpannedName,
     /// Its class, when these parameters say it.
-    pub class: Option<Named>,
+    pub class: Option<SpannedName>,
     /// The joints it names, with the keys that hold them.
-    pub joints: Vec<(EcoString, Named)>,
+    pub joints: Vec<(EcoString, SpannedName)>,
     /// `command_interfaces` of each joint, or `interface_names` of other controllers.
-    pub commands: Vec<Named>,
+    pub commands: Vec<SpannedName>,
     /// `state_interfaces` of each joint.
-    pub states: Vec<Named>,
+    pub states: Vec<SpannedName>,
     /// Whether it has a list of `interfaces`.
     pub has_interfaces: bool,
     /// `interface_name`: the one interface that it commands.
-    pub interface: Option<Named>,
+    pub interface: Option<SpannedName>,
     /// Whether these are parameters of a node of ROS 2.
     pub is_ros2: bool,
 }
@@ -30,9 +30,9 @@ pub struct Controller {
 #[derive(Clone, Debug)]
 pub struct Listed {
     /// Its name.
-    pub name: Named,
+    pub name: SpannedName,
     /// Its class.
-    pub class: Named,
+    pub class: SpannedName,
     /// Whether its parameters are in a file that the controller manager is given.
     pub has_file: bool,
 }
@@ -85,13 +85,13 @@ impl Controller {
 const DEPTH: u32 = 4;
 
 /// Add the controllers below a node, and those that controller managers list.
-pub(super) fn read(node: &Node, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
+pub(super) fn read(node: &YamlNode, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
     below(node, DEPTH, listed, found);
 }
 
-fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
+fn below(node: &YamlNode, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Controller>) {
     for (key, value) in entries(node) {
-        let name = Named {
+        let name = SpannedName {
             name: key.name.rsplit('/').next().unwrap_or_default().into(),
             range: key.range,
         };
@@ -106,7 +106,7 @@ fn below(node: &Node, depth: u32, listed: &mut Vec<Listed>, found: &mut Vec<Cont
 }
 
 /// `type: position_controllers/JointTrajectoryController`
-fn is_ros1(node: &Node) -> bool {
+fn is_ros1(node: &YamlNode) -> bool {
     text(node, "type").is_some_and(|class| {
         let mut parts = class.name.split('/');
         parts
@@ -116,7 +116,7 @@ fn is_ros1(node: &Node) -> bool {
     })
 }
 
-fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
+fn manager(parameters: &YamlNode, listed: &mut Vec<Listed>) {
     let with_class = entries(parameters).filter_map(|(name, value)| {
         let has_file = ["params_file", "params_files"]
             .iter()
@@ -130,15 +130,19 @@ fn manager(parameters: &Node, listed: &mut Vec<Listed>) {
     listed.extend(with_class);
 }
 
-fn controller(name: Named, parameters: &Node, is_ros2: bool) -> Option<Controller> {
-    let list = |key: &str| get(parameters, key).map(Named::list).unwrap_or_default();
+fn controller(name: SpannedName, parameters: &YamlNode, is_ros2: bool) -> Option<Controller> {
+    let list = |key: &str| {
+        get(parameters, key)
+            .map(SpannedName::list)
+            .unwrap_or_default()
+    };
     let named = entries(parameters).filter(|(key, _)| may_hold_joints(&key.name));
     let joints = named.flat_map(|(key, value)| {
-        Named::list(value)
+        SpannedName::list(value)
             .into_iter()
             .map(move |name| (key.name.clone(), name))
     });
-    let is_map = matches!(parameters.kind, Kind::Map(_));
+    let is_map = matches!(parameters.kind, YamlKind::Map(_));
     is_map.then(|| Controller {
         class: text(parameters, "type"),
         joints: joints.collect(),

@@ -2,12 +2,12 @@
 //! the lines in front of it.
 
 use super::controllers::{joint_keys, may_hold_joints};
-use super::steps::{Around, Step, around};
+use super::steps::{PathStep, YamlContext, around};
 use base::TextRange;
 
 /// What a word is to name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
+pub enum ExpectedName {
     /// A joint that something drives.
     Joint,
     /// An interface that controllers write.
@@ -28,9 +28,9 @@ pub enum Wanted {
 
 /// A word that is typed, or may be.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Word {
+pub struct TypedWord {
     /// What it is to name.
-    pub wanted: Wanted,
+    pub wanted: ExpectedName,
     /// Whether it is the key of a mapping.
     pub is_key: bool,
     /// What was typed of it.
@@ -50,22 +50,22 @@ pub struct Word {
 pub(super) const GROUP_KEYS: [&str; 2] = ["move_group_name", "active_subgroup"];
 
 /// The word at an offset of a file with this name; none where no name of a robot is wanted.
-pub fn word_at(name: &str, text: &str, offset: u32) -> Option<Word> {
+pub fn word_at(name: &str, text: &str, offset: u32) -> Option<TypedWord> {
     let found = around(text, offset as usize)?;
-    let keys: Vec<&str> = found.steps.iter().filter_map(Step::key).collect();
+    let keys: Vec<&str> = found.steps.iter().filter_map(PathStep::key).collect();
     let wanted = match found.is_key {
         true => of_key(&keys, name, text)?,
         false => of_value(&keys)?,
     };
     let (rest, has_colon) = behind(text.get(offset as usize..)?);
-    let Around {
+    let YamlContext {
         start,
         taken,
         is_key,
         ..
     } = found;
     let around = keys.last().copied().unwrap_or_default().to_owned();
-    Some(Word {
+    Some(TypedWord {
         wanted,
         is_key,
         range: TextRange::new(start as u32, offset),
@@ -88,42 +88,44 @@ fn behind(text: &str) -> (u32, bool) {
 }
 
 /// What the value of a key names.
-fn of_value(keys: &[&str]) -> Option<Wanted> {
+fn of_value(keys: &[&str]) -> Option<ExpectedName> {
     let &last = keys.last()?;
     match last {
-        "controller_names" => Some(Wanted::Controller),
-        "planner_configs" | "default_planner_config" => Some(Wanted::Planner),
-        "command_interfaces" | "interface_name" => Some(Wanted::CommandInterface),
-        "state_interfaces" => Some(Wanted::StateInterface),
-        "interface_names" => Some(Wanted::JointInterface),
-        key if GROUP_KEYS.contains(&key) => Some(Wanted::Group),
-        key if joint_keys().contains(&key) => Some(Wanted::Joint),
-        key if may_hold_joints(key) && keys.contains(&"ros__parameters") => Some(Wanted::Joint),
+        "controller_names" => Some(ExpectedName::Controller),
+        "planner_configs" | "default_planner_config" => Some(ExpectedName::Planner),
+        "command_interfaces" | "interface_name" => Some(ExpectedName::CommandInterface),
+        "state_interfaces" => Some(ExpectedName::StateInterface),
+        "interface_names" => Some(ExpectedName::JointInterface),
+        key if GROUP_KEYS.contains(&key) => Some(ExpectedName::Group),
+        key if joint_keys().contains(&key) => Some(ExpectedName::Joint),
+        key if may_hold_joints(key) && keys.contains(&"ros__parameters") => {
+            Some(ExpectedName::Joint)
+        }
         _ => None,
     }
 }
 
 /// What the keys in a mapping name.
-fn of_key(keys: &[&str], name: &str, text: &str) -> Option<Wanted> {
+fn of_key(keys: &[&str], name: &str, text: &str) -> Option<ExpectedName> {
     let inside: Vec<&str> = keys
         .iter()
         .copied()
         .filter(|key| !["/**", "ros__parameters"].contains(key))
         .collect();
     match inside.as_slice() {
-        [.., "joint_limits" | "gains" | "pid_gains" | "constraints"] => Some(Wanted::Joint),
-        [.., "joint_limits", _] => Some(Wanted::Limit),
+        [.., "joint_limits" | "gains" | "pid_gains" | "constraints"] => Some(ExpectedName::Joint),
+        [.., "joint_limits", _] => Some(ExpectedName::Limit),
         [] | ["robot_description_kinematics"]
             if text.contains("kinematics_solver") || name.starts_with("kinematics") =>
         {
-            Some(Wanted::Group)
+            Some(ExpectedName::Group)
         }
         [] | ["ompl"] if text.contains("planner_configs") || name.starts_with("ompl") => {
-            Some(Wanted::Group)
+            Some(ExpectedName::Group)
         }
-        ["moveit_simple_controller_manager"] => Some(Wanted::Controller),
+        ["moveit_simple_controller_manager"] => Some(ExpectedName::Controller),
         [] if text.contains("controller_names:") || text.contains("controller_manager:") => {
-            Some(Wanted::Controller)
+            Some(ExpectedName::Controller)
         }
         _ => None,
     }

@@ -13,18 +13,18 @@ mod tests;
 mod value;
 
 pub use controllers::{Controller, Listed, joint_keys};
-pub use cursor::{Wanted, Word, word_at};
+pub use cursor::{ExpectedName, TypedWord, word_at};
 pub use members::joints_of_group;
 pub use moveit::{Assistant, JointLimit, MoveitController, planner_names};
-pub use settings::{Settings, may_be_settings};
-pub use srdf::{Chain, EndEffector, Group, GroupState, Pair, Srdf, VirtualJoint};
-pub use value::Named;
+pub use settings::{YamlSettings, may_be_settings};
+pub use srdf::{Chain, CollisionPair, EndEffector, GroupState, PlanningGroup, Srdf, VirtualJoint};
+pub use value::SpannedName;
 
 use ecow::EcoString;
 
 /// What a name in a file beside the robot is the name of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum ProjectNameKind {
     /// A link of the robot.
     Link,
     /// A joint of the robot.

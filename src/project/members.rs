@@ -1,8 +1,8 @@
 //! The joints of planning groups.
 
-use super::srdf::{Group, Srdf};
+use super::srdf::{PlanningGroup, Srdf};
 use base::FastSet;
-use model::{Kinematics, Robot, Text};
+use model::{AttrValue, Kinematics, Robot};
 
 /// The joints of a group and of those in it; none when not all are known.
 pub fn joints_of_group<'r>(
@@ -31,14 +31,17 @@ pub fn joints_of_group<'r>(
 /// The joints that a group names by itself, by its links and by its chains.
 fn add<'r>(
     (robot, kinematics): (&'r Robot, &Kinematics),
-    group: &Group,
+    group: &PlanningGroup,
     joints: &mut FastSet<&'r str>,
 ) -> Option<()> {
     for joint in &group.joints {
         joints.insert(robot.joint(joint.name()?)?.name.as_ref()?.value.as_str());
     }
     for text in &group.links {
-        if let Some(&joint) = kinematics.up(kinematics.link(text.name()?)?).first() {
+        if let Some(&joint) = kinematics
+            .parent_joints(kinematics.link(text.name()?)?)
+            .first()
+        {
             joints.insert(joint_name(robot, joint)?);
         }
     }
@@ -56,10 +59,10 @@ fn joint_name(robot: &Robot, joint: usize) -> Option<&str> {
     Some(robot.joints.get(joint)?.name.as_ref()?.value.as_str())
 }
 
-impl Group {
+impl PlanningGroup {
     /// What it holds, in one line: `chain base → tool`, `2 joints`.
     pub fn in_short(&self) -> String {
-        let text = |text: &Option<Text>| {
+        let text = |text: &Option<AttrValue>| {
             text.as_ref()
                 .map_or("?".to_owned(), |text| text.value.to_string())
         };
@@ -84,7 +87,7 @@ impl Group {
 }
 
 /// The name of a single one, the number of several: `joint elbow`, `2 joints`.
-fn named_or_counted(list: &[Text], noun: &str) -> Option<String> {
+fn named_or_counted(list: &[AttrValue], noun: &str) -> Option<String> {
     match list {
         [] => None,
         [one] => Some(format!("{noun} {}", one.value)),

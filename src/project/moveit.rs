@@ -1,17 +1,17 @@
 //! Settings of MoveIt: controllers, limits of joints, kinematics, planners, and what the setup assistant wrote down.
 
 use super::cursor::GROUP_KEYS;
-use super::value::{Named, entries, get, number, text};
+use super::value::{SpannedName, entries, get, number, text};
 use base::TextRange;
-use yaml::Node;
+use yaml::YamlNode;
 
 /// A controller as MoveIt knows it.
 #[derive(Clone, Debug)]
 pub struct MoveitController {
     /// Its name.
-    pub name: Named,
+    pub name: SpannedName,
     /// Its joints.
-    pub joints: Vec<Named>,
+    pub joints: Vec<SpannedName>,
     /// Whether it takes commands for a gripper, not trajectories.
     pub is_gripper: bool,
 }
@@ -20,11 +20,11 @@ pub struct MoveitController {
 #[derive(Clone, Debug)]
 pub struct JointLimit {
     /// The joint.
-    pub joint: Named,
+    pub joint: SpannedName,
     /// Numbers: the key, the value, whether it is written as an integer, and its place.
-    pub values: Vec<(Named, f64, bool, TextRange)>,
+    pub values: Vec<(SpannedName, f64, bool, TextRange)>,
     /// Keys that say whether a limit holds, and whether it does.
-    pub switches: Vec<(Named, bool)>,
+    pub switches: Vec<(SpannedName, bool)>,
 }
 
 impl JointLimit {
@@ -48,17 +48,17 @@ impl JointLimit {
 #[derive(Clone, Debug)]
 pub struct Assistant {
     /// The package of the description.
-    pub package: Option<Named>,
+    pub package: Option<SpannedName>,
     /// The path of the description in this package.
-    pub urdf: Option<Named>,
+    pub urdf: Option<SpannedName>,
     /// The arguments of the description, as on the command line of xacro.
-    pub arguments: Option<Named>,
+    pub arguments: Option<SpannedName>,
     /// The path of the SRDF in the package of this file.
-    pub srdf: Option<Named>,
+    pub srdf: Option<SpannedName>,
 }
 
 impl Assistant {
-    pub(super) fn of(root: &Node) -> Option<Self> {
+    pub(super) fn of(root: &YamlNode) -> Option<Self> {
         let config = get(root, "moveit_setup_assistant_config")?;
         let urdf = get(config, "URDF").or_else(|| get(config, "urdf"));
         let srdf = get(config, "SRDF").or_else(|| get(config, "srdf"));
@@ -84,12 +84,12 @@ impl Assistant {
 }
 
 /// A text that is not empty.
-fn filled(node: Option<&Node>, key: &str) -> Option<Named> {
+fn filled(node: Option<&YamlNode>, key: &str) -> Option<SpannedName> {
     text(node?, key).filter(|text| !text.name.is_empty())
 }
 
 /// The node that holds settings which launch files put below one of these keys: the file itself, or what is below the key.
-fn inside<'n>(root: &'n Node, keys: &[&str]) -> &'n Node {
+fn inside<'n>(root: &'n YamlNode, keys: &[&str]) -> &'n YamlNode {
     let mut node = root;
     for key in keys {
         node = get(node, key).unwrap_or(node);
@@ -100,7 +100,7 @@ fn inside<'n>(root: &'n Node, keys: &[&str]) -> &'n Node {
 const NODE: [&str; 2] = ["/**", "ros__parameters"];
 
 /// The controllers of `moveit_simple_controller_manager` and of `controller_list`.
-pub(super) fn controllers(root: &Node) -> Vec<MoveitController> {
+pub(super) fn controllers(root: &YamlNode) -> Vec<MoveitController> {
     let top = inside(root, &NODE);
     let mut found = Vec::new();
     for manager in [Some(top), get(top, "moveit_simple_controller_manager")]
@@ -108,14 +108,14 @@ pub(super) fn controllers(root: &Node) -> Vec<MoveitController> {
         .flatten()
     {
         let names = get(manager, "controller_names")
-            .map(Named::list)
+            .map(SpannedName::list)
             .unwrap_or_default();
         for name in names {
             let own = get(manager, &name.name);
             found.push(controller(name, own));
         }
-        if let Some(Node {
-            kind: yaml::Kind::List(items),
+        if let Some(YamlNode {
+            kind: yaml::YamlKind::List(items),
             ..
         }) = get(manager, "controller_list")
         {
@@ -129,10 +129,10 @@ pub(super) fn controllers(root: &Node) -> Vec<MoveitController> {
     found
 }
 
-fn controller(name: Named, parameters: Option<&Node>) -> MoveitController {
+fn controller(name: SpannedName, parameters: Option<&YamlNode>) -> MoveitController {
     let joints = parameters
         .and_then(|own| get(own, "joints"))
-        .map(Named::list)
+        .map(SpannedName::list)
         .unwrap_or_default();
     let kind = parameters.and_then(|own| text(own, "type"));
     MoveitController {
@@ -143,7 +143,7 @@ fn controller(name: Named, parameters: Option<&Node>) -> MoveitController {
 }
 
 /// The limits of joints.
-pub(super) fn limits(root: &Node) -> Vec<JointLimit> {
+pub(super) fn limits(root: &YamlNode) -> Vec<JointLimit> {
     const WORDS: [&str; 6] = [
         "has_velocity_limits",
         "has_acceleration_limits",
@@ -167,7 +167,7 @@ pub(super) fn limits(root: &Node) -> Vec<JointLimit> {
             .collect(),
         switches: entries(value)
             .filter_map(|(key, value)| match value.kind {
-                yaml::Kind::Bool(on) => Some((key, on)),
+                yaml::YamlKind::Bool(on) => Some((key, on)),
                 _ => None,
             })
             .collect(),
@@ -176,7 +176,7 @@ pub(super) fn limits(root: &Node) -> Vec<JointLimit> {
 }
 
 /// The groups that have a solver for inverse kinematics.
-pub(super) fn kinematics(root: &Node) -> Vec<Named> {
+pub(super) fn kinematics(root: &YamlNode) -> Vec<SpannedName> {
     let top = inside(root, &[NODE[0], NODE[1], "robot_description_kinematics"]);
     entries(top)
         .filter(|(_, value)| get(value, "kinematics_solver").is_some())
@@ -185,7 +185,7 @@ pub(super) fn kinematics(root: &Node) -> Vec<Named> {
 }
 
 /// The names of the configurations of planners.
-pub fn planner_names(root: &Node) -> Vec<Named> {
+pub fn planner_names(root: &YamlNode) -> Vec<SpannedName> {
     let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
     get(top, "planner_configs")
         .into_iter()
@@ -195,7 +195,7 @@ pub fn planner_names(root: &Node) -> Vec<Named> {
 }
 
 /// The groups that parameters of MoveIt Servo name.
-pub(super) fn servo(root: &Node) -> Vec<Named> {
+pub(super) fn servo(root: &YamlNode) -> Vec<SpannedName> {
     let mut open = vec![(root, 4u32)];
     let mut found = Vec::new();
     while let Some((node, depth)) = open.pop() {
@@ -217,7 +217,7 @@ pub(super) fn servo(root: &Node) -> Vec<Named> {
 }
 
 /// The groups that have planners.
-pub(super) fn planners(root: &Node) -> Vec<Named> {
+pub(super) fn planners(root: &YamlNode) -> Vec<SpannedName> {
     let top = inside(root, &[NODE[0], NODE[1], "ompl"]);
     if get(top, "planner_configs").is_none() {
         return Vec::new();

@@ -2,13 +2,13 @@
 
 use super::controllers::{self, Controller, Listed};
 use super::moveit::{self, Assistant, JointLimit, MoveitController};
-use super::value::Named;
-use super::{Kind, is_computed};
-use yaml::Node;
+use super::value::SpannedName;
+use super::{ProjectNameKind, is_computed};
+use yaml::YamlNode;
 
 /// What a YAML file says about links, joints and groups of a robot; everything in the order of the text.
 #[derive(Clone, Debug, Default)]
-pub struct Settings {
+pub struct YamlSettings {
     /// What the controller managers may load.
     pub listed: Vec<Listed>,
     /// Parameters of controllers.
@@ -18,11 +18,11 @@ pub struct Settings {
     /// Limits of joints.
     pub limits: Vec<JointLimit>,
     /// The groups with a solver for inverse kinematics.
-    pub kinematics: Vec<Named>,
+    pub kinematics: Vec<SpannedName>,
     /// The groups with planners.
-    pub planners: Vec<Named>,
+    pub planners: Vec<SpannedName>,
     /// The groups that parameters of MoveIt Servo name.
-    pub servo: Vec<Named>,
+    pub servo: Vec<SpannedName>,
     /// What MoveIt's setup assistant wrote down.
     pub assistant: Option<Assistant>,
 }
@@ -59,9 +59,9 @@ fn has_repeated(text: &str) -> bool {
     false
 }
 
-impl Settings {
+impl YamlSettings {
     /// The settings in a text, with its value. The parameters in several blocks of one name are those of all blocks.
-    pub fn read(text: &str, root: &Node) -> Option<Self> {
+    pub fn read(text: &str, root: &YamlNode) -> Option<Self> {
         match has_repeated(text) {
             true => Self::of(&yaml::load_repeated(text, "").ok()?),
             false => Self::of(root),
@@ -69,7 +69,7 @@ impl Settings {
     }
 
     /// The settings in a YAML document; none when it says nothing about a robot.
-    pub fn of(root: &Node) -> Option<Self> {
+    pub fn of(root: &YamlNode) -> Option<Self> {
         let mut settings = Self {
             moveit: moveit::controllers(root),
             limits: moveit::limits(root),
@@ -105,21 +105,21 @@ impl Settings {
     }
 
     /// Every name of a joint or group that is written out.
-    pub fn names(&self) -> Vec<(&Named, Kind)> {
-        let mut found: Vec<(&Named, Kind)> = Vec::new();
+    pub fn names(&self) -> Vec<(&SpannedName, ProjectNameKind)> {
+        let mut found: Vec<(&SpannedName, ProjectNameKind)> = Vec::new();
         let joints = self
             .controllers
             .iter()
             .flat_map(|one| one.joints.iter().map(|(_, joint)| joint));
         let joints = joints.chain(self.moveit.iter().flat_map(|one| &one.joints));
         let joints = joints.chain(self.limits.iter().map(|limit| &limit.joint));
-        found.extend(joints.map(|joint| (joint, Kind::Joint)));
+        found.extend(joints.map(|joint| (joint, ProjectNameKind::Joint)));
         let groups = self
             .kinematics
             .iter()
             .chain(&self.planners)
             .chain(&self.servo);
-        found.extend(groups.map(|group| (group, Kind::Group)));
+        found.extend(groups.map(|group| (group, ProjectNameKind::Group)));
         found.retain(|(name, _)| !is_computed(&name.name));
         found
     }

@@ -1,8 +1,8 @@
 //! Semantic descriptions (SRDF): groups, states, end effectors and collision pairs, taken from the expanded document.
 
-use super::Kind;
+use super::ProjectNameKind;
 use expand::{Expansion, XId, XTree};
-use model::Text;
+use model::AttrValue;
 
 /// What an SRDF says; everything in document order.
 #[derive(Clone, Debug)]
@@ -10,9 +10,9 @@ pub struct Srdf {
     /// The root element.
     pub element: XId,
     /// The name of the robot it is for.
-    pub name: Option<Text>,
+    pub name: Option<AttrValue>,
     /// Its planning groups.
-    pub groups: Vec<Group>,
+    pub groups: Vec<PlanningGroup>,
     /// Its named states of groups.
     pub states: Vec<GroupState>,
     /// Its end effectors.
@@ -20,25 +20,25 @@ pub struct Srdf {
     /// Its virtual joints.
     pub virtual_joints: Vec<VirtualJoint>,
     /// The joints that nothing drives.
-    pub passive: Vec<Text>,
+    pub passive: Vec<AttrValue>,
     /// The pairs of links whose collisions are not checked.
-    pub disabled: Vec<Pair>,
+    pub disabled: Vec<CollisionPair>,
     /// The links that collide with nothing but what pairs enable.
-    pub default_disabled: Vec<Text>,
+    pub default_disabled: Vec<AttrValue>,
     /// Other names of links and joints, with what they name.
-    others: Vec<(Text, Kind)>,
+    others: Vec<(AttrValue, ProjectNameKind)>,
 }
 
 /// A `group`.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
-pub struct Group {
+pub struct PlanningGroup {
     pub element: XId,
-    pub name: Option<Text>,
-    pub links: Vec<Text>,
-    pub joints: Vec<Text>,
+    pub name: Option<AttrValue>,
+    pub links: Vec<AttrValue>,
+    pub joints: Vec<AttrValue>,
     pub chains: Vec<Chain>,
-    pub subgroups: Vec<Text>,
+    pub subgroups: Vec<AttrValue>,
 }
 
 /// A `chain`: the joints from one link down to another.
@@ -46,8 +46,8 @@ pub struct Group {
 #[allow(missing_docs)]
 pub struct Chain {
     pub element: XId,
-    pub base: Option<Text>,
-    pub tip: Option<Text>,
+    pub base: Option<AttrValue>,
+    pub tip: Option<AttrValue>,
 }
 
 /// A `group_state`: positions of the joints of a group, radians or meters.
@@ -55,10 +55,10 @@ pub struct Chain {
 #[allow(missing_docs)]
 pub struct GroupState {
     pub element: XId,
-    pub name: Option<Text>,
-    pub group: Option<Text>,
+    pub name: Option<AttrValue>,
+    pub group: Option<AttrValue>,
     /// Names and values.
-    pub joints: Vec<(Text, Option<Text>)>,
+    pub joints: Vec<(AttrValue, Option<AttrValue>)>,
 }
 
 /// An `end_effector`.
@@ -66,10 +66,10 @@ pub struct GroupState {
 #[allow(missing_docs)]
 pub struct EndEffector {
     pub element: XId,
-    pub name: Option<Text>,
-    pub parent_link: Option<Text>,
-    pub group: Option<Text>,
-    pub parent_group: Option<Text>,
+    pub name: Option<AttrValue>,
+    pub parent_link: Option<AttrValue>,
+    pub group: Option<AttrValue>,
+    pub parent_group: Option<AttrValue>,
 }
 
 /// A `virtual_joint` between the world and the robot.
@@ -77,18 +77,18 @@ pub struct EndEffector {
 #[allow(missing_docs)]
 pub struct VirtualJoint {
     pub element: XId,
-    pub name: Option<Text>,
-    pub child_link: Option<Text>,
+    pub name: Option<AttrValue>,
+    pub child_link: Option<AttrValue>,
 }
 
 /// A `disable_collisions`.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
-pub struct Pair {
+pub struct CollisionPair {
     pub element: XId,
-    pub link1: Option<Text>,
-    pub link2: Option<Text>,
-    pub reason: Option<Text>,
+    pub link1: Option<AttrValue>,
+    pub link2: Option<AttrValue>,
+    pub reason: Option<AttrValue>,
 }
 
 impl Srdf {
@@ -98,7 +98,7 @@ impl Srdf {
         let element = tree.root().filter(|&root| tree.get(root).text == "robot")?;
         let mut srdf = Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             groups: Vec::new(),
             states: Vec::new(),
             effectors: Vec::new(),
@@ -114,9 +114,9 @@ impl Srdf {
     }
 
     fn add(&mut self, tree: &XTree, element: XId) {
-        let text = |name: &str| Text::attr(tree, element, name);
+        let text = |name: &str| AttrValue::attr(tree, element, name);
         match tree.get(element).text.as_str() {
-            "group" => self.groups.push(Group::of(tree, element)),
+            "group" => self.groups.push(PlanningGroup::of(tree, element)),
             "group_state" => self.states.push(GroupState::of(tree, element)),
             "end_effector" => self.effectors.push(EndEffector {
                 element,
@@ -131,27 +131,31 @@ impl Srdf {
                 child_link: text("child_link"),
             }),
             "passive_joint" => self.passive.extend(text("name")),
-            "disable_collisions" => self.disabled.push(Pair::of(tree, element)),
+            "disable_collisions" => self.disabled.push(CollisionPair::of(tree, element)),
             "disable_default_collisions" => self.default_disabled.extend(text("link")),
             "enable_collisions" => {
                 let links = ["link1", "link2"].map(text);
-                self.others
-                    .extend(links.into_iter().flatten().map(|link| (link, Kind::Link)));
+                self.others.extend(
+                    links
+                        .into_iter()
+                        .flatten()
+                        .map(|link| (link, ProjectNameKind::Link)),
+                );
             }
             "link_sphere_approximation" => self
                 .others
-                .extend(text("link").map(|link| (link, Kind::Link))),
+                .extend(text("link").map(|link| (link, ProjectNameKind::Link))),
             "joint_property" => self
                 .others
-                .extend(text("joint_name").map(|joint| (joint, Kind::Joint))),
+                .extend(text("joint_name").map(|joint| (joint, ProjectNameKind::Joint))),
             _ => {}
         }
     }
 
     /// Every name of a link, joint or group, with whether it is given here.
-    pub fn names(&self) -> Vec<(&Text, Kind, bool)> {
-        use Kind::{Group, Joint, Link};
-        let mut found: Vec<(&Text, Kind, bool)> = Vec::new();
+    pub fn names(&self) -> Vec<(&AttrValue, ProjectNameKind, bool)> {
+        use ProjectNameKind::{Group, Joint, Link};
+        let mut found: Vec<(&AttrValue, ProjectNameKind, bool)> = Vec::new();
         for group in &self.groups {
             found.extend(group.name.iter().map(|name| (name, Group, true)));
             found.extend(group.links.iter().map(|name| (name, Link, false)));
@@ -192,26 +196,26 @@ impl Srdf {
     }
 
     /// The first group of a name.
-    pub fn group(&self, name: &str) -> Option<&Group> {
+    pub fn group(&self, name: &str) -> Option<&PlanningGroup> {
         self.groups
             .iter()
             .find(|group| group.name.as_ref().is_some_and(|own| own.value == name))
     }
 }
 
-impl Group {
+impl PlanningGroup {
     fn of(tree: &XTree, element: XId) -> Self {
         let chains = tree
             .elements(element)
             .filter(|&child| tree.get(child).text == "chain");
         let chain = |element| Chain {
             element,
-            base: Text::attr(tree, element, "base_link"),
-            tip: Text::attr(tree, element, "tip_link"),
+            base: AttrValue::attr(tree, element, "base_link"),
+            tip: AttrValue::attr(tree, element, "tip_link"),
         };
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
+            name: AttrValue::attr(tree, element, "name"),
             links: names(tree, element, "link"),
             joints: names(tree, element, "joint"),
             chains: chains.map(chain).collect(),
@@ -221,10 +225,10 @@ impl Group {
 }
 
 /// The names of the elements of a kind in another one.
-fn names(tree: &XTree, element: XId, tag: &str) -> Vec<Text> {
+fn names(tree: &XTree, element: XId, tag: &str) -> Vec<AttrValue> {
     tree.elements(element)
         .filter(|&child| tree.get(child).text == tag)
-        .filter_map(|child| Text::attr(tree, child, "name"))
+        .filter_map(|child| AttrValue::attr(tree, child, "name"))
         .collect()
 }
 
@@ -235,26 +239,26 @@ impl GroupState {
             .filter(|&child| tree.get(child).text == "joint");
         let joint = |child| {
             Some((
-                Text::attr(tree, child, "name")?,
-                Text::attr(tree, child, "value"),
+                AttrValue::attr(tree, child, "name")?,
+                AttrValue::attr(tree, child, "value"),
             ))
         };
         Self {
             element,
-            name: Text::attr(tree, element, "name"),
-            group: Text::attr(tree, element, "group"),
+            name: AttrValue::attr(tree, element, "name"),
+            group: AttrValue::attr(tree, element, "group"),
             joints: joints.filter_map(joint).collect(),
         }
     }
 }
 
-impl Pair {
+impl CollisionPair {
     fn of(tree: &XTree, element: XId) -> Self {
         Self {
             element,
-            link1: Text::attr(tree, element, "link1"),
-            link2: Text::attr(tree, element, "link2"),
-            reason: Text::attr(tree, element, "reason"),
+            link1: AttrValue::attr(tree, element, "link1"),
+            link2: AttrValue::attr(tree, element, "link2"),
+            reason: AttrValue::attr(tree, element, "reason"),
         }
     }
 

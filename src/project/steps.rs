@@ -2,27 +2,27 @@
 
 /// A step from the root of a document to a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum PathStep {
     /// The value of a key.
     Key(String),
     /// An item of a list.
     Item,
 }
 
-impl Step {
+impl PathStep {
     pub fn key(&self) -> Option<&str> {
         match self {
-            Step::Key(key) => Some(key),
-            Step::Item => None,
+            PathStep::Key(key) => Some(key),
+            PathStep::Item => None,
         }
     }
 }
 
 /// What is around an offset.
 #[derive(Debug)]
-pub(super) struct Around {
+pub(super) struct YamlContext {
     /// The steps to what is typed; of a key, to the mapping that it is in.
-    pub steps: Vec<Step>,
+    pub steps: Vec<PathStep>,
     /// Whether a key is typed.
     pub is_key: bool,
     /// Where what is typed begins, behind a quote.
@@ -32,16 +32,16 @@ pub(super) struct Around {
 }
 
 /// A step, and the column of what says it.
-struct Level {
+struct IndentedStep {
     indent: usize,
-    step: Step,
+    step: PathStep,
 }
 
 /// What is around an offset; none inside of comments.
-pub(super) fn around(text: &str, offset: usize) -> Option<Around> {
+pub(super) fn around(text: &str, offset: usize) -> Option<YamlContext> {
     let before = text.get(..offset)?;
     let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-    let mut levels: Vec<Level> = Vec::new();
+    let mut levels: Vec<IndentedStep> = Vec::new();
     let mut start = 0;
     while start < line_start {
         let end = before
@@ -59,9 +59,9 @@ pub(super) fn around(text: &str, offset: usize) -> Option<Around> {
         let (content, column) = enter(&mut levels, line);
         let value = match split_key(content) {
             Some((key, value)) => {
-                levels.push(Level {
+                levels.push(IndentedStep {
                     indent: column,
-                    step: Step::Key(key),
+                    step: PathStep::Key(key),
                 });
                 value
             }
@@ -84,25 +84,29 @@ pub(super) fn around(text: &str, offset: usize) -> Option<Around> {
 }
 
 /// What is around an offset in the line that begins at `line_start`.
-fn in_line(text: &str, line_start: usize, offset: usize, mut levels: Vec<Level>) -> Option<Around> {
+fn in_line(
+    text: &str,
+    line_start: usize,
+    offset: usize,
+    mut levels: Vec<IndentedStep>,
+) -> Option<YamlContext> {
     let head = text.get(line_start..offset)?;
     if without_comment(head).len() < head.len() {
         return None;
     }
     let (content, indent) = enter(&mut levels, head);
-    let is_item =
-        matches!(levels.last(), Some(Level { step: Step::Item, indent: own }) if *own < indent);
+    let is_item = matches!(levels.last(), Some(IndentedStep { step: PathStep::Item, indent: own }) if *own < indent);
     let begin = offset - content.len();
     if let Some((key, value)) = split_key(content) {
-        levels.push(Level {
+        levels.push(IndentedStep {
             indent,
-            step: Step::Key(key),
+            step: PathStep::Key(key),
         });
         let begin = offset - value.len();
         if value.starts_with(['[', '{']) {
             return in_flow(text, begin, offset, levels);
         }
-        return Some(Around {
+        return Some(YamlContext {
             steps: steps(levels),
             is_key: false,
             start: unquoted(value, begin),
@@ -123,7 +127,7 @@ fn in_line(text: &str, line_start: usize, offset: usize, mut levels: Vec<Level>)
             indent
         },
     );
-    Some(Around {
+    Some(YamlContext {
         steps: steps(levels),
         is_key: !is_item,
         start: unquoted(content, begin),
@@ -132,16 +136,16 @@ fn in_line(text: &str, line_start: usize, offset: usize, mut levels: Vec<Level>)
 }
 
 /// Leave the levels that a line ends, and add those of the lists that it begins items of; the rest of the line with its column.
-fn enter<'t>(levels: &mut Vec<Level>, line: &'t str) -> (&'t str, usize) {
+fn enter<'t>(levels: &mut Vec<IndentedStep>, line: &'t str) -> (&'t str, usize) {
     let mut content = line.trim_start_matches(' ');
     let mut indent = line.len() - content.len();
     content = content.trim_end_matches(['\n', '\r']);
     loop {
         let is_item = content == "-" || content.starts_with("- ");
         // a list may stand at the column of its key
-        let ends = |level: &Level| {
+        let ends = |level: &IndentedStep| {
             level.indent > indent
-                || level.indent == indent && !(is_item && level.step != Step::Item)
+                || level.indent == indent && !(is_item && level.step != PathStep::Item)
         };
         while levels.last().is_some_and(ends) {
             levels.pop();
@@ -149,9 +153,9 @@ fn enter<'t>(levels: &mut Vec<Level>, line: &'t str) -> (&'t str, usize) {
         if !is_item {
             return (content, indent);
         }
-        levels.push(Level {
+        levels.push(IndentedStep {
             indent,
-            step: Step::Item,
+            step: PathStep::Item,
         });
         let inner = content.get(1..).unwrap_or("").trim_start_matches(' ');
         indent += content.len() - inner.len();
@@ -234,7 +238,12 @@ fn outside_comments(
 }
 
 /// What is around an offset between brackets that open at `begin`.
-fn in_flow(text: &str, begin: usize, offset: usize, levels: Vec<Level>) -> Option<Around> {
+fn in_flow(
+    text: &str,
+    begin: usize,
+    offset: usize,
+    levels: Vec<IndentedStep>,
+) -> Option<YamlContext> {
     // brackets with their key, and the words in them
     let mut open: Vec<(char, Option<String>, Vec<String>)> = Vec::new();
     let mut word = begin;
@@ -258,11 +267,11 @@ fn in_flow(text: &str, begin: usize, offset: usize, levels: Vec<Level>) -> Optio
     let mut steps = steps(levels);
     steps.extend(
         open.into_iter()
-            .map(|(_, key, _)| key.map_or(Step::Item, Step::Key)),
+            .map(|(_, key, _)| key.map_or(PathStep::Item, PathStep::Key)),
     );
     let is_key = bracket == '{' && key.is_none();
     if !is_key {
-        steps.push(key.map_or(Step::Item, Step::Key));
+        steps.push(key.map_or(PathStep::Item, PathStep::Key));
     }
     let rest = text.get(offset..)?;
     let rest = rest.get(..rest.find([']', '}', '\n']).unwrap_or(rest.len()))?;
@@ -275,7 +284,7 @@ fn in_flow(text: &str, begin: usize, offset: usize, levels: Vec<Level>) -> Optio
     while typed.starts_with('#') {
         typed = typed.split_once('\n')?.1.trim_start();
     }
-    Some(Around {
+    Some(YamlContext {
         steps,
         is_key,
         start: unquoted(typed, offset - typed.len()),
@@ -289,7 +298,7 @@ fn said(text: &str) -> Option<String> {
     (!word.is_empty()).then(|| word.to_owned())
 }
 
-fn steps(levels: Vec<Level>) -> Vec<Step> {
+fn steps(levels: Vec<IndentedStep>) -> Vec<PathStep> {
     levels.into_iter().map(|level| level.step).collect()
 }
 

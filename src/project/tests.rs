@@ -2,14 +2,14 @@
 
 #![allow(clippy::unwrap_used)] // a test may fail loudly
 
-use super::{Kind, Settings, Wanted, word_at};
+use super::{ExpectedName, ProjectNameKind, YamlSettings, word_at};
 
 /// The names in a text, each with its kind and the text it stands at.
-fn check_names(text: &str, expected: &[(&str, Kind)]) {
+fn check_names(text: &str, expected: &[(&str, ProjectNameKind)]) {
     let root = yaml::load(text, "a.yaml").unwrap();
-    let settings = Settings::of(&root).unwrap_or_default();
+    let settings = YamlSettings::of(&root).unwrap_or_default();
     let names = settings.names();
-    let found: Vec<(&str, Kind)> = names
+    let found: Vec<(&str, ProjectNameKind)> = names
         .iter()
         .map(|(name, kind)| (name.name.as_str(), *kind))
         .collect();
@@ -24,8 +24,8 @@ fn check_names(text: &str, expected: &[(&str, Kind)]) {
 
 #[test]
 fn names_in_settings() {
-    let joint = |name| (name, Kind::Joint);
-    let group = |name| (name, Kind::Group);
+    let joint = |name| (name, ProjectNameKind::Joint);
+    let group = |name| (name, ProjectNameKind::Group);
     for (text, expected) in [
         (
             "arm_controller:\n  ros__parameters:\n    joints: [a, 'b']\n",
@@ -94,7 +94,7 @@ fn names_in_settings() {
 #[test]
 fn what_the_setup_assistant_wrote_down() {
     let text = "moveit_setup_assistant_config:\n  URDF:\n    package: arm_description\n    relative_path: urdf/arm.xacro\n    xacro_args: \"side:=left  sim:=true\"\n  SRDF:\n    relative_path: config/arm.srdf\n";
-    let assistant = Settings::of(&yaml::load(text, "a").unwrap())
+    let assistant = YamlSettings::of(&yaml::load(text, "a").unwrap())
         .unwrap()
         .assistant
         .unwrap();
@@ -106,7 +106,7 @@ fn what_the_setup_assistant_wrote_down() {
 }
 
 /// What is wanted at `|`, with what was typed and the other names beside it.
-fn check_word(name: &str, text: &str, expected: Option<(Wanted, &str, &[&str])>) {
+fn check_word(name: &str, text: &str, expected: Option<(ExpectedName, &str, &[&str])>) {
     let offset = text.find('|').unwrap();
     let text = text.replace('|', "");
     let found = word_at(name, &text, offset as u32);
@@ -123,7 +123,7 @@ fn check_word(name: &str, text: &str, expected: Option<(Wanted, &str, &[&str])>)
 
 #[test]
 fn words_that_are_typed() {
-    use Wanted::{
+    use ExpectedName::{
         CommandInterface, Controller, Group, Joint, JointInterface, Limit, Planner, StateInterface,
     };
     let arm = "arm:\n  ros__parameters:\n";

@@ -3,22 +3,22 @@
 use ecow::EcoString;
 
 use base::TextRange;
-use yaml::{Kind, Node};
+use yaml::{YamlKind, YamlNode};
 
 /// A name and where it is written, quotes included.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Named {
+pub struct SpannedName {
     /// The name.
     pub name: EcoString,
     /// Its place.
     pub range: TextRange,
 }
 
-impl Named {
+impl SpannedName {
     /// The text of a node, when it is one.
-    pub(super) fn of(node: &Node) -> Option<Self> {
+    pub(super) fn of(node: &YamlNode) -> Option<Self> {
         match &node.kind {
-            Kind::Str(text) => Some(Self {
+            YamlKind::Str(text) => Some(Self {
                 name: text.as_str().into(),
                 range: node.range,
             }),
@@ -27,41 +27,41 @@ impl Named {
     }
 
     /// The texts of a list, or the one text.
-    pub(super) fn list(node: &Node) -> Vec<Self> {
+    pub(super) fn list(node: &YamlNode) -> Vec<Self> {
         match &node.kind {
-            Kind::List(items) => items.iter().filter_map(Self::of).collect(),
+            YamlKind::List(items) => items.iter().filter_map(Self::of).collect(),
             _ => Self::of(node).into_iter().collect(),
         }
     }
 }
 
 /// The entries of a mapping whose keys are texts.
-pub(super) fn entries(node: &Node) -> impl Iterator<Item = (Named, &Node)> {
+pub(super) fn entries(node: &YamlNode) -> impl Iterator<Item = (SpannedName, &YamlNode)> {
     let entries = match &node.kind {
-        Kind::Map(entries) => entries.as_slice(),
+        YamlKind::Map(entries) => entries.as_slice(),
         _ => &[],
     };
     entries
         .iter()
-        .filter_map(|(key, value)| Some((Named::of(key)?, value)))
+        .filter_map(|(key, value)| Some((SpannedName::of(key)?, value)))
 }
 
 /// The value of a key; of several, the last.
-pub(super) fn get<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
+pub(super) fn get<'n>(node: &'n YamlNode, key: &str) -> Option<&'n YamlNode> {
     let found = entries(node).filter(|(name, _)| name.name == key).last();
     found.map(|(_, value)| value)
 }
 
 /// The text of a key.
-pub(super) fn text(node: &Node, key: &str) -> Option<Named> {
-    Named::of(get(node, key)?)
+pub(super) fn text(node: &YamlNode, key: &str) -> Option<SpannedName> {
+    SpannedName::of(get(node, key)?)
 }
 
 /// The value of a number, and whether it is written as an integer.
-pub(super) fn number(node: &Node) -> Option<(f64, bool)> {
+pub(super) fn number(node: &YamlNode) -> Option<(f64, bool)> {
     match &node.kind {
-        Kind::Int(value) => Some((value.to_string().parse().ok()?, true)),
-        Kind::Float(value) => Some((*value, false)),
+        YamlKind::Int(value) => Some((value.to_string().parse().ok()?, true)),
+        YamlKind::Float(value) => Some((*value, false)),
         _ => None,
     }
 }

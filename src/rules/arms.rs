@@ -59,7 +59,7 @@ fn driven_below(
     let mut seen: FastSet<usize> = open.iter().copied().collect();
     let mut found = Vec::new();
     while let Some(link) = open.pop() {
-        for &joint in kinematics.down(link) {
+        for &joint in kinematics.child_joints(link) {
             if robot
                 .joints
                 .get(joint)

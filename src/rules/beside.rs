@@ -5,13 +5,13 @@ use ecow::EcoString;
 
 use super::finding::Help;
 use super::grouping::Group;
-use super::names::{Names, Offered, Place, may_be};
+use super::names::{JointConnection, OfferedInterface, RobotNames, may_be};
 use super::rule::Severity;
 use super::sink::{Reported, Sink, span_of};
 use base::{FileId, Span};
 use expand::{Expansion, Origin};
-use model::{Joint, Kinematics, Robot, Text};
-use project::{Kind, Named, Settings, Srdf};
+use model::{AttrValue, Joint, Kinematics, Robot};
+use project::{ProjectNameKind, SpannedName, Srdf, YamlSettings};
 use workspace::nearest;
 
 /// A file beside a robot.
@@ -19,14 +19,14 @@ pub struct BesideCx<'a> {
     /// The SRDF or YAML that is checked.
     pub file: FileId,
     /// What it says.
-    pub content: Content<'a>,
+    pub content: BesideContent<'a>,
     /// The expansion of the file, and of the robot where the file is not expanded.
     pub expansion: &'a Expansion,
     /// The robots that the file is for; all their links and joints are there. Without one, the file is compared with
     /// SRDFs only.
     pub robots: &'a [PairedRobot<'a>],
     /// All files beside these robots.
-    pub all: &'a [Content<'a>],
+    pub all: &'a [BesideContent<'a>],
     /// Whether the package of the file is for ROS 2.
     pub(super) is_ros2: bool,
     /// Whether hardware of ROS 1 in the workspace registers joints by itself.
@@ -36,20 +36,20 @@ pub struct BesideCx<'a> {
     /// Whether everything of the SRDFs is there.
     pub(super) has_all_groups: bool,
     /// Names in further expansions of the robots, asked for only when a name is in none of them.
-    pub further: &'a dyn Fn() -> Names,
+    pub further: &'a dyn Fn() -> RobotNames,
     /// What these gave.
-    pub(super) known: OnceCell<Names>,
+    pub(super) known: OnceCell<RobotNames>,
     /// The names in the robots.
-    pub(super) names: Names,
+    pub(super) names: RobotNames,
 }
 
 /// What a file beside a robot says.
 #[derive(Clone, Copy)]
-pub enum Content<'a> {
+pub enum BesideContent<'a> {
     /// A semantic description.
     Srdf(&'a Srdf),
     /// YAML for controllers or MoveIt.
-    Settings(&'a Settings),
+    Settings(&'a YamlSettings),
 }
 
 /// A robot that a file is for.
@@ -68,15 +68,15 @@ pub struct PairedRobot<'a> {
 impl<'a> BesideCx<'a> {
     /// A file with what is around it.
     pub fn new(
-        (file, content, expansion): (FileId, Content<'a>, &'a Expansion),
+        (file, content, expansion): (FileId, BesideContent<'a>, &'a Expansion),
         robots: &'a [PairedRobot<'a>],
-        all: &'a [Content<'a>],
-        further: &'a dyn Fn() -> Names,
+        all: &'a [BesideContent<'a>],
+        further: &'a dyn Fn() -> RobotNames,
     ) -> Self {
-        let mut names = Names::default();
+        let mut names = RobotNames::default();
         robots.iter().for_each(|paired| names.add(paired.robot));
         for content in all {
-            if let Content::Srdf(srdf) = content {
+            if let BesideContent::Srdf(srdf) = content {
                 names.groups.extend(
                     srdf.groups
                         .iter()
@@ -131,22 +131,22 @@ impl<'a> BesideCx<'a> {
     /// The SRDF, when the file is one.
     pub(super) fn srdf(&self) -> Option<&'a Srdf> {
         match self.content {
-            Content::Srdf(srdf) => Some(srdf),
-            Content::Settings(_) => None,
+            BesideContent::Srdf(srdf) => Some(srdf),
+            BesideContent::Settings(_) => None,
         }
     }
 
     /// The settings, when the file holds some.
-    pub(super) fn settings(&self) -> Option<&'a Settings> {
+    pub(super) fn settings(&self) -> Option<&'a YamlSettings> {
         match self.content {
-            Content::Settings(settings) => Some(settings),
-            Content::Srdf(_) => None,
+            BesideContent::Settings(settings) => Some(settings),
+            BesideContent::Srdf(_) => None,
         }
     }
 
     /// Whether a link or joint is in none of the robots, or a group in none of their SRDFs, however they are expanded. What
     /// other arguments give counts, unless the robots themselves are meant to have it.
-    pub(super) fn lacks(&self, kind: Kind, name: &str) -> bool {
+    pub(super) fn lacks(&self, kind: ProjectNameKind, name: &str) -> bool {
         !self.names.may_have(kind, name)
             && !self.is_virtual(kind, name)
             && (!self
@@ -158,37 +158,42 @@ impl<'a> BesideCx<'a> {
     }
 
     /// Whether a joint of the robots hangs on a link that they do not have.
-    fn is_torn(&self, kind: Kind, name: &str) -> bool {
+    fn is_torn(&self, kind: ProjectNameKind, name: &str) -> bool {
         let joints = self.robots.iter().flat_map(|paired| &paired.robot.joints);
-        let mut joints = joints.filter(|_| kind == Kind::Link);
+        let mut joints = joints.filter(|_| kind == ProjectNameKind::Link);
         joints.any(|joint| is_text(&joint.parent, name) || is_text(&joint.child, name))
     }
 
     /// Whether the robots have something in the place of a link or joint that other arguments give, with a name that no file
     /// beside them knows: one of the two was renamed. Of joints that is one of the same type and child, of links the child of
     /// the same joint that moves.
-    fn is_renamed(&self, kind: Kind, name: &str) -> bool {
+    fn is_renamed(&self, kind: ProjectNameKind, name: &str) -> bool {
         let further = self.known.get_or_init(|| (self.further)());
         let mut places = further.places.iter();
         match kind {
-            Kind::Joint => places.any(|place| place.joint == name && self.is_taken(place)),
-            Kind::Link => places.any(|place| place.child == name && self.is_moved(place)),
-            Kind::Group => false,
+            ProjectNameKind::Joint => {
+                places.any(|place| place.joint == name && self.is_taken(place))
+            }
+            ProjectNameKind::Link => {
+                places.any(|place| place.child == name && self.is_moved(place))
+            }
+            ProjectNameKind::Group => false,
         }
     }
 
     /// Whether the robots have another joint where a joint is with other arguments.
-    fn is_taken(&self, place: &Place) -> bool {
-        let is_same = |own: &&Place| own.child == place.child && own.kind == place.kind;
+    fn is_taken(&self, place: &JointConnection) -> bool {
+        let is_same = |own: &&JointConnection| own.child == place.child && own.kind == place.kind;
         let mut same = self.names.places.iter().filter(is_same);
-        same.any(|own| !self.is_named(Kind::Joint, &own.joint)) || self.is_loose(&place.child)
+        same.any(|own| !self.is_named(ProjectNameKind::Joint, &own.joint))
+            || self.is_loose(&place.child)
     }
 
     /// Whether a joint moves another link of the robots than with other arguments.
-    fn is_moved(&self, place: &Place) -> bool {
-        let is_same = |own: &&Place| own.joint == place.joint && own.kind == place.kind;
+    fn is_moved(&self, place: &JointConnection) -> bool {
+        let is_same = |own: &&JointConnection| own.joint == place.joint && own.kind == place.kind;
         let mut same = self.names.places.iter().filter(is_same);
-        place.kind != "fixed" && same.any(|own| !self.is_named(Kind::Link, &own.child))
+        place.kind != "fixed" && same.any(|own| !self.is_named(ProjectNameKind::Link, &own.child))
     }
 
     /// Whether no joint leads to a link of a robot that has another root.
@@ -203,13 +208,13 @@ impl<'a> BesideCx<'a> {
     }
 
     /// Whether a file beside the robots has a name.
-    fn is_named(&self, kind: Kind, name: &str) -> bool {
+    fn is_named(&self, kind: ProjectNameKind, name: &str) -> bool {
         self.all.iter().any(|content| match content {
-            Content::Srdf(srdf) => srdf
+            BesideContent::Srdf(srdf) => srdf
                 .names()
                 .iter()
                 .any(|(text, own, _)| *own == kind && text.value == name),
-            Content::Settings(settings) => settings
+            BesideContent::Settings(settings) => settings
                 .names()
                 .iter()
                 .any(|(own, its)| *its == kind && own.name == name),
@@ -219,7 +224,7 @@ impl<'a> BesideCx<'a> {
     /// Whether hardware of the robots offers an interface of a joint with other arguments.
     pub(super) fn may_offer(&self, joint: &str, interface: &str, is_command: bool) -> bool {
         let offered = &self.known.get_or_init(|| (self.further)()).interfaces;
-        let is_it = |one: &Offered| {
+        let is_it = |one: &OfferedInterface| {
             one.is_command == is_command
                 && one.name == interface
                 && one.joint.as_deref().is_none_or(|own| may_be(own, joint))
@@ -233,24 +238,24 @@ impl<'a> BesideCx<'a> {
     }
 
     /// Whether a joint is a virtual joint of an SRDF.
-    fn is_virtual(&self, kind: Kind, name: &str) -> bool {
+    fn is_virtual(&self, kind: ProjectNameKind, name: &str) -> bool {
         let mut joints = self.srdfs().flat_map(|srdf| &srdf.virtual_joints);
-        kind == Kind::Joint && joints.any(|joint| is_text(&joint.name, name))
+        kind == ProjectNameKind::Joint && joints.any(|joint| is_text(&joint.name, name))
     }
 
     /// The SRDFs of the robots.
     pub(super) fn srdfs(&self) -> impl Iterator<Item = &'a Srdf> + '_ {
         self.all.iter().filter_map(|content| match content {
-            Content::Srdf(srdf) => Some(*srdf),
-            Content::Settings(_) => None,
+            BesideContent::Srdf(srdf) => Some(*srdf),
+            BesideContent::Settings(_) => None,
         })
     }
 
     /// All settings of the robots.
-    pub(super) fn all_settings(&self) -> impl Iterator<Item = &'a Settings> + '_ {
+    pub(super) fn all_settings(&self) -> impl Iterator<Item = &'a YamlSettings> + '_ {
         self.all.iter().filter_map(|content| match content {
-            Content::Settings(settings) => Some(*settings),
-            Content::Srdf(_) => None,
+            BesideContent::Settings(settings) => Some(*settings),
+            BesideContent::Srdf(_) => None,
         })
     }
 
@@ -265,23 +270,23 @@ impl<'a> BesideCx<'a> {
     }
 
     /// Whether the name of an unknown link, joint or group is close to one that is known.
-    pub(super) fn is_misspelled(&self, kind: Kind, name: &str) -> bool {
+    pub(super) fn is_misspelled(&self, kind: ProjectNameKind, name: &str) -> bool {
         let names = self.names.of(kind).into_iter().flatten();
         nearest(name, names.map(EcoString::as_str)).is_some()
     }
 
     /// What to do about the name of a link, joint or group that is not there.
-    pub(super) fn advice(&self, kind: Kind, name: &str) -> Help {
+    pub(super) fn advice(&self, kind: ProjectNameKind, name: &str) -> Help {
         let names = self.names.of(kind).into_iter().flatten();
         match (nearest(name, names.map(EcoString::as_str)), kind) {
             (Some(near), _) => Help::did_you_mean(near),
-            (None, Kind::Link) => {
+            (None, ProjectNameKind::Link) => {
                 "use the name of a link of the robot, including its prefix".into()
             }
-            (None, Kind::Joint) => {
+            (None, ProjectNameKind::Joint) => {
                 "use the name of a joint of the robot, including its prefix".into()
             }
-            (None, Kind::Group) => "use the name of a group of the SRDF".into(),
+            (None, ProjectNameKind::Group) => "use the name of a group of the SRDF".into(),
         }
     }
 
@@ -289,7 +294,7 @@ impl<'a> BesideCx<'a> {
     pub(super) fn report<'s, 'e>(
         &self,
         out: &'s mut Sink<'e>,
-        name: &Named,
+        name: &SpannedName,
         message: impl Into<String>,
     ) -> Reported<'s, 'e> {
         out.report_span(
@@ -310,7 +315,7 @@ impl PairedRobot<'_> {
 }
 
 /// Whether a text is there and is this name.
-fn is_text(text: &Option<Text>, name: &str) -> bool {
+fn is_text(text: &Option<AttrValue>, name: &str) -> bool {
     text.as_ref().is_some_and(|text| text.value == name)
 }
 
@@ -318,7 +323,7 @@ fn is_text(text: &Option<Text>, name: &str) -> bool {
 pub(super) fn unknown(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
-    (text, kind): (&Text, Kind),
+    (text, kind): (&AttrValue, ProjectNameKind),
     severity: Severity,
     message: String,
 ) {

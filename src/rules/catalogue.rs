@@ -5,7 +5,7 @@ use super::registry::all;
 use super::rule::{Rule, Safety};
 
 #[derive(Serialize)]
-struct Entry {
+struct CatalogEntry {
     code: &'static str,
     name: &'static str,
     category: &'static str,
@@ -23,8 +23,8 @@ pub fn catalogue() -> String {
 
 /// Rules as a JSON array.
 pub fn catalogue_of(rules: impl Iterator<Item = &'static Rule>) -> String {
-    let entries: Vec<Entry> = rules
-        .map(|rule| Entry {
+    let entries: Vec<CatalogEntry> = rules
+        .map(|rule| CatalogEntry {
             code: rule.code,
             name: rule.name,
             category: rule.category.name(),

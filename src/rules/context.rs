@@ -4,12 +4,12 @@ use std::path::Path;
 
 use super::consumers::Met;
 use super::geometry::Resources;
-use super::package::{Manifests, Mention};
-use super::xacro::Mentions;
-use super::xml::{Numeric, Seen};
+use super::package::{Manifests, PackageMention};
+use super::xacro::MentionedWords;
+use super::xml::{CheckedElement, Numeric};
 use base::{FastMap, FastSet};
 use expand::{Expansion, FileIdx, Problem, XId};
-use model::{Joint, Kinematics, Link, Meshes, Robot, Text, Version};
+use model::{AttrValue, Joint, Kinematics, Link, Meshes, Robot, Version};
 use vfs::{SourceFile, Vfs};
 use workspace::Packages;
 use workspace::config::Config;
@@ -39,7 +39,7 @@ pub struct FileCx<'a> {
     /// What lies around it.
     pub world: RuleEnv<'a>,
     /// The packages that it names, once a rule has asked.
-    pub(super) packages: OnceCell<Vec<Mention>>,
+    pub(super) packages: OnceCell<Vec<PackageMention>>,
 }
 
 impl FileCx<'_> {
@@ -105,9 +105,9 @@ pub struct DocumentCx<'a> {
     /// The meshes that the robot names, once a rule has asked.
     pub(super) resources: OnceCell<Resources>,
     /// What the texts mention, once a rule has asked.
-    pub(super) mentions: OnceCell<Option<Vec<Mentions>>>,
+    pub(super) mentions: OnceCell<Option<Vec<MentionedWords>>>,
     /// The elements seen through the schema, once a rule has asked.
-    pub(super) seen: OnceCell<Vec<Seen>>,
+    pub(super) seen: OnceCell<Vec<CheckedElement>>,
     /// The attributes that hold numbers, once a rule has asked.
     pub(super) numeric: OnceCell<Vec<Numeric>>,
     /// What consumers may reject or change, once a rule has asked.
@@ -214,7 +214,8 @@ impl<'a> DocumentCx<'a> {
             .flat_map(|block| tree.elements(block))
             .filter(|&tag| tree.get(tag).text == "static");
         tags.any(|tag| {
-            Text::content(tree, tag).is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
+            AttrValue::content(tree, tag)
+                .is_some_and(|text| ["true", "1"].contains(&text.value.trim()))
         })
     }
 

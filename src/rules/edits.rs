@@ -3,7 +3,7 @@ use super::rule::Safety;
 use super::sink::Reported;
 use base::TextRange;
 use expand::{Expansion, FileIdx, FrameKind, Origin, XId};
-use model::{Text, attr_range, element_range};
+use model::{AttrValue, attr_range, element_range};
 
 /// The file and the absolute range of an origin, and the text there.
 pub(super) fn source_text(
@@ -76,7 +76,7 @@ pub(super) fn delete_attrs<'s, 'a>(
 pub(super) fn rename<'s, 'a>(
     report: Reported<'s, 'a>,
     expansion: &Expansion,
-    text: &Text,
+    text: &AttrValue,
     new: &str,
 ) -> Reported<'s, 'a> {
     if text.is_literal() && !is_called(expansion, text.origin) {

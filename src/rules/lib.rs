@@ -43,7 +43,7 @@ mod vocabulary;
 mod xacro;
 mod xml;
 
-pub use beside::{BesideCx, Content, PairedRobot};
+pub use beside::{BesideContent, BesideCx, PairedRobot};
 pub use catalogue::{catalogue, catalogue_of};
 pub use check_beside::check_beside;
 pub use context::{DocumentCx, FileCx, RobotCx, RootKind, RuleEnv, is_plain_urdf, is_whole};
@@ -56,7 +56,7 @@ pub use linter::{
 pub use moveit::{
     setup_assistant_file_not_found, setup_assistant_robot_fails, setup_assistant_unknown_argument,
 };
-pub use names::{Names, Offered, Place};
+pub use names::{JointConnection, OfferedInterface, RobotNames};
 pub use package::{
     Manifests, argument_never_set, generated_urdf_out_of_date, launched_file_not_found,
     missing_launch_argument, missing_packages, unknown_launch_argument, value_never_compared,
@@ -69,7 +69,7 @@ pub use run::{
     Chosen, check_expansion, check_files, check_recovered, has_ignored_tags, losses, needs_names,
     needs_whole, unknown_names,
 };
-pub use selection::{Selection, SelectionOptions};
+pub use selection::{RuleSelection, SelectionOptions};
 pub use semantic::{holds_for_semantic, is_semantic, is_semantic_file, is_semantic_name};
 pub use sink::{Sink, calls, span_of};
 pub use thresholds::{THRESHOLDS, Threshold};

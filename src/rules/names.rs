@@ -3,28 +3,28 @@ use ecow::EcoString;
 
 use base::FastSet;
 use model::Robot;
-use project::Kind;
+use project::ProjectNameKind;
 
 /// Names of links and joints.
 #[derive(Clone, Debug, Default)]
-pub struct Names {
+pub struct RobotNames {
     /// Names of links.
     pub links: FastSet<EcoString>,
     /// Names of joints.
     pub joints: FastSet<EcoString>,
     /// The places of joints.
-    pub places: FastSet<Place>,
+    pub places: FastSet<JointConnection>,
     /// Groups of SRDFs; asked for only where these are expanded in one of several ways.
     pub groups: FastSet<EcoString>,
     /// Interfaces of hardware that conditions decide on.
-    pub interfaces: FastSet<Offered>,
+    pub interfaces: FastSet<OfferedInterface>,
     /// Whether other arguments bring in a file of a package that is absent: nobody knows what names it brings.
     pub is_open: bool,
 }
 
 /// The place of a joint in a robot.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Place {
+pub struct JointConnection {
     /// The name of the joint.
     pub joint: EcoString,
     /// The name of its child link.
@@ -35,7 +35,7 @@ pub struct Place {
 
 /// An interface that hardware may offer.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Offered {
+pub struct OfferedInterface {
     /// Whether it is for commands.
     pub is_command: bool,
     /// Its joint as the text spells it, expressions and all; none where it is in no joint.
@@ -44,7 +44,7 @@ pub struct Offered {
     pub name: EcoString,
 }
 
-impl Names {
+impl RobotNames {
     /// Add the names in a robot.
     pub fn add(&mut self, robot: &Robot) {
         self.links.extend(
@@ -63,7 +63,7 @@ impl Names {
             let texts = [&joint.name, &joint.child, &joint.kind];
             let names = texts.map(|text| Some(text.as_ref()?.name()?.clone()));
             if let [Some(joint), Some(child), Some(kind)] = names {
-                self.places.insert(Place { joint, child, kind });
+                self.places.insert(JointConnection { joint, child, kind });
             }
         }
     }
@@ -78,16 +78,16 @@ impl Names {
         self.is_open |= other.is_open;
     }
 
-    pub(super) fn of(&self, kind: Kind) -> Option<&FastSet<EcoString>> {
+    pub(super) fn of(&self, kind: ProjectNameKind) -> Option<&FastSet<EcoString>> {
         match kind {
-            Kind::Link => Some(&self.links),
-            Kind::Joint => Some(&self.joints),
-            Kind::Group => Some(&self.groups),
+            ProjectNameKind::Link => Some(&self.links),
+            ProjectNameKind::Joint => Some(&self.joints),
+            ProjectNameKind::Group => Some(&self.groups),
         }
     }
 
     /// Whether a name is there, or nobody knows.
-    pub(super) fn may_have(&self, kind: Kind, name: &str) -> bool {
+    pub(super) fn may_have(&self, kind: ProjectNameKind, name: &str) -> bool {
         self.of(kind).is_none_or(|names| names.contains(name))
     }
 }

@@ -6,7 +6,7 @@ use super::rule::Safety;
 use super::sink::Reported;
 use base::FastSet;
 use expand::{BindingId, BindingKind, Expansion, Origin};
-use model::{Text, decimal};
+use model::{AttrValue, decimal};
 
 /// From here on, a limit, an effort or a velocity means "unknown" or "unlimited", whatever its unit.
 pub(super) const UNLIMITED: f64 = 1e3;
@@ -42,7 +42,7 @@ pub(super) fn vector(numbers: &[f64]) -> String {
 }
 
 /// The whole of a value.
-pub(super) fn whole(text: &Text) -> Range<usize> {
+pub(super) fn whole(text: &AttrValue) -> Range<usize> {
     0..text.value.len()
 }
 
@@ -64,7 +64,7 @@ fn is_multiple(angle: f64, step: f64, tolerance: f64) -> bool {
 pub(super) fn from_degrees<'s, 'a>(
     report: Reported<'s, 'a>,
     expansion: &Expansion,
-    text: &Text,
+    text: &AttrValue,
     range: Range<usize>,
 ) -> Reported<'s, 'a> {
     let report = with_definitions(
@@ -103,7 +103,11 @@ pub(super) fn from_degrees<'s, 'a>(
 
 /// Whether the part `range` of a value comes from a property or an argument that somebody gave a number, as opposed to a
 /// number in place or an expression of constants.
-pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range<usize>) -> bool {
+pub(super) fn comes_from_a_name(
+    expansion: &Expansion,
+    text: &AttrValue,
+    range: Range<usize>,
+) -> bool {
     let mut reads: Vec<BindingId> = text.reads(expansion, range).collect();
     let mut seen = FastSet::default();
     while let Some(read) = reads.pop() {
@@ -126,7 +130,7 @@ pub(super) fn comes_from_a_name(expansion: &Expansion, text: &Text, range: Range
 /// Whether one of these names stands in the expressions that the part `range` of a value was made with.
 pub(super) fn is_made_with(
     expansion: &Expansion,
-    text: &Text,
+    text: &AttrValue,
     range: Range<usize>,
     names: &[&str],
 ) -> bool {
@@ -190,7 +194,7 @@ fn with_definitions<'s, 'a>(
 pub(super) fn rewrite<'s, 'a>(
     report: Reported<'s, 'a>,
     safety: Safety,
-    text: &Text,
+    text: &AttrValue,
     new: String,
 ) -> Reported<'s, 'a> {
     if text.is_literal() {

@@ -12,7 +12,7 @@ use super::xacro::{
 };
 use super::xml::{XML_ENCODING_MISMATCH, missing_xacro_namespace, xml_syntax_error};
 use base::{FastMap, FileId, Span, TextRange};
-use expand::{Expansion, Problem, ProblemKind, Step};
+use expand::{Expansion, Problem, ProblemKind, TraceStep};
 use vfs::Vfs;
 use xml::{Document, SyntaxError, SyntaxErrorKind};
 
@@ -176,7 +176,7 @@ pub(super) fn findings(
 /// What makes xacro reject a file.
 pub fn rejections(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
     let is_error =
-        |problem: &&Problem| !problem.probed && problem.severity == expand::Severity::Error;
+        |problem: &&Problem| !problem.probed && problem.severity == expand::ProblemSeverity::Error;
     let errors = expansion.problems.iter().filter(is_error);
     let found = errors.filter_map(|problem| finding(expansion, problem, vfs));
     found
@@ -263,7 +263,7 @@ fn severity(
 /// The calls, includes and definitions on the way to a problem.
 fn calls(expansion: &Expansion, problem: &Problem) -> Vec<Related> {
     let steps = problem.trace.iter().chain(&problem.more_calls);
-    let related = |step: &Step| {
+    let related = |step: &TraceStep| {
         // calls and includes are given by their tags, definitions by their names
         let text = expansion
             .files

@@ -25,14 +25,14 @@ pub struct SelectionOptions {
 
 /// The rules that run.
 #[derive(Clone, Debug)]
-pub struct Selection {
+pub struct RuleSelection {
     /// By code: the configured severity of the rules that run.
     rules: FastMap<&'static str, Option<Severity>>,
     /// The codes of those that were asked for.
     named: FastSet<&'static str>,
 }
 
-impl Selection {
+impl RuleSelection {
     /// The rules that options choose. Selectors that mean no rule have no effect.
     ///
     /// As in ruff, the longer of two selectors for one rule wins, a name counting as longest: `--select STR
@@ -132,7 +132,7 @@ fn weight(rule: &Rule, selector: &str) -> Option<usize> {
 mod tests {
     use super::super::registry::by_code;
     use super::super::rule::Severity;
-    use super::{Selection, SelectionOptions};
+    use super::{RuleSelection, SelectionOptions};
 
     fn list(text: &str) -> Vec<String> {
         text.split_whitespace().map(str::to_owned).collect()
@@ -141,7 +141,7 @@ mod tests {
     /// Whether a rule runs, by code.
     #[inline]
     fn runs(options: &SelectionOptions, code: &str) -> bool {
-        Selection::new(options).runs(by_code(code).unwrap())
+        RuleSelection::new(options).runs(by_code(code).unwrap())
     }
 
     #[test]
@@ -210,7 +210,7 @@ mod tests {
             ("orphan-link".to_owned(), Some(Severity::Warning)),
             ("no-links".to_owned(), None),
         ];
-        let selection = Selection::new(&SelectionOptions {
+        let selection = RuleSelection::new(&SelectionOptions {
             severity,
             ..SelectionOptions::default()
         });

@@ -7,7 +7,7 @@ use super::rule::{Rule, Safety, Severity};
 use base::limits::FINDINGS_OF_A_RULE;
 use base::{FastMap, FastSet, Span, TextRange};
 use expand::{
-    Expansion, FileIdx, Frame, FrameKind, Origin, Place, blamed_argument, depends_on_parameter,
+    Expansion, FileIdx, FileRange, Frame, FrameKind, Origin, blamed_argument, depends_on_parameter,
 };
 
 /// Collects findings of one expansion. A place that several expansions of one source text lead to is
@@ -17,16 +17,16 @@ pub struct Sink<'a> {
     rule: &'static Rule,
     /// Whether what is reported is in a macro that nothing calls.
     probed: bool,
-    drafts: Vec<Draft>,
+    drafts: Vec<FindingBuilder>,
     by_place: FastMap<(&'static str, Span), usize>,
     /// How many there are of each rule.
     counts: FastMap<&'static str, usize>,
 }
 
 /// A finding in the making.
-pub(super) struct Draft {
+pub(super) struct FindingBuilder {
     finding: Finding,
-    calls: Calls,
+    calls: RelatedCalls,
     /// The text in the body of a macro that is wrong, each time.
     instances: Vec<Origin>,
 }
@@ -34,7 +34,7 @@ pub(super) struct Draft {
 /// Adds to a finding.
 pub struct Reported<'s, 'a> {
     sink: &'s mut Sink<'a>,
-    draft: Draft,
+    draft: FindingBuilder,
 }
 
 impl<'a> Sink<'a> {
@@ -61,8 +61,8 @@ impl<'a> Sink<'a> {
 
     /// The findings, with their calls behind the other related places.
     pub(super) fn finish(self) -> Vec<Finding> {
-        let finish = |draft: Draft| {
-            let Draft {
+        let finish = |draft: FindingBuilder| {
+            let FindingBuilder {
                 mut finding,
                 calls,
                 instances,
@@ -99,7 +99,7 @@ impl<'a> Sink<'a> {
         range: TextRange,
         message: impl Into<String>,
     ) -> Reported<'_, 'a> {
-        let span = self.span(Place { file, range });
+        let span = self.span(FileRange { file, range });
         self.draft(
             span.unwrap_or_else(|| self.nowhere()),
             Vec::new(),
@@ -117,9 +117,9 @@ impl<'a> Sink<'a> {
             probed: self.probed,
             ..Finding::new(self.rule, span, message)
         };
-        let mut draft = Draft {
+        let mut draft = FindingBuilder {
             finding,
-            calls: Calls::default(),
+            calls: RelatedCalls::default(),
             instances: Vec::new(),
         };
         draft.calls.add(calls);
@@ -144,7 +144,7 @@ impl<'a> Sink<'a> {
         })
     }
 
-    fn push(&mut self, mut draft: Draft) {
+    fn push(&mut self, mut draft: FindingBuilder) {
         let call_sites: Vec<CallSite> = draft
             .instances
             .iter()
@@ -186,7 +186,7 @@ impl<'a> Sink<'a> {
 
     /// The start of the root file, for what has no place of its own.
     fn nowhere(&self) -> Span {
-        let place = Place {
+        let place = FileRange {
             file: FileIdx(0),
             range: TextRange::default(),
         };
@@ -196,7 +196,7 @@ impl<'a> Sink<'a> {
         })
     }
 
-    fn span(&self, place: Place) -> Option<Span> {
+    fn span(&self, place: FileRange) -> Option<Span> {
         span(self.expansion, place)
     }
 
@@ -234,7 +234,7 @@ impl Reported<'_, '_> {
 
     /// With a further place of a file.
     #[must_use]
-    pub fn also_at(mut self, place: Place, message: impl Into<String>) -> Self {
+    pub fn also_at(mut self, place: FileRange, message: impl Into<String>) -> Self {
         let span = self
             .sink
             .span(place)
@@ -292,7 +292,7 @@ impl Reported<'_, '_> {
     ) -> Self {
         let edit = |(range, content)| {
             Some(Edit {
-                span: self.sink.span(Place { file, range })?,
+                span: self.sink.span(FileRange { file, range })?,
                 content,
             })
         };
@@ -343,7 +343,7 @@ impl Reported<'_, '_> {
 }
 
 /// A place of an expansion in terms that hold beyond it.
-pub(super) fn span(expansion: &Expansion, place: Place) -> Option<Span> {
+pub(super) fn span(expansion: &Expansion, place: FileRange) -> Option<Span> {
     let file = expansion.files.get(place.file)?;
     Some(Span {
         file: file.source.id,
@@ -388,13 +388,13 @@ const MOST_CALL_SITES: usize = 1000;
 
 /// Different calls that lead to a place: the first ones, and all of them counted.
 #[derive(Default)]
-struct Calls {
+struct RelatedCalls {
     first: Vec<Related>,
     /// What tells them from each other; there may be as many as a robot has elements.
     seen: FastSet<u64>,
 }
 
-impl Calls {
+impl RelatedCalls {
     /// Add those that are not among them yet.
     fn add(&mut self, calls: impl IntoIterator<Item = Related>) {
         for call in calls {

@@ -5,7 +5,7 @@ use lsp_types::{
 };
 use serde_json::Value;
 
-use crate::markup::Format;
+use crate::markup::MarkupFormat;
 
 /// What the client can do.
 #[derive(Clone, Copy, Debug, Default)]
@@ -39,9 +39,9 @@ pub(super) struct ResolvedCapabilities {
     /// What it shows while somebody types.
     pub completion: CompletionSupport,
     /// How texts on hover are written.
-    pub hover: Format,
+    pub hover: MarkupFormat,
     /// What it knows of our own protocol.
-    pub own: Own,
+    pub own: CustomCapabilities,
 }
 
 /// What the client can be told to ask for again.
@@ -73,7 +73,7 @@ pub(super) struct EditSupport {
 pub(super) struct ActionSupport {
     /// It takes actions that say more about themselves than the command to be run.
     pub literals: bool,
-    /// It asks for the edits of an action when the action is picked.
+    /// It asks for the edits of an action when the action is selected.
     pub resolves: bool,
     /// It shows actions that cannot be made, with the reason.
     pub shows_disabled: bool,
@@ -91,9 +91,9 @@ pub(super) struct CompletionSupport {
     /// It takes the ranges of parameters in the label of a signature.
     pub label_offsets: bool,
     /// How the documentation of completions is written.
-    pub item_docs: Format,
+    pub item_docs: MarkupFormat,
     /// How the documentation of signatures is written.
-    pub signature_docs: Format,
+    pub signature_docs: MarkupFormat,
 }
 
 /// Which answers about places a client takes with the range they start from.
@@ -107,7 +107,7 @@ pub(super) struct Links {
 
 /// What of our own protocol is sent unasked or stands in answers, for clients that say that they know it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Own {
+pub(super) struct CustomCapabilities {
     /// It takes `xacro/contextChanged`.
     pub context_changed: bool,
     /// It runs the commands of lenses itself.
@@ -154,8 +154,8 @@ impl ResolvedCapabilities {
                 .map(|limit| limit as usize),
             links: Links::of(&text),
             completion: CompletionSupport::of(&text),
-            hover: Format::of(hover.and_then(|hover| hover.content_format.as_ref())),
-            own: Own::of(params),
+            hover: MarkupFormat::of(hover.and_then(|hover| hover.content_format.as_ref())),
+            own: CustomCapabilities::of(params),
         }
     }
 
@@ -224,8 +224,10 @@ impl CompletionSupport {
             insert_replace: is_set(item.map(|item| item.insert_replace_support)),
             label_details: is_set(item.map(|item| item.label_details_support)),
             label_offsets: is_set(parameter.map(|parameter| parameter.label_offset_support)),
-            item_docs: Format::of(item.and_then(|item| item.documentation_format.as_ref())),
-            signature_docs: Format::of(signature.and_then(|it| it.documentation_format.as_ref())),
+            item_docs: MarkupFormat::of(item.and_then(|item| item.documentation_format.as_ref())),
+            signature_docs: MarkupFormat::of(
+                signature.and_then(|it| it.documentation_format.as_ref()),
+            ),
         }
     }
 }
@@ -241,7 +243,7 @@ impl Links {
     }
 }
 
-impl Own {
+impl CustomCapabilities {
     /// What a client says below `experimental.xacro` of its capabilities, or below `client` of its options.
     fn of(params: &InitializeParams) -> Self {
         let experimental = params.capabilities.experimental.as_ref();

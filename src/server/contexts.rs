@@ -6,19 +6,19 @@ use serde_json::json;
 use crate::refreshing::refresh;
 use crate::requests::mapping::{label, named};
 use crate::scheduler::Cause;
-use crate::state::State;
-use analysis::{Context, RootChoice};
+use crate::state::ServerState;
+use analysis::{Context, RootConfig};
 use base::CancelFlag;
 
 /// The user sees files in another way now.
-pub fn context_changed(state: &mut State, cancel: &CancelFlag) {
+pub fn context_changed(state: &mut ServerState, cancel: &CancelFlag) {
     announce_contexts(state, cancel);
-    state.schedule(Cause::RobotPicked);
+    state.schedule(Cause::RobotSelected);
     refresh(state);
 }
 
 /// Tell the client under which root each open file is shown, where that is news.
-pub fn announce_contexts(state: &mut State, cancel: &CancelFlag) {
+pub fn announce_contexts(state: &mut ServerState, cancel: &CancelFlag) {
     if !state.client.own.context_changed {
         return;
     }
@@ -29,14 +29,14 @@ pub fn announce_contexts(state: &mut State, cancel: &CancelFlag) {
 }
 
 /// Tell the client under which root a file is shown now.
-fn announce_context(state: &mut State, path: &std::path::Path, cancel: &CancelFlag) {
-    let context = state.world.context(path);
+fn announce_context(state: &mut ServerState, path: &std::path::Path, cancel: &CancelFlag) {
+    let context = state.host.context(path);
     let Some(uri) = state.uri(path) else { return };
     let active = context
         .root
         .as_ref()
         .and_then(|root| named(state, root).ok());
-    let Seen { text, instance } = seen_as(state, path, &context, cancel);
+    let ShownContext { text, instance } = seen_as(state, path, &context, cancel);
     let params = json!({
         "textDocument": { "uri": uri }, "active": active, "text": text, "instance": instance,
     });
@@ -53,47 +53,47 @@ fn announce_context(state: &mut State, path: &std::path::Path, cancel: &CancelFl
 }
 
 /// What a file is seen as.
-pub(super) struct Seen {
-    /// For a status line: the call that was picked, or else the root with its arguments, or else why there is none.
+pub(super) struct ShownContext {
+    /// For a status line: the call that was selected, or else the root with its arguments, or else why there is none.
     pub text: String,
-    /// The call that was picked.
+    /// The call that was selected.
     pub instance: Option<String>,
 }
 
 /// What a file is seen as in a context.
 pub(super) fn seen_as(
-    state: &mut State,
+    state: &mut ServerState,
     path: &std::path::Path,
     context: &Context,
     cancel: &CancelFlag,
-) -> Seen {
+) -> ShownContext {
     let Some(root) = &context.root else {
         let text = context.reason.text().to_owned();
-        return Seen {
+        return ShownContext {
             text,
             instance: None,
         };
     };
-    let instance = pinned_label(state, path, root, cancel);
-    Seen {
+    let instance = selected_label(state, path, root, cancel);
+    ShownContext {
         text: instance.clone().unwrap_or_else(|| root.label()),
         instance,
     }
 }
 
-/// The call that was picked under a root, when it is a call of a macro of the file.
-pub fn pinned_label(
-    state: &mut State,
+/// The call that was selected under a root, when it is a call of a macro of the file.
+pub fn selected_label(
+    state: &mut ServerState,
     path: &Path,
-    root: &RootChoice,
+    root: &RootConfig,
     cancel: &CancelFlag,
 ) -> Option<String> {
-    let pin = state
-        .pins
+    let selected = state
+        .selected_instances
         .get(&root.file)
-        .filter(|pin| pin.file == path)?
+        .filter(|selected| selected.file == path)?
         .clone();
-    let analyzed = state.world.analyzed(root, cancel)?;
-    let frame = ide::pinned(&analyzed.expansion, &pin)?;
+    let analyzed = state.host.analyzed(root, cancel)?;
+    let frame = ide::selected_frame(&analyzed.expansion, &selected)?;
     Some(label(state, &analyzed, frame))
 }

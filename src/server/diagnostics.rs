@@ -8,13 +8,13 @@ use lsp_types::{
 };
 
 use crate::contexts::announce_contexts;
-use crate::locations::{Places, places};
+use crate::locations::{LocationCache, places};
 use crate::publishing::publish;
 use crate::refreshing::refresh_others;
 use crate::requests::beside::robots_described;
 use crate::requests::code_action::sentence_case;
 use crate::scheduler::Cause;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::{Report, is_settings};
 use base::CancelFlag;
 use base::clock::Instant;
@@ -22,7 +22,7 @@ use base::limits::{DIAGNOSTICS, RELATED};
 use rules::{Finding, Rule, Severity, Trait};
 
 /// Make and publish diagnostics; given up when an event comes in meanwhile, and tried again later.
-pub fn make_diagnostics(state: &mut State) {
+pub fn make_diagnostics(state: &mut ServerState) {
     if state.client.pulls_diagnostics {
         let cause = state.diagnostics.finish();
         let cancel = state.status.background();
@@ -37,24 +37,24 @@ pub fn make_diagnostics(state: &mut State) {
 }
 
 /// Expand the robots of what was just opened while nobody waits: the first question about them is answered at once then.
-fn prepare(state: &mut State, cause: Option<Cause>, cancel: &CancelFlag) {
+fn prepare(state: &mut ServerState, cause: Option<Cause>, cancel: &CancelFlag) {
     let opened: Vec<PathBuf> = match cause {
         Some(Cause::Opened(path)) => vec![path],
         Some(Cause::Indexed) => state.documents.keys().cloned().collect(),
         _ => return,
     };
     for path in opened.iter().filter(|path| !is_settings(path)) {
-        if let Some(root) = state.world.context(path).root {
+        if let Some(root) = state.host.context(path).root {
             // what is not done when a message comes in, its answer does
-            let _ = state.world.analyzed(&root, cancel);
+            let _ = state.host.analyzed(&root, cancel);
         }
-        if let Some(source) = state.world.document(path) {
+        if let Some(source) = state.host.document(path) {
             let _ = robots_described(state, path, &source, cancel);
         }
     }
 }
 
-fn push_diagnostics(state: &mut State) {
+fn push_diagnostics(state: &mut ServerState) {
     let Some(cause) = state.diagnostics.cause().cloned() else {
         return;
     };
@@ -69,7 +69,7 @@ fn push_diagnostics(state: &mut State) {
 /// The diagnostics of all open files, of one more, and of the files they depend on. What there is to say of a file
 /// may come from the robot of another one, so they are always made together. `None` when cancelled.
 pub fn found(
-    state: &mut State,
+    state: &mut ServerState,
     more: Option<&Path>,
     cause: &Cause,
     cancel: &CancelFlag,
@@ -92,15 +92,15 @@ pub fn found(
 
 /// Check files, and log why, what was done again for it, and how long it took.
 fn checked(
-    state: &mut State,
+    state: &mut ServerState,
     open: &[PathBuf],
     cause: &Cause,
     cancel: &CancelFlag,
 ) -> Option<Report> {
-    let (start, before) = (Instant::now(), state.world.expansions());
-    let report = state.world.report(open, cancel);
+    let (start, before) = (Instant::now(), state.host.expansions());
+    let report = state.host.report(open, cancel);
     let ms = start.elapsed().as_micros() as f64 / 1000.0;
-    let expanded = state.world.expansions() - before;
+    let expanded = state.host.expansions() - before;
     match &report {
         Some(report) => {
             let (robots, findings) = (report.roots.len(), report.findings.len());
@@ -119,7 +119,7 @@ fn checked(
 }
 
 /// The findings of a report by the files they are shown in.
-fn spread(state: &mut State, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
+fn spread(state: &mut ServerState, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnostic>> {
     let mut found: BTreeMap<PathBuf, Vec<Diagnostic>> = BTreeMap::new();
     let mut left_out: BTreeMap<PathBuf, usize> = BTreeMap::new();
     let mut places = places(state);
@@ -144,7 +144,7 @@ fn spread(state: &mut State, report: &Report) -> BTreeMap<PathBuf, Vec<Diagnosti
     found
 }
 
-pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnostic> {
+pub fn diagnostic(places: &mut LocationCache<'_>, finding: &Finding) -> Option<Diagnostic> {
     let place = places.location(finding.span)?;
     let related = finding.related.iter().take(RELATED).filter_map(|related| {
         let location = places.location(related.span)?;
@@ -172,7 +172,7 @@ pub fn diagnostic(places: &mut Places<'_>, finding: &Finding) -> Option<Diagnost
 }
 
 /// The edits of a fix, so that a code action needs no new analysis.
-fn fix_data(places: &mut Places<'_>, finding: &Finding) -> Option<serde_json::Value> {
+fn fix_data(places: &mut LocationCache<'_>, finding: &Finding) -> Option<serde_json::Value> {
     let fix = finding.fix.as_ref()?;
     let edits: Option<Vec<_>> = fix
         .edits

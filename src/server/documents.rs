@@ -14,12 +14,12 @@ use crate::publishing::withdraw;
 use crate::refreshing::refresh;
 use crate::scheduler::Cause;
 use crate::settings::request_settings;
-use crate::state::{OpenDocument, State};
+use crate::state::{OpenDocument, ServerState};
 
-pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
+pub fn opened(state: &mut ServerState, params: DidOpenTextDocumentParams) {
     let document = params.text_document;
     let path = installed::opening(state, &document.uri);
-    state.world.set_text(&path, document.text);
+    state.host.set_text(&path, document.text);
     let open = OpenDocument {
         uri: document.uri,
         version: version(document.version),
@@ -32,8 +32,8 @@ pub fn opened(state: &mut State, params: DidOpenTextDocumentParams) {
 
 /// Who has opened an installed copy should edit the source: the next build replaces the copy. Of two documents of one
 /// file, the source has the findings.
-fn offer_source(state: &State, path: &Path) {
-    let packages = &state.world.session().packages;
+fn offer_source(state: &ServerState, path: &Path) {
+    let packages = &state.host.session().packages;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (source, message) = if let Some(source) = packages.source_of(path) {
         let shown = vfs::slashed(&source);
@@ -64,7 +64,7 @@ fn offer_source(state: &State, path: &Path) {
     }
 }
 
-pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
+pub fn changed(state: &mut ServerState, params: DidChangeTextDocumentParams) {
     state.status.edit_arrived();
     let path = state.path(&params.text_document.uri);
     let Some(open) = state.documents.get_mut(&path) else {
@@ -75,12 +75,12 @@ pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
     };
     open.version = version(params.text_document.version);
     for change in params.content_changes {
-        match (change.range, state.world.document(&path)) {
+        match (change.range, state.host.document(&path)) {
             (Some(range), Some(source)) => {
                 let range = convert::edited_range(&source.document, range, state.encoding);
-                state.world.edit(&path, range, &change.text);
+                state.host.edit(&path, range, &change.text);
             }
-            _ => state.world.set_text(&path, change.text),
+            _ => state.host.set_text(&path, change.text),
         }
     }
     state.schedule(Cause::Edited(path));
@@ -88,42 +88,42 @@ pub fn changed(state: &mut State, params: DidChangeTextDocumentParams) {
 
 /// Who saves wants to know how things are: what other programs did to the disk meanwhile is asked for as well, since
 /// not all clients tell of it.
-pub fn saved(state: &mut State, params: DidSaveTextDocumentParams) {
+pub fn saved(state: &mut ServerState, params: DidSaveTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
-    state.world.changed_on_disk(std::slice::from_ref(&path));
+    state.host.changed_on_disk(std::slice::from_ref(&path));
     state.schedule(Cause::Saved(path));
 }
 
-pub fn closed(state: &mut State, params: DidCloseTextDocumentParams) {
+pub fn closed(state: &mut ServerState, params: DidCloseTextDocumentParams) {
     let path = state.path(&params.text_document.uri);
     state.sent.contexts.remove(&path);
     if let Some(open) = state.documents.remove(&path) {
-        state.world.close(&path);
+        state.host.close(&path);
         withdraw(state, &path, open.uri);
     }
     installed::closed(state, &params.text_document.uri);
     state.schedule(Cause::Closed(path));
 }
 
-pub fn watched(state: &mut State, params: DidChangeWatchedFilesParams) {
+pub fn watched(state: &mut ServerState, params: DidChangeWatchedFilesParams) {
     let paths: Vec<_> = params
         .changes
         .iter()
         .map(|change| state.path(&change.uri))
         .collect();
-    state.world.changed_on_disk(&paths);
+    state.host.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }
 
-pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParams) {
+pub fn folders_changed(state: &mut ServerState, params: DidChangeWorkspaceFoldersParams) {
     let removed: Vec<_> = params
         .event
         .removed
         .iter()
         .map(|folder| state.path(&folder.uri))
         .collect();
-    let mut folders: Vec<_> = state.world.folders().to_vec();
+    let mut folders: Vec<_> = state.host.folders().to_vec();
     folders.retain(|folder| !removed.contains(folder));
     for folder in params.event.added {
         let path = state.path(&folder.uri);
@@ -131,14 +131,14 @@ pub fn folders_changed(state: &mut State, params: DidChangeWorkspaceFoldersParam
             folders.push(path);
         }
     }
-    state.world.set_folders(folders);
+    state.host.set_folders(folders);
     request_settings(state);
     state.schedule(Cause::FoldersChanged);
     refresh(state);
 }
 
 /// Something came in that is no message.
-pub fn bad_message(state: &mut State, params: serde_json::Value) {
+pub fn bad_message(state: &mut ServerState, params: serde_json::Value) {
     let reason = params
         .get("reason")
         .and_then(serde_json::Value::as_str)

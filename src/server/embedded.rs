@@ -26,15 +26,15 @@ use crate::logging::Log;
 use crate::main_loop::{pause, take};
 use crate::outbox::Outbox;
 use crate::queue::queue;
-use crate::state::State;
-use analysis::World;
+use crate::state::ServerState;
+use analysis::AnalysisHost;
 use vfs::{Environment, Vfs};
 
 /// A server that works while it is called.
 pub struct Embedded {
     service: LspService<Handlers>,
     socket: ClientSocket,
-    state: State,
+    state: ServerState,
     events: Receiver<Event>,
     notifications: UnboundedReceiver<Vec<u8>>,
     /// Work that waits for an event or for the client; an answer where there is one.
@@ -51,8 +51,8 @@ impl Embedded {
         let (start, started) = unbounded_channel();
         let log = Log::without_output(outbox.clone());
         tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
-        let world = World::over(vfs, env, Vec::new());
-        let state = State::new(world, outbox, status, log);
+        let host = AnalysisHost::over(vfs, env, Vec::new());
+        let state = ServerState::new(host, outbox, status, log);
         let (service, socket) = events::service(move |client| {
             let begin = start.clone();
             // a host that asks for nothing any more has dropped us: there is no clock to give up by
@@ -140,7 +140,7 @@ impl Embedded {
 
     /// The files of which only the names are known, and whose content was asked for since the last call.
     pub fn wanted(&self) -> Vec<PathBuf> {
-        self.state.world.session().vfs.take_wanted()
+        self.state.host.session().vfs.take_wanted()
     }
 }
 

@@ -13,7 +13,7 @@ use crate::files::{files_created, files_deleted, files_renamed, will_rename_file
 use crate::framing;
 use crate::lifecycle::{client_ready, initialize, last_lines, set_trace};
 use crate::preview::{
-    Mesh, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
+    MeshData, MeshParams, SelectParams, ShowParams, SubscribeParams, Subscribed, ViewParams,
     preview_mesh, preview_urdf, selected, show_root, subscribe, unsubscribe,
 };
 use crate::queue::{Queue, Reply, reply};
@@ -23,16 +23,16 @@ use crate::requests::colors::{color_texts, colors};
 use crate::requests::commands::command;
 use crate::requests::completion::{completion, on_type, resolve_completion, signature_help};
 use crate::requests::expand_at::{
-    ExpandAtParams, ExpandedPlace, SetInstanceParams, expand_at, set_instance,
+    ExpandAtParams, ExpandedLocation, SetInstanceParams, expand_at, set_instance,
 };
-use crate::requests::expansion::{ExpandParams, Expanded, expand};
+use crate::requests::expansion::{ExpandParams, ExpandedDocument, expand};
 use crate::requests::formatting::{format, format_range};
 use crate::requests::hints::{hints, resolve_hint};
 use crate::requests::hover::hover;
 use crate::requests::lenses::{lenses, resolve_lens};
 use crate::requests::links::links;
 use crate::requests::mapping::{
-    Instances, Sources, ToExpandedParams, ToSourceParams, instances_of, sources_of,
+    Instances, SourceLocations, ToExpandedParams, ToSourceParams, instances_of, sources_of,
 };
 use crate::requests::navigation::{
     declaration, definition, highlights, implementation, type_definition,
@@ -43,18 +43,18 @@ use crate::requests::refactorings::resolve_action;
 use crate::requests::references::references;
 use crate::requests::rename::{prepare_rename, rename};
 use crate::requests::roots::{
-    Roots, RootsParams, SetRootParams, Tree, TreeParams, roots, set_root, tree,
+    FileRoots, RobotTree, RootsParams, SetRootParams, TreeParams, roots, set_root, tree,
 };
 use crate::requests::structure::{folding, linked_editing, selections, symbols};
 use crate::requests::tokens::{tokens, tokens_delta, tokens_range};
 use crate::requests::workspace_symbols::workspace_symbols;
 use crate::settings::settings_changed;
-use crate::state::State;
+use crate::state::ServerState;
 
 /// What the analysis thread is told, one after the other.
 pub(super) enum Event {
     /// The client asks.
-    Request(Request),
+    Request(IncomingRequest),
     /// The client tells.
     Notification(Notification),
     /// The client has answered a request of ours.
@@ -80,7 +80,11 @@ pub(super) struct Handlers {
 }
 
 impl Handlers {
-    async fn ask<P, R>(&self, params: P, request: fn(Box<P>, Reply<R>) -> Request) -> Result<R> {
+    async fn ask<P, R>(
+        &self,
+        params: P,
+        request: fn(Box<P>, Reply<R>) -> IncomingRequest,
+    ) -> Result<R> {
         let (reply, waiting) = reply();
         let request = request(Box::new(params), reply);
         self.queue.send(Event::Request(request));
@@ -94,7 +98,7 @@ impl Handlers {
 
 /// What pages of the preview say becomes events.
 #[cfg(feature = "preview")]
-pub(super) fn from_pages(state: &mut State, queue: Queue<Event>) {
+pub(super) fn from_pages(state: &mut ServerState, queue: Queue<Event>) {
     let add = move |received| queue.send(Event::Viewer(received));
     state.previews.from_pages = Some(std::sync::Arc::new(add));
 }
@@ -112,14 +116,14 @@ macro_rules! messages {
         }
     ) => {
         /// What the client asks, with the way back of the answer.
-        pub(super) enum Request {
+        pub(super) enum IncomingRequest {
             $($ask(Box<$asked>, Reply<$answer>),)+
             $($(#[$if])* $own_ask(Box<$own_asked>, Reply<$own_answer>),)+
         }
 
-        impl Request {
+        impl IncomingRequest {
             /// Answer it.
-            pub fn answer(self, state: &mut State) {
+            pub fn answer(self, state: &mut ServerState) {
                 match self {
                     $(Self::$ask(params, reply) => reply.answer(|cancel| $work(state, *params, cancel)),)+
                     $($(#[$if])* Self::$own_ask(params, reply) => {
@@ -137,7 +141,7 @@ macro_rules! messages {
 
         impl Notification {
             /// Do what follows from it.
-            pub fn take(self, state: &mut State) {
+            pub fn take(self, state: &mut ServerState) {
                 match self {
                     $(Self::$tell(params) => $taken(state, params),)+
                     $(Self::$own_tell(params) => $own_taken(state, params),)+
@@ -148,7 +152,7 @@ macro_rules! messages {
         #[async_trait]
         impl LanguageServer for Handlers {
             $(async fn $asking(&self, params: $asked) -> Result<$answer> {
-                self.ask(params, Request::$ask).await
+                self.ask(params, IncomingRequest::$ask).await
             })+
 
             $(async fn $telling(&self, params: $told) {
@@ -162,7 +166,7 @@ macro_rules! messages {
 
         impl Handlers {
             $($(#[$if])* async fn $own_asking(&self, params: $own_asked) -> Result<$own_answer> {
-                self.ask(params, Request::$own_ask).await
+                self.ask(params, IncomingRequest::$own_ask).await
             })+
 
             $(async fn $own_telling(&self, params: $own_told) {
@@ -250,18 +254,18 @@ messages! {
         SettingsChanged: did_change_configuration(DidChangeConfigurationParams) => settings_changed;
     }
     own requests {
-        Expand: "xacro/expand", expand(ExpandParams) -> Expanded => expand;
-        ExpandAt: "xacro/expandAt", expand_at(ExpandAtParams) -> Option<ExpandedPlace> => expand_at;
+        Expand: "xacro/expand", expand(ExpandParams) -> ExpandedDocument => expand;
+        ExpandAt: "xacro/expandAt", expand_at(ExpandAtParams) -> Option<ExpandedLocation> => expand_at;
         SetInstance: "xacro/setInstance", set_instance(SetInstanceParams) -> Value => set_instance;
-        ToSource: "xacro/toSource", to_source(ToSourceParams) -> Sources => sources_of;
+        ToSource: "xacro/toSource", to_source(ToSourceParams) -> SourceLocations => sources_of;
         ToExpanded: "xacro/toExpanded", to_expanded(ToExpandedParams) -> Instances => instances_of;
-        Roots: "xacro/roots", roots(RootsParams) -> Roots => roots;
+        FileRoots: "xacro/roots", roots(RootsParams) -> FileRoots => roots;
         SetRoot: "xacro/setRoot", set_root(SetRootParams) -> Value => set_root;
-        Tree: "xacro/tree", tree(TreeParams) -> Tree => tree;
+        RobotTree: "xacro/tree", tree(TreeParams) -> RobotTree => tree;
         Subscribe: "xacro/preview/subscribe", preview_subscribe(SubscribeParams) -> Subscribed => subscribe;
         Unsubscribe: "xacro/preview/unsubscribe", preview_unsubscribe(ViewParams) -> Value => unsubscribe;
         ShowRoot: "xacro/preview/setRoot", preview_root(ShowParams) -> Value => show_root;
-        Mesh: "xacro/preview/mesh", preview_mesh(MeshParams) -> Mesh => preview_mesh;
+        MeshData: "xacro/preview/mesh", preview_mesh(MeshParams) -> MeshData => preview_mesh;
         Urdf: "xacro/preview/urdf", preview_urdf(ViewParams) -> Value => preview_urdf;
         LastLines: "xacro/log", log(Value) -> Vec<String> => last_lines;
         // not in what users run

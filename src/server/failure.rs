@@ -5,7 +5,7 @@ use tower_lsp::jsonrpc::{Error, ErrorCode};
 
 /// Why a request has no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Failure {
+pub(super) enum RequestFailure {
     /// The client no longer wants it.
     Cancelled,
     /// It was about a text that is another one by now.
@@ -16,17 +16,17 @@ pub(super) enum Failure {
     Refused(String),
 }
 
-impl Failure {
+impl RequestFailure {
     pub fn into_error(self) -> Error {
         let (code, message) = match self {
-            Failure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
-            Failure::Outdated => (
+            RequestFailure::Cancelled => (ErrorCode::RequestCancelled, "cancelled".to_owned()),
+            RequestFailure::Outdated => (
                 ErrorCode::ContentModified,
                 "the text has changed; repeat the request".to_owned(),
             ),
-            Failure::Invalid(message) => (ErrorCode::InvalidParams, message),
+            RequestFailure::Invalid(message) => (ErrorCode::InvalidParams, message),
             // `RequestFailed` of LSP 3.17
-            Failure::Refused(message) => (ErrorCode::ServerError(-32803), message),
+            RequestFailure::Refused(message) => (ErrorCode::ServerError(-32803), message),
         };
         Error {
             code,

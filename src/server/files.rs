@@ -10,14 +10,14 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::refreshing::refresh;
 use crate::requests::navigation::asked;
 use crate::requests::rename::{is_ours, workspace_edit};
 use crate::requests::tokens::start_of;
 use crate::scanning::scan_all;
 use crate::scheduler::Cause;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use base::limits::REWRITTEN_MESH_BYTES;
 use ide::{self, Move};
@@ -60,10 +60,10 @@ fn filter(glob: &str, matches: FileOperationPatternKind) -> FileOperationFilter 
 
 /// The edits that keep all names of files right.
 pub fn will_rename_files(
-    state: &mut State,
+    state: &mut ServerState,
     params: RenameFilesParams,
     cancel: &CancelFlag,
-) -> Result<Option<WorkspaceEdit>, Failure> {
+) -> Result<Option<WorkspaceEdit>, RequestFailure> {
     let moves: Vec<Move> = params
         .files
         .iter()
@@ -75,7 +75,7 @@ pub fn will_rename_files(
         })
         .collect();
     scan_all(state, cancel)?;
-    let mut files: Vec<PathBuf> = state.world.known_files();
+    let mut files: Vec<PathBuf> = state.host.known_files();
     files.extend(state.documents.keys().cloned());
     files.sort();
     files.dedup();
@@ -90,7 +90,7 @@ pub fn will_rename_files(
             &start_of(TextDocumentIdentifier { uri: uri.clone() }),
             cancel,
         )?;
-        let session = state.world.session();
+        let session = state.host.session();
         let settings = session.settings(&file);
         let found = ide::renamed_files(&asked.cx(), session.rule_env(&settings.config), &moves);
         let edit = |(range, text)| {
@@ -113,12 +113,16 @@ fn path_of(uri: &str) -> Option<PathBuf> {
 }
 
 /// Tell the user which includes may mean a file that gets another name, and cannot follow it.
-fn warn_of_computed_includes(state: &State, moves: &[Move], edits: &BTreeMap<Url, Vec<TextEdit>>) {
+fn warn_of_computed_includes(
+    state: &ServerState,
+    moves: &[Move],
+    edits: &BTreeMap<Url, Vec<TextEdit>>,
+) {
     for each in moves
         .iter()
         .filter(|each| each.old.file_name() != each.new.file_name())
     {
-        let mut left = state.world.computed_includers(&each.old);
+        let mut left = state.host.computed_includers(&each.old);
         left.retain(|file| {
             let uri = state.uri(file);
             uri.is_none_or(|uri| !edits.contains_key(&uri))
@@ -135,8 +139,8 @@ fn warn_of_computed_includes(state: &State, moves: &[Move], edits: &BTreeMap<Url
 }
 
 /// Whether a file moves itself, or its text holds the name of something that does.
-fn may_name(state: &State, file: &Path, moves: &[Move]) -> bool {
-    let Some(source) = state.world.document(file) else {
+fn may_name(state: &ServerState, file: &Path, moves: &[Move]) -> bool {
+    let Some(source) = state.host.document(file) else {
         return false;
     };
     let text = source.document.text();
@@ -155,7 +159,10 @@ fn holds_name(text: &str, path: &Path) -> bool {
 }
 
 /// Write a mesh of the workspace as binary STL whose header is not taken for text.
-pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<(), Failure> {
+pub fn rewrite_mesh(
+    state: &mut ServerState,
+    mesh: &TextDocumentIdentifier,
+) -> Result<(), RequestFailure> {
     let path = state.path(&mesh.uri);
     let is_stl = path
         .extension()
@@ -163,7 +170,7 @@ pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<
     if !is_stl || !is_ours(state, &path) {
         return Err(refused(&path, "is not an STL file in the workspace"));
     }
-    let bytes = state.world.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
+    let bytes = state.host.session().vfs.bytes(&path, REWRITTEN_MESH_BYTES);
     let bytes =
         bytes.map_err(|error| refused(&path, &format!("cannot be read: {}", error.reason())))?;
     let Some(new) = plain_stl(&bytes) else {
@@ -171,18 +178,18 @@ pub fn rewrite_mesh(state: &mut State, mesh: &TextDocumentIdentifier) -> Result<
     };
     write_atomically(&path, &new)
         .map_err(|error| refused(&path, &format!("cannot be written: {error}")))?;
-    state.world.changed_on_disk(&[path]);
+    state.host.changed_on_disk(&[path]);
     state.schedule(Cause::FilesChanged(1));
     refresh(state);
     Ok(())
 }
 
 /// Why a mesh is left as it is.
-fn refused(mesh: &Path, reason: &str) -> Failure {
-    Failure::Refused(format!("`{}` {reason}", vfs::slashed(mesh)))
+fn refused(mesh: &Path, reason: &str) -> RequestFailure {
+    RequestFailure::Refused(format!("`{}` {reason}", vfs::slashed(mesh)))
 }
 
-pub fn files_renamed(state: &mut State, params: RenameFilesParams) {
+pub fn files_renamed(state: &mut ServerState, params: RenameFilesParams) {
     let both = params
         .files
         .into_iter()
@@ -190,26 +197,26 @@ pub fn files_renamed(state: &mut State, params: RenameFilesParams) {
     files_changed(state, both.collect());
 }
 
-pub fn files_created(state: &mut State, params: CreateFilesParams) {
+pub fn files_created(state: &mut ServerState, params: CreateFilesParams) {
     files_changed(
         state,
         params.files.into_iter().map(|file| file.uri).collect(),
     );
 }
 
-pub fn files_deleted(state: &mut State, params: DeleteFilesParams) {
+pub fn files_deleted(state: &mut ServerState, params: DeleteFilesParams) {
     files_changed(
         state,
         params.files.into_iter().map(|file| file.uri).collect(),
     );
 }
 
-fn files_changed(state: &mut State, uris: Vec<String>) {
+fn files_changed(state: &mut ServerState, uris: Vec<String>) {
     let paths: Vec<PathBuf> = uris
         .iter()
         .filter_map(|uri| convert::file_path(&Url::parse(uri).ok()?))
         .collect();
-    state.world.changed_on_disk(&paths);
+    state.host.changed_on_disk(&paths);
     state.schedule(Cause::FilesChanged(paths.len()));
     refresh(state);
 }

@@ -186,11 +186,11 @@ fn with_our_name_of_diagnostics(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
 fn with_a_version(body: Cow<'_, [u8]>) -> Cow<'_, [u8]> {
     #[derive(Deserialize)]
     struct Note {
-        params: Params,
+        params: VersionedParams,
     }
     #[derive(Deserialize)]
     #[serde(rename_all = "camelCase")]
-    struct Params {
+    struct VersionedParams {
         text_document: Versioned,
     }
     #[derive(Deserialize)]

@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use crate::convert;
 use crate::publishing::withdraw;
-use crate::state::{OpenDocument, State};
+use crate::state::{OpenDocument, ServerState};
 use lsp_types::Url;
 
 /// The path that a document which is opened now is kept under. Two documents of one file keep apart what is typed in
 /// them; the one that was opened by the name of the source is the one that counts.
-pub fn opening(state: &mut State, uri: &Url) -> PathBuf {
+pub fn opening(state: &mut ServerState, uri: &Url) -> PathBuf {
     let path = convert::path(uri);
-    let Some(source) = state.world.session().packages.linked_source(&path) else {
+    let Some(source) = state.host.session().packages.linked_source(&path) else {
         make_double(state, &path);
         return path;
     };
@@ -24,7 +24,7 @@ pub fn opening(state: &mut State, uri: &Url) -> PathBuf {
 }
 
 /// The source itself is opened while it is open through a link.
-fn make_double(state: &mut State, source: &Path) {
+fn make_double(state: &mut ServerState, source: &Path) {
     let mut links = state.installed.links.iter();
     let Some((link, _)) = links.find(|(_, of)| *of == source) else {
         return;
@@ -38,7 +38,7 @@ fn make_double(state: &mut State, source: &Path) {
 }
 
 /// A document was closed: a second document of its file is the only one now.
-pub fn closed(state: &mut State, uri: &Url) {
+pub fn closed(state: &mut ServerState, uri: &Url) {
     let path = convert::path(uri);
     state.installed.links.remove(&path);
     state.installed.doubles.remove(&path);
@@ -51,15 +51,15 @@ pub fn closed(state: &mut State, uri: &Url) {
     state.installed.links.insert(link.clone(), path.clone());
     if let Some(open) = move_text(state, &link, &path) {
         withdraw(state, &link, open.uri);
-        state.world.close(&link);
+        state.host.close(&link);
     }
 }
 
 /// Keep an open document under another path.
-fn move_text(state: &mut State, from: &Path, to: &Path) -> Option<OpenDocument> {
-    let text = state.world.document(from)?.document.text();
+fn move_text(state: &mut ServerState, from: &Path, to: &Path) -> Option<OpenDocument> {
+    let text = state.host.document(from)?.document.text();
     let open = state.documents.remove(from)?;
-    state.world.set_text(to, text.to_string());
+    state.host.set_text(to, text.to_string());
     state.documents.insert(to.to_owned(), open.clone());
     Some(open)
 }

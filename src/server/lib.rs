@@ -40,14 +40,14 @@ mod views;
 
 use tokio::runtime::Builder;
 
-use analysis::World;
+use analysis::AnalysisHost;
 pub use embedded::Embedded;
 use events::Handlers;
 use exit::{Shutdown, Watched};
 use expand::spawn_on_large_stack;
 use logging::Log;
 use outbox::Outbox;
-use state::State;
+use state::ServerState;
 use transport::Outgoing;
 use vfs::Environment;
 
@@ -76,7 +76,7 @@ async fn serve(env: Environment) -> u8 {
     let announced = status.clone();
     let log = Log::start(&env, outbox.clone());
     tracing::info!(version = env!("CARGO_PKG_VERSION"), "server started");
-    let mut state = State::new(World::new(env, Vec::new()), outbox, status, log);
+    let mut state = ServerState::new(AnalysisHost::new(env, Vec::new()), outbox, status, log);
     state.shutdown = Some(shutdown.clone());
     #[cfg(feature = "preview")]
     events::from_pages(&mut state, queue.clone());

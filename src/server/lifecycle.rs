@@ -11,18 +11,18 @@ use crate::capabilities;
 use crate::client::{CLIENT_OPTIONS, ResolvedCapabilities, options};
 use crate::convert;
 use crate::exit::watch_process;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::outbox::ClientRequest;
 use crate::settings::{request_settings, settings};
-use crate::state::State;
+use crate::state::ServerState;
 use base::{CancelFlag, Encoding};
 use vfs::is_process_alive;
 
 pub fn initialize(
-    state: &mut State,
+    state: &mut ServerState,
     params: InitializeParams,
     _: &CancelFlag,
-) -> Result<InitializeResult, Failure> {
+) -> Result<InitializeResult, RequestFailure> {
     state.client = ResolvedCapabilities::of(&params);
     // a client in another container or on another machine is not to be seen from here
     let process = params.process_id.zip(state.shutdown.clone());
@@ -30,7 +30,7 @@ pub fn initialize(
         watch_process(process, shutdown);
     }
     state.encoding = encoding(&params);
-    state.world.set_folders(folders(&params));
+    state.host.set_folders(folders(&params));
     state.log.set_trace(params.trace.unwrap_or(TraceValue::Off));
     log_client(state, &params);
     state.settings.initial = first_settings(&params);
@@ -48,14 +48,14 @@ pub fn initialize(
     })
 }
 
-fn log_client(state: &State, params: &InitializeParams) {
+fn log_client(state: &ServerState, params: &InitializeParams) {
     let client = params.client_info.as_ref();
     let version = client
         .and_then(|client| client.version.as_deref())
         .unwrap_or("");
     let name = client.map_or("unknown", |client| client.name.as_str());
     tracing::info!(
-        folders = state.world.folders().len(),
+        folders = state.host.folders().len(),
         pulls_diagnostics = state.client.pulls_diagnostics,
         "connected to {}",
         format!("{name} {version}").trim_end()
@@ -63,23 +63,27 @@ fn log_client(state: &State, params: &InitializeParams) {
 }
 
 /// How much the client is told of what is logged.
-pub fn set_trace(state: &mut State, params: SetTraceParams) {
+pub fn set_trace(state: &mut ServerState, params: SetTraceParams) {
     state.log.set_trace(params.value);
 }
 
 /// The last lines of the log, for a report of a defect.
-pub fn last_lines(state: &mut State, _: Value, _: &CancelFlag) -> Result<Vec<String>, Failure> {
+pub fn last_lines(
+    state: &mut ServerState,
+    _: Value,
+    _: &CancelFlag,
+) -> Result<Vec<String>, RequestFailure> {
     Ok(state.log.last())
 }
 
 /// Fail as a fault of ours would.
 #[cfg(debug_assertions)]
 #[allow(clippy::panic, reason = "that is what it is for")]
-pub fn fail(_: &mut State, _: Value, _: &CancelFlag) -> Result<Value, Failure> {
+pub fn fail(_: &mut ServerState, _: Value, _: &CancelFlag) -> Result<Value, RequestFailure> {
     panic!("this job was asked to fail")
 }
 
-pub fn client_ready(state: &mut State, _: InitializedParams) {
+pub fn client_ready(state: &mut ServerState, _: InitializedParams) {
     state.initialized = true;
     let mut registrations = Vec::new();
     if state.client.watches_files {
@@ -98,7 +102,7 @@ pub fn client_ready(state: &mut State, _: InitializedParams) {
         state.outbox.request(ClientRequest::Register(registrations));
     }
     request_settings(state);
-    if state.client.progress && !state.world.folders().is_empty() {
+    if state.client.progress && !state.host.folders().is_empty() {
         state
             .outbox
             .request(ClientRequest::CreateProgress("xacro/scan".to_owned()));

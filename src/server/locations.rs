@@ -4,21 +4,21 @@ use std::sync::Arc;
 use lsp_types::{Location, Range, Url};
 
 use crate::convert::range;
-use crate::state::State;
+use crate::state::ServerState;
 use base::{FastMap, FileId, Span};
 use vfs::SourceFile;
 
 /// A file as the client knows it, and what it holds.
-type File = (Url, Option<Arc<SourceFile>>);
+type ClientFile = (Url, Option<Arc<SourceFile>>);
 
 /// Places in files, for an answer that names many of them: each is worked out once.
-pub(super) struct Places<'e> {
-    pub state: &'e State,
-    files: FastMap<FileId, Option<File>>,
+pub(super) struct LocationCache<'e> {
+    pub state: &'e ServerState,
+    files: FastMap<FileId, Option<ClientFile>>,
     ranges: FastMap<Span, Range>,
 }
 
-impl Places<'_> {
+impl LocationCache<'_> {
     /// A place in a file.
     pub fn location(&mut self, span: Span) -> Option<Location> {
         self.place(span)
@@ -41,8 +41,8 @@ impl Places<'_> {
 }
 
 /// Places in files as they are now.
-pub fn places(state: &State) -> Places<'_> {
-    Places {
+pub fn places(state: &ServerState) -> LocationCache<'_> {
+    LocationCache {
         state,
         files: FastMap::default(),
         ranges: FastMap::default(),
@@ -50,11 +50,11 @@ pub fn places(state: &State) -> Places<'_> {
 }
 
 /// A place in a file.
-pub fn location(state: &State, span: Span) -> Option<Location> {
+pub fn location(state: &ServerState, span: Span) -> Option<Location> {
     places(state).location(span)
 }
 
-fn file(state: &State, id: FileId) -> Option<File> {
-    let path = state.world.session().vfs.path(id);
-    Some((state.uri(&path)?, state.world.document(&path)))
+fn file(state: &ServerState, id: FileId) -> Option<ClientFile> {
+    let path = state.host.session().vfs.path(id);
+    Some((state.uri(&path)?, state.host.document(&path)))
 }

@@ -23,9 +23,9 @@ const VARIABLE: &str = "XACRO_LOG";
 
 /// What is logged for the client and for reports.
 #[derive(Clone)]
-pub(super) struct Log(Arc<Shared>);
+pub(super) struct Log(Arc<LogState>);
 
-struct Shared {
+struct LogState {
     outbox: Outbox,
     start: Instant,
     trace: Mutex<TraceValue>,
@@ -62,7 +62,7 @@ impl Log {
     where
         L: Layer<Layered<Filtered<Self, Targets, Registry>, Registry>> + Send + Sync,
     {
-        let log = Self(Arc::new(Shared {
+        let log = Self(Arc::new(LogState {
             outbox,
             start: Instant::now(),
             trace: Mutex::new(TraceValue::Off),
@@ -107,7 +107,7 @@ fn own() -> Targets {
 
 impl<S: Subscriber> Layer<S> for Log {
     fn on_event(&self, event: &Event<'_>, _: Context<'_, S>) {
-        let mut text = Text::default();
+        let mut text = EventText::default();
         event.record(&mut text);
         let trace = *self.0.trace.lock().unwrap_or_else(PoisonError::into_inner);
         let is_told = match trace {
@@ -125,7 +125,7 @@ impl<S: Subscriber> Layer<S> for Log {
             self.0.outbox.notify(LogTrace::METHOD, &params);
         }
         let level = event.metadata().level().as_str().to_lowercase();
-        let Text { message, fields } = text;
+        let EventText { message, fields } = text;
         let fields = if fields.is_empty() {
             fields
         } else {
@@ -140,12 +140,12 @@ impl<S: Subscriber> Layer<S> for Log {
 
 /// An event as text: its message, and its fields as `name=value`.
 #[derive(Default)]
-struct Text {
+struct EventText {
     message: String,
     fields: String,
 }
 
-impl Visit for Text {
+impl Visit for EventText {
     fn record_debug(&mut self, field: &Field, value: &dyn Debug) {
         if field.name() == "message" {
             let _ = write!(self.message, "{value:?}");

@@ -12,19 +12,19 @@ use crate::preview::make_previews;
 use crate::preview::pages::page_said;
 use crate::scanning::{progress_created, scan};
 use crate::settings::configured;
-use crate::state::State;
+use crate::state::ServerState;
 
 /// How long an edit takes at most from its message to its event.
 const ON_ITS_WAY: Duration = Duration::from_millis(2);
 
 /// Take events until nobody can add one any more.
-pub(super) fn run(mut state: State, events: &Receiver<Event>) {
+pub(super) fn run(mut state: ServerState, events: &Receiver<Event>) {
     while let Some(event) = next_event(&state, events) {
         take(&mut state, event);
     }
 }
 
-fn next_event(state: &State, events: &Receiver<Event>) -> Option<Event> {
+fn next_event(state: &ServerState, events: &Receiver<Event>) -> Option<Event> {
     let event = match pause(state) {
         None => events.recv().ok()?,
         Some(pause) => match events.recv_timeout(pause) {
@@ -38,7 +38,7 @@ fn next_event(state: &State, events: &Receiver<Event>) -> Option<Event> {
 }
 
 /// Do what follows from an event; a panic in it is logged and ends that only.
-pub(super) fn take(state: &mut State, event: Event) {
+pub(super) fn take(state: &mut ServerState, event: Event) {
     if let Err(panic) = catch_unwind(AssertUnwindSafe(|| dispatch(state, event))) {
         let text = panic.downcast_ref::<String>().map(String::as_str);
         let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
@@ -46,7 +46,7 @@ pub(super) fn take(state: &mut State, event: Event) {
     }
 }
 
-fn dispatch(state: &mut State, event: Event) {
+fn dispatch(state: &mut ServerState, event: Event) {
     match event {
         Event::Request(request) => request.answer(state),
         Event::Notification(notification) => notification.take(state),
@@ -60,7 +60,7 @@ fn dispatch(state: &mut State, event: Event) {
     }
 }
 
-fn report_fault(state: &mut State, text: &str) {
+fn report_fault(state: &mut ServerState, text: &str) {
     let message = format!("internal error: {text}; please report it with the file that caused it");
     tracing::error!("{message}");
     state.outbox.log_as(MessageType::ERROR, message.clone());
@@ -80,19 +80,19 @@ enum IdleWork {
 }
 
 /// What is to be done next when no event comes, and in how long.
-fn idle_work(state: &State) -> Option<(IdleWork, Duration)> {
+fn idle_work(state: &ServerState) -> Option<(IdleWork, Duration)> {
     if state.previews.due && !state.previews.views.is_empty() {
         return Some((IdleWork::Models, Duration::ZERO));
     }
     if let Some(rest) = state.diagnostics.rest() {
         return Some((IdleWork::Diagnostics, rest));
     }
-    let scans = state.initialized && !state.world.is_scanned();
+    let scans = state.initialized && !state.host.is_scanned();
     scans.then_some((IdleWork::Scan, Duration::ZERO))
 }
 
 /// How long to wait for an event before [`Event::Idle`]; none: for ever.
-pub(super) fn pause(state: &State) -> Option<Duration> {
+pub(super) fn pause(state: &ServerState) -> Option<Duration> {
     let (work, rest) = idle_work(state)?;
     Some(match work {
         IdleWork::Diagnostics if state.status.is_edit_announced() => rest.max(ON_ITS_WAY),
@@ -100,7 +100,7 @@ pub(super) fn pause(state: &State) -> Option<Duration> {
     })
 }
 
-fn idle(state: &mut State) {
+fn idle(state: &mut ServerState) {
     state.status.forget_announced();
     match idle_work(state) {
         Some((IdleWork::Models, _)) => make_previews(state),

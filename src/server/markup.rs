@@ -3,7 +3,7 @@ use lsp_types::{Documentation, InlayHintTooltip, MarkupContent, MarkupKind};
 
 /// The form of a text that one kind of answer takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Format {
+pub(super) enum MarkupFormat {
     /// Markdown.
     Markdown,
     /// Plain text: all that a client takes which does not say more.
@@ -11,7 +11,7 @@ pub(super) enum Format {
     Plain,
 }
 
-impl Format {
+impl MarkupFormat {
     /// What a client prefers of the formats that it lists.
     pub fn of(listed: Option<&Vec<MarkupKind>>) -> Self {
         match listed.and_then(|listed| listed.first()) {

@@ -17,25 +17,25 @@ use serde_json::Value;
 use serde_json::json;
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 #[cfg(feature = "preview")]
 use crate::outbox::ClientRequest;
 #[cfg(feature = "preview")]
 use crate::requests::mapping::named;
-use crate::root_param::{Root, active_root, chosen};
-use crate::state::State;
+use crate::root_param::{RootParam, active_root, chosen};
+use crate::state::ServerState;
 use crate::views::Previews;
-use analysis::RootChoice;
+use analysis::RootConfig;
 use base::limits::VIEWS;
 use base::{CancelFlag, Encoding};
 #[cfg(feature = "preview")]
 use pages::hub;
-use preview::{Location, ModelMessage, Names, Selection};
+use preview::{Location, LocationFormat, ModelMessage, Selection};
 
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct SubscribeParams {
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     pub text_document: Option<TextDocumentIdentifier>,
 }
 
@@ -52,8 +52,8 @@ pub(super) struct ViewParams {
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct ShowParams {
     pub id: u32,
-    pub root: Root,
-    pub compare: Option<Root>,
+    pub root: RootParam,
+    pub compare: Option<RootParam>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -62,7 +62,7 @@ pub(super) struct MeshParams {
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Mesh {
+pub(super) struct MeshData {
     pub name: String,
     /// In base64.
     pub data: String,
@@ -84,13 +84,13 @@ struct ClientNames {
 }
 
 impl ClientNames {
-    fn with<T>(&self, work: impl FnOnce(&Names<'_>) -> T) -> T {
+    fn with<T>(&self, work: impl FnOnce(&LocationFormat<'_>) -> T) -> T {
         let uri = |path: &Path| {
             let open = self.uris.get(path).cloned();
             open.or_else(|| Some(convert::file_uri(path)?.to_string()))
         };
         let path = |uri: &str| Some(convert::path(&Url::parse(uri).ok()?));
-        work(&Names {
+        work(&LocationFormat {
             uri: &uri,
             path: &path,
             encoding: self.encoding,
@@ -99,20 +99,20 @@ impl ClientNames {
 }
 
 pub fn subscribe(
-    state: &mut State,
+    state: &mut ServerState,
     params: SubscribeParams,
     _: &CancelFlag,
-) -> Result<Subscribed, Failure> {
+) -> Result<Subscribed, RequestFailure> {
     let id = open_view(state, params)?;
     state.previews.subscribed.insert(id);
     Ok(Subscribed { id })
 }
 
 pub fn unsubscribe(
-    state: &mut State,
+    state: &mut ServerState,
     params: ViewParams,
     _: &CancelFlag,
-) -> Result<Value, Failure> {
+) -> Result<Value, RequestFailure> {
     state.previews.subscribed.remove(&params.id);
     if !state.previews.views.close(params.id) {
         return Err(no_view(params.id));
@@ -124,7 +124,11 @@ pub fn unsubscribe(
     Ok(Value::Null)
 }
 
-pub fn show_root(state: &mut State, params: ShowParams, _: &CancelFlag) -> Result<Value, Failure> {
+pub fn show_root(
+    state: &mut ServerState,
+    params: ShowParams,
+    _: &CancelFlag,
+) -> Result<Value, RequestFailure> {
     let root = chosen(state, params.root)?;
     let compare = params.compare.map(|root| chosen(state, root)).transpose()?;
     let compares = compare.is_some();
@@ -141,17 +145,17 @@ pub fn show_root(state: &mut State, params: ShowParams, _: &CancelFlag) -> Resul
 }
 
 pub fn preview_mesh(
-    state: &mut State,
+    state: &mut ServerState,
     params: MeshParams,
     _: &CancelFlag,
-) -> Result<Mesh, Failure> {
+) -> Result<MeshData, RequestFailure> {
     let mesh = state
         .previews
         .views
-        .mesh(&state.world, &params.mesh)
-        .map_err(Failure::Invalid)?;
+        .mesh(&state.host, &params.mesh)
+        .map_err(RequestFailure::Invalid)?;
     let data = base64::engine::general_purpose::STANDARD.encode(mesh.bytes);
-    Ok(Mesh {
+    Ok(MeshData {
         name: mesh.name,
         data,
     })
@@ -159,17 +163,17 @@ pub fn preview_mesh(
 
 /// The robot of a view as URDF, as it is shown.
 pub fn preview_urdf(
-    state: &mut State,
+    state: &mut ServerState,
     params: ViewParams,
     _: &CancelFlag,
-) -> Result<Value, Failure> {
+) -> Result<Value, RequestFailure> {
     let urdf = state.previews.views.urdf(params.id);
-    let urdf = urdf.map_err(Failure::Refused)?;
+    let urdf = urdf.map_err(RequestFailure::Refused)?;
     Ok(serde_json::json!({ "urdf": urdf }))
 }
 
 /// The client selects: the cursor moved, or a link was clicked in its viewer.
-pub fn selected(state: &mut State, params: SelectParams) {
+pub fn selected(state: &mut ServerState, params: SelectParams) {
     let names = client_names(state);
     let ids = match params.id {
         Some(id) => vec![id],
@@ -189,7 +193,7 @@ pub fn selected(state: &mut State, params: SelectParams) {
     }
 }
 
-fn send_selection(state: &State, selection: &Selection) {
+fn send_selection(state: &ServerState, selection: &Selection) {
     #[cfg(feature = "preview")]
     if let Some(hub) = &state.previews.hub {
         hub.select(selection);
@@ -201,7 +205,7 @@ fn send_selection(state: &State, selection: &Selection) {
 }
 
 /// Make the models of what changed, and send them.
-pub fn make_previews(state: &mut State) {
+pub fn make_previews(state: &mut ServerState) {
     state.previews.due = false;
     let names = client_names(state);
     let cancel = state.status.background();
@@ -216,7 +220,7 @@ pub fn make_previews(state: &mut State) {
     let watched = |_| false;
     let wanted = |id: u32| subscribed.contains(&id) || watched(id);
     let (messages, finished) =
-        names.with(|names| views.update(&mut state.world, names, &wanted, &cancel));
+        names.with(|names| views.update(&mut state.host, names, &wanted, &cancel));
     // given up because an event came in: after it
     state.previews.due |= !finished;
     for message in &messages {
@@ -224,7 +228,7 @@ pub fn make_previews(state: &mut State) {
     }
 }
 
-fn send_model(state: &State, message: &ModelMessage) {
+fn send_model(state: &ServerState, message: &ModelMessage) {
     #[cfg(feature = "preview")]
     if let Some(hub) = &state.previews.hub {
         hub.tell(message);
@@ -235,10 +239,10 @@ fn send_model(state: &State, message: &ModelMessage) {
     }
 }
 
-fn open_view(state: &mut State, params: SubscribeParams) -> Result<u32, Failure> {
+fn open_view(state: &mut ServerState, params: SubscribeParams) -> Result<u32, RequestFailure> {
     let root = view_root(state, params)?;
     if state.previews.views.ids().len() >= VIEWS {
-        return Err(Failure::Refused(format!(
+        return Err(RequestFailure::Refused(format!(
             "the limit of {VIEWS} open previews is reached: close one first"
         )));
     }
@@ -247,20 +251,23 @@ fn open_view(state: &mut State, params: SubscribeParams) -> Result<u32, Failure>
 }
 
 /// The root that is asked for: named, or that of a document.
-fn view_root(state: &mut State, params: SubscribeParams) -> Result<RootChoice, Failure> {
+fn view_root(
+    state: &mut ServerState,
+    params: SubscribeParams,
+) -> Result<RootConfig, RequestFailure> {
     match (params.root, params.text_document) {
         (Some(root), _) => chosen(state, root),
         (None, Some(document)) => {
             let (path, _) = state.source(&document.uri)?;
             Ok(active_root(state, &path))
         }
-        (None, None) => Err(Failure::Invalid(
+        (None, None) => Err(RequestFailure::Invalid(
             "missing parameter: pass `root` or `textDocument`".to_owned(),
         )),
     }
 }
 
-fn client_names(state: &State) -> ClientNames {
+fn client_names(state: &ServerState) -> ClientNames {
     let open = state.documents.iter();
     let uris = open
         .map(|(path, document)| (path.clone(), document.uri.to_string()))
@@ -273,14 +280,14 @@ fn client_names(state: &State) -> ClientNames {
 
 /// The command `xacro.preview`: the address of a page that shows a robot.
 #[cfg(feature = "preview")]
-pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure> {
+pub fn preview_page(state: &mut ServerState, argument: Value) -> Result<Value, RequestFailure> {
     let params = match argument {
         Value::String(uri) => json!({ "textDocument": { "uri": uri } }),
         other => other,
     };
     let shown = params.get("show") == Some(&Value::Bool(true));
-    let params: SubscribeParams =
-        serde_json::from_value(params).map_err(|error| Failure::Invalid(error.to_string()))?;
+    let params: SubscribeParams = serde_json::from_value(params)
+        .map_err(|error| RequestFailure::Invalid(error.to_string()))?;
     let hub = hub(state)?;
     let root = view_root(state, params)?;
     let views = &state.previews.views;
@@ -302,7 +309,7 @@ pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure
     hub.open(id);
     let url = hub.url(id);
     if shown && state.client.shows_documents {
-        let page = Url::parse(&url).map_err(|error| Failure::Invalid(error.to_string()))?;
+        let page = Url::parse(&url).map_err(|error| RequestFailure::Invalid(error.to_string()))?;
         state.outbox.request(ClientRequest::ShowPage(page));
     }
     Ok(json!({ "url": url, "id": id }))
@@ -310,12 +317,12 @@ pub fn preview_page(state: &mut State, argument: Value) -> Result<Value, Failure
 
 /// There is no server for browsers in this build.
 #[cfg(not(feature = "preview"))]
-pub fn preview_page(_: &mut State, _: Value) -> Result<Value, Failure> {
-    Err(Failure::Refused(
+pub fn preview_page(_: &mut ServerState, _: Value) -> Result<Value, RequestFailure> {
+    Err(RequestFailure::Refused(
         "this build does not include the preview: build it with the feature `preview`".to_owned(),
     ))
 }
 
-fn no_view(id: u32) -> Failure {
-    Failure::Invalid(format!("unknown preview {id}"))
+fn no_view(id: u32) -> RequestFailure {
+    RequestFailure::Invalid(format!("unknown preview {id}"))
 }

@@ -7,10 +7,10 @@ use lsp_types::notification::{Notification, PublishDiagnostics};
 use lsp_types::{Diagnostic, PublishDiagnosticsParams, Url};
 
 use crate::outbox::notification;
-use crate::state::State;
+use crate::state::ServerState;
 
 /// Send what differs from what was sent before.
-pub fn publish(state: &mut State, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>) {
+pub fn publish(state: &mut ServerState, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>) {
     for path in state.sent.diagnostics.messages.keys() {
         found.entry(path.clone()).or_default();
     }
@@ -19,7 +19,7 @@ pub fn publish(state: &mut State, mut found: BTreeMap<PathBuf, Vec<Diagnostic>>)
     }
 }
 
-fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) {
+fn publish_file(state: &mut ServerState, path: PathBuf, diagnostics: Vec<Diagnostic>) {
     let version = state.documents.get(&path).and_then(|open| open.version);
     let Some(uri) = state.uri(&path) else { return };
     let is_cleared = diagnostics.is_empty() && !state.documents.contains_key(&path);
@@ -41,7 +41,7 @@ fn publish_file(state: &mut State, path: PathBuf, diagnostics: Vec<Diagnostic>) 
 }
 
 /// A closed file has no diagnostics of its own any more.
-pub fn withdraw(state: &mut State, path: &Path, uri: Url) {
+pub fn withdraw(state: &mut ServerState, path: &Path, uri: Url) {
     if state.sent.diagnostics.messages.remove(path).is_some() {
         let none = PublishDiagnosticsParams {
             uri,

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::oneshot;
 use tower_lsp::jsonrpc;
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use base::CancelFlag;
 
 /// Where events `E` are added.
@@ -116,13 +116,13 @@ impl<E> Queue<E> {
 
 /// The way back of the answer to a request.
 pub(super) struct Reply<R> {
-    answer: oneshot::Sender<Result<R, Failure>>,
+    answer: oneshot::Sender<Result<R, RequestFailure>>,
     cancel: CancelFlag,
 }
 
 /// What waits for the answer. Dropping it cancels the work, and that is what cancelling a request does.
 pub(super) struct Waiting<R> {
-    answer: oneshot::Receiver<Result<R, Failure>>,
+    answer: oneshot::Receiver<Result<R, RequestFailure>>,
     _cancel: CancelOnDrop,
 }
 
@@ -147,7 +147,7 @@ pub(super) fn reply<R>() -> (Reply<R>, Waiting<R>) {
 
 impl<R> Reply<R> {
     /// Answer by some work, unless nobody waits any more.
-    pub fn answer(self, work: impl FnOnce(&CancelFlag) -> Result<R, Failure>) {
+    pub fn answer(self, work: impl FnOnce(&CancelFlag) -> Result<R, RequestFailure>) {
         if !self.cancel.is_cancelled() {
             let _ = self.answer.send(work(&self.cancel));
         }
@@ -158,7 +158,7 @@ impl<R> Waiting<R> {
     /// Wait for the answer.
     pub async fn answer(self) -> jsonrpc::Result<R> {
         match self.answer.await {
-            Ok(result) => result.map_err(Failure::into_error),
+            Ok(result) => result.map_err(RequestFailure::into_error),
             // the work panicked: that was logged
             Err(_) => Err(jsonrpc::Error {
                 message: "internal error; see the log for details".into(),

@@ -5,13 +5,13 @@ use std::path::Path;
 use lsp_types::{TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 
-use crate::failure::Failure;
-use crate::state::State;
-use analysis::RootChoice;
+use crate::failure::RequestFailure;
+use crate::state::ServerState;
+use analysis::RootConfig;
 
 /// A root as the protocol names it.
 #[derive(Clone, Debug, Serialize, Deserialize, PartialEq, Eq)]
-pub(super) struct Root {
+pub(super) struct RootParam {
     pub uri: Url,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub args: BTreeMap<String, String>,
@@ -20,9 +20,9 @@ pub(super) struct Root {
 }
 
 /// A root that the client names: with the arguments it gives, else with those of the preset.
-pub fn chosen(state: &mut State, root: Root) -> Result<RootChoice, Failure> {
+pub fn chosen(state: &mut ServerState, root: RootParam) -> Result<RootConfig, RequestFailure> {
     let (file, _) = state.source(&root.uri)?;
-    let root = RootChoice {
+    let root = RootConfig {
         file,
         args: root.args.into_iter().collect(),
         preset: root.preset,
@@ -30,7 +30,7 @@ pub fn chosen(state: &mut State, root: Root) -> Result<RootChoice, Failure> {
     if root.preset.is_none() || !root.args.is_empty() {
         return Ok(root);
     }
-    let known = state.world.context(&root.file).candidates.into_iter();
+    let known = state.host.context(&root.file).candidates.into_iter();
     let preset = known
         .map(|(known, _)| known)
         .find(|known| known.file == root.file && known.preset == root.preset);
@@ -39,10 +39,10 @@ pub fn chosen(state: &mut State, root: Root) -> Result<RootChoice, Failure> {
 
 /// The root that a request names, or the one that its document is shown under.
 pub fn chosen_or_active(
-    state: &mut State,
+    state: &mut ServerState,
     document: &TextDocumentIdentifier,
-    root: Option<Root>,
-) -> Result<RootChoice, Failure> {
+    root: Option<RootParam>,
+) -> Result<RootConfig, RequestFailure> {
     let (path, _) = state.source(&document.uri)?;
     match root {
         Some(root) => chosen(state, root),
@@ -51,7 +51,7 @@ pub fn chosen_or_active(
 }
 
 /// The root that a file is shown under; a file that no root reaches is one by itself.
-pub fn active_root(state: &mut State, path: &Path) -> RootChoice {
-    let root = state.world.context(path).root;
-    root.unwrap_or_else(|| RootChoice::plain(path))
+pub fn active_root(state: &mut ServerState, path: &Path) -> RootConfig {
+    let root = state.host.context(path).root;
+    root.unwrap_or_else(|| RootConfig::plain(path))
 }

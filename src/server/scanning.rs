@@ -1,15 +1,15 @@
 //! The scan of the workspace, with progress.
 use serde_json::{Value, json};
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::refreshing::refresh;
 use crate::scheduler::Cause;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use base::clock::Instant;
 
 /// The client made the token for the scan, or will not show it.
-pub fn progress_created(state: &mut State, made: bool) {
+pub fn progress_created(state: &mut ServerState, made: bool) {
     if made {
         state.progress = Some("xacro/scan".to_owned());
         report_progress(
@@ -18,20 +18,20 @@ pub fn progress_created(state: &mut State, made: bool) {
         );
     }
     // some clients turn their sign from here on, whether it began or not
-    if made && state.world.is_scanned() {
+    if made && state.host.is_scanned() {
         end_progress(state);
     }
 }
 
 /// Look at more files of the workspace, until an event comes in.
-pub fn scan(state: &mut State) {
+pub fn scan(state: &mut ServerState) {
     let status = state.status.clone();
     scan_until(state, &|| status.has_waiting());
 }
 
 /// Look at more files of the workspace, with progress, until `stop` says so; whether all were looked at.
-fn scan_until(state: &mut State, stop: &dyn Fn() -> bool) -> bool {
-    match state.world.scan(stop) {
+fn scan_until(state: &mut ServerState, stop: &dyn Fn() -> bool) -> bool {
+    match state.host.scan(stop) {
         // still searching for them
         Some((_, 0)) => false,
         Some((done, total)) => {
@@ -50,13 +50,13 @@ fn scan_until(state: &mut State, stop: &dyn Fn() -> bool) -> bool {
 ///
 /// # Errors
 /// The request was cancelled.
-pub fn scan_all(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
-    while !state.world.is_scanned() {
-        let end = Instant::now() + State::SCAN_REPORT;
+pub fn scan_all(state: &mut ServerState, cancel: &CancelFlag) -> Result<(), RequestFailure> {
+    while !state.host.is_scanned() {
+        let end = Instant::now() + ServerState::SCAN_REPORT;
         if !scan_until(state, &|| cancel.is_cancelled() || Instant::now() >= end)
             && cancel.is_cancelled()
         {
-            return Err(Failure::Cancelled);
+            return Err(RequestFailure::Cancelled);
         }
     }
     Ok(())
@@ -64,17 +64,19 @@ pub fn scan_all(state: &mut State, cancel: &CancelFlag) -> Result<(), Failure> {
 
 /// Look at the workspace before an answer that depends on it, when that takes a moment only: who asks for
 /// diagnostics of a part as soon as it is open gets those of the robot around it.
-pub fn scan_first(state: &mut State) {
-    if state.initialized && !state.world.is_scanned() && state.world.scan_within(State::SCAN_FIRST)
+pub fn scan_first(state: &mut ServerState) {
+    if state.initialized
+        && !state.host.is_scanned()
+        && state.host.scan_within(ServerState::SCAN_FIRST)
     {
         scanned(state);
     }
 }
 
 /// Other roots may be known now.
-fn scanned(state: &mut State) {
+fn scanned(state: &mut ServerState) {
     tracing::info!(
-        descriptions = state.world.known_files().len(),
+        descriptions = state.host.known_files().len(),
         "workspace indexed"
     );
     end_progress(state);
@@ -84,12 +86,12 @@ fn scanned(state: &mut State) {
     }
 }
 
-fn end_progress(state: &mut State) {
+fn end_progress(state: &mut ServerState) {
     report_progress(state, json!({ "kind": "end" }));
     state.progress = None;
 }
 
-fn report_progress(state: &State, value: Value) {
+fn report_progress(state: &ServerState, value: Value) {
     if let Some(token) = &state.progress {
         state
             .outbox

@@ -17,7 +17,7 @@ pub(super) enum Cause {
     FoldersChanged,
     SettingsChanged,
     /// Another robot is shown, or with other arguments.
-    RobotPicked,
+    RobotSelected,
     /// All files of the workspace were read.
     Indexed,
     /// The user wants everything to be read again.
@@ -37,7 +37,7 @@ impl std::fmt::Display for Cause {
             Self::FilesChanged(count) => write!(f, "{count} files changed on disk"),
             Self::FoldersChanged => f.write_str("workspace folders changed"),
             Self::SettingsChanged => f.write_str("settings changed"),
-            Self::RobotPicked => f.write_str("robot selected"),
+            Self::RobotSelected => f.write_str("robot selected"),
             Self::Indexed => f.write_str("workspace indexed"),
             Self::Restarted => f.write_str("analysis restarted"),
             Self::Requested => f.write_str("requested by the editor"),

@@ -8,15 +8,15 @@ use serde_json::Value;
 use crate::convert;
 use crate::outbox::ClientRequest;
 use crate::scheduler::Cause;
-use crate::state::State;
+use crate::state::ServerState;
 use ide::HintSettings;
 use workspace::config::unknown_settings;
 
 /// Ask for the settings of each folder, where the client answers that.
-pub fn request_settings(state: &State) {
+pub fn request_settings(state: &ServerState) {
     if state.client.configuration {
         let folders = state
-            .world
+            .host
             .folders()
             .iter()
             .map(|folder| convert::file_uri(folder));
@@ -28,7 +28,7 @@ pub fn request_settings(state: &State) {
     }
 }
 
-pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams) {
+pub fn settings_changed(state: &mut ServerState, params: DidChangeConfigurationParams) {
     match state.client.configuration {
         // the settings sent along are those of no folder in particular
         true => request_settings(state),
@@ -38,7 +38,7 @@ pub fn settings_changed(state: &mut State, params: DidChangeConfigurationParams)
 }
 
 /// The client's answer about settings: those of each folder hold for what lies in it.
-pub fn configured(state: &mut State, scopes: &[Option<Url>], values: &[Value]) {
+pub fn configured(state: &mut ServerState, scopes: &[Option<Url>], values: &[Value]) {
     let scoped = scopes.iter().zip(values);
     let given = scoped
         .map(|(scope, value)| {
@@ -51,14 +51,14 @@ pub fn configured(state: &mut State, scopes: &[Option<Url>], values: &[Value]) {
 }
 
 /// Settings of no folder in particular.
-pub(super) fn settings(state: &mut State, value: &Value) {
+pub(super) fn settings(state: &mut ServerState, value: &Value) {
     let given = vec![(effective(state, value), None)];
     take_settings(state, given);
 }
 
 /// What holds when a client gives this, with or without the section around it. Nothing is what it says when there
 /// are no settings, or none any more: what it began with holds then.
-fn effective(state: &State, value: &Value) -> Value {
+fn effective(state: &ServerState, value: &Value) -> Value {
     let settings = value.get("xacro").unwrap_or(value);
     if settings.is_object() {
         settings.clone()
@@ -68,22 +68,22 @@ fn effective(state: &State, value: &Value) -> Value {
 }
 
 /// Take settings over, in the place of all that held before: what is no longer said is the default again.
-fn take_settings(state: &mut State, given: Vec<(Value, Option<PathBuf>)>) {
+fn take_settings(state: &mut ServerState, given: Vec<(Value, Option<PathBuf>)>) {
     state.diagnostics.set_delay(None);
     state.settings.snippets = true;
     state.settings.hints = HintSettings::default();
-    state.world.set_all_contexts(false);
+    state.host.set_all_contexts(false);
     for (settings, _) in &given {
         own_settings(state, settings);
     }
-    let warnings = state.world.set_folder_settings(given);
+    let warnings = state.host.set_folder_settings(given);
     for warning in warnings {
         warn_once(state, format!("settings: {warning}"));
     }
 }
 
 /// Take over what is the server's own: that holds for all folders.
-fn own_settings(state: &mut State, settings: &Value) {
+fn own_settings(state: &mut ServerState, settings: &Value) {
     if let Some(delay) = settings.pointer("/diagnostics/delay") {
         match delay.as_u64() {
             Some(delay) => {
@@ -99,7 +99,7 @@ fn own_settings(state: &mut State, settings: &Value) {
     }
     let dotted = || settings.get("diagnostics.contexts");
     if let Some(contexts) = settings.pointer("/diagnostics/contexts").or_else(dotted) {
-        state.world.set_all_contexts(contexts == "all");
+        state.host.set_all_contexts(contexts == "all");
         if contexts != "all" && contexts != "active" {
             let message =
                 "`xacro.diagnostics.contexts` is not `active` or `all`; using the default";
@@ -116,7 +116,7 @@ fn own_settings(state: &mut State, settings: &Value) {
 }
 
 /// Tell the user something about settings, once as long as the server lives.
-fn warn_once(state: &mut State, message: String) {
+fn warn_once(state: &mut ServerState, message: String) {
     if state.sent.warnings.insert(message.clone()) {
         state.outbox.show(MessageType::WARNING, message);
     }

@@ -9,14 +9,14 @@ use lsp_types::Url;
 use crate::client::ResolvedCapabilities;
 use crate::convert;
 use crate::exit::Shutdown;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::installed_links::InstalledLinks;
 use crate::logging::Log;
 use crate::outbox::Outbox;
 use crate::queue::QueueStatus;
 use crate::scheduler::{Cause, DiagnosticsScheduler};
 use crate::sent::Sent;
-use analysis::World;
+use analysis::AnalysisHost;
 use base::Encoding;
 use vfs::SourceFile;
 
@@ -40,8 +40,8 @@ pub(super) struct ServerSettings {
 }
 
 /// The state of the server.
-pub(super) struct State {
-    pub world: World,
+pub(super) struct ServerState {
+    pub host: AnalysisHost,
     pub client: ResolvedCapabilities,
     pub encoding: Encoding,
     pub outbox: Outbox,
@@ -54,7 +54,7 @@ pub(super) struct State {
     pub diagnostics: DiagnosticsScheduler,
     pub settings: ServerSettings,
     /// Macro calls that the user selected, by root.
-    pub pins: BTreeMap<PathBuf, ide::SelectedInstance>,
+    pub selected_instances: BTreeMap<PathBuf, ide::SelectedInstance>,
     /// Where the last lines of the log are.
     pub log: Log,
     /// What is shown in 3D.
@@ -67,15 +67,15 @@ pub(super) struct State {
     pub progress: Option<String>,
 }
 
-impl State {
+impl ServerState {
     /// How long an answer waits for the scan of the workspace.
     pub const SCAN_FIRST: Duration = Duration::from_millis(200);
     /// How often progress is reported while an answer waits for all of it.
     pub const SCAN_REPORT: Duration = Duration::from_millis(100);
 
-    pub fn new(world: World, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
+    pub fn new(host: AnalysisHost, outbox: Outbox, status: QueueStatus, log: Log) -> Self {
         Self {
-            world,
+            host,
             client: ResolvedCapabilities::default(),
             encoding: Encoding::Utf16,
             outbox,
@@ -89,7 +89,7 @@ impl State {
                 snippets: true,
                 initial: serde_json::json!({}),
             },
-            pins: BTreeMap::new(),
+            selected_instances: BTreeMap::new(),
             log,
             previews: crate::views::Previews::default(),
             shutdown: None,
@@ -119,16 +119,17 @@ impl State {
     }
 
     /// A document that the client may ask about.
-    pub fn source(&self, uri: &Url) -> Result<(PathBuf, Arc<SourceFile>), Failure> {
+    pub fn source(&self, uri: &Url) -> Result<(PathBuf, Arc<SourceFile>), RequestFailure> {
         let path = self.path(uri);
         let known = self.documents.contains_key(&path);
         let source = if known || self.may_read(&path) {
-            self.world.document(&path)
+            self.host.document(&path)
         } else {
             None
         };
-        let source = source
-            .ok_or_else(|| Failure::Invalid(format!("cannot read `{uri}`, which is not open")))?;
+        let source = source.ok_or_else(|| {
+            RequestFailure::Invalid(format!("cannot read `{uri}`, which is not open"))
+        })?;
         Ok((path, source))
     }
 
@@ -136,10 +137,10 @@ impl State {
     pub fn may_read(&self, path: &Path) -> bool {
         self.documents.contains_key(path)
             || self
-                .world
+                .host
                 .folders()
                 .iter()
                 .any(|folder| path.starts_with(folder))
-            || self.world.session().packages.containing(path).is_some()
+            || self.host.session().packages.containing(path).is_some()
     }
 }

@@ -3,7 +3,7 @@
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE};
 
 /// The text of a file.
-pub(super) struct Decoded {
+pub(super) struct DecodedText {
     /// The text, bad bytes replaced by U+FFFD.
     pub(super) text: String,
     /// Offset and description of the first bad byte.
@@ -12,7 +12,7 @@ pub(super) struct Decoded {
 
 /// Decode as UTF-8, whatever the XML declaration says: that is how the reference opens every file. Bytes
 /// that are not UTF-8 are an error; for people they are shown in the encoding they seem to have.
-pub(super) fn decode(bytes: Vec<u8>) -> Decoded {
+pub(super) fn decode(bytes: Vec<u8>) -> DecodedText {
     let marked = match bytes.as_slice() {
         // a second mark is no longer a mark: the parser has to see that there were two
         [0xEF, 0xBB, 0xBF, 0xEF, 0xBB, 0xBF, ..] => return utf8(bytes, 0),
@@ -27,7 +27,7 @@ pub(super) fn decode(bytes: Vec<u8>) -> Decoded {
         let error = utf8(bytes.clone(), 0)
             .error
             .or_else(|| Some((0, "the file is UTF-16".to_owned())));
-        return Decoded {
+        return DecodedText {
             text: encoding.decode_without_bom_handling(rest).0.into_owned(),
             error,
         };
@@ -38,7 +38,7 @@ pub(super) fn decode(bytes: Vec<u8>) -> Decoded {
         Some(encoding) if std::str::from_utf8(&bytes).is_err() => {
             let (text, _) = encoding.decode_without_bom_handling(&bytes);
             let text = text.into_owned();
-            Decoded {
+            DecodedText {
                 text,
                 error: utf8(bytes, 0).error,
             }
@@ -63,9 +63,9 @@ fn declared(bytes: &[u8]) -> Option<String> {
 }
 
 /// UTF-8 from the byte at `skipped` on; errors in the words of Python.
-fn utf8(bytes: Vec<u8>, skipped: usize) -> Decoded {
+fn utf8(bytes: Vec<u8>, skipped: usize) -> DecodedText {
     let error = match String::from_utf8(bytes) {
-        Ok(text) => return Decoded { text, error: None },
+        Ok(text) => return DecodedText { text, error: None },
         Err(error) => error,
     };
     let at = error.utf8_error().valid_up_to();
@@ -79,7 +79,7 @@ fn utf8(bytes: Vec<u8>, skipped: usize) -> Decoded {
     let at = skipped + at;
     let message =
         format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {at}: {reason}");
-    Decoded {
+    DecodedText {
         text: String::from_utf8_lossy(bytes).into_owned(),
         error: Some((offset(at), message)),
     }

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use super::DirEntry;
 use super::error::{LoadError, LoadErrorKind};
-use super::read::{self, Identity, Kind, Stamp, Stat};
+use super::read::{self, EntryKind, Identity, Stamp, Stat};
 
 /// Said of a file that may not be looked at.
 const OUTSIDE: &str = "Outside of the folders that may be read";
@@ -27,15 +27,15 @@ pub(super) enum Disk {
 /// Files that somebody put, and those whose content somebody should put.
 #[derive(Default)]
 pub(super) struct Memory {
-    files: RwLock<Files>,
+    files: RwLock<MemoryFiles>,
     wanted: Mutex<BTreeSet<PathBuf>>,
 }
 
 /// Files in memory by their absolute paths. Folders exist as long as there is something in them.
-pub(super) type Files = BTreeMap<PathBuf, File>;
+pub(super) type MemoryFiles = BTreeMap<PathBuf, MemoryFile>;
 
 /// A file in memory.
-pub(super) struct File {
+pub(super) struct MemoryFile {
     /// None: only its name is known.
     bytes: Option<Arc<[u8]>>,
     /// Different for every content of every file.
@@ -59,7 +59,7 @@ impl Disk {
 
     /// Put a file in memory, or take it away; whether this is the place for it.
     pub(super) fn put(&self, path: PathBuf, bytes: Option<Vec<u8>>, revision: u64) -> bool {
-        let file = bytes.map(|bytes| File {
+        let file = bytes.map(|bytes| MemoryFile {
             bytes: Some(bytes.into()),
             revision,
         });
@@ -68,14 +68,14 @@ impl Disk {
 
     /// Put the name of a file in memory whose content is elsewhere; whether this is the place for it.
     pub(super) fn put_name(&self, path: PathBuf, revision: u64) -> bool {
-        let file = File {
+        let file = MemoryFile {
             bytes: None,
             revision,
         };
         self.set(path, Some(file))
     }
 
-    fn set(&self, path: PathBuf, file: Option<File>) -> bool {
+    fn set(&self, path: PathBuf, file: Option<MemoryFile>) -> bool {
         let Self::Memory(Memory { files, .. }) = self else {
             return false;
         };
@@ -172,8 +172,8 @@ impl Disk {
 
     /// Whether there is a folder at `path` that is no link.
     pub(super) fn is_own_folder(&self, path: &Path) -> bool {
-        let in_memory =
-            self.in_memory(|files| stat(files, path).is_ok_and(|stat| stat.kind == Kind::Folder));
+        let in_memory = self
+            .in_memory(|files| stat(files, path).is_ok_and(|stat| stat.kind == EntryKind::Folder));
         in_memory.unwrap_or_else(|| {
             self.is_below(path) && path.symlink_metadata().is_ok_and(|found| found.is_dir())
         })
@@ -212,7 +212,7 @@ impl Disk {
         self.in_memory(|files| below(files, folder).map(|(path, _)| path.clone()).collect())
     }
 
-    fn in_memory<T>(&self, look: impl FnOnce(&Files) -> T) -> Option<T> {
+    fn in_memory<T>(&self, look: impl FnOnce(&MemoryFiles) -> T) -> Option<T> {
         match self {
             Self::System | Self::Within(_) => None,
             Self::Memory(Memory { files, .. }) => {
@@ -223,18 +223,21 @@ impl Disk {
 }
 
 /// The files below a folder, in the order of their paths.
-fn below<'a>(files: &'a Files, folder: &'a Path) -> impl Iterator<Item = (&'a PathBuf, &'a File)> {
+fn below<'a>(
+    files: &'a MemoryFiles,
+    folder: &'a Path,
+) -> impl Iterator<Item = (&'a PathBuf, &'a MemoryFile)> {
     let after = (Bound::Excluded(folder), Bound::Unbounded);
     files
         .range::<Path, _>(after)
         .take_while(move |(path, _)| path.starts_with(folder))
 }
 
-fn stat(files: &Files, path: &Path) -> Result<Stat, LoadError> {
+fn stat(files: &MemoryFiles, path: &Path) -> Result<Stat, LoadError> {
     if let Some(file) = files.get(path) {
         let size = file.bytes.as_ref().map_or(0, |bytes| bytes.len()) as u64;
         return Ok(Stat {
-            kind: Kind::Regular,
+            kind: EntryKind::Regular,
             size,
             stamp: Stamp::Buffer(file.revision),
             identity: None,
@@ -247,7 +250,7 @@ fn stat(files: &Files, path: &Path) -> Result<Stat, LoadError> {
     }
     let names: Vec<&Path> = inside.map(|(path, _)| path.as_path()).collect();
     Ok(Stat {
-        kind: Kind::Folder,
+        kind: EntryKind::Folder,
         size: 0,
         stamp: Stamp::Content(read::hash(&names)),
         identity: Some(Identity::of_name(read::hash(path))),
@@ -255,7 +258,7 @@ fn stat(files: &Files, path: &Path) -> Result<Stat, LoadError> {
 }
 
 /// The names in a folder.
-fn entries(files: &Files, folder: &Path) -> Vec<DirEntry> {
+fn entries(files: &MemoryFiles, folder: &Path) -> Vec<DirEntry> {
     let mut found: Vec<DirEntry> = Vec::new();
     for (path, _) in below(files, folder) {
         let Ok(rest) = path.strip_prefix(folder) else {

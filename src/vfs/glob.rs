@@ -28,7 +28,7 @@ pub(super) fn glob(
     let (start, names) = stages(pattern);
     let mut found = vec![start.to_owned()];
     for (index, name) in names.iter().enumerate().rev() {
-        found = Stage {
+        found = GlobStage {
             vfs,
             base,
             name,
@@ -64,14 +64,14 @@ fn stages(pattern: &str) -> (&str, Vec<&str>) {
 }
 
 /// One name of a pattern, looked for in all folders that match what stands before it.
-struct Stage<'a> {
+struct GlobStage<'a> {
     vfs: &'a Vfs,
     base: &'a Path,
     name: &'a str,
     is_last: bool,
 }
 
-impl Stage<'_> {
+impl GlobStage<'_> {
     fn run(&self, folders: &[String], left: &mut usize) -> Result<Vec<String>, TooMany> {
         let mut found = Vec::new();
         let wildcard = has_magic(self.name).then(|| Wildcard::new(&HERE.folded(self.name)));
@@ -157,15 +157,15 @@ fn join(folder: &str, name: &str) -> String {
 /// A pattern for one name: `*`, `?`, `[abc]`, `[!abc]`, as Python's `fnmatch` reads them.
 #[derive(Clone, Debug)]
 pub struct Wildcard {
-    tokens: Vec<Token>,
+    tokens: Vec<GlobToken>,
     literal: Option<String>,
 }
 
 impl Wildcard {
     /// The pattern `text`; every text is one.
     pub fn new(text: &str) -> Self {
-        let letter = |token: &Token| match token {
-            Token::Literal(letter) => Some(*letter),
+        let letter = |token: &GlobToken| match token {
+            GlobToken::Literal(letter) => Some(*letter),
             _ => None,
         };
         let tokens = compile(text);
@@ -189,7 +189,7 @@ impl Wildcard {
         covers(
             &self.tokens,
             &name,
-            |token| matches!(token, Token::Many),
+            |token| matches!(token, GlobToken::Many),
             |token, c| token.takes(*c),
         )
     }
@@ -197,7 +197,7 @@ impl Wildcard {
 
 /// One element of a pattern.
 #[derive(Clone, Debug)]
-enum Token {
+enum GlobToken {
     Literal(char),
     Any,
     Many,
@@ -207,7 +207,7 @@ enum Token {
     },
 }
 
-fn compile(pattern: &str) -> Vec<Token> {
+fn compile(pattern: &str) -> Vec<GlobToken> {
     let chars: Vec<char> = pattern.chars().collect();
     let mut tokens = Vec::new();
     let mut rest = chars.as_slice();
@@ -218,24 +218,24 @@ fn compile(pattern: &str) -> Vec<Token> {
         rest = behind;
         tokens.push(match first {
             // several in a row are one
-            '*' if matches!(tokens.last(), Some(Token::Many)) => continue,
-            '*' => Token::Many,
-            '?' => Token::Any,
+            '*' if matches!(tokens.last(), Some(GlobToken::Many)) => continue,
+            '*' => GlobToken::Many,
+            '?' => GlobToken::Any,
             '[' => match may_close.then(|| class(behind)).flatten() {
                 Some((token, behind)) => {
                     rest = behind;
                     token
                 }
-                None => Token::Literal('['),
+                None => GlobToken::Literal('['),
             },
-            other => Token::Literal(other),
+            other => GlobToken::Literal(other),
         });
     }
     tokens
 }
 
 /// The class behind a `[`, and what follows its `]`; `None` when it is not closed.
-fn class(text: &[char]) -> Option<(Token, &[char])> {
+fn class(text: &[char]) -> Option<(GlobToken, &[char])> {
     let negated = text.first() == Some(&'!');
     let body = text.get(usize::from(negated)..)?;
     // A `]` right at the start is a member.
@@ -255,15 +255,15 @@ fn class(text: &[char]) -> Option<(Token, &[char])> {
             }
         };
     }
-    Some((Token::Class { negated, ranges }, behind.get(1..)?))
+    Some((GlobToken::Class { negated, ranges }, behind.get(1..)?))
 }
 
-impl Token {
+impl GlobToken {
     fn takes(&self, c: char) -> bool {
         match self {
-            Token::Literal(literal) => *literal == c,
-            Token::Any | Token::Many => true,
-            Token::Class { negated, ranges } => {
+            GlobToken::Literal(literal) => *literal == c,
+            GlobToken::Any | GlobToken::Many => true,
+            GlobToken::Class { negated, ranges } => {
                 ranges.iter().any(|&(low, high)| low <= c && c <= high) != *negated
             }
         }

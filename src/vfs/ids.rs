@@ -10,10 +10,10 @@ use base::{FastMap, FileId, IdVec};
 
 /// Numbers of paths, given out in order of first use and never taken back.
 #[derive(Default)]
-pub(super) struct Ids(RwLock<Table>);
+pub(super) struct Ids(RwLock<IdTable>);
 
 #[derive(Default)]
-struct Table {
+struct IdTable {
     by_path: FastMap<Spelled, FileId>,
     paths: IdVec<FileId, Arc<Path>>,
 }

@@ -44,10 +44,10 @@ use buffer::Buffer;
 use cache::Cache;
 use disk::Disk;
 use ids::Ids;
-use read::{Identity, Kind, Stamp, Stat};
+use read::{EntryKind, Identity, Stamp, Stat};
 use stat_cache::StatCache;
 use xml::Document;
-use yaml::{self, Node, YamlError};
+use yaml::{self, YamlError, YamlNode};
 
 /// Text of a file that is not XML.
 #[derive(Debug)]
@@ -104,7 +104,7 @@ pub struct YamlFile {
     /// The text.
     pub file: Arc<TextFile>,
     /// Its value, or the error Python would raise.
-    pub value: Result<Node, YamlError>,
+    pub value: Result<YamlNode, YamlError>,
 }
 
 impl YamlFile {
@@ -134,7 +134,7 @@ pub struct DirEntry {
 }
 
 /// Where the text of a file comes from.
-enum State {
+enum TextSource {
     Buffer(Arc<Buffer>),
     Disk(Stat),
 }
@@ -144,12 +144,12 @@ pub struct Vfs {
     max_file_bytes: AtomicU64,
     cwd: PathBuf,
     buffers: RwLock<FastMap<FileId, Arc<Buffer>>>,
-    shared: Arc<Shared>,
+    shared: Arc<SharedState>,
 }
 
 /// What an overlay has in common with the files below it.
 #[derive(Default)]
-struct Shared {
+struct SharedState {
     ids: Ids,
     revision: AtomicU64,
     disk: Disk,
@@ -182,9 +182,9 @@ impl Vfs {
 
     /// The files that a run sees: relative paths start at its working directory.
     pub fn of(env: &Environment, max_file_bytes: u64) -> Self {
-        let shared = Arc::new(Shared {
+        let shared = Arc::new(SharedState {
             disk: Disk::within(&env.within),
-            ..Shared::default()
+            ..SharedState::default()
         });
         Self {
             shared,
@@ -321,8 +321,8 @@ impl Vfs {
         let id = self.file_id(path);
         let path = self.path(id);
         match self.state(id, &path)? {
-            State::Buffer(buffer) if buffer.id == id => Ok(buffer.text()),
-            State::Buffer(buffer) => {
+            TextSource::Buffer(buffer) if buffer.id == id => Ok(buffer.text()),
+            TextSource::Buffer(buffer) => {
                 self.shared
                     .texts
                     .get(id, Stamp::Buffer(buffer.revision), || {
@@ -337,7 +337,7 @@ impl Vfs {
                         }))
                     })
             }
-            State::Disk(stat) => self
+            TextSource::Disk(stat) => self
                 .shared
                 .texts
                 .get(id, stat.stamp, || self.read(id, &path, &stat).map(Arc::new)),
@@ -346,7 +346,7 @@ impl Vfs {
 
     fn read(&self, id: FileId, path: &Arc<Path>, known: &Stat) -> Result<TextFile, LoadError> {
         let limit = self.max_file_bytes.load(Ordering::Relaxed);
-        let decode::Decoded { text, error } =
+        let decode::DecodedText { text, error } =
             decode::decode(self.shared.disk.bytes(path, known, limit)?);
         let hash = read::hash(&text);
         Ok(TextFile {
@@ -367,8 +367,8 @@ impl Vfs {
         let id = self.file_id(path);
         let path = self.path(id);
         match self.state(id, &path)? {
-            State::Buffer(buffer) if buffer.id == id => Ok(buffer.source()),
-            State::Buffer(buffer) => {
+            TextSource::Buffer(buffer) if buffer.id == id => Ok(buffer.source()),
+            TextSource::Buffer(buffer) => {
                 self.shared
                     .sources
                     .get(id, Stamp::Buffer(buffer.revision), || {
@@ -384,12 +384,12 @@ impl Vfs {
                     })
             }
             // the document holds the text: it need not be kept a second time
-            State::Disk(stat) if stat.stamp.is_settled() => {
+            TextSource::Disk(stat) if stat.stamp.is_settled() => {
                 self.shared.sources.get(id, stat.stamp, || {
                     Ok(SourceFile::parse(&self.read(id, &path, &stat)?))
                 })
             }
-            State::Disk(_) => {
+            TextSource::Disk(_) => {
                 let text = self.text(&path)?;
                 self.shared.sources.get(id, Stamp::Content(text.hash), || {
                     Ok(SourceFile::parse(&text))
@@ -403,11 +403,11 @@ impl Vfs {
     pub fn document_hash(&self, path: &Path) -> Option<u64> {
         let id = self.file_id(path);
         match self.state(id, &self.path(id)).ok()? {
-            State::Buffer(buffer) => Some(buffer.hash()),
-            State::Disk(stat) if self.shared.sources.knows(id, stat.stamp) => {
+            TextSource::Buffer(buffer) => Some(buffer.hash()),
+            TextSource::Disk(stat) if self.shared.sources.knows(id, stat.stamp) => {
                 Some(self.document(path).ok()?.hash)
             }
-            State::Disk(_) => Some(self.text(path).ok()?.hash),
+            TextSource::Disk(_) => Some(self.text(path).ok()?.hash),
         }
     }
 
@@ -447,19 +447,19 @@ impl Vfs {
         self.has_buffer(path)
             || self
                 .stat_at(path)
-                .is_some_and(|found| found.kind != Kind::Folder)
+                .is_some_and(|found| found.kind != EntryKind::Folder)
     }
 
     /// Whether there is a folder at `path`.
     pub fn is_dir(&self, path: &Path) -> bool {
         self.stat_at(path)
-            .is_some_and(|found| found.kind == Kind::Folder)
+            .is_some_and(|found| found.kind == EntryKind::Folder)
     }
 
     /// The size of a file on the disk, in bytes.
     pub fn size(&self, path: &Path) -> Option<u64> {
         let found = self.stat_at(path)?;
-        (found.kind == Kind::Regular).then_some(found.size)
+        (found.kind == EntryKind::Regular).then_some(found.size)
     }
 
     /// What tells a file or folder from every other one, whatever path led to it; `None` when it does
@@ -508,17 +508,17 @@ impl Vfs {
     }
 
     /// Where the text of `path` is now.
-    fn state(&self, id: FileId, path: &Path) -> Result<State, LoadError> {
+    fn state(&self, id: FileId, path: &Path) -> Result<TextSource, LoadError> {
         let buffers = self.buffers.read().unwrap_or_else(PoisonError::into_inner);
         if let Some(buffer) = buffers.get(&id) {
-            return Ok(State::Buffer(buffer.clone()));
+            return Ok(TextSource::Buffer(buffer.clone()));
         }
         let stat = self.stat(id, path)?;
         let is_same =
             |buffer: &&Arc<Buffer>| stat.identity.is_some() && buffer.identity == stat.identity;
         Ok(match buffers.values().find(is_same) {
-            Some(buffer) => State::Buffer(buffer.clone()),
-            None => State::Disk(stat),
+            Some(buffer) => TextSource::Buffer(buffer.clone()),
+            None => TextSource::Disk(stat),
         })
     }
 }

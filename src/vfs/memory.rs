@@ -5,14 +5,14 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use super::disk::Disk;
-use super::{Shared, Vfs};
+use super::{SharedState, Vfs};
 
 impl Vfs {
     /// Files in memory, at first none: see [`Vfs::put`]. Nothing of the machine is seen.
     pub fn in_memory(max_file_bytes: u64, cwd: PathBuf) -> Self {
-        let shared = Arc::new(Shared {
+        let shared = Arc::new(SharedState {
             disk: Disk::memory(),
-            ..Shared::default()
+            ..SharedState::default()
         });
         Self {
             shared,

@@ -67,7 +67,7 @@ impl Stamp {
 
 /// What there is at a path, links followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum EntryKind {
     Regular,
     Folder,
     /// A pipe, socket or device.
@@ -78,7 +78,7 @@ pub(super) enum Kind {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stat {
     /// What it is.
-    pub(super) kind: Kind,
+    pub(super) kind: EntryKind,
     /// Length in bytes.
     pub(super) size: u64,
     /// State of the content.
@@ -112,11 +112,11 @@ pub(super) fn stat(path: &Path) -> Result<Stat, LoadError> {
     })
 }
 
-fn kind(found: &Metadata) -> Kind {
+fn kind(found: &Metadata) -> EntryKind {
     match (found.is_file(), found.is_dir()) {
-        (true, _) => Kind::Regular,
-        (_, true) => Kind::Folder,
-        _ => Kind::Other,
+        (true, _) => EntryKind::Regular,
+        (_, true) => EntryKind::Folder,
+        _ => EntryKind::Other,
     }
 }
 
@@ -186,12 +186,17 @@ pub(super) fn bytes(path: &Path, known: &Stat, limit: u64) -> Result<Vec<u8>, Lo
 }
 
 /// Only regular files of at most `limit` bytes are read.
-pub(super) fn may_be_read(kind: Kind, size: u64, path: &Path, limit: u64) -> Result<(), LoadError> {
+pub(super) fn may_be_read(
+    kind: EntryKind,
+    size: u64,
+    path: &Path,
+    limit: u64,
+) -> Result<(), LoadError> {
     let kind = match kind {
-        Kind::Regular if size <= limit => return Ok(()),
-        Kind::Regular => LoadErrorKind::TooLarge { limit },
-        Kind::Folder => LoadErrorKind::IsDirectory,
-        Kind::Other => LoadErrorKind::NotRegular,
+        EntryKind::Regular if size <= limit => return Ok(()),
+        EntryKind::Regular => LoadErrorKind::TooLarge { limit },
+        EntryKind::Folder => LoadErrorKind::IsDirectory,
+        EntryKind::Other => LoadErrorKind::NotRegular,
     };
     Err(LoadError::new(kind, path))
 }

@@ -7,11 +7,13 @@ use std::time::Duration;
 
 use serde_json::{Map, Value, json};
 
-use super::calls::{Call, CheckCall, Robot};
-use analysis::{FixOptions, RootChoice, Session, World};
+use super::calls::{Call, CheckCall, RobotParams};
+use analysis::{AnalysisHost, FixOptions, RootConfig, Session};
 use base::{CancelFlag, Encoding, IdVec};
-use expand::{Expansion, FileIdx, Limits, Place, Problem, Request, Severity as Weight};
-use preview::{Names, Views};
+use expand::{
+    Expansion, ExpansionLimits, FileIdx, FileRange, Problem, ProblemSeverity as Weight, Request,
+};
+use preview::{LocationFormat, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
 use workspace::config::Config;
@@ -26,12 +28,12 @@ const PATIENCE: Duration = Duration::from_secs(10);
 pub struct Bench {
     env: Environment,
     vfs: Arc<Vfs>,
-    world: World,
-    /// Files that were put or taken since the world saw them.
+    host: AnalysisHost,
+    /// Files that were put or taken since the host saw them.
     changed: BTreeSet<PathBuf>,
     views: Views,
     /// The view of the robot that is shown.
-    shown: Option<(u32, Robot)>,
+    shown: Option<(u32, RobotParams)>,
 }
 
 impl Default for Bench {
@@ -46,12 +48,12 @@ impl Default for Bench {
             Config::default().limits.file_bytes(),
             cwd.clone(),
         ));
-        let world = World::over(vfs.clone(), env.clone(), vec![cwd]);
+        let host = AnalysisHost::over(vfs.clone(), env.clone(), vec![cwd]);
         let (views, changed) = (Views::default(), BTreeSet::new());
         Self {
             env,
             vfs,
-            world,
+            host,
             changed,
             views,
             shown: None,
@@ -104,7 +106,7 @@ impl Bench {
     /// # Errors
     /// When it names none of this id.
     pub fn mesh(&self, id: &str) -> Result<Vec<u8>, String> {
-        self.views.mesh(&self.world, id).map(|mesh| mesh.bytes)
+        self.views.mesh(&self.host, id).map(|mesh| mesh.bytes)
     }
 
     fn session(&self, call: &CheckCall) -> Result<(Session, analysis::CheckOptions), String> {
@@ -149,7 +151,7 @@ impl Bench {
         Ok(json!({ "count": fixed.count, "files": files.collect::<Map<_, _>>() }))
     }
 
-    fn expand(&self, robot: &Robot) -> Result<Value, String> {
+    fn expand(&self, robot: &RobotParams) -> Result<Value, String> {
         let config = Config::for_file(&self.vfs, &self.env.cwd.join(&robot.file)).config;
         let explicit = robot
             .package_path
@@ -165,16 +167,16 @@ impl Bench {
         let request = Request {
             file: robot.file.clone(),
             args: robot.args.clone().into_iter().collect(),
-            limits: Limits::configured(&config.limits),
+            limits: ExpansionLimits::configured(&config.limits),
             keep: true,
             ..Request::default()
         };
-        let world = expand::World {
+        let sources = expand::Sources {
             vfs: &self.vfs,
             packages: &packages,
             env: &self.env,
         };
-        let expansion = expand::expand(world, &request);
+        let expansion = expand::expand(sources, &request);
         if let Some(error) = &expansion.root_error {
             return Err(format!("{}: {}", robot.file, error.reason()));
         }
@@ -210,19 +212,19 @@ impl Bench {
             .collect()
     }
 
-    /// Have the world see what changed.
+    /// Have the host see what changed.
     fn catch_up(&mut self) {
         let changed: Vec<PathBuf> = std::mem::take(&mut self.changed).into_iter().collect();
         if !changed.is_empty() {
-            self.world.changed_on_disk(&changed);
+            self.host.changed_on_disk(&changed);
         }
-        self.world.scan_within(PATIENCE);
+        self.host.scan_within(PATIENCE);
     }
 
     fn robots(&mut self) -> Value {
         self.catch_up();
         let robots: BTreeSet<PathBuf> = self
-            .world
+            .host
             .robots()
             .into_iter()
             .map(|root| root.file)
@@ -233,13 +235,13 @@ impl Bench {
             .collect()
     }
 
-    fn model(&mut self, robot: Robot) -> Value {
+    fn model(&mut self, robot: RobotParams) -> Value {
         self.catch_up();
         let id = match &self.shown {
             Some((id, shown)) if *shown == robot => *id,
             shown => {
                 let args = robot.args.clone().into_iter().collect();
-                let root = RootChoice {
+                let root = RootConfig {
                     file: self.vfs.absolute(Path::new(&robot.file)),
                     args,
                     preset: None,
@@ -255,14 +257,14 @@ impl Bench {
         let wanted = |one: u32| one == id;
         let (messages, _) =
             self.views
-                .update(&mut self.world, &names(), &wanted, &CancelFlag::default());
+                .update(&mut self.host, &names(), &wanted, &CancelFlag::default());
         json!(messages.into_iter().next())
     }
 }
 
 /// How places are named: files by their paths, columns in the units of JavaScript.
-const fn names() -> Names<'static> {
-    Names {
+const fn names() -> LocationFormat<'static> {
+    LocationFormat {
         uri: &|path| Some(shown_path(path, Path::new(FOLDER))),
         path: &|name| Some(Path::new(FOLDER).join(name)),
         encoding: Encoding::Utf16,
@@ -291,7 +293,7 @@ fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value>
 }
 
 /// An offset in the file of a place, in lines and columns from 1.
-fn position(expansion: &Expansion, place: Place, offset: u32) -> Option<Value> {
+fn position(expansion: &Expansion, place: FileRange, offset: u32) -> Option<Value> {
     let source = &expansion.files.get(place.file)?.source;
     let at = source.document.line_col(offset, Encoding::Utf32);
     Some(json!({ "row": at.line + 1, "column": at.col + 1 }))

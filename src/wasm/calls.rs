@@ -17,13 +17,13 @@ pub enum Call {
     /// The files as `check --fix` leaves them, as far as they differ.
     Fix(CheckCall),
     /// The expanded text of a robot, its source map and its problems.
-    Expand(Robot),
+    Expand(RobotParams),
     /// The robots among the files.
     Robots,
     /// The paths of all files.
     Files,
     /// The model of a robot for the viewer; null while it is as it was.
-    Model(Robot),
+    Model(RobotParams),
     /// What a place of the source made, or the place of a link or joint.
     Select {
         /// A link.
@@ -43,7 +43,7 @@ pub enum Call {
 /// A robot: a file, with arguments over its defaults.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Robot {
+pub struct RobotParams {
     /// The file, relative to the folder of all files.
     pub file: String,
     /// Arguments, as `name:=value` gives them on the command line.

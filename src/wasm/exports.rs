@@ -18,9 +18,9 @@ use std::sync::Once;
 use std::time::Duration;
 
 #[cfg(not(feature = "server"))]
-use questions::Held;
+use questions::HostState;
 #[cfg(feature = "server")]
-use session::Held;
+use session::HostState;
 
 #[link(wasm_import_module = "host")]
 unsafe extern "C" {
@@ -33,17 +33,17 @@ unsafe extern "C" {
 static STARTED: Once = Once::new();
 
 #[derive(Default)]
-struct State {
-    held: Held,
+struct ExportState {
+    held: HostState,
     input: Vec<u8>,
     output: Vec<u8>,
 }
 
 thread_local! {
-    static STATE: RefCell<State> = RefCell::new(State::default());
+    static STATE: RefCell<ExportState> = RefCell::new(ExportState::default());
 }
 
-fn with<T>(work: impl FnOnce(&mut State) -> T) -> T {
+fn with<T>(work: impl FnOnce(&mut ExportState) -> T) -> T {
     STATE.with_borrow_mut(work)
 }
 
@@ -90,7 +90,7 @@ extern "C" fn remove() {
     });
 }
 
-impl State {
+impl ExportState {
     /// The input as text.
     fn text(&mut self) -> String {
         String::from_utf8_lossy(&std::mem::take(&mut self.input)).into_owned()

@@ -13,4 +13,4 @@ mod exports;
 mod tests;
 
 pub use bench::Bench;
-pub use calls::{Call, CheckCall, Robot};
+pub use calls::{Call, CheckCall, RobotParams};

@@ -7,15 +7,15 @@ use base::FastMap;
 
 /// Answers by question. Threads that ask the same at the same time share one search; the lock is not
 /// held while searching.
-pub(super) struct Cache<K, V>(Mutex<FastMap<K, Arc<OnceLock<V>>>>);
+pub(super) struct AnswerCache<K, V>(Mutex<FastMap<K, Arc<OnceLock<V>>>>);
 
-impl<K, V> Default for Cache<K, V> {
+impl<K, V> Default for AnswerCache<K, V> {
     fn default() -> Self {
         Self(Mutex::default())
     }
 }
 
-impl<K: Eq + Hash, V: Clone> Cache<K, V> {
+impl<K: Eq + Hash, V: Clone> AnswerCache<K, V> {
     /// The answer to `key`; `make` runs the first time.
     pub(super) fn get(&self, key: K, make: impl FnOnce() -> V) -> V {
         let cell = self

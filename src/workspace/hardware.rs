@@ -18,7 +18,7 @@ const LISTED: [&str; 2] = [".state_interfaces", ".command_interfaces"];
 
 /// What the sources below a folder say about hardware.
 #[derive(Default)]
-pub(super) struct Hardware {
+pub(super) struct HardwareSources {
     /// The classes that export interfaces of their own.
     exporting: FastSet<String>,
     /// Whether one of them registers joints, as hardware of ROS 1 does.
@@ -41,7 +41,7 @@ impl Packages {
             .is_some_and(|hardware| hardware.registers)
     }
 
-    fn hardware_around(&self, from: &Path) -> Option<Arc<Hardware>> {
+    fn hardware_around(&self, from: &Path) -> Option<Arc<HardwareSources>> {
         let top = self.sources_around(from)?;
         Some(
             self.hardware
@@ -50,10 +50,10 @@ impl Packages {
     }
 }
 
-fn search(vfs: &Vfs, top: &Path) -> Hardware {
+fn search(vfs: &Vfs, top: &Path) -> HardwareSources {
     let mut seen: FastSet<u128> = FastSet::default();
     let mut open = vec![(top.to_owned(), 0)];
-    let (mut files, mut found) = (0, Hardware::default());
+    let (mut files, mut found) = (0, HardwareSources::default());
     while let Some((folder, depth)) = open.pop() {
         let is_new = vfs
             .identity(&folder)

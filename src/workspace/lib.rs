@@ -30,7 +30,9 @@ pub use callers::{
 pub use include_pattern::{admitted_files, include_pattern, included_files, named_file};
 pub use install::{BUILD_FILES, Build, Built};
 pub use package_sources::PackageSource;
-pub use packages::{Entry, Found, NotFound, Package, PackageOptions, Packages, Target};
+pub use packages::{
+    FoundPackage, NotFound, Package, PackageEntry, PackageOptions, Packages, RosVersion,
+};
 pub use root::is_built;
 pub use shell::RosVariable;
 pub use similar::{edit_distance, misspelled, nearest};

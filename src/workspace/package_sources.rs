@@ -74,7 +74,7 @@ impl fmt::Display for PackageSource {
 
 /// How installed packages lie below a prefix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Layout {
+pub(super) enum InstallLayout {
     /// `share/PKG`, announced by a marker in the ament index.
     Indexed,
     /// `share/PKG` with a manifest or a marker.
@@ -91,12 +91,12 @@ pub(super) struct Prefix {
     /// As the variable spells it.
     pub(super) path: PathBuf,
     /// How it is laid out.
-    pub(super) layout: Layout,
+    pub(super) layout: InstallLayout,
 }
 
 impl Prefix {
     /// `path` with `layout`.
-    pub(super) fn new(path: PathBuf, layout: Layout) -> Self {
+    pub(super) fn new(path: PathBuf, layout: InstallLayout) -> Self {
         Self { path, layout }
     }
 
@@ -105,17 +105,17 @@ impl Prefix {
         let share = self.folder(name);
         let marker = self.path.join(INDEX).join(name);
         let installed = match self.layout {
-            Layout::Indexed => vfs.is_file(&cwd.join(&marker)),
-            Layout::Merged => {
+            InstallLayout::Indexed => vfs.is_file(&cwd.join(&marker)),
+            InstallLayout::Merged => {
                 vfs.is_file(&cwd.join(share.join(MANIFEST))) || vfs.is_file(&cwd.join(&marker))
             }
-            Layout::Isolated => vfs.is_dir(&cwd.join(&share)),
-            Layout::Devel => vfs
+            InstallLayout::Isolated => vfs.is_dir(&cwd.join(&share)),
+            InstallLayout::Devel => vfs
                 .list_dir(&cwd.join(&share))
                 .iter()
                 .any(|entry| entry.name != "cmake"),
         };
-        let place = if self.layout == Layout::Indexed {
+        let place = if self.layout == InstallLayout::Indexed {
             marker
         } else {
             share.clone()
@@ -126,9 +126,9 @@ impl Prefix {
     /// Names of the packages installed here.
     pub(super) fn names(&self, vfs: &Vfs, cwd: &Path) -> Vec<String> {
         let folder = match self.layout {
-            Layout::Indexed => self.path.join(INDEX),
-            Layout::Merged | Layout::Devel => self.path.join("share"),
-            Layout::Isolated => self.path.clone(),
+            InstallLayout::Indexed => self.path.join(INDEX),
+            InstallLayout::Merged | InstallLayout::Devel => self.path.join("share"),
+            InstallLayout::Isolated => self.path.clone(),
         };
         let listed = vfs.list_dir(&cwd.join(folder));
         let names = listed.iter().map(|entry| &entry.name);
@@ -141,7 +141,7 @@ impl Prefix {
     /// Where package `name` would be.
     pub(super) fn folder(&self, name: &str) -> PathBuf {
         match self.layout {
-            Layout::Isolated => self.path.join(name).join("share").join(name),
+            InstallLayout::Isolated => self.path.join(name).join("share").join(name),
             _ => self.path.join("share").join(name),
         }
     }
@@ -151,9 +151,9 @@ impl Prefix {
 pub(super) fn overlays(workspace: &Path) -> [Prefix; 3] {
     let install = workspace.join("install");
     [
-        Prefix::new(install.clone(), Layout::Isolated),
-        Prefix::new(install, Layout::Merged),
-        Prefix::new(workspace.join("devel"), Layout::Devel),
+        Prefix::new(install.clone(), InstallLayout::Isolated),
+        Prefix::new(install, InstallLayout::Merged),
+        Prefix::new(workspace.join("devel"), InstallLayout::Devel),
     ]
 }
 
@@ -172,8 +172,8 @@ pub(super) fn own_prefixes(vfs: &Vfs, file: &Path) -> Vec<Prefix> {
     let beside = prefix
         .parent()
         .filter(|base| vfs.is_file(&base.join(".colcon_install_layout")));
-    let beside = beside.map(|base| Prefix::new(base.to_owned(), Layout::Isolated));
-    std::iter::once(Prefix::new(prefix.to_owned(), Layout::Merged))
+    let beside = beside.map(|base| Prefix::new(base.to_owned(), InstallLayout::Isolated));
+    std::iter::once(Prefix::new(prefix.to_owned(), InstallLayout::Merged))
         .chain(beside)
         .collect()
 }
@@ -207,6 +207,6 @@ pub(super) fn distributions(vfs: &Vfs, system: &Path, ros1: bool) -> Vec<Prefix>
     names.sort_by_key(|name| std::cmp::Reverse((ROS1.contains(name) == ros1, *name)));
     names
         .into_iter()
-        .map(|name| Prefix::new(system.join(name), Layout::Merged))
+        .map(|name| Prefix::new(system.join(name), InstallLayout::Merged))
         .collect()
 }

@@ -4,16 +4,16 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use super::cache::Cache;
-use super::hardware::Hardware;
+use super::cache::AnswerCache;
+use super::hardware::HardwareSources;
 use super::install::Build;
 use super::left_out::GitRules;
 use super::manifest::{MANIFEST, is_package_name, package_name};
 use super::package_sources::{
-    Layout, PackageSource, Prefix, distributions, overlays, own_prefixes,
+    InstallLayout, PackageSource, Prefix, distributions, overlays, own_prefixes,
 };
 use super::root::workspace_root;
-use super::scan::{Rules, Tree, scan};
+use super::scan::{PackageTree, Rules, scan};
 use super::similar::{edit_distance, has_part, is_another, nearest};
 use super::similar_files::Index;
 use base::FastSet;
@@ -21,7 +21,7 @@ use vfs::{Environment, Vfs, without_parents};
 
 /// Generation of ROS that files are written for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Target {
+pub enum RosVersion {
     /// ROS 1 (noetic and before).
     Ros1,
     /// ROS 2.
@@ -43,7 +43,7 @@ pub struct PackageOptions {
     /// Whether these come before all sources, as they do for the reference, which knows nothing else.
     pub environment_first: bool,
     /// Which distributions to prefer when the environment names none.
-    pub target: Target,
+    pub target: RosVersion,
     /// Where distributions are installed.
     pub system: PathBuf,
 }
@@ -56,7 +56,7 @@ impl Default for PackageOptions {
             search_upward: true,
             use_environment: true,
             environment_first: false,
-            target: Target::default(),
+            target: RosVersion::default(),
             system: PathBuf::from("/opt/ros"),
         }
     }
@@ -64,7 +64,7 @@ impl Default for PackageOptions {
 
 /// A package that was found.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Found {
+pub struct FoundPackage {
     /// Its folder, spelled as the reference would print it.
     pub path: PathBuf,
     /// The kind of place that gave it.
@@ -108,7 +108,7 @@ impl Package {
 
 /// A line of the table of all packages.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct PackageEntry {
     /// The package.
     pub name: String,
     /// Its folder.
@@ -125,20 +125,20 @@ pub struct Packages {
     pub(super) vfs: Arc<Vfs>,
     pub(super) env: Environment,
     options: PackageOptions,
-    trees: Cache<(PathBuf, Rules), Arc<Tree>>,
-    owners: Cache<PathBuf, Option<Package>>,
-    roots: Cache<PathBuf, Option<PathBuf>>,
-    installed: Cache<Prefix, Arc<Vec<String>>>,
-    pub(super) indexes: Cache<PathBuf, Arc<Index>>,
-    pub(super) builds: Cache<PathBuf, Arc<Build>>,
+    trees: AnswerCache<(PathBuf, Rules), Arc<PackageTree>>,
+    owners: AnswerCache<PathBuf, Option<Package>>,
+    roots: AnswerCache<PathBuf, Option<PathBuf>>,
+    installed: AnswerCache<Prefix, Arc<Vec<String>>>,
+    pub(super) indexes: AnswerCache<PathBuf, Arc<Index>>,
+    pub(super) builds: AnswerCache<PathBuf, Arc<Build>>,
     /// What the sources in C++ say about hardware, by folder.
-    pub(super) hardware: Cache<PathBuf, Arc<Hardware>>,
+    pub(super) hardware: AnswerCache<PathBuf, Arc<HardwareSources>>,
     /// What Git says about files, by folder.
-    pub(super) git_rules: Cache<PathBuf, Arc<GitRules>>,
+    pub(super) git_rules: AnswerCache<PathBuf, Arc<GitRules>>,
     /// Names of packages without a manifest, by folder.
-    pub(super) unlisted: Cache<PathBuf, Option<String>>,
+    pub(super) unlisted: AnswerCache<PathBuf, Option<String>>,
     /// Whether the build tools pass over a package, by folder.
-    pub(super) unbuilt: Cache<PathBuf, bool>,
+    pub(super) unbuilt: AnswerCache<PathBuf, bool>,
 }
 
 impl Packages {
@@ -148,16 +148,16 @@ impl Packages {
             vfs,
             env: env.clone(),
             options,
-            trees: Cache::default(),
-            owners: Cache::default(),
-            unbuilt: Cache::default(),
-            roots: Cache::default(),
-            installed: Cache::default(),
-            indexes: Cache::default(),
-            builds: Cache::default(),
-            hardware: Cache::default(),
-            git_rules: Cache::default(),
-            unlisted: Cache::default(),
+            trees: AnswerCache::default(),
+            owners: AnswerCache::default(),
+            unbuilt: AnswerCache::default(),
+            roots: AnswerCache::default(),
+            installed: AnswerCache::default(),
+            indexes: AnswerCache::default(),
+            builds: AnswerCache::default(),
+            hardware: AnswerCache::default(),
+            git_rules: AnswerCache::default(),
+            unlisted: AnswerCache::default(),
         }
     }
 
@@ -167,12 +167,12 @@ impl Packages {
     /// When no place has it. A text that cannot be the name of a package is found nowhere. Another package seems to be
     /// meant when at most two letters differ, or when one name is the other with words in front or behind; but not
     /// when the asking package depends on the one that is missing.
-    pub fn find(&self, name: &str, from_file: &Path) -> Result<Found, NotFound> {
+    pub fn find(&self, name: &str, from_file: &Path) -> Result<FoundPackage, NotFound> {
         let mut tried = Vec::new();
         if is_package_name(name) {
             for step in self.order() {
                 if let Some(path) = self.look(step, name, from_file, &mut tried) {
-                    return Ok(Found { path, step, tried });
+                    return Ok(FoundPackage { path, step, tried });
                 }
             }
         }
@@ -203,7 +203,7 @@ impl Packages {
         let mut others = known
             .iter()
             .filter(|entry| entry.step == PackageSource::Workspace);
-        let depends = |entry: &Entry| {
+        let depends = |entry: &PackageEntry| {
             text(&entry.path).is_some_and(|file| between_tags(&file.text).any(|own| own == name))
         };
         if declared().any(|declared| declared == name) || others.any(depends) {
@@ -216,13 +216,13 @@ impl Packages {
         );
         let near = near.filter(|near| edit_distance(name, near) <= SLIP && !is_another(name, near));
         // only among sources: of all that is installed, something always begins alike
-        let is_source = |entry: &&Entry| {
+        let is_source = |entry: &&PackageEntry| {
             entry.step <= PackageSource::Workspace && entry.step != PackageSource::OwnPackage
         };
         let sources = known.iter().filter(is_source);
         let longer = || {
             let is_alike =
-                |entry: &&Entry| has_part(&entry.name, name) || has_part(name, &entry.name);
+                |entry: &&PackageEntry| has_part(&entry.name, name) || has_part(name, &entry.name);
             let alike = sources
                 .clone()
                 .filter(is_alike)
@@ -230,7 +230,7 @@ impl Packages {
             // a package that adapts another one carries its name: the own package proves nothing
             let own = self.containing(from).map(|own| own.name);
             let alike = alike.filter(|entry| own.as_ref() != Some(&entry.name));
-            let nearness = |entry: &&Entry| entry.name.len().abs_diff(name.len());
+            let nearness = |entry: &&PackageEntry| entry.name.len().abs_diff(name.len());
             Some(alike.min_by_key(nearness)?.name.as_str())
         };
         near.or_else(longer).map(str::to_owned)
@@ -265,15 +265,15 @@ impl Packages {
     }
 
     /// Every package that can be named from `from_file`, in the order of the look-up.
-    pub fn all(&self, from_file: &Path) -> Vec<Entry> {
-        let mut entries: Vec<Entry> = Vec::new();
+    pub fn all(&self, from_file: &Path) -> Vec<PackageEntry> {
+        let mut entries: Vec<PackageEntry> = Vec::new();
         let mut names = FastSet::default();
         let mut places = FastSet::default();
         for step in self.order() {
             for (name, path) in self.list(step, from_file) {
                 if places.insert((name.clone(), path.clone())) {
                     let shadowed = !names.insert(name.clone());
-                    entries.push(Entry {
+                    entries.push(PackageEntry {
                         name,
                         path,
                         step,
@@ -462,18 +462,19 @@ impl Packages {
                 .flat_map(|folder| overlays(folder))
                 .collect(),
             PackageSource::AmentPrefixPath => {
-                self.env_prefixes("AMENT_PREFIX_PATH", &[Layout::Indexed])
+                self.env_prefixes("AMENT_PREFIX_PATH", &[InstallLayout::Indexed])
             }
-            PackageSource::ColconPrefixPath => {
-                self.env_prefixes("COLCON_PREFIX_PATH", &[Layout::Isolated, Layout::Merged])
-            }
+            PackageSource::ColconPrefixPath => self.env_prefixes(
+                "COLCON_PREFIX_PATH",
+                &[InstallLayout::Isolated, InstallLayout::Merged],
+            ),
             PackageSource::OwnPrefix => own_prefixes(&self.vfs, &self.vfs.absolute(from)),
             PackageSource::Distribution => self.distributions(),
             _ => Vec::new(),
         }
     }
 
-    fn env_prefixes(&self, variable: &str, layouts: &[Layout]) -> Vec<Prefix> {
+    fn env_prefixes(&self, variable: &str, layouts: &[InstallLayout]) -> Vec<Prefix> {
         let paths = self.env.paths(variable).into_iter();
         paths
             .flat_map(|path| {
@@ -530,7 +531,7 @@ impl Packages {
     /// The distribution the environment names, else all of them.
     fn distributions(&self) -> Vec<Prefix> {
         let system = &self.options.system;
-        let mut all = distributions(&self.vfs, system, self.options.target == Target::Ros1);
+        let mut all = distributions(&self.vfs, system, self.options.target == RosVersion::Ros1);
         if self.options.use_environment {
             let named = self
                 .env
@@ -557,7 +558,7 @@ impl Packages {
     }
 
     /// The packages below `top`.
-    fn tree(&self, top: &Path, rules: Rules) -> Arc<Tree> {
+    fn tree(&self, top: &Path, rules: Rules) -> Arc<PackageTree> {
         self.trees.get((top.to_owned(), rules), || {
             Arc::new(scan(&self.vfs, top, rules))
         })

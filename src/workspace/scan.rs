@@ -43,13 +43,13 @@ impl Rules {
 
 /// The packages of a tree, those nearest to its top first, then by path.
 #[derive(Debug, Default)]
-pub(super) struct Tree {
+pub(super) struct PackageTree {
     packages: Vec<(String, PathBuf)>,
     by_name: FastMap<String, Vec<PathBuf>>,
     unlisted: Vec<PathBuf>,
 }
 
-impl Tree {
+impl PackageTree {
     /// The package of that name. Of several, as in a folder with several workspaces, the one that shares most folders with
     /// `from`, and of those the first.
     pub(super) fn get(&self, name: &str, from: &Path) -> Option<&Path> {
@@ -74,8 +74,8 @@ impl Tree {
 
 /// Search `top` and everything below. Paths in the result start with `top` as it is spelled; links are
 /// followed, but no folder is visited twice.
-pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> Tree {
-    let mut tree = Tree::default();
+pub(super) fn scan(vfs: &Vfs, top: &Path, rules: Rules) -> PackageTree {
+    let mut tree = PackageTree::default();
     let mut seen: FastSet<u128> = FastSet::default();
     // A link to a folder above the top would lead out into the rest of the disk.
     seen.extend(

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::manifest::MANIFEST;
-use super::{Packages, Target};
+use super::{Packages, RosVersion};
 
 /// A variable that every shell of ROS has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,21 +25,25 @@ impl Packages {
             _ => return None,
         };
         Some(match self.generation(root) {
-            Some(Target::Ros1) => RosVariable::Value(ros1),
-            Some(Target::Ros2) => RosVariable::Value(ros2),
+            Some(RosVersion::Ros1) => RosVariable::Value(ros1),
+            Some(RosVersion::Ros2) => RosVariable::Value(ros2),
             None => RosVariable::Unknown,
         })
     }
 
     /// The generation of ROS that the package around a file is built for: ROS 1 when only catkin builds it.
-    pub fn generation(&self, file: &Path) -> Option<Target> {
+    pub fn generation(&self, file: &Path) -> Option<RosVersion> {
         let package = self.containing(file)?;
         let manifest = self.vfs.text(&package.folder.join(MANIFEST)).ok()?;
         let tools = manifest.text.split("<buildtool_depend").skip(1);
         let mut tools = tools.filter_map(|tool| tool.split_once('>')?.1.split('<').next());
         let is_ros1 =
             tools.any(|tool| tool.trim() == "catkin") && !manifest.text.contains("ament_");
-        Some(if is_ros1 { Target::Ros1 } else { Target::Ros2 })
+        Some(if is_ros1 {
+            RosVersion::Ros1
+        } else {
+            RosVersion::Ros2
+        })
     }
 }
 

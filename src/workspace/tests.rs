@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{PackageOptions, Packages, Target};
+use super::{PackageOptions, Packages, RosVersion};
 use vfs::testing::Tree;
 
 const INDEX: &str = "share/ament_index/resource_index/packages";
@@ -452,22 +452,22 @@ fn distributions_go_newest_first_unless_one_is_named() {
     }
     package(&tree, "opt/ros/noetic/share/old", "old");
     type Vars<'a> = &'a [(&'a str, &'a str)];
-    let table: [(Vars<'_>, Target, &str); 5] = [
-        (&[], Target::Ros2, "/opt/ros opt/ros/jazzy/share/p"),
-        (&[], Target::Ros1, "/opt/ros opt/ros/noetic/share/p"),
+    let table: [(Vars<'_>, RosVersion, &str); 5] = [
+        (&[], RosVersion::Ros2, "/opt/ros opt/ros/jazzy/share/p"),
+        (&[], RosVersion::Ros1, "/opt/ros opt/ros/noetic/share/p"),
         (
             &[("ROS_DISTRO", "humble")],
-            Target::Ros2,
+            RosVersion::Ros2,
             "/opt/ros opt/ros/humble/share/p",
         ),
         (
             &[("AMENT_PREFIX_PATH", "{root}/opt/ros/humble")],
-            Target::Ros2,
+            RosVersion::Ros2,
             "/opt/ros opt/ros/humble/share/p",
         ),
         (
             &[("ROS_DISTRO", "gone")],
-            Target::Ros2,
+            RosVersion::Ros2,
             "/opt/ros opt/ros/jazzy/share/p",
         ),
     ];

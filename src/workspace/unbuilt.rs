@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::manifest::{MANIFEST, package_name};
-use super::{Package, Packages, Target};
+use super::{Package, Packages, RosVersion};
 use vfs::DirEntry;
 
 /// Files that have colcon pass over a folder and all that lies below it.
@@ -49,7 +49,7 @@ impl Packages {
     }
 
     fn is_for_catkin(&self, file: &Path) -> bool {
-        self.generation(file) == Some(Target::Ros1)
+        self.generation(file) == Some(RosVersion::Ros1)
     }
 
     /// Whether a folder above a package is a package of the same name, since tools look for none inside of one, or the top of a

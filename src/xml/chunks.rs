@@ -33,7 +33,7 @@ struct Chunk {
 
 /// A position in the list: an item, and the bytes and line ends before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub(super) struct Mark {
+pub(super) struct ChunkPosition {
     pub(super) index: usize,
     pub(super) bytes: u32,
     pub(super) lines: u32,
@@ -93,10 +93,10 @@ impl Chunks {
 
     /// The last place where `before` still holds of what lies before it; chunks first, then items.
     /// `before` must be true at the start and must not become true again once it is false.
-    fn seek(&self, before: impl Fn(Mark) -> bool) -> Mark {
-        let mut mark = Mark::default();
+    fn seek(&self, before: impl Fn(ChunkPosition) -> bool) -> ChunkPosition {
+        let mut mark = ChunkPosition::default();
         for chunk in &self.list {
-            let next = Mark {
+            let next = ChunkPosition {
                 index: mark.index + chunk.items.len(),
                 bytes: mark.bytes + chunk.bytes,
                 lines: mark.lines + chunk.lines,
@@ -106,7 +106,7 @@ impl Chunks {
                 continue;
             }
             for item in chunk.items.iter() {
-                let next = Mark {
+                let next = ChunkPosition {
                     index: mark.index + 1,
                     bytes: mark.bytes + item.len(),
                     lines: mark.lines + item.lines,
@@ -121,18 +121,18 @@ impl Chunks {
     }
 
     /// The item that holds byte `offset`; behind the last one for offsets beyond.
-    pub(super) fn at_offset(&self, offset: u32) -> Mark {
+    pub(super) fn at_offset(&self, offset: u32) -> ChunkPosition {
         self.seek(|mark| mark.bytes <= offset)
     }
 
     /// The item in which line `line` (counted from the start of the list) begins: the one with the line end
     /// before it, for lines from 1.
-    pub(super) fn at_line(&self, line: u32) -> Mark {
+    pub(super) fn at_line(&self, line: u32) -> ChunkPosition {
         self.seek(|mark| mark.lines < line)
     }
 
     /// The item with this number.
-    pub(super) fn at_index(&self, index: usize) -> Mark {
+    pub(super) fn at_index(&self, index: usize) -> ChunkPosition {
         self.seek(|mark| mark.index <= index)
     }
 
@@ -197,8 +197,8 @@ impl Chunks {
     }
 
     /// The first item that depends on the byte at `offset`.
-    pub(super) fn first_reaching(&self, offset: u32) -> Option<Mark> {
-        let mut mark = Mark::default();
+    pub(super) fn first_reaching(&self, offset: u32) -> Option<ChunkPosition> {
+        let mut mark = ChunkPosition::default();
         for chunk in &self.list {
             let end = mark.bytes + chunk.bytes;
             if !chunk.far && end <= offset {

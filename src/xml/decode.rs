@@ -56,7 +56,7 @@ pub(super) fn references(text: &str) -> impl Iterator<Item = (usize, Reference<'
 
 /// Where text stands, which decides what becomes of its white space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum TextContext {
     /// In an element: line ends become LF.
     Text,
     /// In an attribute: white space becomes blanks.
@@ -65,18 +65,18 @@ pub(super) enum Place {
     Replacement,
 }
 
-impl Place {
+impl TextContext {
     fn new(is_attr: bool) -> Self {
         if is_attr {
-            Place::Attribute
+            TextContext::Attribute
         } else {
-            Place::Text
+            TextContext::Text
         }
     }
 }
 
 /// A piece of a value.
-pub(super) enum Piece<'t> {
+pub(super) enum ValuePiece<'t> {
     /// As written.
     Text(&'t str),
     /// Written in another way.
@@ -86,7 +86,10 @@ pub(super) enum Piece<'t> {
 }
 
 /// The pieces of the value of raw text, each with the raw range it comes from.
-pub(super) fn pieces(raw: &str, place: Place) -> impl Iterator<Item = (Piece<'_>, Range<usize>)> {
+pub(super) fn pieces(
+    raw: &str,
+    place: TextContext,
+) -> impl Iterator<Item = (ValuePiece<'_>, Range<usize>)> {
     let mut at = 0;
     std::iter::from_fn(move || {
         let start = at;
@@ -101,31 +104,35 @@ pub(super) fn pieces(raw: &str, place: Place) -> impl Iterator<Item = (Piece<'_>
             at += 1;
         }
         let text = raw.get(start..at).filter(|text| !text.is_empty())?;
-        Some((Piece::Text(text), start..at))
+        Some((ValuePiece::Text(text), start..at))
     })
 }
 
 /// The piece at `at`, if it does not stand for itself, and the offset behind it.
-fn special(raw: &str, at: usize, place: Place) -> Option<(Piece<'_>, usize)> {
+fn special(raw: &str, at: usize, place: TextContext) -> Option<(ValuePiece<'_>, usize)> {
     let bytes = raw.as_bytes();
     match bytes.get(at)? {
         b'&' => match read_reference(raw, at) {
-            Reference::Char(Some(c), end) => Some((Piece::Char(c), end)),
-            Reference::Entity { name, end } => Some((Piece::Entity(name), end)),
+            Reference::Char(Some(c), end) => Some((ValuePiece::Char(c), end)),
+            Reference::Entity { name, end } => Some((ValuePiece::Entity(name), end)),
             Reference::Char(None, _) | Reference::Bad(_) => None,
         },
-        b'\r' if place != Place::Replacement => {
+        b'\r' if place != TextContext::Replacement => {
             let len = if bytes.get(at + 1) == Some(&b'\n') {
                 2
             } else {
                 1
             };
             Some((
-                Piece::Char(if place == Place::Attribute { ' ' } else { '\n' }),
+                ValuePiece::Char(if place == TextContext::Attribute {
+                    ' '
+                } else {
+                    '\n'
+                }),
                 at + len,
             ))
         }
-        b'\n' | b'\t' if place == Place::Attribute => Some((Piece::Char(' '), at + 1)),
+        b'\n' | b'\t' if place == TextContext::Attribute => Some((ValuePiece::Char(' '), at + 1)),
         _ => None,
     }
 }
@@ -134,7 +141,7 @@ fn special(raw: &str, at: usize, place: Place) -> Option<(Piece<'_>, usize)> {
 /// from those to external entities, which are empty.
 pub fn decode<'t>(raw: &'t str, entities: &Entities, is_attr: bool) -> Cow<'t, str> {
     let mut out = String::with_capacity(raw.len());
-    for (piece, range) in pieces(raw, Place::new(is_attr)) {
+    for (piece, range) in pieces(raw, TextContext::new(is_attr)) {
         push(&mut out, &piece, raw, range, entities, is_attr);
         if out.len() > VALUE_BYTES.max(raw.len()) {
             break;
@@ -145,16 +152,16 @@ pub fn decode<'t>(raw: &'t str, entities: &Entities, is_attr: bool) -> Cow<'t, s
 
 fn push(
     out: &mut String,
-    piece: &Piece<'_>,
+    piece: &ValuePiece<'_>,
     raw: &str,
     range: Range<usize>,
     entities: &Entities,
     is_attr: bool,
 ) {
     match *piece {
-        Piece::Text(text) => out.push_str(text),
-        Piece::Char(c) => out.push(c),
-        Piece::Entity(name) => match entities.value(name, is_attr) {
+        ValuePiece::Text(text) => out.push_str(text),
+        ValuePiece::Char(c) => out.push(c),
+        ValuePiece::Entity(name) => match entities.value(name, is_attr) {
             Ok(value) => out.push_str(&value),
             Err(EntityFault::ExternalInAttribute) => {}
             Err(_) => out.push_str(raw.get(range).unwrap_or("")),
@@ -175,7 +182,7 @@ pub fn source_offset(
 
 /// The same for many offsets: one pass, as long as each is behind the one before.
 pub fn source_offsets(raw: &str, entities: &Entities, is_attr: bool) -> impl FnMut(usize) -> usize {
-    let place = Place::new(is_attr);
+    let place = TextContext::new(is_attr);
     let (mut rest, mut out) = (pieces(raw, place), String::new());
     // the piece reached: where it stands, whether it stands for itself, and where its value begins and ends
     let (mut start, mut is_text, mut begin, mut end) = (0, false, 0, 0);
@@ -188,7 +195,7 @@ pub fn source_offsets(raw: &str, entities: &Entities, is_attr: bool) -> impl FnM
                 return raw.len();
             };
             out.clear();
-            (start, is_text) = (range.start, matches!(piece, Piece::Text(_)));
+            (start, is_text) = (range.start, matches!(piece, ValuePiece::Text(_)));
             push(&mut out, &piece, raw, range, entities, is_attr);
             (begin, end) = (end, end + out.len());
         }

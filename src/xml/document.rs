@@ -8,7 +8,7 @@ use super::entities::Entities;
 use super::item::Item;
 use super::line_table::LineTable;
 use super::node::{Node, Siblings};
-use super::parse::{Footer, Header, Parser, RootState, Step};
+use super::parse::{Footer, Header, ItemParser, ParseStep, RootState};
 use base::limits::XML_BYTES;
 use base::{FastMap, TextRange, last_line_start, line_end};
 
@@ -18,12 +18,12 @@ pub struct Document {
     pub(super) header: Arc<Item>,
     pub(super) items: Chunks,
     pub(super) footer: Footer,
-    pub(super) context: Arc<Context>,
+    pub(super) context: Arc<HeaderContext>,
     pub(super) lines: LineTable,
 }
 
 /// What the header says about the rest.
-pub(super) struct Context {
+pub(super) struct HeaderContext {
     pub(super) root: RootState,
     pub(super) root_name: Box<str>,
     pub(super) entities: Arc<Entities>,
@@ -32,7 +32,7 @@ pub(super) struct Context {
 
 /// Which part of a document an offset lies in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum DocumentPart {
     /// The prolog and the root's start tag.
     Header,
     /// The item with this number.
@@ -43,9 +43,9 @@ pub enum Part {
 
 /// Where an offset lies.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<'a> {
+pub struct DocumentPosition<'a> {
     /// Which part.
-    pub part: Part,
+    pub part: DocumentPart,
     /// Absolute offset of the part.
     pub start: u32,
     /// Its text and tree.
@@ -59,19 +59,19 @@ impl Document {
         let text = text
             .get(..text.floor_char_boundary(XML_BYTES))
             .unwrap_or("");
-        let mut parser = Parser::new(text, "", true);
+        let mut parser = ItemParser::new(text, "", true);
         let header = parser.header();
         let mut items = Vec::new();
         let footer = match header.root {
             RootState::Open => loop {
                 match parser.step() {
-                    Step::Item(item) => items.push(Arc::new(item)),
-                    Step::Footer(footer) => break footer,
+                    ParseStep::Item(item) => items.push(Arc::new(item)),
+                    ParseStep::Footer(footer) => break footer,
                 }
             },
             RootState::Missing | RootState::Empty => parser.bare_footer(),
         };
-        let (header, context) = Context::split(header);
+        let (header, context) = HeaderContext::split(header);
         Document {
             header,
             items: Chunks::new(items),
@@ -204,11 +204,11 @@ impl Document {
             .chain(footer)
     }
 
-    pub(super) fn parts_from(&self, part: Part) -> impl Iterator<Item = &Arc<Item>> {
+    pub(super) fn parts_from(&self, part: DocumentPart) -> impl Iterator<Item = &Arc<Item>> {
         let (header, index) = match part {
-            Part::Header => (Some(&self.header), 0),
-            Part::Item(index) => (None, index),
-            Part::Footer => (None, usize::MAX),
+            DocumentPart::Header => (Some(&self.header), 0),
+            DocumentPart::Item(index) => (None, index),
+            DocumentPart::Footer => (None, usize::MAX),
         };
         header
             .into_iter()
@@ -229,24 +229,24 @@ impl Document {
     }
 
     /// The part that holds the byte at `offset`.
-    pub fn item_at(&self, offset: u32) -> Place<'_> {
+    pub fn item_at(&self, offset: u32) -> DocumentPosition<'_> {
         let head = self.header.len();
         if offset < head || self.context.root == RootState::Missing {
-            return Place {
-                part: Part::Header,
+            return DocumentPosition {
+                part: DocumentPart::Header,
                 start: 0,
                 item: &self.header,
             };
         }
         let mark = self.items.at_offset(offset - head);
         match self.items.get(mark.index) {
-            Some(item) => Place {
-                part: Part::Item(mark.index),
+            Some(item) => DocumentPosition {
+                part: DocumentPart::Item(mark.index),
                 start: head + mark.bytes,
                 item,
             },
-            None => Place {
-                part: Part::Footer,
+            None => DocumentPosition {
+                part: DocumentPart::Footer,
                 start: head + mark.bytes,
                 item: &self.footer.item,
             },
@@ -295,8 +295,8 @@ impl Document {
     }
 }
 
-impl Context {
-    pub(super) fn split(header: Header) -> (Arc<Item>, Context) {
+impl HeaderContext {
+    pub(super) fn split(header: Header) -> (Arc<Item>, HeaderContext) {
         let Header {
             item,
             root,
@@ -306,7 +306,7 @@ impl Context {
         } = header;
         (
             item,
-            Context {
+            HeaderContext {
                 root,
                 root_name,
                 entities: Arc::new(entities),

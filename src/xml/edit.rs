@@ -3,10 +3,10 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use super::document::{Context, Document, Part};
+use super::document::{Document, DocumentPart, HeaderContext};
 use super::item::Item;
 use super::line_table::LineTable;
-use super::parse::{Footer, Header, Parser, RootState, Step};
+use super::parse::{Footer, Header, ItemParser, ParseStep, RootState};
 use base::TextRange;
 use base::limits::XML_BYTES;
 
@@ -29,15 +29,15 @@ impl Document {
     }
 
     /// Parse what the edit touches. `None` if that may be everything.
-    fn reparse(&self, start: u32, end: u32, replacement: &str) -> Option<Change> {
+    fn reparse(&self, start: u32, end: u32, replacement: &str) -> Option<DocumentChange> {
         if self.context.root != RootState::Open {
             return None;
         }
         let (first, offset) = self.first_dirty(start);
-        let mut window = Window::new(self.parts_from(first), self.number(first), offset);
+        let mut window = EditWindow::new(self.parts_from(first), self.number(first), offset);
         window.fill(end);
         window.replace(start, end, replacement);
-        let header = if first == Part::Header {
+        let header = if first == DocumentPart::Header {
             Some(window.header())
         } else {
             None
@@ -53,7 +53,7 @@ impl Document {
             return None;
         }
         let (items, rest) = window.run(name);
-        Some(Change {
+        Some(DocumentChange {
             header,
             first: self.number(first).saturating_sub(1),
             items,
@@ -61,11 +61,11 @@ impl Document {
         })
     }
 
-    fn apply(&mut self, change: Change) {
+    fn apply(&mut self, change: DocumentChange) {
         self.lines = LineTable::default();
         let mut renamed = false;
         if let Some(header) = change.header {
-            let (header, context) = Context::split(header);
+            let (header, context) = HeaderContext::split(header);
             renamed = context.root_name != self.context.root_name;
             (self.header, self.context) = (header, Arc::new(context));
         }
@@ -73,7 +73,11 @@ impl Document {
         if renamed {
             // Only the root's end tag knows its name.
             let part = self.item_count() + 1;
-            let window = Window::new(self.parts_from(Part::Footer), part, self.footer_start());
+            let window = EditWindow::new(
+                self.parts_from(DocumentPart::Footer),
+                part,
+                self.footer_start(),
+            );
             let (items, rest) = window.forced().run(&self.context.root_name);
             self.replace_items(part - 1, items, rest);
         }
@@ -91,11 +95,11 @@ impl Document {
     }
 
     /// The number of a part: 0 for the header, items from 1, then the footer.
-    fn number(&self, part: Part) -> usize {
+    fn number(&self, part: DocumentPart) -> usize {
         match part {
-            Part::Header => 0,
-            Part::Item(index) => index + 1,
-            Part::Footer => self.item_count() + 1,
+            DocumentPart::Header => 0,
+            DocumentPart::Item(index) => index + 1,
+            DocumentPart::Footer => self.item_count() + 1,
         }
     }
 
@@ -130,13 +134,13 @@ impl Document {
     }
 
     /// The first part that a change of the text from `offset` on touches, and its offset.
-    fn first_dirty(&self, offset: u32) -> (Part, u32) {
+    fn first_dirty(&self, offset: u32) -> (DocumentPart, u32) {
         if self.header.lookahead() > offset {
-            return (Part::Header, 0);
+            return (DocumentPart::Header, 0);
         }
         let head = self.header.len();
         if let Some(mark) = self.items.first_reaching(offset - head) {
-            return (Part::Item(mark.index), head + mark.bytes);
+            return (DocumentPart::Item(mark.index), head + mark.bytes);
         }
         let place = self.item_at(offset);
         (place.part, place.start)
@@ -144,7 +148,7 @@ impl Document {
 }
 
 /// What an edit does to a document.
-struct Change {
+struct DocumentChange {
     header: Option<Header>,
     /// The first item to replace.
     first: usize,
@@ -161,7 +165,7 @@ enum Rest {
 }
 
 /// A range of edited text that grows part by part as the parser asks for more.
-struct Window<I: Iterator> {
+struct EditWindow<I: Iterator> {
     text: String,
     /// Where old parts begin in the text, behind the edit: offset and number.
     bounds: VecDeque<(usize, usize)>,
@@ -175,7 +179,7 @@ struct Window<I: Iterator> {
     forced: bool,
 }
 
-impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
+impl<'d, I: Iterator<Item = &'d Arc<Item>>> EditWindow<I> {
     fn new(parts: I, next: usize, offset: u32) -> Self {
         // Nothing can go before the header.
         let bounds = (next > 0).then_some((0, next)).into_iter().collect();
@@ -260,7 +264,7 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
     /// Parse the header and move behind it.
     fn header(&mut self) -> Header {
         loop {
-            let mut parser = Parser::new(&self.text, "", self.is_final);
+            let mut parser = ItemParser::new(&self.text, "", self.is_final);
             let header = parser.header();
             if !parser.needs_more_input() {
                 let done = parser.pos();
@@ -276,7 +280,7 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
         let mut items = Vec::new();
         loop {
             let text = std::mem::take(&mut self.text);
-            let mut parser = Parser::new(&text, root_name, self.is_final);
+            let mut parser = ItemParser::new(&text, root_name, self.is_final);
             let mut done = 0;
             loop {
                 if let Some(part) = self.part_at(done) {
@@ -291,8 +295,8 @@ impl<'d, I: Iterator<Item = &'d Arc<Item>>> Window<I> {
                 }
                 done = parser.pos();
                 match step {
-                    Step::Item(item) => items.push(Arc::new(item)),
-                    Step::Footer(footer) => return (items, Rest::Footer(footer)),
+                    ParseStep::Item(item) => items.push(Arc::new(item)),
+                    ParseStep::Footer(footer) => return (items, Rest::Footer(footer)),
                 }
             }
             self.text = text;

@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use super::decode::{Piece, Place, Reference, pieces, references};
+use super::decode::{Reference, TextContext, ValuePiece, pieces, references};
 use super::document::Document;
 use super::error::{SyntaxErrorKind, expat};
 use base::FastMap;
@@ -12,7 +12,7 @@ use base::limits::{ENTITIES_BYTES, ENTITY_BYTES, ENTITY_DEPTH};
 /// The general entities a document declares, and the five it need not declare.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Entities {
-    declared: FastMap<Box<str>, Declared>,
+    declared: FastMap<Box<str>, DeclaredEntity>,
     /// Declarations may hide in places that are not read, so an unknown entity is no error but empty.
     pub(super) incomplete: bool,
     /// The XML declaration says that there are no such declarations.
@@ -24,7 +24,7 @@ pub struct Entities {
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Declared {
+struct DeclaredEntity {
     entity: Entity,
     /// Values in text and in an attribute, once they are known.
     values: [Option<Result<Box<str>, EntityFault>>; 2],
@@ -62,7 +62,7 @@ pub(super) enum EntityFault {
 impl Entities {
     pub(super) fn declare(&mut self, name: &str, entity: Entity) {
         // The first declaration counts.
-        let declared = Declared {
+        let declared = DeclaredEntity {
             entity,
             values: [None, None],
         };
@@ -146,15 +146,17 @@ impl Entities {
         for (piece, _) in pieces(
             &text,
             if is_attr {
-                Place::Attribute
+                TextContext::Attribute
             } else {
-                Place::Replacement
+                TextContext::Replacement
             },
         ) {
             match piece {
-                Piece::Text(text) => out.push_str(text),
-                Piece::Char(c) => out.push(c),
-                Piece::Entity(name) => out.push_str(&self.resolve_one(name, is_attr, depth + 1)?),
+                ValuePiece::Text(text) => out.push_str(text),
+                ValuePiece::Char(c) => out.push(c),
+                ValuePiece::Entity(name) => {
+                    out.push_str(&self.resolve_one(name, is_attr, depth + 1)?)
+                }
             }
             if out.len() > ENTITY_BYTES || self.total + out.len() > ENTITIES_BYTES {
                 return Err(EntityFault::TooLarge);

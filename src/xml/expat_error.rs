@@ -1,6 +1,6 @@
 //! The errors of a document: those of its items, in the light of its header.
 
-use super::document::{Context, Document};
+use super::document::{Document, HeaderContext};
 use super::entities::EntityFault;
 use super::error::{Condition, ItemError, Namespace, SyntaxError, SyntaxErrorKind, expat};
 use super::item::Item;
@@ -14,7 +14,7 @@ impl Document {
     /// Everything a conforming, non-validating, namespace-aware parser rejects, in the order expat would
     /// meet it: the first error is the one expat reports. Ranges are absolute. At most 1000 errors.
     pub fn errors(&self) -> Vec<SyntaxError> {
-        let mut found = Found::default();
+        let mut found = OrderedErrors::default();
         let head = self.header.len();
         found.add(&self.context, 0, &self.header);
         let quiet = |prefix: &str| self.context.namespaces.contains_key(prefix);
@@ -32,7 +32,7 @@ impl Document {
 
 /// Errors on their way into the order in which expat would meet them.
 #[derive(Default)]
-struct Found<'a> {
+struct OrderedErrors<'a> {
     errors: Vec<SyntaxError>,
     /// Prefixes reported so far.
     prefixes: FastSet<&'a str>,
@@ -42,8 +42,8 @@ struct Found<'a> {
     min_offset: u32,
 }
 
-impl<'a> Found<'a> {
-    fn add(&mut self, context: &Context, start: u32, item: &'a Item) {
+impl<'a> OrderedErrors<'a> {
+    fn add(&mut self, context: &HeaderContext, start: u32, item: &'a Item) {
         for stored in item.errors() {
             let Some(mut error) = context.judge(&stored, item) else {
                 continue;
@@ -125,7 +125,7 @@ impl Document {
     }
 }
 
-impl Context {
+impl HeaderContext {
     /// The address that a prefix inside an item stands for; none when it is not bound.
     fn uri<'a>(&'a self, namespace: &'a Namespace) -> Option<&'a str> {
         match namespace {

@@ -15,7 +15,7 @@ pub struct Item {
     pub(super) text: Box<str>,
     pub(super) nodes: Box<[NodeData]>,
     pub(super) attrs: Box<[AttrData]>,
-    pub(super) extra: Option<Box<Extra>>,
+    pub(super) extra: Option<Box<ItemDetails>>,
     /// The only thing that could be wrong: a prefix that the root must declare. Most items of xacro have that.
     outer: Option<UnboundPrefix>,
     /// Line ends in `text`.
@@ -32,8 +32,8 @@ struct UnboundPrefix {
 
 impl UnboundPrefix {
     /// The only error of an item, if it is one of these.
-    fn of(extra: &Extra) -> Option<Self> {
-        let Extra {
+    fn of(extra: &ItemDetails) -> Option<Self> {
+        let ItemDetails {
             errors,
             entity_uses,
             lookahead: 0,
@@ -76,7 +76,7 @@ impl UnboundPrefix {
 
 /// What few items have.
 #[derive(Default)]
-pub(super) struct Extra {
+pub(super) struct ItemDetails {
     /// In the order expat would meet them.
     pub(super) errors: Box<[ItemError]>,
     /// Length of the text the parser looked at to shape this item, when that goes beyond its end;
@@ -102,7 +102,7 @@ impl Item {
         lines: u32,
         nodes: &[NodeData],
         attrs: &[AttrData],
-        extra: Option<Extra>,
+        extra: Option<ItemDetails>,
     ) -> Self {
         let outer = extra.as_ref().and_then(UnboundPrefix::of);
         Self {

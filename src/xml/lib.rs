@@ -19,7 +19,7 @@ mod positions;
 
 pub use decode::{decode as decode_text, source_offset, source_offsets};
 pub use doctype::printed_doctype;
-pub use document::{Document, Part, Place};
+pub use document::{Document, DocumentPart, DocumentPosition};
 pub use entities::Entities;
 pub use error::{SyntaxError, SyntaxErrorKind};
 pub use item::Item;

@@ -17,7 +17,7 @@ const STEP: usize = 256;
 pub(super) struct LineTable {
     /// Bytes that were looked at.
     spent: AtomicU32,
-    table: OnceLock<Arc<Table>>,
+    table: OnceLock<Arc<EntryTable>>,
 }
 
 impl Clone for LineTable {
@@ -36,14 +36,17 @@ impl Clone for LineTable {
 
 impl LineTable {
     /// The table, when it is worth it.
-    pub fn get(&self, document: &Document) -> Option<&Table> {
+    pub fn get(&self, document: &Document) -> Option<&EntryTable> {
         if let Some(table) = self.table.get() {
             return Some(table);
         }
         if self.spent.load(Ordering::Relaxed) <= document.len() {
             return None;
         }
-        Some(self.table.get_or_init(|| Arc::new(Table::of(document))))
+        Some(
+            self.table
+                .get_or_init(|| Arc::new(EntryTable::of(document))),
+        )
     }
 
     /// A question was answered without the table.
@@ -55,7 +58,7 @@ impl LineTable {
 
 /// A place in the text, at the start of a character.
 #[derive(Clone, Copy, Default)]
-struct Entry {
+struct LineEntry {
     offset: u32,
     line: u32,
     /// Where the line begins.
@@ -65,14 +68,14 @@ struct Entry {
 }
 
 /// Entries all along a text.
-pub(super) struct Table {
-    entries: Vec<Entry>,
+pub(super) struct EntryTable {
+    entries: Vec<LineEntry>,
 }
 
-impl Table {
+impl EntryTable {
     fn of(document: &Document) -> Self {
-        let mut entries = vec![Entry::default()];
-        let mut now = Entry::default();
+        let mut entries = vec![LineEntry::default()];
+        let mut now = LineEntry::default();
         let mut next = STEP;
         let mut chars = document.chars_from(0).peekable();
         while let Some(c) = chars.next() {
@@ -85,7 +88,7 @@ impl Table {
             let crlf = c == '\r' && chars.peek().is_some_and(|&c| c == '\n');
             now.offset = end;
             if (c == '\n' || c == '\r') && !crlf {
-                now = Entry {
+                now = LineEntry {
                     offset: end,
                     line: now.line + 1,
                     start: end,
@@ -117,7 +120,7 @@ impl Table {
             }
             now.offset = end;
             if (c == '\n' || c == '\r') && !crlf {
-                now = Entry {
+                now = LineEntry {
                     offset: end,
                     line: now.line + 1,
                     start: end,

@@ -1,6 +1,6 @@
 //! Offsets to lines and columns and back, without a copy of the text or a table of lines.
 
-use super::document::{Document, Part};
+use super::document::{Document, DocumentPart};
 use super::item::Item;
 use base::{Encoding, LineCol, TextRange, last_line_start, line_end, nth_line_start};
 use std::sync::Arc;
@@ -107,21 +107,21 @@ impl Document {
     }
 
     /// Where a line begins: the part, its offset, the offset in it.
-    fn line_start(&self, line: u32) -> Option<(Part, u32, usize)> {
+    fn line_start(&self, line: u32) -> Option<(DocumentPart, u32, usize)> {
         if line <= self.header.lines {
             let inside = if line == 0 {
                 0
             } else {
                 nth_line_start(self.header.text(), line)?
             };
-            return Some((Part::Header, 0, inside));
+            return Some((DocumentPart::Header, 0, inside));
         }
         let line = line - self.header.lines;
         let mark = self.items.at_line(line);
         let start = self.header.len() + mark.bytes;
         let (part, item) = match self.items.get(mark.index) {
-            Some(item) => (Part::Item(mark.index), item),
-            None => (Part::Footer, &self.footer.item),
+            Some(item) => (DocumentPart::Item(mark.index), item),
+            None => (DocumentPart::Footer, &self.footer.item),
         };
         Some((part, start, nth_line_start(item.text(), line - mark.lines)?))
     }

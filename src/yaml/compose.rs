@@ -2,19 +2,19 @@
 
 use std::borrow::Cow;
 
-use super::error::{Failure, repr};
+use super::error::{RawError, repr};
 use super::reader::Mark;
 use super::resolve::{MAP, SEQ, STR, resolve};
 use super::scanner::Scanner;
-use super::token::{Directive, TokenKind};
+use super::token::{YamlDirective, YamlTokenKind};
 use base::limits::YAML_DEPTH;
 use base::{FastMap, TextRange};
 
-/// Number of a node in its [`Tree`].
-pub(super) type Id = usize;
+/// Number of a node in its [`NodeTree`].
+pub(super) type NodeIndex = usize;
 
 /// All nodes of a document.
-pub(super) type Tree = Vec<Raw>;
+pub(super) type NodeTree = Vec<Raw>;
 
 /// A node before its value is made.
 #[derive(Debug)]
@@ -22,7 +22,7 @@ pub(super) struct Raw {
     /// The full name of its type.
     pub(super) tag: Cow<'static, str>,
     /// What it holds.
-    pub(super) content: Content,
+    pub(super) content: NodeContent,
     /// Where it begins.
     pub(super) start: Mark,
     /// Offset behind it.
@@ -38,26 +38,26 @@ impl Raw {
 
 /// The three kinds of nodes.
 #[derive(Debug)]
-pub(super) enum Content {
+pub(super) enum NodeContent {
     Scalar(String),
-    Sequence(Vec<Id>),
-    Mapping(Vec<(Id, Id)>),
+    Sequence(Vec<NodeIndex>),
+    Mapping(Vec<(NodeIndex, NodeIndex)>),
 }
 
-impl Content {
+impl NodeContent {
     /// The name of the kind in messages.
     pub(super) fn name(&self) -> &'static str {
         match self {
-            Content::Scalar(_) => "scalar",
-            Content::Sequence(_) => "sequence",
-            Content::Mapping(_) => "mapping",
+            NodeContent::Scalar(_) => "scalar",
+            NodeContent::Sequence(_) => "sequence",
+            NodeContent::Mapping(_) => "mapping",
         }
     }
 }
 
 /// Where a node stands: what may begin there.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Place {
+pub(super) enum NodePosition {
     Flow,
     Block,
     /// A value of a block mapping: its list need not be indented.
@@ -68,8 +68,8 @@ pub(super) enum Place {
 pub(super) struct Composer<'t> {
     /// The tokens.
     pub(super) scanner: Scanner<'t>,
-    tree: Tree,
-    anchors: FastMap<String, Id>,
+    tree: NodeTree,
+    anchors: FastMap<String, NodeIndex>,
     handles: FastMap<String, String>,
     depth: u32,
 }
@@ -78,10 +78,10 @@ pub(super) struct Composer<'t> {
 ///
 /// # Errors
 /// When it is not well-formed, or not one.
-pub(super) fn compose(text: &str) -> Result<Option<(Tree, Id)>, Failure> {
+pub(super) fn compose(text: &str) -> Result<Option<(NodeTree, NodeIndex)>, RawError> {
     let mut composer = Composer {
         scanner: Scanner::new(text)?,
-        tree: Tree::new(),
+        tree: NodeTree::new(),
         anchors: FastMap::default(),
         handles: default_handles(),
         depth: 0,
@@ -92,7 +92,7 @@ pub(super) fn compose(text: &str) -> Result<Option<(Tree, Id)>, Failure> {
     if let Some(other) = composer.next_document()? {
         let start = composer.start(root);
         let context = "expected a single document in the stream";
-        return Err(Failure::within(
+        return Err(RawError::within(
             context,
             start,
             "but found another document",
@@ -111,16 +111,16 @@ fn default_handles() -> FastMap<String, String> {
 }
 
 impl Composer<'_> {
-    pub(super) fn peek(&mut self) -> Result<&TokenKind, Failure> {
+    pub(super) fn peek(&mut self) -> Result<&YamlTokenKind, RawError> {
         Ok(&self.scanner.peek()?.kind)
     }
 
-    pub(super) fn at(&mut self, kind: &TokenKind) -> Result<bool, Failure> {
+    pub(super) fn at(&mut self, kind: &YamlTokenKind) -> Result<bool, RawError> {
         Ok(self.peek()? == kind)
     }
 
     /// Take the next token if it is `kind`; its end.
-    pub(super) fn take(&mut self, kind: &TokenKind) -> Result<Option<Mark>, Failure> {
+    pub(super) fn take(&mut self, kind: &YamlTokenKind) -> Result<Option<Mark>, RawError> {
         if self.peek()? == kind {
             self.scanner.next().map(|token| Some(token.end))
         } else {
@@ -128,27 +128,27 @@ impl Composer<'_> {
         }
     }
 
-    pub(super) fn here(&mut self) -> Result<Mark, Failure> {
+    pub(super) fn here(&mut self) -> Result<Mark, RawError> {
         Ok(self.scanner.peek()?.start)
     }
 
-    fn start(&self, id: Id) -> Mark {
+    fn start(&self, id: NodeIndex) -> Mark {
         self.tree
             .get(id)
             .map_or_else(Mark::default, |node| node.start)
     }
 
-    pub(super) fn end(&self, id: Id) -> u32 {
+    pub(super) fn end(&self, id: NodeIndex) -> u32 {
         self.tree.get(id).map_or(0, |node| node.end)
     }
 
     pub(super) fn add(
         &mut self,
         tag: impl Into<Cow<'static, str>>,
-        content: Content,
+        content: NodeContent,
         start: Mark,
         end: u32,
-    ) -> Id {
+    ) -> NodeIndex {
         self.tree.push(Raw {
             tag: tag.into(),
             content,
@@ -158,15 +158,20 @@ impl Composer<'_> {
         self.tree.len() - 1
     }
 
-    pub(super) fn empty(&mut self, at: Mark) -> Id {
-        self.add(resolve(""), Content::Scalar(String::new()), at, at.offset)
+    pub(super) fn empty(&mut self, at: Mark) -> NodeIndex {
+        self.add(
+            resolve(""),
+            NodeContent::Scalar(String::new()),
+            at,
+            at.offset,
+        )
     }
 
-    pub(super) fn expected(&mut self, context: &str, began: Mark, problem: &str) -> Failure {
+    pub(super) fn expected(&mut self, context: &str, began: Mark, problem: &str) -> RawError {
         match self.scanner.peek() {
             Ok(token) => {
                 let (found, at) = (repr(token.kind.name()), token.start);
-                Failure::within(context, began, format!("{problem} {found}"), at)
+                RawError::within(context, began, format!("{problem} {found}"), at)
             }
             Err(failure) => failure,
         }
@@ -174,46 +179,46 @@ impl Composer<'_> {
 
     // Documents.
 
-    fn document(&mut self) -> Result<Option<Id>, Failure> {
+    fn document(&mut self) -> Result<Option<NodeIndex>, RawError> {
         let explicit = matches!(
             self.peek()?,
-            TokenKind::Directive(_) | TokenKind::DocumentStart | TokenKind::StreamEnd
+            YamlTokenKind::Directive(_) | YamlTokenKind::DocumentStart | YamlTokenKind::StreamEnd
         );
         let root = if !explicit {
-            self.node(Place::Block)?
+            self.node(NodePosition::Block)?
         } else if self.next_document()?.is_none() {
             return Ok(None);
         } else {
             let no_content = matches!(
                 self.peek()?,
-                TokenKind::Directive(_)
-                    | TokenKind::DocumentStart
-                    | TokenKind::DocumentEnd
-                    | TokenKind::StreamEnd
+                YamlTokenKind::Directive(_)
+                    | YamlTokenKind::DocumentStart
+                    | YamlTokenKind::DocumentEnd
+                    | YamlTokenKind::StreamEnd
             );
             let here = self.here()?;
             if no_content {
                 self.empty(here)
             } else {
-                self.node(Place::Block)?
+                self.node(NodePosition::Block)?
             }
         };
-        self.take(&TokenKind::DocumentEnd)?;
+        self.take(&YamlTokenKind::DocumentEnd)?;
         Ok(Some(root))
     }
 
     /// Move behind the head of the next document and return where that began; `None` at the end.
-    fn next_document(&mut self) -> Result<Option<Mark>, Failure> {
-        while self.take(&TokenKind::DocumentEnd)?.is_some() {}
-        if self.at(&TokenKind::StreamEnd)? {
+    fn next_document(&mut self) -> Result<Option<Mark>, RawError> {
+        while self.take(&YamlTokenKind::DocumentEnd)?.is_some() {}
+        if self.at(&YamlTokenKind::StreamEnd)? {
             return Ok(None);
         }
         let start = self.here()?;
         self.directives()?;
-        if self.take(&TokenKind::DocumentStart)?.is_none() {
+        if self.take(&YamlTokenKind::DocumentStart)?.is_none() {
             let at = self.here()?;
             let found = repr(self.peek()?.name());
-            return Err(Failure::new(
+            return Err(RawError::new(
                 format!("expected '<document start>', but found {found}"),
                 at,
             ));
@@ -221,26 +226,26 @@ impl Composer<'_> {
         Ok(Some(start))
     }
 
-    fn directives(&mut self) -> Result<(), Failure> {
+    fn directives(&mut self) -> Result<(), RawError> {
         let mut has_version = false;
         let mut declared = FastMap::default();
-        while matches!(self.peek()?, TokenKind::Directive(_)) {
+        while matches!(self.peek()?, YamlTokenKind::Directive(_)) {
             let token = self.scanner.next()?;
             match token.kind {
-                TokenKind::Directive(Directive::Yaml(_)) if has_version => {
-                    return Err(Failure::new("found duplicate YAML directive", token.start));
+                YamlTokenKind::Directive(YamlDirective::Yaml(_)) if has_version => {
+                    return Err(RawError::new("found duplicate YAML directive", token.start));
                 }
-                TokenKind::Directive(Directive::Yaml(major)) => {
+                YamlTokenKind::Directive(YamlDirective::Yaml(major)) => {
                     if major.trim_start_matches('0') != "1" {
                         let problem = "found incompatible YAML document (version 1.* is required)";
-                        return Err(Failure::new(problem, token.start));
+                        return Err(RawError::new(problem, token.start));
                     }
                     has_version = true;
                 }
-                TokenKind::Directive(Directive::Tag(handle, prefix)) => {
+                YamlTokenKind::Directive(YamlDirective::Tag(handle, prefix)) => {
                     if declared.contains_key(&handle) {
                         let problem = format!("duplicate tag handle {}", repr(&handle));
-                        return Err(Failure::new(problem, token.start));
+                        return Err(RawError::new(problem, token.start));
                     }
                     declared.insert(handle, prefix);
                 }
@@ -254,16 +259,16 @@ impl Composer<'_> {
 
     // Nodes.
 
-    pub(super) fn node(&mut self, place: Place) -> Result<Id, Failure> {
+    pub(super) fn node(&mut self, place: NodePosition) -> Result<NodeIndex, RawError> {
         let at = self.here()?;
         if self.depth >= YAML_DEPTH {
-            return Err(Failure::new(
+            return Err(RawError::new(
                 format!("found more than {YAML_DEPTH} levels of nesting"),
                 at,
             ));
         }
         self.depth += 1;
-        let node = if matches!(self.peek()?, TokenKind::Alias(_)) {
+        let node = if matches!(self.peek()?, YamlTokenKind::Alias(_)) {
             self.alias()
         } else {
             self.content(place)
@@ -272,16 +277,16 @@ impl Composer<'_> {
         node
     }
 
-    fn alias(&mut self) -> Result<Id, Failure> {
+    fn alias(&mut self) -> Result<NodeIndex, RawError> {
         let token = self.scanner.next()?;
-        let name = if let TokenKind::Alias(name) = token.kind {
+        let name = if let YamlTokenKind::Alias(name) = token.kind {
             name
         } else {
             String::new()
         };
         self.anchors.get(&name).copied().ok_or_else(|| {
             let range = TextRange::new(token.start.offset, token.end.offset);
-            Failure::new(
+            RawError::new(
                 format!("found undefined alias {}", repr(&name)),
                 token.start,
             )
@@ -289,19 +294,19 @@ impl Composer<'_> {
         })
     }
 
-    fn content(&mut self, place: Place) -> Result<Id, Failure> {
+    fn content(&mut self, place: NodePosition) -> Result<NodeIndex, RawError> {
         let properties = self.properties()?;
         let start = match properties.start {
             Some(start) => start,
             None => self.here()?,
         };
-        let block = place != Place::Flow;
+        let block = place != NodePosition::Flow;
         let begins = match self.peek()? {
-            TokenKind::BlockEntry => place == Place::BlockValue,
-            TokenKind::BlockSequenceStart | TokenKind::BlockMappingStart => block,
-            TokenKind::Scalar(..) | TokenKind::FlowSequenceStart | TokenKind::FlowMappingStart => {
-                true
-            }
+            YamlTokenKind::BlockEntry => place == NodePosition::BlockValue,
+            YamlTokenKind::BlockSequenceStart | YamlTokenKind::BlockMappingStart => block,
+            YamlTokenKind::Scalar(..)
+            | YamlTokenKind::FlowSequenceStart
+            | YamlTokenKind::FlowMappingStart => true,
             _ => false,
         };
         if !begins && properties.start.is_none() {
@@ -314,13 +319,13 @@ impl Composer<'_> {
         }
         // A scalar is taken, with what must be read to know whether it is a key, before its anchor counts.
         let scalar = match self.peek()? {
-            TokenKind::Scalar(..) => Some(self.scanner.next()?),
+            YamlTokenKind::Scalar(..) => Some(self.scanner.next()?),
             _ => None,
         };
         self.check_anchor(properties.anchor.as_deref(), start)?;
         let (tag, end) = (properties.tag, properties.end);
         if let Some(token) = scalar {
-            let TokenKind::Scalar(text, plain) = token.kind else {
+            let YamlTokenKind::Scalar(text, plain) = token.kind else {
                 return Ok(self.empty(start));
             };
             let tag = match tag {
@@ -328,13 +333,13 @@ impl Composer<'_> {
                 None if plain || properties.is_bare => Cow::Borrowed(resolve(&text)),
                 None => Cow::Borrowed(STR),
             };
-            let id = self.add(tag, Content::Scalar(text), start, token.end.offset);
+            let id = self.add(tag, NodeContent::Scalar(text), start, token.end.offset);
             self.register(properties.anchor, id);
             return Ok(id);
         }
         if !begins {
             let tag = tag.unwrap_or_else(|| Cow::Borrowed(resolve("")));
-            let id = self.add(tag, Content::Scalar(String::new()), start, end);
+            let id = self.add(tag, NodeContent::Scalar(String::new()), start, end);
             self.register(properties.anchor, id);
             return Ok(id);
         }
@@ -342,21 +347,21 @@ impl Composer<'_> {
     }
 
     /// Anchor and tag, in either order.
-    fn properties(&mut self) -> Result<Properties, Failure> {
+    fn properties(&mut self) -> Result<Properties, RawError> {
         let mut found = Properties::default();
         let mut tag: Option<(Option<String>, String, Mark)> = None;
         loop {
             match self.peek()? {
-                TokenKind::Anchor(_) if found.anchor.is_none() => {}
-                TokenKind::Tag(..) if tag.is_none() => {}
+                YamlTokenKind::Anchor(_) if found.anchor.is_none() => {}
+                YamlTokenKind::Tag(..) if tag.is_none() => {}
                 _ => break,
             }
             let token = self.scanner.next()?;
             found.start.get_or_insert(token.start);
             found.end = token.end.offset;
             match token.kind {
-                TokenKind::Anchor(name) => found.anchor = Some(name),
-                TokenKind::Tag(handle, suffix) => tag = Some((handle, suffix, token.start)),
+                YamlTokenKind::Anchor(name) => found.anchor = Some(name),
+                YamlTokenKind::Tag(handle, suffix) => tag = Some((handle, suffix, token.start)),
                 _ => {}
             }
         }
@@ -370,7 +375,7 @@ impl Composer<'_> {
                 None => {
                     let problem = format!("found undefined tag handle {}", repr(&handle));
                     let start = found.start.unwrap_or(at);
-                    return Err(Failure::within("while parsing a node", start, problem, at));
+                    return Err(RawError::within("while parsing a node", start, problem, at));
                 }
             },
         };
@@ -379,11 +384,11 @@ impl Composer<'_> {
         Ok(found)
     }
 
-    fn check_anchor(&self, anchor: Option<&str>, start: Mark) -> Result<(), Failure> {
+    fn check_anchor(&self, anchor: Option<&str>, start: Mark) -> Result<(), RawError> {
         match anchor.and_then(|anchor| Some((anchor, *self.anchors.get(anchor)?))) {
             Some((anchor, first)) => {
                 let context = format!("found duplicate anchor {}; first occurrence", repr(anchor));
-                Err(Failure::within(
+                Err(RawError::within(
                     &context,
                     self.start(first),
                     "second occurrence",
@@ -394,7 +399,7 @@ impl Composer<'_> {
         }
     }
 
-    fn register(&mut self, anchor: Option<String>, id: Id) {
+    fn register(&mut self, anchor: Option<String>, id: NodeIndex) {
         if let Some(anchor) = anchor {
             self.anchors.insert(anchor, id);
         }
@@ -405,15 +410,17 @@ impl Composer<'_> {
         tag: Option<Cow<'static, str>>,
         anchor: Option<String>,
         start: Mark,
-    ) -> Result<Id, Failure> {
+    ) -> Result<NodeIndex, RawError> {
         let is_sequence = matches!(
             self.peek()?,
-            TokenKind::BlockEntry | TokenKind::BlockSequenceStart | TokenKind::FlowSequenceStart
+            YamlTokenKind::BlockEntry
+                | YamlTokenKind::BlockSequenceStart
+                | YamlTokenKind::FlowSequenceStart
         );
         let (default, content) = if is_sequence {
-            (SEQ, Content::Sequence(Vec::new()))
+            (SEQ, NodeContent::Sequence(Vec::new()))
         } else {
-            (MAP, Content::Mapping(Vec::new()))
+            (MAP, NodeContent::Mapping(Vec::new()))
         };
         let id = self.add(
             tag.unwrap_or(Cow::Borrowed(default)),
@@ -424,10 +431,10 @@ impl Composer<'_> {
         // Known from here on: what it holds may refer to it.
         self.register(anchor, id);
         let (content, end) = match self.peek()? {
-            TokenKind::BlockEntry => self.indentless_sequence()?,
-            TokenKind::BlockSequenceStart => self.block_sequence()?,
-            TokenKind::FlowSequenceStart => self.flow_sequence()?,
-            TokenKind::FlowMappingStart => self.flow_mapping()?,
+            YamlTokenKind::BlockEntry => self.indentless_sequence()?,
+            YamlTokenKind::BlockSequenceStart => self.block_sequence()?,
+            YamlTokenKind::FlowSequenceStart => self.flow_sequence()?,
+            YamlTokenKind::FlowMappingStart => self.flow_mapping()?,
             _ => self.block_mapping()?,
         };
         if let Some(node) = self.tree.get_mut(id) {

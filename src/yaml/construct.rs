@@ -6,11 +6,11 @@
 use num_bigint::BigInt;
 use num_traits::FromPrimitive;
 
-use super::compose::{Content, Id, Raw, Tree};
-use super::error::{Failure, repr};
+use super::compose::{NodeContent, NodeIndex, NodeTree, Raw};
+use super::error::{RawError, repr};
 use super::reader::Mark;
 use super::resolve::{BOOL, FLOAT, INT, MAP, MERGE, NULL, SEQ, STR, TIMESTAMP, VALUE, YAML};
-use super::{Kind, Node, Unit, numbers, timestamp};
+use super::{Unit, YamlKind, YamlNode, numbers, timestamp};
 use base::limits::{YAML_MERGES, YAML_NODES};
 use base::{FastMap, TextRange};
 
@@ -18,7 +18,7 @@ use base::{FastMap, TextRange};
 ///
 /// # Errors
 /// The one PyYAML would report.
-pub(super) fn construct(tree: Tree, root: Id, keys: Keys) -> Result<Node, Failure> {
+pub(super) fn construct(tree: NodeTree, root: NodeIndex, keys: Keys) -> Result<YamlNode, RawError> {
     let active = vec![false; tree.len()];
     let mut constructor = Constructor {
         tree,
@@ -44,16 +44,16 @@ pub(super) enum Keys {
 }
 
 struct Constructor {
-    tree: Tree,
+    tree: NodeTree,
     keys: Keys,
     /// The nodes being made: one of them inside itself is an error.
     active: Vec<bool>,
     made: usize,
-    failure: Option<(u32, Failure)>,
+    failure: Option<(u32, RawError)>,
 }
 
 impl Constructor {
-    fn fail(&mut self, level: u32, failure: Failure) -> Kind {
+    fn fail(&mut self, level: u32, failure: RawError) -> YamlKind {
         if self
             .failure
             .as_ref()
@@ -61,43 +61,44 @@ impl Constructor {
         {
             self.failure = Some((level, failure));
         }
-        Kind::Null
+        YamlKind::Null
     }
 
-    fn raw(&self, id: Id) -> Option<&Raw> {
+    fn raw(&self, id: NodeIndex) -> Option<&Raw> {
         self.tree.get(id)
     }
 
-    fn range(&self, id: Id) -> TextRange {
+    fn range(&self, id: NodeIndex) -> TextRange {
         self.raw(id).map_or_else(TextRange::default, Raw::range)
     }
 
-    fn start(&self, id: Id) -> Mark {
+    fn start(&self, id: NodeIndex) -> Mark {
         self.raw(id).map(|node| node.start).unwrap_or_default()
     }
 
-    fn is_mapping(&self, id: Id) -> bool {
+    fn is_mapping(&self, id: NodeIndex) -> bool {
         let content = self.raw(id).map(|node| &node.content);
-        matches!(content, Some(Content::Mapping(_)))
+        matches!(content, Some(NodeContent::Mapping(_)))
     }
 
     /// A failure at the beginning of a node.
-    fn problem(&self, id: Id, problem: impl Into<String>) -> Failure {
-        Failure::new(problem, self.start(id)).blaming(self.range(id))
+    fn problem(&self, id: NodeIndex, problem: impl Into<String>) -> RawError {
+        RawError::new(problem, self.start(id)).blaming(self.range(id))
     }
 
     /// A failure at the beginning of a node, found while `outer` is made.
     fn problem_within(
         &self,
         context: &str,
-        outer: Id,
-        id: Id,
+        outer: NodeIndex,
+        id: NodeIndex,
         problem: impl Into<String>,
-    ) -> Failure {
-        Failure::within(context, self.start(outer), problem, self.start(id)).blaming(self.range(id))
+    ) -> RawError {
+        RawError::within(context, self.start(outer), problem, self.start(id))
+            .blaming(self.range(id))
     }
 
-    fn node(&mut self, id: Id, level: u32) -> Node {
+    fn node(&mut self, id: NodeIndex, level: u32) -> YamlNode {
         let range = self.range(id);
         self.made += 1;
         let is_active = self.active.get(id).copied().unwrap_or(true);
@@ -113,34 +114,34 @@ impl Constructor {
             self.set_active(id, false);
             kind
         };
-        Node { kind, range }
+        YamlNode { kind, range }
     }
 
-    fn set_active(&mut self, id: Id, active: bool) {
+    fn set_active(&mut self, id: NodeIndex, active: bool) {
         if let Some(slot) = self.active.get_mut(id) {
             *slot = active;
         }
     }
 
-    fn kind(&mut self, id: Id, level: u32) -> Kind {
+    fn kind(&mut self, id: NodeIndex, level: u32) -> YamlKind {
         let tag = self
             .raw(id)
             .map(|node| node.tag.clone())
             .unwrap_or_default();
         match tag.as_ref() {
             SEQ => self.list(id, level),
-            MAP => Kind::Map(self.mapping(id, level)),
+            MAP => YamlKind::Map(self.mapping(id, level)),
             NULL | BOOL | INT | FLOAT | STR | TIMESTAMP => self.scalar(id, level, &tag),
             _ => match (tag.strip_prefix(YAML), unit_of(&tag)) {
                 (Some("binary"), _) => self.scalar(id, level, &tag),
                 (Some("set"), _) => {
                     let keys = self.mapping(id, level).into_iter().map(|(key, _)| key);
-                    Kind::Set(keys.collect())
+                    YamlKind::Set(keys.collect())
                 }
                 (Some("omap"), _) => self.pairs(id, level, "while constructing an ordered map"),
                 (Some("pairs"), _) => self.pairs(id, level, "while constructing pairs"),
                 (_, Some(unit)) => match self.text(id) {
-                    Ok(text) => Kind::Tagged { unit, text },
+                    Ok(text) => YamlKind::Tagged { unit, text },
                     Err(failure) => self.fail(level, failure),
                 },
                 _ => {
@@ -158,19 +159,19 @@ impl Constructor {
     // Scalars.
 
     /// The text of a scalar, or of the `=` of a mapping.
-    fn text(&self, id: Id) -> Result<String, Failure> {
+    fn text(&self, id: NodeIndex) -> Result<String, RawError> {
         match self.raw(id).map(|node| &node.content) {
-            Some(Content::Scalar(text)) => Ok(text.clone()),
+            Some(NodeContent::Scalar(text)) => Ok(text.clone()),
             Some(content) => {
                 let default = match content {
-                    Content::Mapping(items) => {
+                    NodeContent::Mapping(items) => {
                         items.iter().find(|(key, _)| self.has_tag(*key, VALUE))
                     }
                     _ => None,
                 };
                 let text = default.and_then(|&(_, value)| {
                     match self.raw(value).map(|node| &node.content) {
-                        Some(Content::Scalar(text)) => Some(text.clone()),
+                        Some(NodeContent::Scalar(text)) => Some(text.clone()),
                         _ => None,
                     }
                 });
@@ -181,38 +182,38 @@ impl Constructor {
         }
     }
 
-    fn has_tag(&self, id: Id, tag: &str) -> bool {
+    fn has_tag(&self, id: NodeIndex, tag: &str) -> bool {
         self.raw(id).is_some_and(|node| node.tag == tag)
     }
 
-    fn scalar(&mut self, id: Id, level: u32, tag: &str) -> Kind {
+    fn scalar(&mut self, id: NodeIndex, level: u32, tag: &str) -> YamlKind {
         let text = match self.text(id) {
             Ok(text) => text,
             Err(failure) => return self.fail(level, failure),
         };
         let made = match tag {
-            NULL => Ok(Kind::Null),
-            BOOL => bool(&text).map(Kind::Bool),
-            INT => numbers::int(&text).map(Kind::Int),
-            FLOAT => numbers::float(&text).map(Kind::Float),
+            NULL => Ok(YamlKind::Null),
+            BOOL => bool(&text).map(YamlKind::Bool),
+            INT => numbers::int(&text).map(YamlKind::Int),
+            FLOAT => numbers::float(&text).map(YamlKind::Float),
             TIMESTAMP => time(&text),
-            STR => Ok(Kind::Str(text)),
+            STR => Ok(YamlKind::Str(text)),
             _ => return self.binary(id, level, &text),
         };
         made.unwrap_or_else(|message| {
             let range = self.range(id);
-            self.fail(level, Failure::Python { message, range })
+            self.fail(level, RawError::Python { message, range })
         })
     }
 
-    fn binary(&mut self, id: Id, level: u32, text: &str) -> Kind {
+    fn binary(&mut self, id: NodeIndex, level: u32, text: &str) -> YamlKind {
         let made = match not_ascii(text) {
             Some(error) => Err(format!("failed to convert base64 data into ascii: {error}")),
             None => numbers::base64(text)
                 .map_err(|error| format!("failed to decode base64 data: {error}")),
         };
         match made {
-            Ok(bytes) => Kind::Binary(bytes),
+            Ok(bytes) => YamlKind::Binary(bytes),
             Err(problem) => {
                 let failure = self.problem(id, problem);
                 self.fail(level, failure)
@@ -222,17 +223,17 @@ impl Constructor {
 
     // Collections.
 
-    fn list(&mut self, id: Id, level: u32) -> Kind {
+    fn list(&mut self, id: NodeIndex, level: u32) -> YamlKind {
         let items = match self.raw(id).map(|node| &node.content) {
-            Some(Content::Sequence(items)) => items.clone(),
+            Some(NodeContent::Sequence(items)) => items.clone(),
             content => {
-                let found = content.map_or("", Content::name);
+                let found = content.map_or("", NodeContent::name);
                 let failure =
                     self.problem(id, format!("expected a sequence node, but found {found}"));
                 return self.fail(level + 1, failure);
             }
         };
-        Kind::List(
+        YamlKind::List(
             items
                 .into_iter()
                 .map(|item| self.node(item, level + 1))
@@ -241,28 +242,28 @@ impl Constructor {
     }
 
     /// The items of a mapping: merged, one per key.
-    fn mapping(&mut self, id: Id, level: u32) -> Vec<(Node, Node)> {
+    fn mapping(&mut self, id: NodeIndex, level: u32) -> Vec<(YamlNode, YamlNode)> {
         let level = level + 1;
         if let Err(failure) = self.flatten(id, 0) {
             self.fail(level, failure);
             return Vec::new();
         }
         let items = match self.raw(id).map(|node| &node.content) {
-            Some(Content::Mapping(items)) => items.clone(),
+            Some(NodeContent::Mapping(items)) => items.clone(),
             content => {
-                let found = content.map_or("", Content::name);
+                let found = content.map_or("", NodeContent::name);
                 let failure =
                     self.problem(id, format!("expected a mapping node, but found {found}"));
                 self.fail(level, failure);
                 return Vec::new();
             }
         };
-        let mut made: Vec<(Node, Node)> = Vec::new();
-        let mut places: FastMap<Key, usize> = FastMap::default();
+        let mut made: Vec<(YamlNode, YamlNode)> = Vec::new();
+        let mut places: FastMap<MappingKey, usize> = FastMap::default();
         for (key_id, value_id) in items {
             let key = (!self.makes_collection(key_id)).then(|| self.node(key_id, level));
             let Some((key, hashed)) =
-                key.and_then(|key| Key::of(&key.kind).map(|hashed| (key, hashed)))
+                key.and_then(|key| MappingKey::of(&key.kind).map(|hashed| (key, hashed)))
             else {
                 let context = "while constructing a mapping";
                 let failure = self.problem_within(context, id, key_id, "found unhashable key");
@@ -283,19 +284,20 @@ impl Constructor {
     }
 
     /// Whether the value of a node is a list, mapping or set, so that it cannot be a key.
-    fn makes_collection(&self, id: Id) -> bool {
+    fn makes_collection(&self, id: NodeIndex) -> bool {
         self.raw(id)
             .and_then(|node| node.tag.strip_prefix(YAML))
             .is_some_and(is_collection)
     }
 
     /// Replace the merge keys of a mapping by the items they bring, which go before its own.
-    fn flatten(&mut self, id: Id, merges: u32) -> Result<(), Failure> {
-        let Some(Content::Mapping(items)) = self.raw(id).map(|node| &node.content) else {
+    fn flatten(&mut self, id: NodeIndex, merges: u32) -> Result<(), RawError> {
+        let Some(NodeContent::Mapping(items)) = self.raw(id).map(|node| &node.content) else {
             return Ok(());
         };
-        let is_plain =
-            |&(key, _): &(Id, Id)| !self.has_tag(key, MERGE) && !self.has_tag(key, VALUE);
+        let is_plain = |&(key, _): &(NodeIndex, NodeIndex)| {
+            !self.has_tag(key, MERGE) && !self.has_tag(key, VALUE)
+        };
         if items.iter().all(is_plain) {
             return Ok(());
         }
@@ -311,7 +313,7 @@ impl Constructor {
             if self.has_tag(key, MERGE) {
                 for source in self.merge_sources(id, value)? {
                     self.flatten(source, merges + 1)?;
-                    if let Some(Content::Mapping(items)) =
+                    if let Some(NodeContent::Mapping(items)) =
                         self.raw(source).map(|node| &node.content)
                     {
                         merged.extend_from_slice(items);
@@ -333,16 +335,16 @@ impl Constructor {
         }
         merged.append(&mut own);
         if let Some(node) = self.tree.get_mut(id) {
-            node.content = Content::Mapping(merged);
+            node.content = NodeContent::Mapping(merged);
         }
         Ok(())
     }
 
     /// The mappings a merge key names, in the order in which they are written over each other.
-    fn merge_sources(&self, id: Id, value: Id) -> Result<Vec<Id>, Failure> {
+    fn merge_sources(&self, id: NodeIndex, value: NodeIndex) -> Result<Vec<NodeIndex>, RawError> {
         let (problem, at) = match self.raw(value).map(|node| &node.content) {
-            Some(Content::Mapping(_)) => return Ok(vec![value]),
-            Some(Content::Sequence(items)) => {
+            Some(NodeContent::Mapping(_)) => return Ok(vec![value]),
+            Some(NodeContent::Sequence(items)) => {
                 match items.iter().find(|&&item| !self.is_mapping(item)) {
                     Some(&item) => ("expected a mapping for merging", item),
                     None => return Ok(items.iter().rev().copied().collect()),
@@ -356,14 +358,14 @@ impl Constructor {
     }
 
     /// A list of mappings of one item each.
-    fn pairs(&mut self, id: Id, level: u32, context: &str) -> Kind {
+    fn pairs(&mut self, id: NodeIndex, level: u32, context: &str) -> YamlKind {
         let level = level + 1;
         let items = match self.raw(id).map(|node| &node.content) {
-            Some(Content::Sequence(items)) => items.clone(),
+            Some(NodeContent::Sequence(items)) => items.clone(),
             content => {
                 let problem = format!(
                     "expected a sequence, but found {}",
-                    content.map_or("", Content::name)
+                    content.map_or("", NodeContent::name)
                 );
                 let failure = self.problem_within(context, id, id, problem);
                 return self.fail(level, failure);
@@ -372,7 +374,7 @@ impl Constructor {
         let mut made = Vec::new();
         for item in items {
             let problem = match self.raw(item).map(|node| &node.content) {
-                Some(Content::Mapping(pairs)) => match pairs.as_slice() {
+                Some(NodeContent::Mapping(pairs)) => match pairs.as_slice() {
                     &[(key, value)] => {
                         made.push((self.node(key, level), self.node(value, level)));
                         continue;
@@ -383,14 +385,14 @@ impl Constructor {
                     ),
                 },
                 content => {
-                    let found = content.map_or("", Content::name);
+                    let found = content.map_or("", NodeContent::name);
                     format!("expected a mapping of length 1, but found {found}")
                 }
             };
             let failure = self.problem_within(context, id, item, problem);
             return self.fail(level, failure);
         }
-        Kind::Pairs(made)
+        YamlKind::Pairs(made)
     }
 }
 
@@ -407,11 +409,11 @@ fn bool(text: &str) -> Result<bool, String> {
     }
 }
 
-fn time(text: &str) -> Result<Kind, String> {
+fn time(text: &str) -> Result<YamlKind, String> {
     let parts = timestamp::parse(text)
         .ok_or_else(|| "'NoneType' object has no attribute 'groupdict'".to_owned())?;
     let (text, repr) = parts.show()?;
-    Ok(Kind::Timestamp { text, repr })
+    Ok(YamlKind::Timestamp { text, repr })
 }
 
 /// Python's message about the first run of characters that are not ASCII.
@@ -441,7 +443,7 @@ fn not_ascii(text: &str) -> Option<String> {
 
 /// A key as Python's dictionaries compare it: `1`, `1.0` and `True` are one.
 #[derive(PartialEq, Eq, Hash)]
-enum Key {
+enum MappingKey {
     Null,
     Int(BigInt),
     Float(u64),
@@ -451,22 +453,24 @@ enum Key {
     Tagged(Unit, String),
 }
 
-impl Key {
+impl MappingKey {
     /// The key of a value, if it can be one.
-    fn of(kind: &Kind) -> Option<Self> {
+    fn of(kind: &YamlKind) -> Option<Self> {
         Some(match kind {
-            Kind::Null => Key::Null,
-            Kind::Bool(value) => Key::Int(BigInt::from(u8::from(*value))),
-            Kind::Int(value) => Key::Int(value.clone()),
-            Kind::Float(value) => match BigInt::from_f64(*value) {
-                Some(whole) if value.fract() == 0.0 => Key::Int(whole),
-                _ => Key::Float(value.to_bits()),
+            YamlKind::Null => MappingKey::Null,
+            YamlKind::Bool(value) => MappingKey::Int(BigInt::from(u8::from(*value))),
+            YamlKind::Int(value) => MappingKey::Int(value.clone()),
+            YamlKind::Float(value) => match BigInt::from_f64(*value) {
+                Some(whole) if value.fract() == 0.0 => MappingKey::Int(whole),
+                _ => MappingKey::Float(value.to_bits()),
             },
-            Kind::Str(text) => Key::Str(text.clone()),
-            Kind::Timestamp { repr, .. } => Key::Timestamp(repr.clone()),
-            Kind::Binary(bytes) => Key::Binary(bytes.clone()),
-            Kind::Tagged { unit, text } => Key::Tagged(*unit, text.clone()),
-            Kind::List(_) | Kind::Map(_) | Kind::Set(_) | Kind::Pairs(_) => return None,
+            YamlKind::Str(text) => MappingKey::Str(text.clone()),
+            YamlKind::Timestamp { repr, .. } => MappingKey::Timestamp(repr.clone()),
+            YamlKind::Binary(bytes) => MappingKey::Binary(bytes.clone()),
+            YamlKind::Tagged { unit, text } => MappingKey::Tagged(*unit, text.clone()),
+            YamlKind::List(_) | YamlKind::Map(_) | YamlKind::Set(_) | YamlKind::Pairs(_) => {
+                return None;
+            }
         })
     }
 }

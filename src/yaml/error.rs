@@ -26,7 +26,7 @@ impl std::error::Error for YamlError {}
 
 /// An error on its way out.
 #[derive(Clone, Debug)]
-pub(super) enum Failure {
+pub(super) enum RawError {
     /// A character that is not allowed anywhere.
     Character {
         c: char,
@@ -49,7 +49,7 @@ pub(super) struct Marked {
     range: Option<TextRange>,
 }
 
-impl Failure {
+impl RawError {
     /// A problem at a place.
     pub(super) fn new(problem: impl Into<String>, at: Mark) -> Self {
         Self::Marked(Box::new(Marked {

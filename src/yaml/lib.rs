@@ -28,16 +28,16 @@ use construct::Keys;
 
 /// A value and where it is written. A value reached through an alias has the place of its anchor.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Node {
+pub struct YamlNode {
     /// The value.
-    pub kind: Kind,
+    pub kind: YamlKind,
     /// Its place in the text; for a collection, up to the end of its last item.
     pub range: TextRange,
 }
 
 /// The values `safe_load` makes, and the tagged scalars the reference adds.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
+pub enum YamlKind {
     /// `None`
     Null,
     /// `bool`
@@ -58,13 +58,13 @@ pub enum Kind {
     /// `bytes`
     Binary(Vec<u8>),
     /// `list`
-    List(Vec<Node>),
+    List(Vec<YamlNode>),
     /// `dict`: merged, each key once (the place of the first, the value of the last), in Python's order
-    Map(Vec<(Node, Node)>),
+    Map(Vec<(YamlNode, YamlNode)>),
     /// `set`, in order of the text
-    Set(Vec<Node>),
+    Set(Vec<YamlNode>),
     /// A list of two-tuples (`!!omap`, `!!pairs`)
-    Pairs(Vec<(Node, Node)>),
+    Pairs(Vec<(YamlNode, YamlNode)>),
     /// A scalar with a unit: its text is an expression
     Tagged {
         /// The unit.
@@ -126,7 +126,7 @@ impl Unit {
 /// # Errors
 /// Whatever PyYAML refuses, a value that contains itself, and values nested or multiplied beyond
 /// reason. `name` is the file name in messages.
-pub fn load(text: &str, name: &str) -> Result<Node, YamlError> {
+pub fn load(text: &str, name: &str) -> Result<YamlNode, YamlError> {
     load_with(text, name, Keys::Once)
 }
 
@@ -135,18 +135,18 @@ pub fn load(text: &str, name: &str) -> Result<Node, YamlError> {
 ///
 /// # Errors
 /// As those of [`load`].
-pub fn load_repeated(text: &str, name: &str) -> Result<Node, YamlError> {
+pub fn load_repeated(text: &str, name: &str) -> Result<YamlNode, YamlError> {
     load_with(text, name, Keys::Repeated)
 }
 
-fn load_with(text: &str, name: &str, keys: Keys) -> Result<Node, YamlError> {
+fn load_with(text: &str, name: &str, keys: Keys) -> Result<YamlNode, YamlError> {
     let tree = compose::compose(text).map_err(|error| error.finish(text, name))?;
     match tree {
         Some((tree, root)) => {
             construct::construct(tree, root, keys).map_err(|error| error.finish(text, name))
         }
-        None => Ok(Node {
-            kind: Kind::Null,
+        None => Ok(YamlNode {
+            kind: YamlKind::Null,
             range: TextRange::default(),
         }),
     }

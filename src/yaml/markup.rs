@@ -1,10 +1,10 @@
 //! Tokens that hold names: anchors, tags, directives.
 
-use super::error::Failure;
+use super::error::RawError;
 use super::reader::{Mark, is_blank_or_end, is_break_or_end};
 use super::scanner::Scanner;
 use super::text::{is_space_or_end, shown};
-use super::token::{Directive, Token, TokenKind};
+use super::token::{YamlDirective, YamlToken, YamlTokenKind};
 
 fn is_name(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '-' | '_')
@@ -16,7 +16,7 @@ fn is_uri(c: char) -> bool {
 
 impl<'t> Scanner<'t> {
     /// `&name` or `*name`
-    pub(super) fn scan_anchor(&mut self) -> Result<Token, Failure> {
+    pub(super) fn scan_anchor(&mut self) -> Result<YamlToken, RawError> {
         let start = self.reader.mark();
         let is_alias = self.reader.advance() == '*';
         let context = if is_alias {
@@ -32,16 +32,16 @@ impl<'t> Scanner<'t> {
         let name = name.to_owned();
         Ok(self.token(
             if is_alias {
-                TokenKind::Alias(name)
+                YamlTokenKind::Alias(name)
             } else {
-                TokenKind::Anchor(name)
+                YamlTokenKind::Anchor(name)
             },
             start,
         ))
     }
 
     /// `!`, `!suffix`, `!handle!suffix` or `!<uri>`
-    pub(super) fn scan_tag(&mut self) -> Result<Token, Failure> {
+    pub(super) fn scan_tag(&mut self) -> Result<YamlToken, RawError> {
         let start = self.reader.mark();
         let (handle, suffix) = match self.reader.peek_at(1) {
             '<' => {
@@ -70,7 +70,7 @@ impl<'t> Scanner<'t> {
         if !is_space_or_end(self.reader.peek()) {
             return Err(self.unexpected("while scanning a tag", start, "' '"));
         }
-        Ok(self.token(TokenKind::Tag(handle, suffix), start))
+        Ok(self.token(YamlTokenKind::Tag(handle, suffix), start))
     }
 
     /// Whether the word at the cursor, a `!`, has another `!`.
@@ -79,7 +79,7 @@ impl<'t> Scanner<'t> {
     }
 
     /// `!`, `!!` or `!name!`
-    fn scan_handle(&mut self, what: &str, start: Mark) -> Result<String, Failure> {
+    fn scan_handle(&mut self, what: &str, start: Mark) -> Result<String, RawError> {
         let context = format!("while scanning a {what}");
         if self.reader.peek() != '!' {
             return Err(self.unexpected(&context, start, "'!'"));
@@ -96,7 +96,7 @@ impl<'t> Scanner<'t> {
         Ok(format!("!{name}!"))
     }
 
-    fn scan_uri(&mut self, what: &str, start: Mark) -> Result<String, Failure> {
+    fn scan_uri(&mut self, what: &str, start: Mark) -> Result<String, RawError> {
         let mut uri = String::new();
         loop {
             uri.push_str(self.reader.take_while(is_uri));
@@ -112,7 +112,7 @@ impl<'t> Scanner<'t> {
     }
 
     /// A run of `%41`.
-    fn scan_uri_escapes(&mut self, what: &str, start: Mark) -> Result<String, Failure> {
+    fn scan_uri_escapes(&mut self, what: &str, start: Mark) -> Result<String, RawError> {
         let context = format!("while scanning a {what}");
         let (mut bytes, at) = (Vec::new(), self.reader.mark());
         while self.reader.peek() == '%' {
@@ -122,7 +122,7 @@ impl<'t> Scanner<'t> {
                     "expected URI escape sequence of 2 hexadecimal numbers, but found {}",
                     shown(found)
                 );
-                Failure::within(&context, start, problem, self.reader.mark())
+                RawError::within(&context, start, problem, self.reader.mark())
             })?;
             bytes.push(digits as u8);
         }
@@ -136,12 +136,12 @@ impl<'t> Scanner<'t> {
             };
             let problem =
                 format!("'utf-8' codec can't decode byte 0x{byte:02x} in position {bad}: {reason}");
-            Failure::within(&context, start, problem, at)
+            RawError::within(&context, start, problem, at)
         })
     }
 
     /// A line that begins with `%`.
-    pub(super) fn scan_directive(&mut self) -> Result<Token, Failure> {
+    pub(super) fn scan_directive(&mut self) -> Result<YamlToken, RawError> {
         let context = "while scanning a directive";
         let start = self.reader.mark();
         self.reader.advance();
@@ -152,10 +152,10 @@ impl<'t> Scanner<'t> {
         let directive = match name {
             "YAML" => self.scan_version(start)?,
             "TAG" => self.scan_tag_directive(start)?,
-            _ => Directive::Other,
+            _ => YamlDirective::Other,
         };
-        let token = self.token(TokenKind::Directive(directive.clone()), start);
-        if directive == Directive::Other {
+        let token = self.token(YamlTokenKind::Directive(directive.clone()), start);
+        if directive == YamlDirective::Other {
             self.reader.take_while(|c| !is_break_or_end(c));
         }
         self.skip_blanks_and_comment();
@@ -166,7 +166,7 @@ impl<'t> Scanner<'t> {
         Ok(token)
     }
 
-    fn scan_version(&mut self, start: Mark) -> Result<Directive, Failure> {
+    fn scan_version(&mut self, start: Mark) -> Result<YamlDirective, RawError> {
         let context = "while scanning a directive";
         self.reader.take_while(|c| c == ' ');
         let major = self.scan_digits(context, start)?.to_owned();
@@ -178,17 +178,17 @@ impl<'t> Scanner<'t> {
         if !is_space_or_end(self.reader.peek()) {
             return Err(self.unexpected(context, start, "a digit or ' '"));
         }
-        Ok(Directive::Yaml(major))
+        Ok(YamlDirective::Yaml(major))
     }
 
-    fn scan_digits(&mut self, context: &str, start: Mark) -> Result<&'t str, Failure> {
+    fn scan_digits(&mut self, context: &str, start: Mark) -> Result<&'t str, RawError> {
         match self.reader.take_while(|c| c.is_ascii_digit()) {
             "" => Err(self.unexpected(context, start, "a digit")),
             digits => Ok(digits),
         }
     }
 
-    fn scan_tag_directive(&mut self, start: Mark) -> Result<Directive, Failure> {
+    fn scan_tag_directive(&mut self, start: Mark) -> Result<YamlDirective, RawError> {
         let context = "while scanning a directive";
         self.reader.take_while(|c| c == ' ');
         let handle = self.scan_handle("directive", start)?;
@@ -200,6 +200,6 @@ impl<'t> Scanner<'t> {
         if !is_space_or_end(self.reader.peek()) {
             return Err(self.unexpected(context, start, "' '"));
         }
-        Ok(Directive::Tag(handle, prefix))
+        Ok(YamlDirective::Tag(handle, prefix))
     }
 }

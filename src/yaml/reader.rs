@@ -1,6 +1,6 @@
 //! The text, read character by character.
 
-use super::error::Failure;
+use super::error::RawError;
 
 /// A place in the text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,11 +15,11 @@ pub(super) struct Mark {
     pub(super) column: u32,
 }
 
-/// What [`Reader::peek`] gives behind the last character; no text holds it.
+/// What [`YamlReader::peek`] gives behind the last character; no text holds it.
 pub(super) const END: char = '\0';
 
 /// A cursor.
-pub(super) struct Reader<'t> {
+pub(super) struct YamlReader<'t> {
     text: &'t str,
     mark: Mark,
 }
@@ -44,17 +44,17 @@ pub(super) fn is_blank_or_end(c: char) -> bool {
     is_blank(c) || is_break_or_end(c)
 }
 
-impl<'t> Reader<'t> {
+impl<'t> YamlReader<'t> {
     /// A cursor at the start of `text`.
     ///
     /// # Errors
     /// When the text holds a character no YAML may hold.
-    pub(super) fn new(text: &'t str) -> Result<Self, Failure> {
+    pub(super) fn new(text: &'t str) -> Result<Self, RawError> {
         for (index, (offset, c)) in text.char_indices().enumerate() {
             if !is_printable(c) {
                 // Python counts a line end of two characters as one.
                 let pairs = text.get(..offset).unwrap_or("").matches("\r\n").count();
-                return Err(Failure::Character {
+                return Err(RawError::Character {
                     c,
                     index: index - pairs,
                     offset,

@@ -5,16 +5,16 @@
 
 use std::collections::VecDeque;
 
-use super::error::{Failure, repr};
-use super::reader::{END, Mark, Reader, is_blank_or_end, is_break_or_end};
-use super::token::{Token, TokenKind};
+use super::error::{RawError, repr};
+use super::reader::{END, Mark, YamlReader, is_blank_or_end, is_break_or_end};
+use super::token::{YamlToken, YamlTokenKind};
 use base::TextRange;
 
 /// How far a key may lie before its `:`, in characters.
 const KEY_REACH: u32 = 1024;
 
 /// A place where a key may have begun.
-struct Candidate {
+struct KeyCandidate {
     flow_level: i32,
     /// The number of its first token, counted from the first of the text.
     token: usize,
@@ -23,7 +23,7 @@ struct Candidate {
     mark: Mark,
 }
 
-impl Candidate {
+impl KeyCandidate {
     /// Whether a colon at `here` comes too late for it.
     fn is_stale(&self, here: Mark) -> bool {
         self.mark.line != here.line || here.index - self.mark.index > KEY_REACH
@@ -33,8 +33,8 @@ impl Candidate {
 /// A source of tokens.
 pub(super) struct Scanner<'t> {
     /// The text.
-    pub(super) reader: Reader<'t>,
-    tokens: VecDeque<Token>,
+    pub(super) reader: YamlReader<'t>,
+    tokens: VecDeque<YamlToken>,
     taken: usize,
     done: bool,
     /// Open brackets; below zero when too many were closed.
@@ -45,7 +45,7 @@ pub(super) struct Scanner<'t> {
     /// Whether a key may begin here.
     pub(super) key_allowed: bool,
     /// At most one per flow level.
-    candidates: Vec<Candidate>,
+    candidates: Vec<KeyCandidate>,
 }
 
 impl<'t> Scanner<'t> {
@@ -53,9 +53,9 @@ impl<'t> Scanner<'t> {
     ///
     /// # Errors
     /// When the text holds a character no YAML may hold.
-    pub(super) fn new(text: &'t str) -> Result<Self, Failure> {
+    pub(super) fn new(text: &'t str) -> Result<Self, RawError> {
         Ok(Self {
-            reader: Reader::new(text)?,
+            reader: YamlReader::new(text)?,
             tokens: VecDeque::new(),
             taken: 0,
             done: false,
@@ -68,26 +68,26 @@ impl<'t> Scanner<'t> {
     }
 
     /// The next token, left in place.
-    pub(super) fn peek(&mut self) -> Result<&Token, Failure> {
+    pub(super) fn peek(&mut self) -> Result<&YamlToken, RawError> {
         while self.needs_more()? {
             self.fetch()?;
         }
         let here = self.reader.mark();
         if self.tokens.is_empty() {
-            self.push(TokenKind::StreamEnd, here);
+            self.push(YamlTokenKind::StreamEnd, here);
         }
         self.tokens
             .front()
-            .ok_or_else(|| Failure::new("found unexpected end of stream", here))
+            .ok_or_else(|| RawError::new("found unexpected end of stream", here))
     }
 
     /// The next token.
-    pub(super) fn next(&mut self) -> Result<Token, Failure> {
+    pub(super) fn next(&mut self) -> Result<YamlToken, RawError> {
         self.peek()?;
         self.taken += 1;
         let here = self.reader.mark();
-        let end = Token {
-            kind: TokenKind::StreamEnd,
+        let end = YamlToken {
+            kind: YamlTokenKind::StreamEnd,
             start: here,
             end: here,
         };
@@ -108,7 +108,7 @@ impl<'t> Scanner<'t> {
         i64::from(self.reader.mark().column)
     }
 
-    fn needs_more(&mut self) -> Result<bool, Failure> {
+    fn needs_more(&mut self) -> Result<bool, RawError> {
         if self.done {
             return Ok(false);
         }
@@ -127,8 +127,8 @@ impl<'t> Scanner<'t> {
             == Some(self.taken))
     }
 
-    fn push(&mut self, kind: TokenKind, start: Mark) {
-        self.tokens.push_back(Token {
+    fn push(&mut self, kind: YamlTokenKind, start: Mark) {
+        self.tokens.push_back(YamlToken {
             kind,
             start,
             end: self.reader.mark(),
@@ -136,7 +136,7 @@ impl<'t> Scanner<'t> {
     }
 
     /// Scan the next token, and the ends of blocks before it.
-    fn fetch(&mut self) -> Result<(), Failure> {
+    fn fetch(&mut self) -> Result<(), RawError> {
         self.skip_to_token();
         self.drop_stale_candidates()?;
         self.close_blocks(self.column());
@@ -146,10 +146,10 @@ impl<'t> Scanner<'t> {
             END => self.fetch_end(),
             '%' if at_line_start => self.fetch_directive(),
             '-' | '.' if at_line_start && self.reader.at_document_marker() => self.fetch_marker(c),
-            '[' => self.fetch_open(TokenKind::FlowSequenceStart),
-            '{' => self.fetch_open(TokenKind::FlowMappingStart),
-            ']' => self.fetch_close(TokenKind::FlowSequenceEnd),
-            '}' => self.fetch_close(TokenKind::FlowMappingEnd),
+            '[' => self.fetch_open(YamlTokenKind::FlowSequenceStart),
+            '{' => self.fetch_open(YamlTokenKind::FlowMappingStart),
+            ']' => self.fetch_close(YamlTokenKind::FlowSequenceEnd),
+            '}' => self.fetch_close(YamlTokenKind::FlowMappingEnd),
             ',' => self.fetch_comma(),
             '-' if is_blank_or_end(next) => self.fetch_dash(),
             '?' if self.in_flow() || is_blank_or_end(next) => self.fetch_question_mark(),
@@ -170,7 +170,7 @@ impl<'t> Scanner<'t> {
                     "found character {} that cannot start any token",
                     repr(&c.to_string())
                 );
-                Err(Failure::during(
+                Err(RawError::during(
                     "while scanning for the next token",
                     problem,
                     self.reader.mark(),
@@ -210,14 +210,14 @@ impl<'t> Scanner<'t> {
 
     // Candidates.
 
-    fn missing_colon(&self, candidate: &Candidate) -> Failure {
+    fn missing_colon(&self, candidate: &KeyCandidate) -> RawError {
         let (start, end) = (candidate.mark, self.reader.mark());
         let reach = if start.line == end.line {
             end.offset
         } else {
             self.reader.line_end(start)
         };
-        Failure::within(
+        RawError::within(
             "while scanning a simple key",
             start,
             "could not find expected ':'",
@@ -226,7 +226,7 @@ impl<'t> Scanner<'t> {
         .blaming(TextRange::new(start.offset, reach))
     }
 
-    fn drop_stale_candidates(&mut self) -> Result<(), Failure> {
+    fn drop_stale_candidates(&mut self) -> Result<(), RawError> {
         let here = self.reader.mark();
         let lost = self
             .candidates
@@ -240,7 +240,7 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    fn take_candidate(&mut self) -> Option<Candidate> {
+    fn take_candidate(&mut self) -> Option<KeyCandidate> {
         let at = self
             .candidates
             .iter()
@@ -248,20 +248,20 @@ impl<'t> Scanner<'t> {
         Some(self.candidates.swap_remove(at))
     }
 
-    fn drop_candidate(&mut self) -> Result<(), Failure> {
+    fn drop_candidate(&mut self) -> Result<(), RawError> {
         match self.take_candidate() {
             Some(candidate) if candidate.required => Err(self.missing_colon(&candidate)),
             _ => Ok(()),
         }
     }
 
-    fn save_candidate(&mut self) -> Result<(), Failure> {
+    fn save_candidate(&mut self) -> Result<(), RawError> {
         if self.key_allowed {
             self.drop_candidate()?;
             let required = !self.in_flow() && self.indent == self.column();
             let token = self.taken + self.tokens.len();
             let mark = self.reader.mark();
-            self.candidates.push(Candidate {
+            self.candidates.push(KeyCandidate {
                 flow_level: self.flow_level,
                 token,
                 required,
@@ -276,7 +276,7 @@ impl<'t> Scanner<'t> {
     fn close_blocks(&mut self, column: i64) {
         while !self.in_flow() && self.indent > column {
             self.indent = self.outer_indents.pop().unwrap_or(-1);
-            self.push(TokenKind::BlockEnd, self.reader.mark());
+            self.push(YamlTokenKind::BlockEnd, self.reader.mark());
         }
     }
 
@@ -290,10 +290,10 @@ impl<'t> Scanner<'t> {
     }
 
     /// Begin an entry of a block collection that is not a key candidate.
-    fn begin_entry(&mut self, kind: TokenKind, problem: &str) -> Result<(), Failure> {
+    fn begin_entry(&mut self, kind: YamlTokenKind, problem: &str) -> Result<(), RawError> {
         if !self.in_flow() {
             if !self.key_allowed {
-                return Err(Failure::new(problem, self.reader.mark()));
+                return Err(RawError::new(problem, self.reader.mark()));
             }
             if self.open_block(self.column()) {
                 self.push(kind, self.reader.mark());
@@ -304,23 +304,23 @@ impl<'t> Scanner<'t> {
 
     // Tokens.
 
-    fn fetch_character(&mut self, kind: TokenKind) {
+    fn fetch_character(&mut self, kind: YamlTokenKind) {
         let start = self.reader.mark();
         self.reader.advance();
         self.push(kind, start);
     }
 
-    fn fetch_end(&mut self) -> Result<(), Failure> {
+    fn fetch_end(&mut self) -> Result<(), RawError> {
         self.close_blocks(-1);
         self.drop_candidate()?;
         self.key_allowed = false;
         self.candidates.clear();
-        self.push(TokenKind::StreamEnd, self.reader.mark());
+        self.push(YamlTokenKind::StreamEnd, self.reader.mark());
         self.done = true;
         Ok(())
     }
 
-    fn fetch_directive(&mut self) -> Result<(), Failure> {
+    fn fetch_directive(&mut self) -> Result<(), RawError> {
         self.close_blocks(-1);
         self.drop_candidate()?;
         self.key_allowed = false;
@@ -329,7 +329,7 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    fn fetch_marker(&mut self, c: char) -> Result<(), Failure> {
+    fn fetch_marker(&mut self, c: char) -> Result<(), RawError> {
         self.close_blocks(-1);
         self.drop_candidate()?;
         self.key_allowed = false;
@@ -339,16 +339,16 @@ impl<'t> Scanner<'t> {
         }
         self.push(
             if c == '-' {
-                TokenKind::DocumentStart
+                YamlTokenKind::DocumentStart
             } else {
-                TokenKind::DocumentEnd
+                YamlTokenKind::DocumentEnd
             },
             start,
         );
         Ok(())
     }
 
-    fn fetch_open(&mut self, kind: TokenKind) -> Result<(), Failure> {
+    fn fetch_open(&mut self, kind: YamlTokenKind) -> Result<(), RawError> {
         self.save_candidate()?;
         self.flow_level += 1;
         self.key_allowed = true;
@@ -356,7 +356,7 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    fn fetch_close(&mut self, kind: TokenKind) -> Result<(), Failure> {
+    fn fetch_close(&mut self, kind: YamlTokenKind) -> Result<(), RawError> {
         self.drop_candidate()?;
         self.flow_level -= 1;
         self.key_allowed = false;
@@ -364,36 +364,36 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    fn fetch_comma(&mut self) -> Result<(), Failure> {
+    fn fetch_comma(&mut self) -> Result<(), RawError> {
         self.key_allowed = true;
         self.drop_candidate()?;
-        self.fetch_character(TokenKind::FlowEntry);
+        self.fetch_character(YamlTokenKind::FlowEntry);
         Ok(())
     }
 
-    fn fetch_dash(&mut self) -> Result<(), Failure> {
+    fn fetch_dash(&mut self) -> Result<(), RawError> {
         self.begin_entry(
-            TokenKind::BlockSequenceStart,
+            YamlTokenKind::BlockSequenceStart,
             "sequence entries are not allowed here",
         )?;
         self.key_allowed = true;
         self.drop_candidate()?;
-        self.fetch_character(TokenKind::BlockEntry);
+        self.fetch_character(YamlTokenKind::BlockEntry);
         Ok(())
     }
 
-    fn fetch_question_mark(&mut self) -> Result<(), Failure> {
+    fn fetch_question_mark(&mut self) -> Result<(), RawError> {
         self.begin_entry(
-            TokenKind::BlockMappingStart,
+            YamlTokenKind::BlockMappingStart,
             "mapping keys are not allowed here",
         )?;
         self.key_allowed = !self.in_flow();
         self.drop_candidate()?;
-        self.fetch_character(TokenKind::Key);
+        self.fetch_character(YamlTokenKind::Key);
         Ok(())
     }
 
-    fn fetch_colon(&mut self) -> Result<(), Failure> {
+    fn fetch_colon(&mut self) -> Result<(), RawError> {
         if let Some(candidate) = self.take_candidate() {
             let at = candidate
                 .token
@@ -402,8 +402,8 @@ impl<'t> Scanner<'t> {
             let mark = candidate.mark;
             self.tokens.insert(
                 at,
-                Token {
-                    kind: TokenKind::Key,
+                YamlToken {
+                    kind: YamlTokenKind::Key,
                     start: mark,
                     end: mark,
                 },
@@ -411,8 +411,8 @@ impl<'t> Scanner<'t> {
             if !self.in_flow() && self.open_block(i64::from(mark.column)) {
                 self.tokens.insert(
                     at,
-                    Token {
-                        kind: TokenKind::BlockMappingStart,
+                    YamlToken {
+                        kind: YamlTokenKind::BlockMappingStart,
                         start: mark,
                         end: mark,
                     },
@@ -421,20 +421,20 @@ impl<'t> Scanner<'t> {
             self.key_allowed = false;
         } else {
             self.begin_entry(
-                TokenKind::BlockMappingStart,
+                YamlTokenKind::BlockMappingStart,
                 "mapping values are not allowed here",
             )?;
             self.key_allowed = !self.in_flow();
         }
-        self.fetch_character(TokenKind::Value);
+        self.fetch_character(YamlTokenKind::Value);
         Ok(())
     }
 
     /// A token that may be, or begin, a key.
     fn fetch_word(
         &mut self,
-        scan: impl FnOnce(&mut Self) -> Result<Token, Failure>,
-    ) -> Result<(), Failure> {
+        scan: impl FnOnce(&mut Self) -> Result<YamlToken, RawError>,
+    ) -> Result<(), RawError> {
         self.save_candidate()?;
         self.key_allowed = false;
         let token = scan(self)?;

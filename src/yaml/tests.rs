@@ -1,20 +1,20 @@
 //! Against the stored answers of PyYAML (`tests/oracle/yaml_cases.py` writes them).
 
 use super::error::repr;
-use super::{Kind, Node, load};
+use super::{YamlKind, YamlNode, load};
 
 /// Python's `repr` of a value.
-fn show(node: &Node) -> String {
-    let list = |items: &[Node]| items.iter().map(show).collect::<Vec<_>>().join(", ");
+fn show(node: &YamlNode) -> String {
+    let list = |items: &[YamlNode]| items.iter().map(show).collect::<Vec<_>>().join(", ");
     match &node.kind {
-        Kind::Null => "None".to_owned(),
-        Kind::Bool(true) => "True".to_owned(),
-        Kind::Bool(false) => "False".to_owned(),
-        Kind::Int(value) => value.to_string(),
-        Kind::Float(value) => float(*value),
-        Kind::Str(text) => repr(text),
-        Kind::Timestamp { repr, .. } => repr.clone(),
-        Kind::Binary(bytes) => {
+        YamlKind::Null => "None".to_owned(),
+        YamlKind::Bool(true) => "True".to_owned(),
+        YamlKind::Bool(false) => "False".to_owned(),
+        YamlKind::Int(value) => value.to_string(),
+        YamlKind::Float(value) => float(*value),
+        YamlKind::Str(text) => repr(text),
+        YamlKind::Timestamp { repr, .. } => repr.clone(),
+        YamlKind::Binary(bytes) => {
             // As characters, of which `repr` shows those that are not ASCII.
             let text = repr(
                 &bytes
@@ -28,28 +28,28 @@ fn show(node: &Node) -> String {
             });
             format!("b{}", escaped.collect::<String>())
         }
-        Kind::List(items) => format!("[{}]", list(items)),
-        Kind::Map(items) => {
+        YamlKind::List(items) => format!("[{}]", list(items)),
+        YamlKind::Map(items) => {
             let items: Vec<String> = items
                 .iter()
                 .map(|(key, value)| format!("{}: {}", show(key), show(value)))
                 .collect();
             format!("{{{}}}", items.join(", "))
         }
-        Kind::Set(items) if items.is_empty() => "set()".to_owned(),
-        Kind::Set(items) => {
+        YamlKind::Set(items) if items.is_empty() => "set()".to_owned(),
+        YamlKind::Set(items) => {
             let mut items: Vec<String> = items.iter().map(show).collect();
             items.sort();
             format!("{{{}}}", items.join(", "))
         }
-        Kind::Pairs(items) => {
+        YamlKind::Pairs(items) => {
             let items: Vec<String> = items
                 .iter()
                 .map(|(key, value)| format!("({}, {})", show(key), show(value)))
                 .collect();
             format!("[{}]", items.join(", "))
         }
-        Kind::Tagged { unit, text } => format!("Unit({}, {})", repr(unit.name()), repr(text)),
+        YamlKind::Tagged { unit, text } => format!("Unit({}, {})", repr(unit.name()), repr(text)),
     }
 }
 
@@ -126,7 +126,7 @@ fn short(text: &str) -> String {
 #[test]
 fn values_know_their_place() {
     let text = "a: 1\nlist:\n  - x  # first\n  - 'y'\n\n# end\nmap: {k: [1, 2]}\nnone:\nalias: &v 7\nagain: *v\n";
-    let Kind::Map(items) = load(text, "f.yaml").unwrap().kind else {
+    let YamlKind::Map(items) = load(text, "f.yaml").unwrap().kind else {
         panic!("a mapping")
     };
     let places: Vec<(&str, &str)> = items

@@ -1,9 +1,9 @@
 //! Scalars: plain, quoted, block.
 
-use super::error::{Failure, repr};
+use super::error::{RawError, repr};
 use super::reader::{END, Mark, is_blank, is_blank_or_end, is_break, is_break_or_end};
 use super::scanner::Scanner;
-use super::token::{Token, TokenKind};
+use super::token::{YamlToken, YamlTokenKind};
 use base::TextRange;
 
 /// A character as messages show it: Python reads every line end as `\n`.
@@ -18,8 +18,8 @@ pub(super) fn is_space_or_end(c: char) -> bool {
 
 impl Scanner<'_> {
     /// A token from `start` to the cursor.
-    pub(super) fn token(&self, kind: TokenKind, start: Mark) -> Token {
-        Token {
+    pub(super) fn token(&self, kind: YamlTokenKind, start: Mark) -> YamlToken {
+        YamlToken {
             kind,
             start,
             end: self.reader.mark(),
@@ -27,12 +27,12 @@ impl Scanner<'_> {
     }
 
     /// "expected X, but found Y", Y being the character at the cursor.
-    pub(super) fn unexpected(&self, context: &str, began: Mark, expected: &str) -> Failure {
+    pub(super) fn unexpected(&self, context: &str, began: Mark, expected: &str) -> RawError {
         let problem = format!(
             "expected {expected}, but found {}",
             shown(self.reader.peek())
         );
-        Failure::within(context, began, problem, self.reader.mark())
+        RawError::within(context, began, problem, self.reader.mark())
     }
 
     /// The value of `count` hexadecimal digits, which are taken, or the first character that is none.
@@ -51,7 +51,7 @@ impl Scanner<'_> {
     }
 
     /// Text without quotes.
-    pub(super) fn scan_plain(&mut self) -> Result<Token, Failure> {
+    pub(super) fn scan_plain(&mut self) -> Result<YamlToken, RawError> {
         let start = self.reader.mark();
         let mut end = start;
         let indent = self.indent() + 1;
@@ -75,8 +75,8 @@ impl Scanner<'_> {
                 break;
             }
         }
-        Ok(Token {
-            kind: TokenKind::Scalar(text, true),
+        Ok(YamlToken {
+            kind: YamlTokenKind::Scalar(text, true),
             start,
             end,
         })
@@ -115,7 +115,7 @@ impl Scanner<'_> {
     }
 
     /// Text in single or double quotes.
-    pub(super) fn scan_quoted(&mut self) -> Result<Token, Failure> {
+    pub(super) fn scan_quoted(&mut self) -> Result<YamlToken, RawError> {
         let start = self.reader.mark();
         let quote = self.reader.advance();
         let mut text = String::new();
@@ -125,7 +125,7 @@ impl Scanner<'_> {
             self.scan_quoted_words(quote, start, &mut text)?;
         }
         self.reader.advance();
-        Ok(self.token(TokenKind::Scalar(text, false), start))
+        Ok(self.token(YamlTokenKind::Scalar(text, false), start))
     }
 
     fn scan_quoted_words(
@@ -133,7 +133,7 @@ impl Scanner<'_> {
         quote: char,
         start: Mark,
         text: &mut String,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), RawError> {
         loop {
             match self.reader.peek() {
                 c if is_blank_or_end(c) => return Ok(()),
@@ -150,7 +150,7 @@ impl Scanner<'_> {
         }
     }
 
-    fn scan_escape(&mut self, start: Mark, text: &mut String) -> Result<(), Failure> {
+    fn scan_escape(&mut self, start: Mark, text: &mut String) -> Result<(), RawError> {
         let context = "while scanning a double-quoted scalar";
         self.reader.advance();
         let c = self.reader.peek();
@@ -170,7 +170,12 @@ impl Scanner<'_> {
             }
             _ => {
                 let problem = format!("found unknown escape character {}", shown(c));
-                return Err(Failure::within(context, start, problem, self.reader.mark()));
+                return Err(RawError::within(
+                    context,
+                    start,
+                    problem,
+                    self.reader.mark(),
+                ));
             }
         };
         self.reader.advance();
@@ -180,7 +185,7 @@ impl Scanner<'_> {
                 "expected escape sequence of {length} hexadecimal numbers, but found {}",
                 shown(found)
             );
-            Failure::within(context, start, problem, at)
+            RawError::within(context, start, problem, at)
         })?;
         // A lone surrogate is a character in Python and none here.
         match char::from_u32(code) {
@@ -188,7 +193,7 @@ impl Scanner<'_> {
             None if code <= 0xFFFF => text.push('\u{FFFD}'),
             None => {
                 let range = TextRange::new(at.offset, self.reader.mark().offset);
-                return Err(Failure::Python {
+                return Err(RawError::Python {
                     message: "chr() arg not in range(0x110000)".to_owned(),
                     range,
                 });
@@ -197,11 +202,11 @@ impl Scanner<'_> {
         Ok(())
     }
 
-    fn scan_quoted_blanks(&mut self, start: Mark, text: &mut String) -> Result<(), Failure> {
+    fn scan_quoted_blanks(&mut self, start: Mark, text: &mut String) -> Result<(), RawError> {
         let blanks = self.reader.take_while(is_blank);
         if self.reader.peek() == END {
             let problem = "found unexpected end of stream";
-            return Err(Failure::within(
+            return Err(RawError::within(
                 "while scanning a quoted scalar",
                 start,
                 problem,
@@ -219,13 +224,18 @@ impl Scanner<'_> {
     }
 
     /// Empty lines inside quotes.
-    fn scan_quoted_breaks(&mut self, start: Mark) -> Result<String, Failure> {
+    fn scan_quoted_breaks(&mut self, start: Mark) -> Result<String, RawError> {
         let mut breaks = String::new();
         loop {
             if self.reader.at_document_marker() {
                 let problem = "found unexpected document separator";
                 let context = "while scanning a quoted scalar";
-                return Err(Failure::within(context, start, problem, self.reader.mark()));
+                return Err(RawError::within(
+                    context,
+                    start,
+                    problem,
+                    self.reader.mark(),
+                ));
             }
             self.reader.take_while(is_blank);
             match self.reader.take_break() {
@@ -236,7 +246,7 @@ impl Scanner<'_> {
     }
 
     /// Text behind `|` or `>`.
-    pub(super) fn scan_block_scalar(&mut self) -> Result<Token, Failure> {
+    pub(super) fn scan_block_scalar(&mut self) -> Result<YamlToken, RawError> {
         let start = self.reader.mark();
         let is_folded = self.reader.advance() == '>';
         let header = self.scan_block_header(start)?;
@@ -277,14 +287,14 @@ impl Scanner<'_> {
         if header.chomp == Some('+') {
             text.push_str(&breaks);
         }
-        Ok(Token {
-            kind: TokenKind::Scalar(text, false),
+        Ok(YamlToken {
+            kind: YamlTokenKind::Scalar(text, false),
             start,
             end,
         })
     }
 
-    fn scan_block_header(&mut self, start: Mark) -> Result<BlockHeader, Failure> {
+    fn scan_block_header(&mut self, start: Mark) -> Result<BlockHeader, RawError> {
         let context = "while scanning a block scalar";
         let mut header = BlockHeader::default();
         loop {
@@ -292,7 +302,12 @@ impl Scanner<'_> {
                 c @ ('+' | '-') if header.chomp.is_none() => header.chomp = Some(c),
                 '0' if header.indent.is_none() => {
                     let problem = "expected indentation indicator in the range 1-9, but found 0";
-                    return Err(Failure::within(context, start, problem, self.reader.mark()));
+                    return Err(RawError::within(
+                        context,
+                        start,
+                        problem,
+                        self.reader.mark(),
+                    ));
                 }
                 c if c.is_ascii_digit() && header.indent.is_none() => {
                     header.indent = c.to_digit(10)

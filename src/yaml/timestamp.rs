@@ -2,7 +2,7 @@
 
 /// The parts of a timestamp as they are written.
 #[derive(Debug, PartialEq)]
-pub(super) struct Parts {
+pub(super) struct TimestampParts {
     pub(super) year: u32,
     pub(super) month: u32,
     pub(super) day: u32,
@@ -21,9 +21,9 @@ pub(super) struct Time {
 }
 
 /// Reads a timestamp piece by piece.
-struct Cursor<'t>(&'t str);
+struct TimestampReader<'t>(&'t str);
 
-impl Cursor<'_> {
+impl TimestampReader<'_> {
     fn eat(&mut self, c: char) -> Option<()> {
         self.0 = self.0.strip_prefix(c)?;
         Some(())
@@ -54,8 +54,8 @@ impl Cursor<'_> {
 }
 
 /// The parts of a text that has the form of a timestamp, valid or not.
-pub(super) fn parse(text: &str) -> Option<Parts> {
-    let mut cursor = Cursor(text);
+pub(super) fn parse(text: &str) -> Option<TimestampParts> {
+    let mut cursor = TimestampReader(text);
     let year = cursor.number(4, 4)?;
     cursor.eat('-')?;
     let month = cursor.number(1, 2)?;
@@ -66,7 +66,7 @@ pub(super) fn parse(text: &str) -> Option<Parts> {
     } else {
         Some(time(&mut cursor)?)
     };
-    Some(Parts {
+    Some(TimestampParts {
         year,
         month,
         day,
@@ -74,7 +74,7 @@ pub(super) fn parse(text: &str) -> Option<Parts> {
     })
 }
 
-fn time(cursor: &mut Cursor<'_>) -> Option<Time> {
+fn time(cursor: &mut TimestampReader<'_>) -> Option<Time> {
     if cursor.eat('T').or_else(|| cursor.eat('t')).is_none() && !cursor.blanks() {
         return None;
     }
@@ -111,7 +111,7 @@ fn time(cursor: &mut Cursor<'_>) -> Option<Time> {
 }
 
 /// Nothing, `Z`, or an offset.
-fn zone(cursor: &mut Cursor<'_>) -> Option<Option<i32>> {
+fn zone(cursor: &mut TimestampReader<'_>) -> Option<Option<i32>> {
     if cursor.0.is_empty() {
         return Some(None);
     }
@@ -132,13 +132,13 @@ fn zone(cursor: &mut Cursor<'_>) -> Option<Option<i32>> {
     Some(Some(sign * i32::try_from(hours * 60 + minutes).ok()?))
 }
 
-impl Parts {
+impl TimestampParts {
     /// What Python's `str` and `repr` give.
     ///
     /// # Errors
     /// The message of Python's `ValueError` for a date or time that does not exist.
     pub(super) fn show(&self) -> Result<(String, String), String> {
-        let Parts {
+        let TimestampParts {
             year,
             month,
             day,

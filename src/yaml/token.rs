@@ -4,9 +4,9 @@ use super::reader::Mark;
 
 /// A token and its place.
 #[derive(Clone, Debug)]
-pub(super) struct Token {
+pub(super) struct YamlToken {
     /// What it is.
-    pub(super) kind: TokenKind,
+    pub(super) kind: YamlTokenKind,
     /// Its first character.
     pub(super) start: Mark,
     /// Behind its last character.
@@ -15,9 +15,9 @@ pub(super) struct Token {
 
 /// Kinds of tokens.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum TokenKind {
+pub(super) enum YamlTokenKind {
     StreamEnd,
-    Directive(Directive),
+    Directive(YamlDirective),
     DocumentStart,
     DocumentEnd,
     BlockSequenceStart,
@@ -41,7 +41,7 @@ pub(super) enum TokenKind {
 
 /// Lines that begin with `%`.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Directive {
+pub(super) enum YamlDirective {
     /// The version's first number, as written.
     Yaml(String),
     /// Handle and prefix.
@@ -50,29 +50,29 @@ pub(super) enum Directive {
     Other,
 }
 
-impl TokenKind {
+impl YamlTokenKind {
     /// The name of the kind in messages.
     pub(super) fn name(&self) -> &'static str {
         match self {
-            TokenKind::StreamEnd => "<stream end>",
-            TokenKind::Directive(_) => "<directive>",
-            TokenKind::DocumentStart => "<document start>",
-            TokenKind::DocumentEnd => "<document end>",
-            TokenKind::BlockSequenceStart => "<block sequence start>",
-            TokenKind::BlockMappingStart => "<block mapping start>",
-            TokenKind::BlockEnd => "<block end>",
-            TokenKind::FlowSequenceStart => "[",
-            TokenKind::FlowMappingStart => "{",
-            TokenKind::FlowSequenceEnd => "]",
-            TokenKind::FlowMappingEnd => "}",
-            TokenKind::BlockEntry => "-",
-            TokenKind::FlowEntry => ",",
-            TokenKind::Key => "?",
-            TokenKind::Value => ":",
-            TokenKind::Alias(_) => "<alias>",
-            TokenKind::Anchor(_) => "<anchor>",
-            TokenKind::Tag(..) => "<tag>",
-            TokenKind::Scalar(..) => "<scalar>",
+            YamlTokenKind::StreamEnd => "<stream end>",
+            YamlTokenKind::Directive(_) => "<directive>",
+            YamlTokenKind::DocumentStart => "<document start>",
+            YamlTokenKind::DocumentEnd => "<document end>",
+            YamlTokenKind::BlockSequenceStart => "<block sequence start>",
+            YamlTokenKind::BlockMappingStart => "<block mapping start>",
+            YamlTokenKind::BlockEnd => "<block end>",
+            YamlTokenKind::FlowSequenceStart => "[",
+            YamlTokenKind::FlowMappingStart => "{",
+            YamlTokenKind::FlowSequenceEnd => "]",
+            YamlTokenKind::FlowMappingEnd => "}",
+            YamlTokenKind::BlockEntry => "-",
+            YamlTokenKind::FlowEntry => ",",
+            YamlTokenKind::Key => "?",
+            YamlTokenKind::Value => ":",
+            YamlTokenKind::Alias(_) => "<alias>",
+            YamlTokenKind::Anchor(_) => "<anchor>",
+            YamlTokenKind::Tag(..) => "<tag>",
+            YamlTokenKind::Scalar(..) => "<scalar>",
         }
     }
 }

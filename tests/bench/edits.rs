@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use large::robot;
-use xacro_lsp::analysis::{RootChoice, World};
+use xacro_lsp::analysis::{AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
 
@@ -37,38 +37,38 @@ fn main() {
     }
 }
 
-fn world(folder: &Path) -> World {
+fn host(folder: &Path) -> AnalysisHost {
     let env = Environment {
         vars: BTreeMap::new(),
         cwd: folder.to_owned(),
         ..Environment::default()
     };
-    World::new(env, vec![folder.to_owned()])
+    AnalysisHost::new(env, vec![folder.to_owned()])
 }
 
 /// Edit the number in the call in the middle, and expand the robot, or check it.
 fn edit(what: &str, calls: usize, edits: usize) {
     let (folder, path) = (Path::new("/nowhere"), Path::new("/nowhere/bench.xacro"));
-    let (mut world, text, none) = (world(folder), robot(calls), CancelFlag::default());
+    let (mut host, text, none) = (host(folder), robot(calls), CancelFlag::default());
     let call = format!("parent=\"s{}\" radius=\"", calls / 2);
     let at = (text.find(&call).unwrap() + call.len()) as u32;
-    world.set_text(path, text);
+    host.set_text(path, text);
     let open = [path.to_owned()];
-    let known = world.report(&open, &none).unwrap().findings.len();
+    let known = host.report(&open, &none).unwrap().findings.len();
     let mut old = format!("${{r_{}}}", calls / 2);
     let mut seen = Vec::new();
     for number in 0..edits {
         let new = format!("0.{:04}", 1000 + number % 9000);
-        world.edit(path, TextRange::new(at, at + old.len() as u32), &new);
+        host.edit(path, TextRange::new(at, at + old.len() as u32), &new);
         old = new;
         seen.push(match what {
-            "expand" => world
-                .analyzed(&RootChoice::plain(path), &none)
+            "expand" => host
+                .analyzed(&RootConfig::plain(path), &none)
                 .unwrap()
                 .expansion
                 .problems
                 .len(),
-            _ => world.report(&open, &none).unwrap().findings.len(),
+            _ => host.report(&open, &none).unwrap().findings.len(),
         });
     }
     seen.dedup();
@@ -89,22 +89,22 @@ fn dependants(robots: usize) {
         std::fs::write(&path, text).unwrap();
         open.push(path);
     }
-    let (mut world, none) = (world(&folder), CancelFlag::default());
-    world.scan(|| false);
+    let (mut host, none) = (host(&folder), CancelFlag::default());
+    host.scan(|| false);
     for path in &open {
-        world.set_text(path, std::fs::read_to_string(path).unwrap());
+        host.set_text(path, std::fs::read_to_string(path).unwrap());
     }
-    world.report(&open, &none).unwrap();
+    host.report(&open, &none).unwrap();
     let at = std::fs::read_to_string(&part).unwrap().find("2.5").unwrap() as u32;
     let (mut own, mut all, mut given_up) = (Vec::new(), Vec::new(), Vec::new());
     for number in 0..20 {
-        world.edit(
+        host.edit(
             &part,
             TextRange::new(at, at + 3),
             &format!("{}.{}", number % 9 + 1, number % 10),
         );
         let start = Instant::now();
-        world.report(&open[..1], &none).unwrap();
+        host.report(&open[..1], &none).unwrap();
         own.push(start.elapsed());
         let cancel = CancelFlag::default();
         let key = std::thread::spawn({
@@ -115,10 +115,10 @@ fn dependants(robots: usize) {
                 Instant::now()
             }
         });
-        world.report(&open, &cancel);
+        host.report(&open, &cancel);
         let back = Instant::now();
         given_up.push(back.saturating_duration_since(key.join().unwrap()));
-        world.report(&open, &none).unwrap();
+        host.report(&open, &none).unwrap();
         all.push(start.elapsed());
     }
     let median = |times: &mut Vec<Duration>| {

@@ -16,9 +16,9 @@ use std::path::{Path, PathBuf};
 
 use divan::{AllocProfiler, Bencher, black_box};
 use large::robot;
-use xacro_lsp::analysis::{RootChoice, World};
+use xacro_lsp::analysis::{AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
-use xacro_lsp::ide::{self, Cx, Scope, Sources};
+use xacro_lsp::ide::{self, CompletionScope, CompletionSources, Cx};
 use xacro_lsp::vfs::Environment;
 
 #[global_allocator]
@@ -33,7 +33,7 @@ const CALLS: [usize; 3] = [50, 500, 5000];
 
 /// A session with one open robot, checked once.
 struct Session {
-    world: World,
+    host: AnalysisHost,
     path: PathBuf,
     text: String,
     /// Whether the extra letter stands in the text.
@@ -48,14 +48,14 @@ impl Session {
             cwd: folder.to_owned(),
             ..Environment::default()
         };
-        let (mut world, path, text) = (
-            World::new(env, Vec::new()),
+        let (mut host, path, text) = (
+            AnalysisHost::new(env, Vec::new()),
             folder.join("bench.xacro"),
             robot(calls),
         );
-        world.set_text(&path, text.clone());
+        host.set_text(&path, text.clone());
         let mut session = Self {
-            world,
+            host,
             path,
             text,
             typed: false,
@@ -66,7 +66,7 @@ impl Session {
 
     fn check(&mut self) -> usize {
         let report = self
-            .world
+            .host
             .report(std::slice::from_ref(&self.path), &CancelFlag::default());
         report.unwrap().findings.len()
     }
@@ -76,7 +76,7 @@ impl Session {
         let at = (self.text.find(name).unwrap() + name.len()) as u32;
         let (end, letter) = if self.typed { (at + 1, "") } else { (at, "x") };
         self.typed = !self.typed;
-        self.world.edit(&self.path, TextRange::new(at, end), letter);
+        self.host.edit(&self.path, TextRange::new(at, end), letter);
     }
 }
 
@@ -106,21 +106,21 @@ fn check_of_an_edit_in_a_call(bencher: Bencher<'_, '_>, calls: usize) {
 #[divan::bench(args = CALLS)]
 fn completion(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
-    let root = RootChoice::plain(&session.path);
+    let root = RootConfig::plain(&session.path);
     let analyzed = session
-        .world
+        .host
         .analyzed(&root, &CancelFlag::default())
         .unwrap();
-    let source = session.world.document(&session.path).unwrap();
+    let source = session.host.document(&session.path).unwrap();
     let offset = session.text.find("base_mass *").unwrap() as u32 + 4;
     bencher.bench_local(|| {
         let expansions = [(&analyzed.expansion, analyzed.robot.as_ref())];
-        let scope = Scope::new(Sources {
+        let scope = CompletionScope::new(CompletionSources {
             source: &source,
             root: &root.file,
             expansions: &expansions,
-            vfs: &session.world.session().vfs,
-            packages: &session.world.session().packages,
+            vfs: &session.host.session().vfs,
+            packages: &session.host.session().packages,
             folders: &[],
             described: &[],
             roots: &[],
@@ -134,13 +134,13 @@ fn completion(bencher: Bencher<'_, '_>, calls: usize) {
 #[divan::bench(args = CALLS)]
 fn hover(bencher: Bencher<'_, '_>, calls: usize) {
     let mut session = Session::open(calls);
-    let root = RootChoice::plain(&session.path);
+    let root = RootConfig::plain(&session.path);
     let analyzed = session
-        .world
+        .host
         .analyzed(&root, &CancelFlag::default())
         .unwrap();
-    let source = session.world.document(&session.path).unwrap();
-    let settings = session.world.session().settings(&session.path);
+    let source = session.host.document(&session.path).unwrap();
+    let settings = session.host.session().settings(&session.path);
     let offset = session.text.find("base_mass *").unwrap() as u32 + 4;
     bencher.bench_local(|| {
         let cx = Cx {
@@ -149,9 +149,9 @@ fn hover(bencher: Bencher<'_, '_>, calls: usize) {
             robot: analyzed.robot.as_ref(),
             kinematics: analyzed.kinematics.as_ref(),
             beside: &[],
-            pinned: None,
+            selected_frame: None,
         };
-        let around = session.world.session().rule_env(&settings.config);
+        let around = session.host.session().rule_env(&settings.config);
         let names = || ide::TextNames::of(&analyzed.expansion, around);
         ide::hover(&cx, around, names, black_box(offset)).is_some()
     });

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use xacro_lsp::base::{CancelFlag, Span};
-use xacro_lsp::expand::{Expansion, Request, World, expand};
+use xacro_lsp::expand::{Expansion, Request, Sources, expand};
 use xacro_lsp::model::Robot;
 use xacro_lsp::rules::{self, Chosen, Finding, Fix, RootKind, Rule, check_expansion};
 
@@ -13,7 +13,7 @@ use super::{Session, blocks, session, write};
 type Offer = (&'static str, Span, Option<Fix>, Option<String>);
 
 fn expanded(session: &Session, file: &Path) -> Expansion {
-    let world = World {
+    let sources = Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
@@ -23,7 +23,7 @@ fn expanded(session: &Session, file: &Path) -> Expansion {
         probe: true,
         ..Request::default()
     };
-    expand(world, &request)
+    expand(sources, &request)
 }
 
 fn findings(session: &Session, file: &Path, rule: &'static Rule, made: &Expansion) -> Vec<Finding> {
@@ -34,8 +34,8 @@ fn findings(session: &Session, file: &Path, rule: &'static Rule, made: &Expansio
         cancel: &CancelFlag::default(),
         tally: None,
     };
-    let world = session.rule_env(&settings.config);
-    check_expansion(made, robot.as_ref(), (RootKind::Robot, true), world, chosen)
+    let env = session.rule_env(&settings.config);
+    check_expansion(made, robot.as_ref(), (RootKind::Robot, true), env, chosen)
 }
 
 fn offers(found: &[Finding]) -> Vec<Offer> {

@@ -1,15 +1,15 @@
 //! What `.setup_assistant` of MoveIt says, compared with the files that it names.
 use std::path::{Path, PathBuf};
 
-use super::super::analyzed::Analyzed;
 use super::super::options::CheckOptions;
-use super::super::root_choice::RootChoice;
+use super::super::root_analysis::RootAnalysis;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots};
 use super::pairing::stem;
 use base::{CancelFlag, Span, TextRange};
-use expand::{Expansion, Problem, ProblemKind, Severity};
-use project::{Assistant, Named};
+use expand::{Expansion, Problem, ProblemKind, ProblemSeverity};
+use project::{Assistant, SpannedName};
 use rules::{
     Finding, setup_assistant_file_not_found, setup_assistant_robot_fails,
     setup_assistant_unknown_argument,
@@ -105,9 +105,9 @@ impl Session {
         cancel: &CancelFlag,
     ) -> Option<Finding> {
         let (arguments, args) = (assistant.arguments.as_ref()?, assistant.given());
-        let with = robots.get(&RootChoice {
+        let with = robots.get(&RootConfig {
             args,
-            ..RootChoice::plain(file)
+            ..RootConfig::plain(file)
         })?;
         let errors = errors(&with.expansion);
         if errors.is_empty()
@@ -121,7 +121,7 @@ impl Session {
             cancel: cancel.clone(),
             ..CheckOptions::default()
         };
-        let plain = Analyzed::of(self, &RootChoice::plain(file), &options).expansion;
+        let plain = RootAnalysis::of(self, &RootConfig::plain(file), &options).expansion;
         let before: Vec<_> = plain
             .problems
             .iter()
@@ -186,7 +186,7 @@ fn is_xacro(name: &str) -> bool {
 /// The errors for which xacro gives no robot.
 fn errors(expansion: &Expansion) -> Vec<&Problem> {
     let is_error = |problem: &&Problem| {
-        problem.severity == Severity::Error && !problem.probed && !problem.excused
+        problem.severity == ProblemSeverity::Error && !problem.probed && !problem.excused
     };
     expansion.problems.iter().filter(is_error).collect()
 }
@@ -208,11 +208,11 @@ fn at_most_info(mut finding: Finding, is_info: bool) -> Finding {
 }
 
 /// Whether a path is written with backslashes, which separate folders on Windows.
-fn is_for_windows(path: &Named) -> bool {
+fn is_for_windows(path: &SpannedName) -> bool {
     path.name.contains('\\')
 }
 
-fn span_of(own: &Beside, named: &Named) -> Span {
+fn span_of(own: &Beside, named: &SpannedName) -> Span {
     Span {
         file: own.file,
         range: named.range,

@@ -1,12 +1,12 @@
 //! Files beside robots in an editor.
 use std::path::{Path, PathBuf};
 
-use super::super::root_choice::RootChoice;
+use super::super::host::AnalysisHost;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::super::walk::is_launch;
-use super::super::world::World;
+use super::compare::ComparisonResult;
 use super::files::{Beside, Robots, Sort, sort};
-use super::judge::Compared;
 use base::CancelFlag;
 
 impl Session {
@@ -35,16 +35,16 @@ impl Session {
     }
 }
 
-impl World {
+impl AnalysisHost {
     /// What there is to say about the files beside robots among `paths`, and about those beside robots that are shown: those
     /// that other robots, or the same with other arguments, have to be expanded for are left to when they are open.
     /// `None` when cancelled.
     pub(in super::super) fn beside_findings(
         &mut self,
         paths: &[PathBuf],
-        roots: &[RootChoice],
+        roots: &[RootConfig],
         cancel: &CancelFlag,
-    ) -> Option<Compared> {
+    ) -> Option<ComparisonResult> {
         let mut files: Vec<PathBuf> = paths
             .iter()
             .filter(|path| sort(path).is_some())
@@ -93,7 +93,7 @@ impl World {
     fn read(&mut self, files: &[PathBuf], cancel: &CancelFlag) -> Option<Vec<Beside>> {
         let mut srdfs = Robots::default();
         for file in files.iter().filter(|file| sort(file) == Some(Sort::Srdf)) {
-            let root = RootChoice::plain(file);
+            let root = RootConfig::plain(file);
             let analyzed = self.analyzed(&root, cancel)?;
             srdfs.insert(root, analyzed);
         }
@@ -106,7 +106,7 @@ impl World {
     }
 
     /// The robots that a file beside them is for, the most likely one first.
-    pub fn robots_beside(&self, path: &Path) -> Vec<RootChoice> {
+    pub fn robots_beside(&self, path: &Path) -> Vec<RootConfig> {
         match sort(path) {
             Some(_) => self.session().pairing(path).roots.clone(),
             None => Vec::new(),
@@ -115,7 +115,7 @@ impl World {
 
     /// The robots whose names may be used in a file: those that it is for; where nothing says which, a few of the workspace.
     /// Enough to offer names, not to judge them.
-    pub fn robots_to_name(&self, path: &Path) -> Vec<RootChoice> {
+    pub fn robots_to_name(&self, path: &Path) -> Vec<RootConfig> {
         const MOST: usize = 4;
         let known = self.robots_beside(path);
         if !known.is_empty() {
@@ -125,7 +125,7 @@ impl World {
         all.iter()
             .filter(|file| self.session().is_robot(file))
             .take(MOST)
-            .map(|file| RootChoice::plain(file))
+            .map(|file| RootConfig::plain(file))
             .collect()
     }
 }

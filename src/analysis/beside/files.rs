@@ -2,12 +2,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::super::analyzed::Analyzed;
-use super::super::root_choice::RootChoice;
+use super::super::root_analysis::RootAnalysis;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use base::{FastMap, FileId};
-use project::{Settings, Srdf, may_be_settings};
-use rules::{Content, is_semantic_name};
+use project::{Srdf, YamlSettings, may_be_settings};
+use rules::{BesideContent, is_semantic_name};
 
 /// A file beside a robot, read.
 #[derive(Clone)]
@@ -17,16 +17,16 @@ pub struct Beside {
     /// Its number.
     pub file: FileId,
     /// What it says.
-    pub(super) read: Read,
+    pub(super) read: ParsedBeside,
 }
 
 /// What a file beside a robot says.
 #[derive(Clone)]
-pub(super) enum Read {
+pub(super) enum ParsedBeside {
     /// A semantic description, with its expansion.
-    Srdf(Arc<Analyzed>, Arc<Srdf>),
+    Srdf(Arc<RootAnalysis>, Arc<Srdf>),
     /// YAML.
-    Settings(Arc<Settings>),
+    Settings(Arc<YamlSettings>),
 }
 
 /// What a file beside a robot is by its name.
@@ -57,7 +57,7 @@ pub fn is_settings(path: &Path) -> bool {
 }
 
 /// What a YAML file is for, in one word: the first that it says something about.
-fn kind_of(settings: &Settings) -> &'static str {
+fn kind_of(settings: &YamlSettings) -> &'static str {
     let kinds = [
         (settings.assistant.is_some(), "setup-assistant"),
         (
@@ -82,26 +82,26 @@ impl Beside {
     }
 
     /// What it says, for rules.
-    pub(super) fn content(&self) -> Content<'_> {
+    pub(super) fn content(&self) -> BesideContent<'_> {
         match &self.read {
-            Read::Srdf(_, srdf) => Content::Srdf(srdf),
-            Read::Settings(settings) => Content::Settings(settings),
+            ParsedBeside::Srdf(_, srdf) => BesideContent::Srdf(srdf),
+            ParsedBeside::Settings(settings) => BesideContent::Settings(settings),
         }
     }
 
     /// The SRDF with its expansion.
-    pub fn srdf(&self) -> Option<(&Analyzed, &Srdf)> {
+    pub fn srdf(&self) -> Option<(&RootAnalysis, &Srdf)> {
         match &self.read {
-            Read::Srdf(analyzed, srdf) => Some((analyzed, srdf)),
-            Read::Settings(_) => None,
+            ParsedBeside::Srdf(analyzed, srdf) => Some((analyzed, srdf)),
+            ParsedBeside::Settings(_) => None,
         }
     }
 
     /// The settings.
-    pub fn settings(&self) -> Option<&Settings> {
+    pub fn settings(&self) -> Option<&YamlSettings> {
         match &self.read {
-            Read::Settings(settings) => Some(settings),
-            Read::Srdf(..) => None,
+            ParsedBeside::Settings(settings) => Some(settings),
+            ParsedBeside::Srdf(..) => None,
         }
     }
 }
@@ -123,11 +123,11 @@ impl Session {
     pub(super) fn beside(&self, path: &Path, robots: &Robots) -> Option<Beside> {
         let read = match sort(path)? {
             Sort::Srdf => {
-                let analyzed = robots.get(&RootChoice::plain(path))?.clone();
+                let analyzed = robots.get(&RootConfig::plain(path))?.clone();
                 let srdf = Srdf::of(&analyzed.expansion)?;
-                Read::Srdf(analyzed, Arc::new(srdf))
+                ParsedBeside::Srdf(analyzed, Arc::new(srdf))
             }
-            Sort::Yaml => Read::Settings(self.beside_settings(path)?),
+            Sort::Yaml => ParsedBeside::Settings(self.beside_settings(path)?),
         };
         Some(Beside {
             path: path.to_owned(),
@@ -149,13 +149,13 @@ impl Session {
     }
 
     /// The settings in a YAML file; none when it has none, or is broken.
-    pub(in super::super) fn beside_settings(&self, path: &Path) -> Option<Arc<Settings>> {
+    pub(in super::super) fn beside_settings(&self, path: &Path) -> Option<Arc<YamlSettings>> {
         let text = self.vfs.text(path).ok()?;
         if !may_be_settings(&text.text) {
             return None;
         }
         let yaml = self.vfs.yaml(path, "").ok()?;
-        Some(Arc::new(Settings::read(
+        Some(Arc::new(YamlSettings::read(
             &text.text,
             yaml.value.as_ref().ok()?,
         )?))
@@ -163,4 +163,4 @@ impl Session {
 }
 
 /// Robots and SRDFs, expanded.
-pub(in super::super) type Robots = FastMap<RootChoice, Arc<Analyzed>>;
+pub(in super::super) type Robots = FastMap<RootConfig, Arc<RootAnalysis>>;

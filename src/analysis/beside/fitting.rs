@@ -4,21 +4,21 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::super::analyzed::Analyzed;
+use super::super::root_analysis::RootAnalysis;
 use super::super::session::Session;
 use super::files::{Beside, Robots};
 use super::paired::Pairing;
 use super::pairing::stem;
 use expand::Expansion;
-use rules::{Names, is_whole};
+use rules::{RobotNames, is_whole};
 
 /// The robots that a file is compared with.
 #[derive(Default)]
 pub(super) struct Paired {
     /// Whole robots.
-    pub robots: Vec<Arc<Analyzed>>,
+    pub robots: Vec<Arc<RootAnalysis>>,
     /// Copies and old versions of these: their names are known, and nothing else of them counts.
-    pub unused: Vec<Arc<Analyzed>>,
+    pub unused: Vec<Arc<RootAnalysis>>,
 }
 
 /// The part of the names of links and joints that has to fit when nothing but the name of the robot says for which one a
@@ -77,7 +77,11 @@ impl Session {
     }
 
     /// Take out the copies and old versions of a robot in use, when the file fits that one.
-    fn take_unused(&self, robots: &mut Vec<Arc<Analyzed>>, own: &Beside) -> Vec<Arc<Analyzed>> {
+    fn take_unused(
+        &self,
+        robots: &mut Vec<Arc<RootAnalysis>>,
+        own: &Beside,
+    ) -> Vec<Arc<RootAnalysis>> {
         if robots.len() < 2 {
             return Vec::new();
         }
@@ -96,8 +100,8 @@ impl Session {
 }
 
 /// The names of links and joints in robots.
-pub(super) fn names_of(robots: &[Arc<Analyzed>]) -> Names {
-    let mut names = Names::default();
+pub(super) fn names_of(robots: &[Arc<RootAnalysis>]) -> RobotNames {
+    let mut names = RobotNames::default();
     robots
         .iter()
         .filter_map(|one| one.robot.as_ref())
@@ -106,7 +110,7 @@ pub(super) fn names_of(robots: &[Arc<Analyzed>]) -> Names {
 }
 
 /// Whether all names of a robot are known, and all of it is there.
-fn is_settled(analyzed: &Analyzed) -> bool {
+fn is_settled(analyzed: &RootAnalysis) -> bool {
     let known = analyzed
         .robot
         .as_ref()
@@ -120,7 +124,7 @@ fn is_settled(analyzed: &Analyzed) -> bool {
 }
 
 /// Whether a file gives no robot, and its conditions do not change that: it collects macros.
-fn is_empty(analyzed: &Analyzed) -> bool {
+fn is_empty(analyzed: &RootAnalysis) -> bool {
     let gives = analyzed
         .robot
         .as_ref()
@@ -130,14 +134,14 @@ fn is_empty(analyzed: &Analyzed) -> bool {
 
 /// Whether another robot, of which everything is known, includes the file of this one, or is written for it: `arm.urdf`
 /// beside `arm.urdf.xacro`.
-fn is_part_of(analyzed: &Analyzed, all: &[Arc<Analyzed>]) -> bool {
+fn is_part_of(analyzed: &RootAnalysis, all: &[Arc<RootAnalysis>]) -> bool {
     let own = &analyzed.root.file;
     all.iter()
         .any(|other| is_whole_of(other, own) && is_settled(other))
 }
 
 /// Whether another robot includes a file, or has its name in the same folder.
-fn is_whole_of(other: &Analyzed, part: &Path) -> bool {
+fn is_whole_of(other: &RootAnalysis, part: &Path) -> bool {
     let root = &other.root.file;
     let mut files = other.expansion.files.iter().map(|file| &*file.source.path);
     let is_named_so = root.parent() == part.parent() && stem(root) == stem(part);
@@ -156,13 +160,13 @@ pub(super) fn has_choices(expansion: &Expansion) -> bool {
 }
 
 /// How many names of links and joints there are in a file, and which part of them a robot has.
-fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
+fn likeness(own: &Beside, names: &RobotNames) -> (u32, f64) {
     let (mut all, mut known) = (0u32, 0u32);
     for (kind, name) in own.names() {
         let list = match kind {
-            project::Kind::Link => &names.links,
-            project::Kind::Joint => &names.joints,
-            project::Kind::Group => continue,
+            project::ProjectNameKind::Link => &names.links,
+            project::ProjectNameKind::Joint => &names.joints,
+            project::ProjectNameKind::Group => continue,
         };
         all += 1;
         known += u32::from(list.contains(name.as_str()));
@@ -179,7 +183,7 @@ fn likeness(own: &Beside, names: &Names) -> (u32, f64) {
 
 impl Beside {
     /// The different names of links, joints and groups.
-    fn names(&self) -> Vec<(project::Kind, EcoString)> {
+    fn names(&self) -> Vec<(project::ProjectNameKind, EcoString)> {
         let mut found: Vec<_> = match (self.srdf(), self.settings()) {
             (Some((_, srdf)), _) => srdf
                 .names()

@@ -1,17 +1,17 @@
 //! The names of links and joints that a robot has with other arguments, and in another environment.
 use ecow::EcoString;
 
-use super::super::analyzed::{Analyzed, job_of};
-use super::super::job;
 use super::super::proof::{CONDITIONS, turned_over};
-use super::super::root_choice::RootChoice;
+use super::super::root_analysis::{RootAnalysis, task_of};
+use super::super::root_config::RootConfig;
+use super::super::run_task;
 use super::super::session::Session;
 use base::CancelFlag;
-use expand::{Expansion, Forced, Request, World, expand};
+use expand::{Expansion, Forced, Request, Sources, expand};
 use model::Robot;
-use rules::Names;
+use rules::RobotNames;
 use vfs::Environment;
-use workspace::config::Args;
+use workspace::config::XacroArgs;
 
 /// Arguments of a robot that are turned over.
 const MOST_SWITCHES: usize = 8;
@@ -25,8 +25,12 @@ const VARIABLES: [&str; 2] = ["$(optenv ", "$(env "];
 impl Session {
     /// The names that a robot has with its switches turned over, with the values that launch files let somebody choose
     /// from, and in another environment.
-    pub(super) fn names_otherwise(&self, analyzed: &Analyzed, cancel: &CancelFlag) -> Names {
-        let mut names = Names::default();
+    pub(super) fn names_otherwise(
+        &self,
+        analyzed: &RootAnalysis,
+        cancel: &CancelFlag,
+    ) -> RobotNames {
+        let mut names = RobotNames::default();
         let turned = |(name, value): &(EcoString, EcoString)| match turned_over(value).as_slice() {
             [other] => Some((name.to_string(), (*other).to_owned())),
             _ => None,
@@ -50,7 +54,7 @@ impl Session {
         // one package may hold the settings of several robots, which its launch files make of one description
         let called = self.called_otherwise(&analyzed.root).into_iter();
         let called = called.flat_map(|args| {
-            let with_turned: Args = args.iter().chain(&switches).cloned().collect();
+            let with_turned: XacroArgs = args.iter().chain(&switches).cloned().collect();
             [args, with_turned]
         });
         for more in single
@@ -58,14 +62,14 @@ impl Session {
             .chain(called)
             .take_while(|_| !cancel.is_cancelled())
         {
-            let base = job::request(self, cancel, &job_of(&analyzed.root));
+            let base = run_task::request(self, cancel, &task_of(&analyzed.root));
             let args = base.args.iter().cloned().chain(more).collect();
             let other = Request {
                 args,
                 probe: false,
                 ..base
             };
-            add(&mut names, &expand(job::world(self), &other));
+            add(&mut names, &expand(run_task::sources(self), &other));
         }
         self.add_elsewhere(analyzed, cancel, &mut names);
         names
@@ -73,14 +77,14 @@ impl Session {
 
     /// The arguments with which launch files call a description, as far as they are known, and none: what a setup assistant was
     /// given is one robot of several then.
-    fn called_otherwise(&self, root: &RootChoice) -> Vec<Args> {
-        let mut found: Vec<Args> = Vec::new();
+    fn called_otherwise(&self, root: &RootConfig) -> Vec<XacroArgs> {
+        let mut found: Vec<XacroArgs> = Vec::new();
         for call in self.robot_calls(&root.file).iter() {
             let known = call.call.args.iter().filter_map(|argument| {
                 let value = argument.value.value(&self.packages, &call.call.caller)?;
                 Some((argument.name.clone(), value))
             });
-            let known: Args = known.collect();
+            let known: XacroArgs = known.collect();
             let is_own = call.target.as_deref() == Some(&*root.file);
             if is_own && !known.is_empty() && !found.contains(&known) {
                 found.push(known);
@@ -93,7 +97,7 @@ impl Session {
     /// Add the names that a robot has where variables of the environment are set that decide on parts of it: a script of
     /// the robot, or whoever starts it, may set them. A variable with a switch as its default is turned over, and the
     /// conditions that read one are taken, whatever they compare it with.
-    fn add_elsewhere(&self, analyzed: &Analyzed, cancel: &CancelFlag, names: &mut Names) {
+    fn add_elsewhere(&self, analyzed: &RootAnalysis, cancel: &CancelFlag, names: &mut RobotNames) {
         let environment = turned(&analyzed.expansion, &self.env);
         let forced = conditions(&analyzed.expansion);
         let ways = [
@@ -104,19 +108,19 @@ impl Session {
             let other = Request {
                 probe: false,
                 forced,
-                ..job::request(self, cancel, &job_of(&analyzed.root))
+                ..run_task::request(self, cancel, &task_of(&analyzed.root))
             };
-            let world = World {
+            let sources = Sources {
                 env: &env,
-                ..job::world(self)
+                ..run_task::sources(self)
             };
-            add(names, &expand(world, &other));
+            add(names, &expand(sources, &other));
         }
     }
 }
 
 /// Add the names of what an expansion gives.
-fn add(names: &mut Names, expansion: &Expansion) {
+fn add(names: &mut RobotNames, expansion: &Expansion) {
     Robot::of(expansion)
         .iter()
         .for_each(|robot| names.add(robot));

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::super::graph::gives_robot;
 use super::super::includes::reach;
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Sort, sort};
 use super::paired::{MOST_ROBOTS, Pairing};
@@ -113,9 +113,9 @@ impl Session {
             .into_owned();
         let file = vfs::without_parents(&self.vfs.absolute(&file));
         let file = self.extended(&package.folder).unwrap_or(file);
-        let root = RootChoice {
+        let root = RootConfig {
             args: assistant.given(),
-            ..RootChoice::plain(&file)
+            ..RootConfig::plain(&file)
         };
         self.vfs
             .is_file(&file)
@@ -175,11 +175,11 @@ impl Session {
     }
 
     /// The only robot that launch files of the package start.
-    fn started_near(&self, path: &Path) -> Vec<RootChoice> {
+    fn started_near(&self, path: &Path) -> Vec<RootConfig> {
         let calls = self.calls_around(path);
         let is_near = self.near(path);
         let near = calls.iter().filter(|call| is_near(&call.call.caller));
-        let roots: Vec<RootChoice> = near.filter_map(|call| self.started(call)).collect();
+        let roots: Vec<RootConfig> = near.filter_map(|call| self.started(call)).collect();
         let is_one = roots
             .windows(2)
             .all(|pair| matches!(pair, [a, b] if a.file == b.file));
@@ -187,7 +187,7 @@ impl Session {
     }
 
     /// The robot that a launch file calls.
-    fn started(&self, call: &RobotCall) -> Option<RootChoice> {
+    fn started(&self, call: &RobotCall) -> Option<RootConfig> {
         let file = call
             .target
             .as_ref()
@@ -196,9 +196,9 @@ impl Session {
             let value = argument.value.value(&self.packages, &call.call.caller)?;
             Some((argument.name.clone(), value))
         });
-        Some(RootChoice {
+        Some(RootConfig {
             args: args.collect(),
-            ..RootChoice::plain(file)
+            ..RootConfig::plain(file)
         })
     }
 
@@ -220,7 +220,7 @@ impl Session {
                     && (has_name(&text.text, &package.name) || caller.starts_with(&package.folder))
                     && sort(path) != Some(Sort::Srdf)
         };
-        let mut roots: Vec<RootChoice> = Vec::new();
+        let mut roots: Vec<RootConfig> = Vec::new();
         // a file that is loaded for a robot elsewhere, too, may be for that one alone
         let mut is_named = true;
         let calls = self.calls_around(path);
@@ -261,7 +261,7 @@ impl Session {
         } else {
             beside
         };
-        let mut roots: Vec<RootChoice> = found.iter().flat_map(|file| self.ways_of(file)).collect();
+        let mut roots: Vec<RootConfig> = found.iter().flat_map(|file| self.ways_of(file)).collect();
         roots.truncate(MOST_ROBOTS);
         Pairing {
             roots,
@@ -319,9 +319,9 @@ impl Session {
     }
 
     /// A robot as the configuration and launch files expand it; else with its defaults.
-    fn ways_of(&self, file: &Path) -> Vec<RootChoice> {
+    fn ways_of(&self, file: &Path) -> Vec<RootConfig> {
         let settings = self.settings(file);
-        let mut ways: Vec<RootChoice> = Vec::new();
+        let mut ways: Vec<RootConfig> = Vec::new();
         for root in &settings.config.roots {
             if root
                 .files(&self.vfs)
@@ -329,7 +329,7 @@ impl Session {
                 .any(|listed| self.vfs.absolute(listed) == file)
             {
                 let variants = self.variants(root, file).into_iter();
-                ways.extend(variants.map(|one| RootChoice {
+                ways.extend(variants.map(|one| RootConfig {
                     file: file.to_owned(),
                     args: one.args,
                     preset: one.preset,
@@ -337,7 +337,7 @@ impl Session {
             }
         }
         if ways.is_empty() {
-            ways.push(RootChoice::plain(file));
+            ways.push(RootConfig::plain(file));
         }
         ways
     }

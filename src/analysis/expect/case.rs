@@ -3,14 +3,14 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::super::configs::Settings;
-use super::super::job;
-use super::super::root_choice::RootChoice;
+use super::super::root_config::RootConfig;
+use super::super::run_task;
 use super::super::session::Session;
-use super::evaluate::Evaluation;
+use super::evaluate::ExpectationContext;
 use super::snapshot::Snapshot;
 use super::{RULE, TestOptions};
 use base::{Span, TextRange};
-use expand::{Expansion, Limits, Request, expand};
+use expand::{Expansion, ExpansionLimits, Request, expand};
 use model::{Kinematics, Robot};
 use rules::{
     Category, Chosen, Finding, Related, RootKind, Rule, Severity, all, check_expansion,
@@ -21,7 +21,7 @@ use workspace::config::{Axes, Expectation};
 
 /// One robot with one set of arguments.
 pub(super) struct Case {
-    pub(super) root: RootChoice,
+    pub(super) root: RootConfig,
     pub(super) settings: Arc<Settings>,
     /// The number of the entry of `roots`.
     pub(super) number: usize,
@@ -30,7 +30,7 @@ pub(super) struct Case {
 /// What a test gave.
 #[derive(Default)]
 pub(super) struct Ran {
-    pub(super) root: RootChoice,
+    pub(super) root: RootConfig,
     /// What failed.
     pub(super) findings: Vec<Finding>,
     /// The numbers of the expectations that apply.
@@ -53,7 +53,7 @@ impl Case {
 
     /// Expand the robot and compare it.
     pub(super) fn run(&self, session: &Session, options: &TestOptions) -> Ran {
-        let expansion = expand(job::world(session), &self.request(session, options));
+        let expansion = expand(run_task::sources(session), &self.request(session, options));
         let robot = Robot::of(&expansion);
         let mut findings = self.rejections(session, options, &expansion, robot.as_ref());
         let applies =
@@ -69,8 +69,12 @@ impl Case {
         if let Some(robot) = robot.filter(|_| findings.is_empty()) {
             let kinematics = Kinematics::of(&robot);
             for (_, expected) in &applying {
-                let mut evaluation =
-                    Evaluation::new(self, session, (&expansion, &robot, &kinematics), expected);
+                let mut evaluation = ExpectationContext::new(
+                    self,
+                    session,
+                    (&expansion, &robot, &kinematics),
+                    expected,
+                );
                 evaluation.run(options.update);
                 findings.append(&mut evaluation.findings);
                 snapshots.append(&mut evaluation.snapshots);
@@ -104,7 +108,7 @@ impl Case {
             file: vfs::slashed(file),
             args: self.root.args.clone(),
             ros_shell: true,
-            limits: Limits::configured(&self.settings.config.limits),
+            limits: ExpansionLimits::configured(&self.settings.config.limits),
             cancel: options.check.cancel.clone(),
             ..Request::default()
         }

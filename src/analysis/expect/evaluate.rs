@@ -9,13 +9,13 @@ use super::case::Case;
 use super::snapshot::Snapshot;
 use base::Span;
 use expand::{Expansion, Origin, Written, XId, write_mapped};
-use model::{ControlJoint, Joint, JointType, Kinematics, Link, Robot, Text, tag_start};
+use model::{AttrValue, ControlJoint, Joint, JointType, Kinematics, Link, Robot, tag_start};
 use rules::{Finding, Related, calls, span_of};
 use workspace::config::{Expectation, ExpectedJoint};
 use workspace::nearest;
 
 /// An expectation that applies to a robot.
-pub(super) struct Evaluation<'a> {
+pub(super) struct ExpectationContext<'a> {
     pub(super) case: &'a Case,
     pub(super) session: &'a Session,
     pub(super) expansion: &'a Expansion,
@@ -27,7 +27,7 @@ pub(super) struct Evaluation<'a> {
     pub(super) snapshots: Vec<Snapshot>,
 }
 
-impl<'a> Evaluation<'a> {
+impl<'a> ExpectationContext<'a> {
     pub(super) fn new(
         case: &'a Case,
         session: &'a Session,
@@ -181,7 +181,7 @@ impl<'a> Evaluation<'a> {
         }
     }
 
-    fn name_of(&self, element: XId, name: &Option<Text>) -> Origin {
+    fn name_of(&self, element: XId, name: &Option<AttrValue>) -> Origin {
         name.as_ref().map_or_else(|| self.tag(element), whole)
     }
 
@@ -266,13 +266,13 @@ impl<'a> Evaluation<'a> {
             let Some((from, to)) = ends else { continue };
             let mut parents = self
                 .kinematics
-                .above(to)
+                .ancestor_joints(to)
                 .filter_map(|joint| self.kinematics.ends(joint));
             if !parents.any(|(parent, _)| parent == from) {
                 let message = format!("link `{}` is not below link `{}`", end.value, top.value);
                 let joint = self
                     .kinematics
-                    .above(to)
+                    .ancestor_joints(to)
                     .next()
                     .and_then(|joint| self.robot.joints.get(joint));
                 let parent = joint.and_then(|joint| joint.parent.as_ref());
@@ -383,7 +383,7 @@ impl<'a> Evaluation<'a> {
             ),
         ] {
             let Some(wanted) = wanted else { continue };
-            let value = own.and_then(Text::number);
+            let value = own.and_then(AttrValue::number);
             if value.is_some_and(|value| is_near(value, wanted, expected.tolerance)) {
                 continue;
             }
@@ -424,7 +424,7 @@ impl<'a> Evaluation<'a> {
                 &own.states
             }
         });
-        let name = |text: &Text| text.value.to_string();
+        let name = |text: &AttrValue| text.value.to_string();
         let mut names: Vec<String> = interfaces
             .filter_map(|interface| interface.name.as_ref().map(name))
             .collect();
@@ -449,7 +449,7 @@ impl<'a> Evaluation<'a> {
 }
 
 /// The source of a whole value.
-fn whole(text: &Text) -> Origin {
+fn whole(text: &AttrValue) -> Origin {
     text.part(0..text.value.len())
 }
 
@@ -474,7 +474,7 @@ pub(crate) fn filled(text: &str, arguments: &[(EcoString, EcoString)]) -> Result
     Ok(out)
 }
 
-fn similar<'t>(name: &str, names: impl Iterator<Item = &'t Text>) -> Option<String> {
+fn similar<'t>(name: &str, names: impl Iterator<Item = &'t AttrValue>) -> Option<String> {
     let near = nearest(name, names.map(|text| text.value.as_str()));
     near.map(|near| format!("did you mean `{near}`?"))
 }

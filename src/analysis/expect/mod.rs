@@ -19,13 +19,13 @@ use self::snapshot::Snapshot;
 pub(super) use self::snapshot::{entry_at, worded};
 use super::options::CheckOptions;
 use super::report::{Report, Unreadable};
-use super::root_choice::RootChoice;
+use super::root_config::RootConfig;
 use super::session::Session;
 use base::limits::MATRIX_RUNS;
 use base::{FastMap, FastSet, Span};
 use expand::large_stacks;
 use rules::{Activation, Category, Check, Finding, Rule, Severity};
-use workspace::config::{Axes, ConfigWarning, Place};
+use workspace::config::{Axes, ConfigLocation, ConfigWarning};
 
 /// What failed expectations are reported as. It is in no list of rules: nothing selects it.
 static RULE: Rule = Rule {
@@ -55,7 +55,7 @@ pub struct TestOptions {
 #[derive(Clone, Debug)]
 pub struct TestCase {
     /// The root with its arguments; for an expectation that applies to no robot, the configuration file.
-    pub root: RootChoice,
+    pub root: RootConfig,
     /// How many expectations apply to it.
     pub expectations: usize,
     /// What failed: numbers of findings of the report.
@@ -117,7 +117,7 @@ impl Session {
     }
 
     /// The name of a test: the path of the root and its arguments.
-    pub fn test_name(&self, root: &RootChoice) -> String {
+    pub fn test_name(&self, root: &RootConfig) -> String {
         let path = root.file.strip_prefix(&self.env.cwd).unwrap_or(&root.file);
         super::contexts::label(vfs::slashed(path), &root.args)
     }
@@ -160,7 +160,7 @@ impl Session {
                     args.into_iter().chain(options.args.iter().cloned())
                 };
                 cases.extend(variants.map(|variant| Case {
-                    root: RootChoice {
+                    root: RootConfig {
                         file: file.clone(),
                         args: args(variant.args).collect(),
                         preset: variant.preset,
@@ -199,7 +199,7 @@ impl Session {
     /// Expectations that apply to none of the robots they are made for: a value in `when` is probably wrong.
     fn never_applied(&self, cases: &[Case], ran: &[Ran]) -> Vec<Ran> {
         let mut applied: FastMap<(PathBuf, u32), bool> = FastMap::default();
-        let mut places: Vec<(&Place, &Axes)> = Vec::new();
+        let mut places: Vec<(&ConfigLocation, &Axes)> = Vec::new();
         for (case, ran) in cases.iter().zip(ran) {
             for (number, expected) in case.expectations().iter().enumerate() {
                 let key = (expected.place.path.clone(), expected.place.range.start);
@@ -223,7 +223,7 @@ impl Session {
             finding.help =
                 Some("correct `when`, or add the values to `args` of the root".to_owned());
             Ran {
-                root: RootChoice::plain(&place.path),
+                root: RootConfig::plain(&place.path),
                 findings: vec![finding],
                 applied: vec![0],
                 ..Ran::default()
@@ -232,7 +232,7 @@ impl Session {
         unused.collect()
     }
 
-    fn span_of_place(&self, place: &Place) -> Span {
+    fn span_of_place(&self, place: &ConfigLocation) -> Span {
         Span {
             file: self.vfs.file_id(&place.path),
             range: place.range,
@@ -304,7 +304,7 @@ impl Session {
     }
 }
 
-fn warning(place: &Place, message: String) -> ConfigWarning {
+fn warning(place: &ConfigLocation, message: String) -> ConfigWarning {
     ConfigWarning {
         place: place.clone(),
         message,

@@ -3,10 +3,10 @@ use std::path::{Path, PathBuf};
 
 use super::super::session::Session;
 use super::RULE;
-use super::evaluate::Evaluation;
+use super::evaluate::ExpectationContext;
 use base::{Span, TextRange};
 use expand::{MapEntry, Origin};
-use model::{Comparison, Difference, What, compare};
+use model::{Comparison, Difference, DifferenceKind, compare};
 use rules::{Finding, Related};
 use vfs::without_parents;
 
@@ -48,7 +48,7 @@ impl Snapshot {
     }
 }
 
-impl Evaluation<'_> {
+impl ExpectationContext<'_> {
     /// Compare the robot with a file, or note what the file is to hold.
     pub(super) fn snapshot(&mut self, name: &str, update: bool) {
         let Some(name) = self.filled(name) else {
@@ -129,14 +129,14 @@ impl Evaluation<'_> {
 }
 
 /// What differs between the robot and a file.
-pub(crate) fn worded(what: &What, file: &str) -> String {
+pub(crate) fn worded(what: &DifferenceKind, file: &str) -> String {
     match what {
-        What::Value { of, one, other } => {
+        DifferenceKind::Value { of, one, other } => {
             let (one, other) = (quoted(one.as_deref()), quoted(other.as_deref()));
             format!("{of} is {one}, but {other} in `{file}`")
         }
-        What::OnlyOne(element) => format!("{element} is not in `{file}`"),
-        What::OnlyOther(element) => format!("{element} of `{file}` is missing"),
+        DifferenceKind::OnlyOne(element) => format!("{element} is not in `{file}`"),
+        DifferenceKind::OnlyOther(element) => format!("{element} of `{file}` is missing"),
     }
 }
 

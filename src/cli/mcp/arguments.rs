@@ -10,14 +10,14 @@ use vfs::{Environment, Vfs};
 /// An argument of a tool.
 pub(super) struct Parameter {
     pub(super) name: &'static str,
-    pub(super) kind: Kind,
+    pub(super) kind: ArgumentKind,
     pub(super) description: &'static str,
     pub(super) is_required: bool,
 }
 
 /// What an argument is, and how the command line has it.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Kind {
+pub(super) enum ArgumentKind {
     /// A file or folder.
     Path,
     /// Files and folders.
@@ -38,7 +38,7 @@ pub(super) enum Kind {
     Pairs(&'static str),
 }
 
-impl Kind {
+impl ArgumentKind {
     /// Whether it names what a command reads.
     pub(super) fn is_path(self) -> bool {
         matches!(self, Self::Path | Self::Paths)
@@ -55,18 +55,18 @@ impl Parameter {
     pub(super) fn schema(&self) -> Value {
         let value = json!({ "type": ["string", "number", "boolean"] });
         let mut schema = match self.kind {
-            Kind::Path | Kind::Word => json!({ "type": "string" }),
-            Kind::Paths | Kind::Names(_) => {
+            ArgumentKind::Path | ArgumentKind::Word => json!({ "type": "string" }),
+            ArgumentKind::Paths | ArgumentKind::Names(_) => {
                 json!({ "type": "array", "items": { "type": "string" } })
             }
-            Kind::RobotArguments | Kind::Pairs(_) => {
+            ArgumentKind::RobotArguments | ArgumentKind::Pairs(_) => {
                 json!({ "type": "object", "additionalProperties": value })
             }
-            Kind::Consumers => {
+            ArgumentKind::Consumers => {
                 json!({ "type": "array", "items": { "type": "string", "enum": consumers() } })
             }
-            Kind::Choice(_, words) => json!({ "type": "string", "enum": words }),
-            Kind::Flag(_) => json!({ "type": "boolean" }),
+            ArgumentKind::Choice(_, words) => json!({ "type": "string", "enum": words }),
+            ArgumentKind::Flag(_) => json!({ "type": "boolean" }),
         };
         if let Some(fields) = schema.as_object_mut() {
             fields.insert("description".into(), self.description.into());
@@ -80,14 +80,14 @@ impl Parameter {
     /// When the value is of another kind, or names a file that may not be read.
     pub(super) fn words(&self, value: &Value, env: &Environment) -> Result<Vec<String>, String> {
         match self.kind {
-            Kind::Word => Ok(vec![self.word(value)?]),
-            Kind::Path => Ok(vec![self.path(value, env)?]),
-            Kind::Paths => self
+            ArgumentKind::Word => Ok(vec![self.word(value)?]),
+            ArgumentKind::Path => Ok(vec![self.path(value, env)?]),
+            ArgumentKind::Paths => self
                 .list(value)?
                 .iter()
                 .map(|value| self.path(value, env))
                 .collect(),
-            Kind::Names(option) => {
+            ArgumentKind::Names(option) => {
                 let names: Result<Vec<String>, String> = self
                     .list(value)?
                     .iter()
@@ -95,7 +95,7 @@ impl Parameter {
                     .collect();
                 Ok(vec![format!("{option}={}", names?.join(","))])
             }
-            Kind::Consumers => {
+            ArgumentKind::Consumers => {
                 let name = |value| {
                     let known = Consumer::named(&self.word(value)?);
                     let name = known.map(|consumer| consumer.name);
@@ -106,22 +106,22 @@ impl Parameter {
                 let names: Result<Vec<&str>, String> = self.list(value)?.iter().map(name).collect();
                 Ok(vec![format!("--for={}", names?.join(","))])
             }
-            Kind::Choice(option, words) => match value.as_str() {
+            ArgumentKind::Choice(option, words) => match value.as_str() {
                 Some(word) if words.contains(&word) => Ok(vec![format!("{option}={word}")]),
                 _ => Err(self.wrong(&format!("one of `{}`", words.join("`, `")))),
             },
-            Kind::Flag(option) => match value.as_bool() {
+            ArgumentKind::Flag(option) => match value.as_bool() {
                 Some(is_on) => Ok(is_on.then(|| option.to_owned()).into_iter().collect()),
                 None => Err(self.wrong("true or false")),
             },
-            Kind::RobotArguments => {
+            ArgumentKind::RobotArguments => {
                 let pair = |(name, value): (&String, &Value)| match name.starts_with('-') {
                     true => Err(self.wrong("an object whose names do not start with `-`")),
                     false => Ok(format!("{name}:={}", self.scalar(value)?)),
                 };
                 self.object(value)?.iter().map(pair).collect()
             }
-            Kind::Pairs(option) => {
+            ArgumentKind::Pairs(option) => {
                 let pair = |(name, value): (&String, &Value)| {
                     Ok(format!("{option}={name}={}", self.scalar(value)?))
                 };

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::super::io::Io;
 use super::super::picture;
-use super::arguments::{Kind, Parameter};
+use super::arguments::{ArgumentKind, Parameter};
 use vfs::Environment;
 
 /// Most bytes of an answer: what reads it has to hold all of it at once.
@@ -23,7 +23,7 @@ pub(super) struct Tool {
     is_picture: bool,
 }
 
-const fn required(name: &'static str, kind: Kind, description: &'static str) -> Parameter {
+const fn required(name: &'static str, kind: ArgumentKind, description: &'static str) -> Parameter {
     Parameter {
         name,
         kind,
@@ -32,7 +32,7 @@ const fn required(name: &'static str, kind: Kind, description: &'static str) -> 
     }
 }
 
-const fn optional(name: &'static str, kind: Kind, description: &'static str) -> Parameter {
+const fn optional(name: &'static str, kind: ArgumentKind, description: &'static str) -> Parameter {
     Parameter {
         is_required: false,
         ..required(name, kind, description)
@@ -41,27 +41,27 @@ const fn optional(name: &'static str, kind: Kind, description: &'static str) -> 
 
 const FILE: Parameter = required(
     "file",
-    Kind::Path,
+    ArgumentKind::Path,
     "The xacro or URDF file, relative to the folder of the server",
 );
 const PATHS: Parameter = optional(
     "paths",
-    Kind::Paths,
+    ArgumentKind::Paths,
     "Files and folders, relative to the folder of the server; default: all of it",
 );
 const ARGS: Parameter = optional(
     "args",
-    Kind::RobotArguments,
+    ArgumentKind::RobotArguments,
     "Arguments of the robot by name, as in name:=value",
 );
 const SELECT: Parameter = optional(
     "select",
-    Kind::Names("--select"),
+    ArgumentKind::Names("--select"),
     "Only these rules, by code or name",
 );
 const CONSUMERS: Parameter = optional(
     "for",
-    Kind::Consumers,
+    ArgumentKind::Consumers,
     "Programs that will read the robot, such as gazebo, mujoco, drake",
 );
 
@@ -80,7 +80,11 @@ pub(super) const TOOLS: &[Tool] = &[
         name: "explain",
         description: "The page of a rule: what it means, an example, and how to correct it.",
         command: &["explain"],
-        parameters: &[required("rule", Kind::Word, "Code or name of the rule")],
+        parameters: &[required(
+            "rule",
+            ArgumentKind::Word,
+            "Code or name of the rule",
+        )],
         is_picture: false,
     },
     Tool {
@@ -92,7 +96,7 @@ pub(super) const TOOLS: &[Tool] = &[
             SELECT,
             optional(
                 "unsafe_fixes",
-                Kind::Flag("--unsafe-fixes"),
+                ArgumentKind::Flag("--unsafe-fixes"),
                 "Include fixes that may change numbers or names; show those to a person first",
             ),
         ],
@@ -129,22 +133,22 @@ pub(super) const TOOLS: &[Tool] = &[
             ARGS,
             optional(
                 "view",
-                Kind::Choice("--view", &["iso", "front", "side", "top"]),
+                ArgumentKind::Choice("--view", &["iso", "front", "side", "top"]),
                 "Where the robot is seen from; default: iso",
             ),
             optional(
                 "frames",
-                Kind::Flag("--frames"),
+                ArgumentKind::Flag("--frames"),
                 "Also draw the frames of links",
             ),
             optional(
                 "collision",
-                Kind::Flag("--collision"),
+                ArgumentKind::Flag("--collision"),
                 "Draw collision instead of visual geometry",
             ),
             optional(
                 "joints",
-                Kind::Pairs("--joint"),
+                ArgumentKind::Pairs("--joint"),
                 "Positions of joints by name: radians, degrees as \"90deg\", meters",
             ),
         ],

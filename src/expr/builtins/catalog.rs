@@ -6,7 +6,7 @@ use crate::value::Module;
 /// What a global symbol is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
-pub enum SymbolKind {
+pub enum BuiltinKind {
     Constant,
     Function,
     Type,
@@ -21,7 +21,7 @@ pub struct GlobalSymbol {
     /// Where it lives; none for a bare name.
     pub namespace: Option<Module>,
     /// What it is.
-    pub kind: SymbolKind,
+    pub kind: BuiltinKind,
     /// Its parameters, without parentheses; empty for constants.
     pub params: &'static str,
     /// What it is good for, in a line.
@@ -39,7 +39,7 @@ pub fn global_symbols() -> impl Iterator<Item = GlobalSymbol> {
     ];
     let namespaces = namespaces
         .into_iter()
-        .map(|(name, doc)| symbol(name, None, SymbolKind::Namespace, "", doc));
+        .map(|(name, doc)| symbol(name, None, BuiltinKind::Namespace, "", doc));
     let python = all_of(Module::Python)
         .filter(|symbol| super::global(symbol.name).is_some())
         .map(bare);
@@ -72,7 +72,7 @@ fn bare(found: GlobalSymbol) -> GlobalSymbol {
 fn symbol(
     name: &'static str,
     namespace: Option<Module>,
-    kind: SymbolKind,
+    kind: BuiltinKind,
     params: &'static str,
     doc: &'static str,
 ) -> GlobalSymbol {
@@ -103,14 +103,14 @@ fn all_of(module: Module) -> impl Iterator<Item = GlobalSymbol> {
     let named_types = named_types.filter(move |_| module != Module::Math);
     functions
         .iter()
-        .map(move |f| symbol(f.name, Some(module), SymbolKind::Function, f.params, f.doc))
+        .map(move |f| symbol(f.name, Some(module), BuiltinKind::Function, f.params, f.doc))
         .chain(
             constants.iter().map(move |&(name, _, doc)| {
-                symbol(name, Some(module), SymbolKind::Constant, "", doc)
+                symbol(name, Some(module), BuiltinKind::Constant, "", doc)
             }),
         )
         .chain(named_types.map(move |&(name, _, params, doc)| {
-            symbol(name, Some(module), SymbolKind::Type, params, doc)
+            symbol(name, Some(module), BuiltinKind::Type, params, doc)
         }))
 }
 

@@ -6,7 +6,7 @@ use super::python::integer;
 use crate::args::Args;
 use crate::ast::UnaryOp;
 use crate::interp::Interp;
-use crate::iter::{Cursor, Iter, IterKind};
+use crate::iter::{Iter, IterKind, IterState};
 use crate::ops;
 use crate::stop::{Eval, Stop};
 use crate::value::{Range, Slice, Value};
@@ -60,7 +60,7 @@ pub(super) fn map(interp: &mut Interp, args: &Args) -> Eval {
         .iter()
         .map(|source| interp.iter(source))
         .collect::<Eval<Vec<_>>>()?;
-    let cursor = Cursor::Map {
+    let cursor = IterState::Map {
         function: function.clone(),
         sources,
     };
@@ -69,7 +69,7 @@ pub(super) fn map(interp: &mut Interp, args: &Args) -> Eval {
 
 pub(super) fn filter(interp: &mut Interp, args: &Args) -> Eval {
     let source = Box::new(interp.iter(args.at(1))?);
-    let cursor = Cursor::Filter {
+    let cursor = IterState::Filter {
         function: args.at(0).clone(),
         source,
     };
@@ -92,7 +92,7 @@ pub(super) fn zip(interp: &mut Interp, args: &Args) -> Eval {
         .collect::<Eval<Vec<_>>>()?;
     Ok(Value::Iter(Iter::new(
         IterKind::Zip,
-        Cursor::Zip { sources, strict },
+        IterState::Zip { sources, strict },
     )))
 }
 
@@ -107,14 +107,14 @@ pub(super) fn enumerate(interp: &mut Interp, args: &Args) -> Eval {
     let source = Box::new(interp.iter(args.at(0))?);
     Ok(Value::Iter(Iter::new(
         IterKind::Enumerate,
-        Cursor::Enumerate { count, source },
+        IterState::Enumerate { count, source },
     )))
 }
 
 pub(super) fn reversed(interp: &mut Interp, value: &Value) -> Eval {
     let cursor = match value {
         Value::List(list) => {
-            let cursor = Cursor::ListBack(list.clone(), list.len());
+            let cursor = IterState::ListBack(list.clone(), list.len());
             return Ok(Value::Iter(Iter::new(
                 IterKind::Other("list_reverseiterator"),
                 cursor,
@@ -123,7 +123,7 @@ pub(super) fn reversed(interp: &mut Interp, value: &Value) -> Eval {
         Value::Range(range) => {
             let len = range.len();
             let next = range.nth(len.saturating_sub(1));
-            let cursor = Cursor::Range {
+            let cursor = IterState::Range {
                 next,
                 step: -range.step,
                 left: len,
@@ -142,7 +142,7 @@ pub(super) fn reversed(interp: &mut Interp, value: &Value) -> Eval {
         | Value::Scope(_) => {
             let mut items = interp.collect(value)?;
             items.make_mut().reverse();
-            Cursor::Items(items, 0)
+            IterState::Items(items, 0)
         }
         other => {
             return Err(Stop::typ(format!(

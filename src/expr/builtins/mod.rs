@@ -14,7 +14,7 @@ mod sorting;
 pub(crate) mod types;
 mod xacro;
 
-pub use catalog::{GlobalSymbol, SymbolKind, global_symbols};
+pub use catalog::{BuiltinKind, GlobalSymbol, global_symbols};
 pub(crate) use convert::add_entries;
 pub(crate) use python::{argument_type, index_sized, integer};
 pub(crate) use sorting::sort;
@@ -25,7 +25,7 @@ use super::stop::Eval;
 use super::value::{Builtin, Module, Type, Value};
 
 /// The code of a built-in function or method; methods get their object as second argument.
-type Run = fn(&mut Interp, &Value, &Args) -> Eval;
+type BuiltinFn = fn(&mut Interp, &Value, &Args) -> Eval;
 
 /// A built-in function or method.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ pub(crate) struct Function {
     /// What it does, in a line.
     pub(crate) doc: &'static str,
     pub(crate) arity: Arity,
-    pub(crate) run: Run,
+    pub(crate) run: BuiltinFn,
 }
 
 impl Function {
@@ -48,7 +48,7 @@ impl Function {
         owner: &'static str,
         name: &'static str,
         arity: Arity,
-        run: Run,
+        run: BuiltinFn,
     ) -> Self {
         Self {
             name,

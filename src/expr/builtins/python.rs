@@ -14,7 +14,7 @@ const fn function(
     name: &'static str,
     params: &'static str,
     arity: Arity,
-    run: super::Run,
+    run: super::BuiltinFn,
     doc: &'static str,
 ) -> Function {
     Function {

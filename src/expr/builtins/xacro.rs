@@ -145,18 +145,18 @@ fn tokenize(interp: &mut Interp, _: &Value, args: &Args) -> Eval {
 /// The separators, which the reference puts between the brackets of a regular expression.
 struct CharClass {
     negated: bool,
-    members: Vec<Member>,
+    members: Vec<ClassMember>,
     /// What follows the set when a bracket among the separators closes it.
     tail: String,
 }
 
-enum Member {
+enum ClassMember {
     Range(char, char),
     /// `\d`, `\w`, `\s`; in upper case everything else.
     Class(char),
 }
 
-impl Member {
+impl ClassMember {
     fn has(&self, c: char) -> bool {
         match *self {
             Self::Range(first, last) => (first..=last).contains(&c),
@@ -253,7 +253,7 @@ impl CharClass {
         loop {
             let first = match rest.next().ok_or_else(unterminated)? {
                 ']' if !members.is_empty() => break,
-                c => Member::read(c, &mut rest)?,
+                c => ClassMember::read(c, &mut rest)?,
             };
             let mut ahead = rest.clone();
             if ahead.next() != Some('-') {
@@ -264,7 +264,7 @@ impl CharClass {
                 // a dash in front of the bracket is one of the characters, and the dash is read next
                 ']' => members.push(first),
                 c => {
-                    let last = Member::read(c, &mut ahead)?;
+                    let last = ClassMember::read(c, &mut ahead)?;
                     members.push(first.up_to(&last)?);
                     rest = ahead;
                 }

@@ -1,6 +1,6 @@
 //! Formatting of floats and complex numbers.
 
-use super::int::{Parts, lay_out};
+use super::int::{NumberParts, lay_out};
 use super::spec::{Spec, unknown_code};
 use crate::float_repr;
 use crate::interp::Interp;
@@ -17,7 +17,7 @@ pub(super) fn format(
     lay_out(interp, &parts, spec, 3)
 }
 
-fn parts(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval<Parts> {
+fn parts(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval<NumberParts> {
     let percent = spec.kind == Some('%');
     let number = if percent { number * 100.0 } else { number };
     let style = match spec.kind {
@@ -52,7 +52,7 @@ fn parts(interp: &mut Interp, number: f64, spec: &Spec, type_name: &str) -> Eval
         (text.as_str(), "")
     };
     let rest = format!("{rest}{}", if percent { "%" } else { "" });
-    Ok(Parts {
+    Ok(NumberParts {
         negative,
         prefix: "",
         whole: whole.to_owned(),
@@ -211,9 +211,9 @@ pub(super) fn format_complex(interp: &mut Interp, re: f64, im: f64, spec: &Spec)
     };
     lay_out(
         interp,
-        &Parts {
+        &NumberParts {
             whole: text,
-            ..Parts::default()
+            ..NumberParts::default()
         },
         &Spec {
             sign: None,
@@ -234,11 +234,11 @@ fn complex_part(interp: &mut Interp, value: f64, spec: &Spec, own: bool) -> Eval
     let text = text
         .strip_suffix(".0")
         .map_or(text.clone(), |whole| format!("{whole}{point}"));
-    let parts = Parts {
+    let parts = NumberParts {
         negative: value.is_sign_negative(),
         whole: text,
         is_number: false,
-        ..Parts::default()
+        ..NumberParts::default()
     };
     lay_out(interp, &parts, spec, 3)
 }

@@ -10,7 +10,7 @@ use crate::stop::{Eval, Stop};
 
 /// A number ready for layout.
 #[derive(Debug, Default)]
-pub(super) struct Parts {
+pub(super) struct NumberParts {
     pub(super) negative: bool,
     /// `0x` and the like.
     pub(super) prefix: &'static str,
@@ -45,7 +45,7 @@ pub(super) fn format(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<
     } else {
         3
     };
-    let parts = Parts {
+    let parts = NumberParts {
         negative: number.is_negative(),
         prefix,
         whole,
@@ -86,9 +86,9 @@ fn character(interp: &mut Interp, number: &BigInt, spec: &Spec) -> Eval<String> 
     let whole = char::from_u32(code).unwrap_or('\u{fffd}').to_string();
     lay_out(
         interp,
-        &Parts {
+        &NumberParts {
             whole,
-            ..Parts::default()
+            ..NumberParts::default()
         },
         spec,
         3,
@@ -117,7 +117,7 @@ fn grouped(digits: &str, separator: char, group: usize, width: usize) -> String 
 /// Sign, padding and grouping.
 pub(super) fn lay_out(
     interp: &mut Interp,
-    parts: &Parts,
+    parts: &NumberParts,
     spec: &Spec,
     group: usize,
 ) -> Eval<String> {

@@ -13,7 +13,7 @@ use crate::value::Value;
 /// `format % values`
 pub(crate) fn percent(interp: &mut Interp, format: &Value, values: &Value) -> Eval {
     let format: Vec<char> = format.as_str().ok_or(Stop::Unknown)?.chars().collect();
-    let mut run = Run::new(&format, values);
+    let mut run = PercentFormatter::new(&format, values);
     let mut out = String::new();
     while let Some(c) = run.next() {
         if c != '%' {
@@ -34,7 +34,7 @@ pub(crate) fn percent(interp: &mut Interp, format: &Value, values: &Value) -> Ev
 }
 
 #[derive(Default)]
-struct Directive {
+struct ConversionSpec {
     left: bool,
     plus: bool,
     blank: bool,
@@ -47,7 +47,7 @@ struct Directive {
     place: usize,
 }
 
-struct Run<'a> {
+struct PercentFormatter<'a> {
     format: &'a [char],
     at: usize,
     values: &'a Value,
@@ -57,7 +57,7 @@ struct Run<'a> {
     by_key: bool,
 }
 
-impl<'a> Run<'a> {
+impl<'a> PercentFormatter<'a> {
     fn new(format: &'a [char], values: &'a Value) -> Self {
         let items = match values {
             Value::Tuple(tuple) => tuple.items().to_vec(),
@@ -116,8 +116,8 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    fn directive(&mut self, interp: &mut Interp) -> Eval<Directive> {
-        let mut directive = Directive::default();
+    fn directive(&mut self, interp: &mut Interp) -> Eval<ConversionSpec> {
+        let mut directive = ConversionSpec::default();
         let mut c = self.need()?;
         if c == '(' {
             self.keyed(interp)?;
@@ -210,7 +210,7 @@ impl<'a> Run<'a> {
         Ok((number, c))
     }
 
-    fn convert(&mut self, interp: &mut Interp, directive: &Directive) -> Eval<String> {
+    fn convert(&mut self, interp: &mut Interp, directive: &ConversionSpec) -> Eval<String> {
         if directive.kind == '%' {
             return Ok("%".to_owned());
         }
@@ -236,7 +236,7 @@ impl<'a> Run<'a> {
 }
 
 /// Text padded to the width.
-fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<String> {
+fn padded(interp: &mut Interp, text: String, directive: &ConversionSpec) -> Eval<String> {
     let missing = if directive.width == 0 {
         0
     } else {
@@ -254,7 +254,7 @@ fn padded(interp: &mut Interp, text: String, directive: &Directive) -> Eval<Stri
     })
 }
 
-fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
+fn text(interp: &mut Interp, value: &Value, directive: &ConversionSpec) -> Eval<String> {
     let text = match directive.kind {
         's' => interp.text(value)?,
         'r' => interp.repr(value)?,
@@ -267,7 +267,7 @@ fn text(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<Strin
     padded(interp, text, directive)
 }
 
-fn character(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
+fn character(interp: &mut Interp, value: &Value, directive: &ConversionSpec) -> Eval<String> {
     let text = match value {
         Value::Str(text) if text.chars().count() == 1 => text.to_string(),
         Value::Int(_) | Value::Big(_) | Value::Bool(_) => {
@@ -288,7 +288,7 @@ fn number(
     negative: bool,
     prefix: &str,
     digits: &str,
-    directive: &Directive,
+    directive: &ConversionSpec,
 ) -> Eval<String> {
     let sign = match () {
         () if negative => "-",
@@ -305,7 +305,7 @@ fn number(
     padded(interp, format!("{head}{digits}"), directive)
 }
 
-fn whole(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
+fn whole(interp: &mut Interp, value: &Value, directive: &ConversionSpec) -> Eval<String> {
     let kind = directive.kind;
     let decimal = matches!(kind, 'd' | 'i' | 'u');
     let value = match value {
@@ -352,7 +352,7 @@ fn whole(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<Stri
     )
 }
 
-fn real(interp: &mut Interp, value: &Value, directive: &Directive) -> Eval<String> {
+fn real(interp: &mut Interp, value: &Value, directive: &ConversionSpec) -> Eval<String> {
     let float = match Num::of(value).map(Num::float).transpose()?.flatten() {
         Some(float) => float,
         None => {

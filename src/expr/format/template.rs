@@ -70,17 +70,17 @@ pub(crate) fn ascii(text: &str) -> Str {
 
 /// `text.format(*args, **named)`
 pub(crate) fn str_format(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
-    expand(interp, text, Source::Args(args))
+    expand(interp, text, FieldSource::Args(args))
 }
 
 /// `text.format_map(mapping)`
 pub(crate) fn str_format_map(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
-    expand(interp, text, Source::Mapping(args.at(0)))
+    expand(interp, text, FieldSource::Mapping(args.at(0)))
 }
 
-fn expand(interp: &mut Interp, text: &Value, source: Source<'_>) -> Eval {
+fn expand(interp: &mut Interp, text: &Value, source: FieldSource<'_>) -> Eval {
     let text: Vec<char> = text.as_str().ok_or(Stop::Unknown)?.chars().collect();
-    let mut template = Template {
+    let mut template = FormatString {
         source,
         next: 0,
         numbered: None,
@@ -90,13 +90,13 @@ fn expand(interp: &mut Interp, text: &Value, source: Source<'_>) -> Eval {
 
 /// Where the fields find their values.
 #[derive(Clone, Copy)]
-enum Source<'a> {
+enum FieldSource<'a> {
     Args(&'a Args),
     Mapping(&'a Value),
 }
 
-struct Template<'a> {
-    source: Source<'a>,
+struct FormatString<'a> {
+    source: FieldSource<'a>,
     /// The number of the next field without one.
     next: usize,
     /// Whether fields carry numbers; the two ways cannot be mixed.
@@ -112,7 +112,7 @@ struct Field<'t> {
     behind: usize,
 }
 
-impl Template<'_> {
+impl FormatString<'_> {
     /// The text with its fields filled in; `depth` more levels of nesting are allowed.
     fn expand(&mut self, interp: &mut Interp, text: &[char], depth: u32) -> Eval<String> {
         if depth == 0 {
@@ -204,7 +204,7 @@ impl Template<'_> {
         let number = parse_number(name)?;
         let numbered = number.is_some();
         if name.is_empty() || numbered {
-            if let Source::Mapping(_) = self.source {
+            if let FieldSource::Mapping(_) = self.source {
                 return Err(Stop::value("Format string contains positional fields"));
             }
             if self.numbered.is_some_and(|before| before != numbered) {
@@ -226,22 +226,22 @@ impl Template<'_> {
             (None, name) => return self.named(interp, name),
         };
         match self.source {
-            Source::Args(args) => args.pos.get(place).cloned().ok_or_else(|| {
+            FieldSource::Args(args) => args.pos.get(place).cloned().ok_or_else(|| {
                 Stop::index(format!(
                     "Replacement index {place} out of range for positional args tuple"
                 ))
             }),
-            Source::Mapping(_) => Err(Stop::Unknown),
+            FieldSource::Mapping(_) => Err(Stop::Unknown),
         }
     }
 
     fn named(&self, interp: &mut Interp, name: &str) -> Eval {
         match self.source {
-            Source::Args(args) => args
+            FieldSource::Args(args) => args
                 .named(name)
                 .cloned()
                 .ok_or_else(|| ops::key_error(&Value::from(name))),
-            Source::Mapping(mapping) => ops::subscript(interp, mapping, &Value::from(name)),
+            FieldSource::Mapping(mapping) => ops::subscript(interp, mapping, &Value::from(name)),
         }
     }
 }

@@ -72,9 +72,9 @@ fn format_text(interp: &mut Interp, text: &str, spec: &Spec) -> Eval<String> {
         .chars()
         .take(spec.precision.unwrap_or(usize::MAX))
         .collect();
-    let parts = int::Parts {
+    let parts = int::NumberParts {
         whole: text,
-        ..int::Parts::default()
+        ..int::NumberParts::default()
     };
     let align = spec.align.or(Some('<'));
     int::lay_out(

@@ -113,15 +113,15 @@ fn wrong_digit(place: usize) -> Stop {
 
 /// Encodings whose code points are the same up to a limit.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Encoding {
+enum ByteEncoding {
     Utf8,
     Ascii,
     Latin1,
 }
 
-fn encoding(name: Option<&Value>) -> Eval<Encoding> {
+fn encoding(name: Option<&Value>) -> Eval<ByteEncoding> {
     let name = match name {
-        None => return Ok(Encoding::Utf8),
+        None => return Ok(ByteEncoding::Utf8),
         Some(Value::Str(name)) => name,
         Some(other) => {
             let kind = argument_type(other);
@@ -136,9 +136,9 @@ fn encoding(name: Option<&Value>) -> Eval<Encoding> {
         .map(|c| c.to_ascii_lowercase())
         .collect();
     match plain.as_str() {
-        "utf8" | "u8" | "cp65001" => Ok(Encoding::Utf8),
-        "ascii" | "usascii" | "646" => Ok(Encoding::Ascii),
-        "latin1" | "iso88591" | "latin" | "l1" | "88591" | "cp819" => Ok(Encoding::Latin1),
+        "utf8" | "u8" | "cp65001" => Ok(ByteEncoding::Utf8),
+        "ascii" | "usascii" | "646" => Ok(ByteEncoding::Ascii),
+        "latin1" | "iso88591" | "latin" | "l1" | "88591" | "cp819" => Ok(ByteEncoding::Latin1),
         _ => Err(Stop::new(
             crate::host::ErrorKind::Value,
             format!("unknown encoding: {name}"),
@@ -153,9 +153,9 @@ pub(super) fn encode(interp: &mut Interp, text: &Value, args: &Args) -> Eval {
     let encoding = encoding(args.get(0))?;
     let mode = args.get(1).and_then(Value::as_str).unwrap_or("strict");
     let (limit, codec, range) = match encoding {
-        Encoding::Utf8 => return Ok(Value::Bytes(text.bytes().collect())),
-        Encoding::Ascii => (0x80, "ascii", 128),
-        Encoding::Latin1 => (0x100, "latin-1", 256),
+        ByteEncoding::Utf8 => return Ok(Value::Bytes(text.bytes().collect())),
+        ByteEncoding::Ascii => (0x80, "ascii", 128),
+        ByteEncoding::Latin1 => (0x100, "latin-1", 256),
     };
     let mut bytes = ecow::EcoVec::with_capacity(text.len());
     for (place, c) in text.chars().enumerate() {
@@ -183,7 +183,7 @@ fn display_escape(out: &mut String, c: char) {
 pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>) -> Eval {
     let encoding = encoding(name)?;
     let mode = errors.and_then(Value::as_str).unwrap_or("strict");
-    if encoding == Encoding::Latin1 {
+    if encoding == ByteEncoding::Latin1 {
         return Ok(Value::from(
             bytes
                 .iter()
@@ -192,7 +192,7 @@ pub(crate) fn decode(bytes: &[u8], name: Option<&Value>, errors: Option<&Value>)
         ));
     }
     let error = match encoding {
-        Encoding::Ascii => bytes.iter().position(|byte| !byte.is_ascii()).map(|place| {
+        ByteEncoding::Ascii => bytes.iter().position(|byte| !byte.is_ascii()).map(|place| {
             undecodable(
                 "ascii",
                 bytes,

@@ -10,7 +10,7 @@ use crate::host::ErrorKind;
 use crate::interp::Interp;
 use crate::ops::{key_error, sets::elements};
 use crate::stop::{Eval, Stop};
-use crate::value::{Dict, DictMap, Key, Type, Value, View, ViewKind};
+use crate::value::{Dict, DictMap, DictView, Key, Type, Value, ViewKind};
 
 /// Sorted by name.
 pub(super) static METHODS: &[Function] = methods! { "dict":
@@ -53,7 +53,7 @@ fn this(value: &Value) -> Eval<&Dict> {
 }
 
 fn view(value: &Value, kind: ViewKind) -> Eval {
-    Ok(Value::View(Arc::new(View {
+    Ok(Value::View(Arc::new(DictView {
         dict: this(value)?.clone(),
         kind,
     })))

@@ -11,7 +11,7 @@ use crate::value::{Dict, DictMap, Key, Str, Value};
 
 /// Where padding goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
+pub(super) enum PaddingSide {
     Left,
     Right,
     Both,
@@ -28,7 +28,7 @@ fn missing(interp: &mut Interp, text: &str, width: &Value, unit: usize) -> Eval<
 }
 
 /// `center`, `ljust`, `rjust`
-pub(super) fn pad(interp: &mut Interp, text: &Value, args: &Args, side: Side) -> Eval {
+pub(super) fn pad(interp: &mut Interp, text: &Value, args: &Args, side: PaddingSide) -> Eval {
     let text = text.as_str().ok_or(Stop::Unknown)?;
     index_sized(args.at(0))?;
     let fill = match args.get(1) {
@@ -48,10 +48,10 @@ pub(super) fn pad(interp: &mut Interp, text: &Value, args: &Args, side: Side) ->
     };
     let missing = missing(interp, text, args.at(0), fill.len())?;
     let left = match side {
-        Side::Left => missing,
-        Side::Right => 0,
+        PaddingSide::Left => missing,
+        PaddingSide::Right => 0,
         // An odd one goes left when the width is odd.
-        Side::Both => missing / 2 + (missing & (missing + text.chars().count() as u64) & 1),
+        PaddingSide::Both => missing / 2 + (missing & (missing + text.chars().count() as u64) & 1),
     };
     let mut out = ops::repeat_text(interp, fill, left)?;
     out.push_str(text);

@@ -9,7 +9,7 @@ use crate::stop::{Eval, Stop};
 use crate::value::{Str, Value};
 
 /// The part of a text between two optional character indices, and the index at which it starts.
-struct Window<'a> {
+struct SearchWindow<'a> {
     text: &'a str,
     first: usize,
 }
@@ -28,9 +28,9 @@ fn window<'a>(
     text: &'a str,
     start: Option<&Value>,
     end: Option<&Value>,
-) -> Eval<Option<Window<'a>>> {
+) -> Eval<Option<SearchWindow<'a>>> {
     if start.is_none() && end.is_none() {
-        return Ok(Some(Window { text, first: 0 }));
+        return Ok(Some(SearchWindow { text, first: 0 }));
     }
     let len = text.chars().count();
     let first = clamp_index(start, len, 0)?;
@@ -41,7 +41,7 @@ fn window<'a>(
     let part = text
         .get(byte_offset(text, first)..byte_offset(text, last))
         .unwrap_or("");
-    Ok(Some(Window { text: part, first }))
+    Ok(Some(SearchWindow { text: part, first }))
 }
 
 /// One to three arguments, none by name.

@@ -272,7 +272,7 @@ fn contains_item(interp: &mut Interp, container: &Value, item: &Value) -> Eval<b
     let mut cursor = match container {
         Value::List(plain) => {
             list = plain.snapshot();
-            crate::iter::Cursor::Items(list, 0)
+            crate::iter::IterState::Items(list, 0)
         }
         other => interp.iter(other).map_err(|stop| match stop {
             Stop::Unknown => Stop::Unknown,

@@ -39,7 +39,7 @@ pub(crate) fn subscript(interp: &mut Interp, object: &Value, key: &Value) -> Eva
             if let Value::Slice(slice) = key {
                 let bounds = slice_bounds(slice, list.len())?;
                 return Ok(Value::List(List::new(
-                    bounds.pick(interp, &list.snapshot())?,
+                    bounds.select(interp, &list.snapshot())?,
                     list.is_yaml(),
                 )));
             }
@@ -56,7 +56,7 @@ pub(crate) fn subscript(interp: &mut Interp, object: &Value, key: &Value) -> Eva
             let items = tuple.items();
             if let Value::Slice(slice) = key {
                 let bounds = slice_bounds(slice, items.len())?;
-                return Ok(Value::Tuple(Tuple::new(bounds.pick(interp, items)?)));
+                return Ok(Value::Tuple(Tuple::new(bounds.select(interp, items)?)));
             }
             let place = place(
                 key,
@@ -147,7 +147,7 @@ fn text_item(interp: &mut Interp, text: &Str, key: &Value) -> Eval {
     };
     if let Value::Slice(slice) = key {
         let bounds = slice_bounds(slice, len)?;
-        return Ok(Value::Str(bounds.pick_text(interp, text, ascii)?));
+        return Ok(Value::Str(bounds.select_text(interp, text, ascii)?));
     }
     let wanted = format!("string indices must be integers, not '{}'", key.type_name());
     if as_index(key).is_none() {
@@ -237,7 +237,7 @@ impl SliceBounds {
             .filter_map(move |i| usize::try_from(self.start + self.step * i).ok())
     }
 
-    fn pick(self, interp: &mut Interp, items: &[Value]) -> Eval<EcoVec<Value>> {
+    fn select(self, interp: &mut Interp, items: &[Value]) -> Eval<EcoVec<Value>> {
         interp.budget.items(self.count as u128)?;
         Ok(self
             .places()
@@ -245,7 +245,7 @@ impl SliceBounds {
             .collect())
     }
 
-    fn pick_text(self, interp: &mut Interp, text: &str, ascii: bool) -> Eval<Str> {
+    fn select_text(self, interp: &mut Interp, text: &str, ascii: bool) -> Eval<Str> {
         interp.budget.text(self.count as u128)?;
         let from = usize::try_from(self.start).unwrap_or(0);
         if ascii && self.step == 1 {

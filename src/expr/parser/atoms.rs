@@ -3,7 +3,7 @@
 use super::Parser;
 use crate::ast::{Const, Expr, ExprKind};
 use crate::number;
-use crate::report::Stage;
+use crate::report::ErrorStage;
 use crate::token::{Bracket, Tok};
 use base::TextRange;
 
@@ -57,7 +57,7 @@ impl Parser<'_> {
             Ok(value) => ExprKind::Const(value),
             Err(reference) => {
                 self.report.add(
-                    Stage::Grammar,
+                    ErrorStage::Grammar,
                     range,
                     "integer has too many digits",
                     &reference,
@@ -100,7 +100,7 @@ impl Parser<'_> {
         let value = self.nested(Self::primary);
         let message = "`await` is not supported";
         self.report
-            .not_supported(Stage::Tree, word, message, "'await' outside function");
+            .not_supported(ErrorStage::Tree, word, message, "'await' outside function");
         self.node(word.start, value, |value| value.kind)
     }
 
@@ -109,7 +109,7 @@ impl Parser<'_> {
         let word = self.bump().range;
         let message = "`yield` is not supported";
         self.report
-            .not_supported(Stage::Tree, word, message, "'yield' outside function");
+            .not_supported(ErrorStage::Tree, word, message, "'yield' outside function");
         if self.token().range.slice(self.text) == "from" {
             self.bump();
         }

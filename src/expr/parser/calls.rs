@@ -2,14 +2,14 @@
 
 use super::Parser;
 use crate::ast::{Expr, ExprKind, Keyword};
-use crate::report::Stage;
+use crate::report::ErrorStage;
 use crate::syntax::normalized;
 use crate::token::{Bracket, Tok};
 use base::{FastSet, TextRange};
 
 /// The arguments of a call, while they are read.
 #[derive(Default)]
-struct Arguments {
+struct ArgumentList {
     args: Vec<Expr>,
     keywords: Vec<Keyword>,
     /// Whether there was a `**mapping`.
@@ -176,9 +176,9 @@ impl Parser<'_> {
     /// `(arguments)`
     pub(super) fn call(&mut self, start: u32, func: Expr) -> Expr {
         let open = self.bump().range.start;
-        let mut found = Arguments {
+        let mut found = ArgumentList {
             mark: self.report.len(),
-            ..Arguments::default()
+            ..ArgumentList::default()
         };
         let comma = self.items(|p| p.argument(&mut found));
         let alone = !comma && found.args.len() + found.keywords.len() == 1;
@@ -210,7 +210,7 @@ impl Parser<'_> {
         }
     }
 
-    fn argument(&mut self, found: &mut Arguments) {
+    fn argument(&mut self, found: &mut ArgumentList) {
         match self.kind() {
             Tok::Comma => {
                 let hole = self.hole("an argument");
@@ -242,7 +242,7 @@ impl Parser<'_> {
         }
     }
 
-    fn keyword(&mut self, found: &mut Arguments) {
+    fn keyword(&mut self, found: &mut ArgumentList) {
         let name_range = self.bump().range;
         self.bump();
         let value = self.expression();
@@ -263,7 +263,7 @@ impl Parser<'_> {
         });
     }
 
-    fn unpacked(&mut self, found: &mut Arguments) {
+    fn unpacked(&mut self, found: &mut ArgumentList) {
         let start = self.start();
         let star = self.bump().range;
         if found.unpacking {
@@ -275,7 +275,7 @@ impl Parser<'_> {
         found.args.push(self.node(start, value, ExprKind::Starred));
     }
 
-    fn positional(&mut self, found: &mut Arguments) {
+    fn positional(&mut self, found: &mut ArgumentList) {
         let start = self.start();
         let expr = if self.at(Tok::Name) && self.next_kind() == Tok::Walrus {
             self.named()
@@ -326,7 +326,7 @@ impl Parser<'_> {
     }
 
     /// `positional` behind a keyword is reported at the end of the call, as CPython does.
-    fn note_order(&self, expr: &Expr, found: &mut Arguments) {
+    fn note_order(&self, expr: &Expr, found: &mut ArgumentList) {
         let broken = matches!(expr.kind, ExprKind::Missing) || self.report.len() > found.mark;
         if found.keywords.is_empty() || found.misplaced.is_some() || broken {
             return;
@@ -340,7 +340,7 @@ impl Parser<'_> {
         ));
     }
 
-    fn check_order(&mut self, found: &Arguments) {
+    fn check_order(&mut self, found: &ArgumentList) {
         let Some((range, reference)) = found.misplaced else {
             return;
         };
@@ -362,7 +362,7 @@ impl Parser<'_> {
                 let message = format!("duplicate argument `{name}`");
                 let reference = format!("keyword argument repeated: {name}");
                 self.report
-                    .add(Stage::Tree, keyword.name_range, message, &reference);
+                    .add(ErrorStage::Tree, keyword.name_range, message, &reference);
             }
         }
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Parser, power};
 use crate::ast::{CompFor, CompKind, Comprehension, Expr, ExprKind};
-use crate::report::Stage;
+use crate::report::ErrorStage;
 use crate::token::{Bracket, Tok};
 use base::TextRange;
 
@@ -21,7 +21,7 @@ impl Parser<'_> {
                 }
                 let reference = "asynchronous comprehension outside of an asynchronous function";
                 self.report.not_supported(
-                    Stage::Tree,
+                    ErrorStage::Tree,
                     range,
                     "`async` is not supported",
                     reference,
@@ -76,7 +76,7 @@ impl Parser<'_> {
             if matches!(first.kind, ExprKind::Starred(_)) {
                 let reference = "starred assignment target must be in a list or tuple";
                 self.report.add(
-                    Stage::Tree,
+                    ErrorStage::Tree,
                     first.range,
                     "`*` must be used with other targets",
                     reference,

@@ -4,7 +4,7 @@ use ecow::EcoString;
 
 use super::Parser;
 use crate::ast::{Expr, ExprKind};
-use crate::report::{Report, Stage};
+use crate::report::{ErrorStage, ExprErrors};
 use crate::syntax::normalized;
 use crate::token::{Tok, Token};
 use base::TextRange;
@@ -15,7 +15,12 @@ const END: Token = Token {
 };
 
 impl<'t> Parser<'t> {
-    pub(super) fn new(text: &'t str, tokens: Vec<Token>, report: Report<'t>, start: u32) -> Self {
+    pub(super) fn new(
+        text: &'t str,
+        tokens: Vec<Token>,
+        report: ExprErrors<'t>,
+        start: u32,
+    ) -> Self {
         Self {
             text,
             tokens,
@@ -171,11 +176,11 @@ impl Parser<'_> {
             && (self.at_unclosed_end() || self.report.line(self.place()) > open_line)
         {
             self.report
-                .add_at_line(Stage::Grammar, range, message, &unclosed, open_line);
+                .add_at_line(ErrorStage::Grammar, range, message, &unclosed, open_line);
             return;
         }
         self.report.add_at_line(
-            Stage::Grammar,
+            ErrorStage::Grammar,
             range,
             message,
             reference,

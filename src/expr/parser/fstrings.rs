@@ -3,14 +3,14 @@
 use super::Parser;
 use super::strings::{Literal, push_text};
 use crate::ast::{Expr, ExprKind, FPart};
-use crate::lexer::{Source, lex};
-use crate::report::{Report, Stage};
+use crate::lexer::{LexerInput, lex};
+use crate::report::{ErrorStage, ExprErrors};
 use crate::syntax::is_python_space;
 use base::TextRange;
 use base::limits::BRACKETS;
 
 /// A place in the body of an f-string.
-struct Scan<'t> {
+struct FStringScanner<'t> {
     text: &'t str,
     pos: usize,
     end: usize,
@@ -18,7 +18,7 @@ struct Scan<'t> {
     token: TextRange,
 }
 
-impl Scan<'_> {
+impl FStringScanner<'_> {
     fn byte(&self, ahead: usize) -> Option<u8> {
         let at = self.pos + ahead;
         if at < self.end {
@@ -34,13 +34,13 @@ impl Scan<'_> {
 }
 
 /// What is wrong with an f-string: our words and CPython's.
-type Problem = (String, String);
+type FStringProblem = (String, String);
 
-fn problem(message: &str, reference: &str) -> Problem {
+fn problem(message: &str, reference: &str) -> FStringProblem {
     (message.to_owned(), reference.to_owned())
 }
 
-fn no_brace() -> Problem {
+fn no_brace() -> FStringProblem {
     problem("missing `}` in this f-string", "f-string: expecting '}'")
 }
 
@@ -53,7 +53,7 @@ impl Parser<'_> {
         parts: &mut Vec<FPart>,
     ) {
         let Literal { raw, body, .. } = *literal;
-        let mut scan = Scan {
+        let mut scan = FStringScanner {
             text: self.text,
             pos: body.start as usize,
             end: body.end as usize,
@@ -61,17 +61,18 @@ impl Parser<'_> {
             token,
         };
         if let Err((message, reference)) = self.format_parts(&mut scan, 0, parts) {
-            self.report.add(Stage::Grammar, token, message, &reference);
+            self.report
+                .add(ErrorStage::Grammar, token, message, &reference);
         }
     }
 
     /// Text and fields up to the end, or up to the `}` that closes a format specification.
     fn format_parts(
         &mut self,
-        scan: &mut Scan<'_>,
+        scan: &mut FStringScanner<'_>,
         level: u8,
         parts: &mut Vec<FPart>,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), FStringProblem> {
         loop {
             self.format_text(scan, level, parts)?;
             match scan.byte(0) {
@@ -87,10 +88,10 @@ impl Parser<'_> {
     /// Text up to the next brace that is not doubled.
     fn format_text(
         &mut self,
-        scan: &mut Scan<'_>,
+        scan: &mut FStringScanner<'_>,
         level: u8,
         parts: &mut Vec<FPart>,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), FStringProblem> {
         let mut start = scan.pos;
         while let Some(b) = scan.byte(0) {
             match b {
@@ -123,7 +124,7 @@ impl Parser<'_> {
     }
 
     /// `{value=!conversion:spec}`; `scan` is at the brace.
-    fn field(&mut self, scan: &mut Scan<'_>, level: u8) -> Result<FPart, Problem> {
+    fn field(&mut self, scan: &mut FStringScanner<'_>, level: u8) -> Result<FPart, FStringProblem> {
         if level >= 2 {
             let reference = "f-string: expressions nested too deeply";
             return Err(problem("f-string fields are nested too deeply", reference));
@@ -172,7 +173,7 @@ impl Parser<'_> {
         start: usize,
         end: usize,
         behind: Option<u8>,
-    ) -> Result<Expr, Problem> {
+    ) -> Result<Expr, FStringProblem> {
         let range = TextRange::new(start as u32, end as u32);
         if range
             .slice(self.text)
@@ -187,8 +188,8 @@ impl Parser<'_> {
             };
             return Err(("expected a value between the braces".to_owned(), reference));
         }
-        let mut report = Report::new(self.text, self.report.start());
-        let source = Source {
+        let mut report = ExprErrors::new(self.text, self.report.start());
+        let source = LexerInput {
             text: self.text,
             start,
             end,
@@ -216,7 +217,7 @@ impl Parser<'_> {
 }
 
 /// Move to the character that ends the expression of a field.
-fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
+fn find_value_end(scan: &mut FStringScanner<'_>) -> Result<(), FStringProblem> {
     let mut quote: Option<(u8, bool)> = None;
     let mut open: Vec<u8> = Vec::new();
     while let Some(b) = scan.byte(0) {
@@ -272,7 +273,7 @@ fn find_value_end(scan: &mut Scan<'_>) -> Result<(), Problem> {
     }
 }
 
-fn close(open: &mut Vec<u8>, closer: u8) -> Result<(), Problem> {
+fn close(open: &mut Vec<u8>, closer: u8) -> Result<(), FStringProblem> {
     let found = char::from(closer);
     let opener = match closer {
         b')' => b'(',
@@ -299,7 +300,7 @@ fn close(open: &mut Vec<u8>, closer: u8) -> Result<(), Problem> {
 }
 
 /// `!r`, `!s` or `!a`.
-fn conversion(scan: &mut Scan<'_>) -> Result<Option<char>, Problem> {
+fn conversion(scan: &mut FStringScanner<'_>) -> Result<Option<char>, FStringProblem> {
     if scan.byte(0) != Some(b'!') {
         return Ok(None);
     }

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use super::Parser;
 use crate::ast::{Expr, ExprKind, Lambda, Param, ParamKind};
-use crate::report::Stage;
+use crate::report::ErrorStage;
 use crate::token::{Bracket, Tok};
 use base::{FastSet, TextRange};
 
 /// How far the parameter list has got.
 #[derive(Default)]
-struct Params {
+struct LambdaParams {
     params: Vec<Param>,
     slash: bool,
     star: bool,
@@ -22,7 +22,7 @@ impl Parser<'_> {
     /// `lambda params: body`
     pub(super) fn lambda(&mut self) -> Expr {
         let start = self.bump().range.start;
-        let mut list = Params::default();
+        let mut list = LambdaParams::default();
         while !self.at(Tok::Colon) && !self.at_close() {
             let before = self.pos;
             self.parameter(&mut list);
@@ -54,7 +54,7 @@ impl Parser<'_> {
         }
     }
 
-    fn parameter(&mut self, list: &mut Params) {
+    fn parameter(&mut self, list: &mut LambdaParams) {
         match self.kind() {
             Tok::Slash => self.slash(list),
             Tok::Star => self.star(list),
@@ -96,7 +96,7 @@ impl Parser<'_> {
         names && commas && self.pos > start + 1
     }
 
-    fn plain_parameter(&mut self, list: &mut Params) {
+    fn plain_parameter(&mut self, list: &mut LambdaParams) {
         self.after_double_star(list);
         let at = self.token().range;
         let name = self.parameter_name();
@@ -146,7 +146,7 @@ impl Parser<'_> {
     }
 
     /// `/`: all parameters before it go by place only.
-    fn slash(&mut self, list: &mut Params) {
+    fn slash(&mut self, list: &mut LambdaParams) {
         self.after_double_star(list);
         let at = self.bump().range;
         let problem = if list.slash {
@@ -178,7 +178,7 @@ impl Parser<'_> {
     }
 
     /// `*args`, or the bare `*` in front of keyword-only parameters.
-    fn star(&mut self, list: &mut Params) {
+    fn star(&mut self, list: &mut LambdaParams) {
         let at = self.bump().range;
         self.after_double_star(list);
         if list.star {
@@ -225,7 +225,7 @@ impl Parser<'_> {
         }
     }
 
-    fn after_double_star(&mut self, list: &Params) {
+    fn after_double_star(&mut self, list: &LambdaParams) {
         if list.double_star
             && matches!(
                 self.kind(),
@@ -249,7 +249,7 @@ impl Parser<'_> {
                     format!("duplicate argument '{}' in function definition", param.name);
                 let message = format!("duplicate parameter `{}`", param.name);
                 self.report.add(
-                    Stage::Tree,
+                    ErrorStage::Tree,
                     TextRange::empty(self.prev_end),
                     message,
                     &reference,

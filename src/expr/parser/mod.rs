@@ -19,8 +19,8 @@ mod tests;
 mod walrus;
 
 use super::ast::{BinOp, CmpOp, Expr, ExprKind, UnaryOp};
-use super::lexer::{Source, lex};
-use super::report::{Report, Stage};
+use super::lexer::{LexerInput, lex};
+use super::report::{ErrorStage, ExprErrors};
 use super::syntax::{ExprErrorKind, Parsed, forbidden_names, is_python_space};
 use super::token::{Tok, Token};
 use base::TextRange;
@@ -48,8 +48,8 @@ pub(super) fn parse(text: &str) -> Parsed {
     let trimmed = text.trim_start_matches(is_python_space);
     let start = text.len() - trimmed.len();
     let end = start + trimmed.trim_end_matches(is_python_space).len();
-    let mut report = Report::new(text, start as u32);
-    let source = Source {
+    let mut report = ExprErrors::new(text, start as u32);
+    let source = LexerInput {
         text,
         start,
         end,
@@ -71,7 +71,7 @@ pub(super) fn parse(text: &str) -> Parsed {
     }
 }
 
-fn report_forbidden(expr: &Expr, text: &str, report: &mut Report<'_>) {
+fn report_forbidden(expr: &Expr, text: &str, report: &mut ExprErrors<'_>) {
     if !text.contains("__") {
         return;
     }
@@ -84,7 +84,7 @@ fn report_forbidden(expr: &Expr, text: &str, report: &mut Report<'_>) {
     let message = format!("names that start with `__` are not allowed: {list}");
     let reference = format!("Use of invalid name(s):  {list}");
     report.push(
-        Stage::Name,
+        ErrorStage::Name,
         ExprErrorKind::ForbiddenName,
         *range,
         message,
@@ -100,7 +100,7 @@ struct Parser<'t> {
     prev_end: u32,
     /// The same, or behind a hole after it.
     reach: u32,
-    report: Report<'t>,
+    report: ExprErrors<'t>,
     /// Calls of [`Parser::nested`] under way.
     depth: u32,
     /// At least the height of the subtrees built since the innermost `nested` began; who builds a node on
@@ -124,8 +124,13 @@ impl Parser<'_> {
         if self.tokens.len() == 1 {
             let line = usize::from(!self.text.trim_matches(is_python_space).is_empty());
             let message = "expected an expression";
-            self.report
-                .add_at_line(Stage::Grammar, self.gap(), message, "invalid syntax", line);
+            self.report.add_at_line(
+                ErrorStage::Grammar,
+                self.gap(),
+                message,
+                "invalid syntax",
+                line,
+            );
             return self.missing();
         }
         let first = self.expression();
@@ -195,7 +200,7 @@ impl Parser<'_> {
         if !self.too_deep {
             let (range, kind) = (self.token().range, ExprErrorKind::Syntax);
             self.report.push(
-                Stage::Grammar,
+                ErrorStage::Grammar,
                 kind,
                 range,
                 format!("expression is nested more than {EXPRESSION_DEPTH} levels deep"),

@@ -7,7 +7,7 @@ use ecow::EcoString;
 use super::Parser;
 use crate::ast::{Const, Expr, ExprKind, FPart};
 use crate::escape;
-use crate::report::Stage;
+use crate::report::ErrorStage;
 use crate::token::Tok;
 use base::TextRange;
 
@@ -45,7 +45,7 @@ impl Literal {
 
 /// The value of adjacent literals, as far as it has been put together.
 #[derive(Default)]
-struct Joined {
+struct JoinedLiterals {
     text: String,
     bytes: Option<Vec<u8>>,
     /// Present as soon as one of the literals is an f-string; `text` is what follows the last part.
@@ -56,7 +56,7 @@ impl Parser<'_> {
     /// One or more adjacent literals.
     pub(super) fn strings(&mut self) -> Expr {
         let start = self.start();
-        let mut joined = Joined::default();
+        let mut joined = JoinedLiterals::default();
         let mut kinds = (false, false);
         while matches!(self.kind(), Tok::Str | Tok::OpenStr) {
             let token = self.bump();
@@ -73,7 +73,7 @@ impl Parser<'_> {
         if kinds == (true, true) {
             let message = "cannot join strings and bytes";
             self.report.add(
-                Stage::Grammar,
+                ErrorStage::Grammar,
                 range,
                 message,
                 "cannot mix bytes and nonbytes literals",
@@ -85,7 +85,7 @@ impl Parser<'_> {
         }
     }
 
-    fn literal(&mut self, literal: &Literal, token: TextRange, joined: &mut Joined) {
+    fn literal(&mut self, literal: &Literal, token: TextRange, joined: &mut JoinedLiterals) {
         if literal.bytes {
             let bytes = self.bytes(literal, token);
             joined.bytes.get_or_insert_default().extend(bytes);
@@ -115,10 +115,10 @@ impl Parser<'_> {
         let decoded = escape::decode_str(&source);
         if let Some(error) = decoded.error {
             self.report
-                .add(Stage::Grammar, token, error.message, &error.reference);
+                .add(ErrorStage::Grammar, token, error.message, &error.reference);
         } else if let Some(message) = decoded.not_supported {
             self.report
-                .not_supported(Stage::Ours, token, message, message);
+                .not_supported(ErrorStage::Ours, token, message, message);
         }
         decoded.text
     }
@@ -128,7 +128,7 @@ impl Parser<'_> {
         if !source.is_ascii() {
             let reference = "bytes can only contain ASCII literal characters";
             self.report.add(
-                Stage::Grammar,
+                ErrorStage::Grammar,
                 token,
                 "only ASCII characters are allowed in bytes",
                 reference,
@@ -141,13 +141,13 @@ impl Parser<'_> {
         let (bytes, error) = escape::decode_bytes(&source);
         if let Some(error) = error {
             self.report
-                .add(Stage::Grammar, token, error.message, &error.reference);
+                .add(ErrorStage::Grammar, token, error.message, &error.reference);
         }
         bytes
     }
 }
 
-impl Joined {
+impl JoinedLiterals {
     fn finish(self) -> ExprKind {
         match (self.parts, self.bytes) {
             (Some(mut parts), _) => {

@@ -2,7 +2,7 @@
 
 use super::Parser;
 use crate::ast::{CompKind, Const, Expr, ExprKind};
-use crate::report::Stage;
+use crate::report::ErrorStage;
 
 impl Expr {
     /// CPython's noun for the expression in messages such as "cannot assign to …".
@@ -91,7 +91,7 @@ impl Parser<'_> {
         if let Some(second) = starred.nth(1) {
             let reference = "multiple starred expressions in assignment";
             self.report.add(
-                Stage::Tree,
+                ErrorStage::Tree,
                 second.range,
                 "only one target can have a `*`",
                 reference,

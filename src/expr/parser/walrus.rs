@@ -1,12 +1,12 @@
 //! Where `:=` may not stand although the grammar lets it.
 
 use crate::ast::{Comprehension, Expr, ExprKind};
-use crate::report::{Report, Stage};
+use crate::report::{ErrorStage, ExprErrors};
 use crate::visit::{children, target_names};
 use base::TextRange;
 
 /// Report every `:=` that clashes with a comprehension around it.
-pub(super) fn check(expr: &Expr, report: &mut Report<'_>) {
+pub(super) fn check(expr: &Expr, report: &mut ExprErrors<'_>) {
     Checker {
         report,
         scopes: Vec::new(),
@@ -17,21 +17,21 @@ pub(super) fn check(expr: &Expr, report: &mut Report<'_>) {
 
 /// The names of one comprehension, as far as it was read.
 #[derive(Default)]
-struct Scope<'e> {
+struct ComprehensionScope<'e> {
     targets: Vec<&'e str>,
     assigned: Vec<&'e str>,
 }
 
 struct Checker<'e, 'r, 't> {
-    report: &'r mut Report<'t>,
+    report: &'r mut ExprErrors<'t>,
     /// The comprehensions around, up to the next lambda.
-    scopes: Vec<Scope<'e>>,
+    scopes: Vec<ComprehensionScope<'e>>,
     in_iterable: bool,
 }
 
 impl<'e> Checker<'e, '_, '_> {
     fn error(&mut self, range: TextRange, message: &str, reference: &str) {
-        self.report.add(Stage::Tree, range, message, reference);
+        self.report.add(ErrorStage::Tree, range, message, reference);
     }
 
     fn visit(&mut self, expr: &'e Expr) {
@@ -87,7 +87,7 @@ impl<'e> Checker<'e, '_, '_> {
         let mut clauses = comp.clauses.iter();
         let Some(first) = clauses.next() else { return };
         self.iterable(&first.iter);
-        self.scopes.push(Scope::default());
+        self.scopes.push(ComprehensionScope::default());
         self.target(&first.target);
         first.conditions.iter().for_each(|c| self.visit(c));
         for clause in clauses {

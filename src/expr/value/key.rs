@@ -178,7 +178,7 @@ pub(crate) fn set_order(items: &SetMap) -> Vec<Value> {
 /// The slot of each element in the open-addressing table that CPython builds by adding them one by one.
 fn slots(hashes: &[i64]) -> Vec<usize> {
     let mut size = 8usize;
-    let mut table = Table::new(size);
+    let mut table = HashTable::new(size);
     for (used, &hash) in hashes.iter().enumerate() {
         table.insert(hash, used);
         let used = used + 1;
@@ -200,11 +200,11 @@ fn slots(hashes: &[i64]) -> Vec<usize> {
 }
 
 /// Hash and index of the element in each slot.
-struct Table {
+struct HashTable {
     entries: Vec<Option<(i64, usize)>>,
 }
 
-impl Table {
+impl HashTable {
     fn new(size: usize) -> Self {
         Self {
             entries: vec![None; size],

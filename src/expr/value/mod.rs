@@ -21,8 +21,8 @@ pub use date::DateValue;
 pub(crate) use date::{date_repr, date_text};
 pub(crate) use iterative_drop::drop_iteratively;
 pub(crate) use key::{Key, hash_value};
-pub(crate) use object::{Bound, Closure, Frame};
-pub use object::{Module, Range, Slice, View, ViewKind};
+pub(crate) use object::{Bound, Closure, Locals};
+pub use object::{DictView, Module, Range, Slice, ViewKind};
 pub use types::Type;
 
 use super::builtins::Function;
@@ -70,7 +70,7 @@ pub enum Value {
     /// A slice object.
     Slice(Arc<Slice>),
     /// `d.keys()`, `d.values()`, `d.items()`
-    View(Arc<View>),
+    View(Arc<DictView>),
     /// An iterator or generator.
     Iter(Iter),
     /// A type, such as `int`.

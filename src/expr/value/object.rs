@@ -74,7 +74,7 @@ pub struct Slice {
 
 /// A live view of a dict.
 #[derive(Clone, Debug)]
-pub struct View {
+pub struct DictView {
     /// Of what.
     pub dict: Dict,
     /// What it shows.
@@ -135,7 +135,7 @@ pub struct Closure {
     pub(crate) lambda: Arc<ast::Lambda>,
     /// One per parameter that has a default.
     pub(crate) defaults: Vec<Option<Value>>,
-    pub(crate) env: Option<Arc<Frame>>,
+    pub(crate) env: Option<Arc<Locals>>,
     /// The evaluation whose text the lambda stands in.
     pub(crate) home: u64,
     /// The host's scope in which its free names are looked up.
@@ -150,16 +150,16 @@ impl Drop for Closure {
 
 /// Local variables of a lambda call, a comprehension or a whole evaluation.
 #[derive(Debug)]
-pub(crate) struct Frame {
-    pub(crate) parent: Option<Arc<Frame>>,
+pub(crate) struct Locals {
+    pub(crate) parent: Option<Arc<Locals>>,
     /// A comprehension: `:=` inside binds in the frame around it.
     pub(crate) comprehension: bool,
     vars: Mutex<Vec<(Str, Value)>>,
 }
 
-impl Frame {
+impl Locals {
     pub(crate) fn new(
-        parent: Option<Arc<Frame>>,
+        parent: Option<Arc<Locals>>,
         comprehension: bool,
         vars: Vec<(Str, Value)>,
     ) -> Self {
@@ -198,7 +198,7 @@ impl Frame {
     }
 }
 
-impl Drop for Frame {
+impl Drop for Locals {
     fn drop(&mut self) {
         let vars = std::mem::take(&mut *self.vars());
         drop_iteratively((vars, self.parent.take()));

@@ -3,7 +3,7 @@
 use super::place::element_at;
 use super::{Action, ActionKind, edit};
 use crate::paths::{FileKind, FileTarget, file_name_at};
-use crate::{At, Cx, Part, locate, schema};
+use crate::{Cx, LocatedNode, NodePart, locate, schema};
 use base::TextRange;
 use rules::RuleEnv;
 use vfs::SourceFile;
@@ -19,8 +19,8 @@ fn rewrite(title: impl Into<String>, edits: Vec<rules::Edit>) -> Action {
 /// A number in radians as `${radians(...)}`, and the other way round.
 pub(super) fn angle(source: &SourceFile, offset: u32) -> Option<Action> {
     let document = &source.document;
-    let at: At<'_> = locate(document, offset);
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+    let at: LocatedNode<'_> = locate(document, offset);
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return None;
     };
     let speaks_xacro = document.root()?.attr("xmlns:xacro").is_some();
@@ -79,7 +79,7 @@ const NOTE: &str = "<!-- rpy in degrees:";
 pub(super) fn degrees_note(source: &SourceFile, offset: u32) -> Option<Action> {
     let document = &source.document;
     let at = locate(document, offset);
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return None;
     };
     let end = at.shift(node.range()).end;

@@ -2,15 +2,15 @@
 
 use super::place::{before, top_level};
 use super::{Action, ActionKind, edit};
-use crate::{At, Cx, Part, locate};
+use crate::{Cx, LocatedNode, NodePart, locate};
 use base::TextRange;
-use expr::{Code, Token, WordKind, is_identifier, split, words};
+use expr::{Code, TemplateToken, WordKind, is_identifier, split, words};
 use facts::{FactKind, facts};
 use vfs::SourceFile;
 use xml::Attr;
 
 /// A number or text that can be given a name.
-struct Value<'a> {
+struct ExtractedValue<'a> {
     text: String,
     /// Where it stands in the file.
     range: TextRange,
@@ -78,11 +78,11 @@ fn reading(name: &str, in_expression: bool) -> String {
 /// Attributes whose text xacro does not evaluate, or that name things.
 const FIXED: [&str; 4] = ["name", "params", "type", "version"];
 
-fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
+fn value_at(source: &SourceFile, selection: TextRange) -> Option<ExtractedValue<'_>> {
     let document = &source.document;
     let speaks_xacro = document.root()?.attr("xmlns:xacro").is_some();
-    let at: At<'_> = locate(document, selection.start);
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+    let at: LocatedNode<'_> = locate(document, selection.start);
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return None;
     };
     let whole = at.shift(attr.value_range());
@@ -119,7 +119,7 @@ fn value_at(source: &SourceFile, selection: TextRange) -> Option<Value<'_>> {
     let plain =
         !truth && !text.trim().is_empty() && !text.contains(['$', '"', '\'', '<', '&', '{', '}']);
     let admitted = is_number || plain && !in_expression && text.parse::<f64>().is_err();
-    admitted.then(|| Value {
+    admitted.then(|| ExtractedValue {
         text,
         range,
         in_expression,
@@ -162,15 +162,15 @@ fn numbers(text: &str) -> impl Iterator<Item = TextRange> + '_ {
 fn in_expression(text: &str, offset: usize) -> Option<bool> {
     let offset = u32::try_from(offset).ok()?;
     let template = split(text);
-    let is_broken = |token: &Token| matches!(token, Token::Expr { code: Code::Static(parsed), .. } if !parsed.errors.is_empty());
+    let is_broken = |token: &TemplateToken| matches!(token, TemplateToken::Expr { code: Code::Static(parsed), .. } if !parsed.errors.is_empty());
     if template.tokens.iter().any(is_broken) {
         return None;
     }
     let mut tokens = template.tokens.iter();
     let token = tokens.find(|token| holds(token.range(), offset));
     match token {
-        None | Some(Token::Text(_)) => Some(false),
-        Some(Token::Expr {
+        None | Some(TemplateToken::Text(_)) => Some(false),
+        Some(TemplateToken::Expr {
             inner,
             code: Code::Static(_),
             ..
@@ -191,7 +191,7 @@ fn holds(range: TextRange, offset: u32) -> bool {
 }
 
 /// The same value in attributes of the same meaning, behind an offset.
-fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, bool)> {
+fn alike(source: &SourceFile, value: &ExtractedValue<'_>, from: u32) -> Vec<(TextRange, bool)> {
     let mut found = Vec::new();
     for (base, item) in source
         .document
@@ -223,7 +223,7 @@ fn alike(source: &SourceFile, value: &Value<'_>, from: u32) -> Vec<(TextRange, b
 }
 
 /// A name that says where the value stands and that nothing else has.
-fn free_name(cx: &Cx<'_>, value: &Value<'_>) -> String {
+fn free_name(cx: &Cx<'_>, value: &ExtractedValue<'_>) -> String {
     let wanted = format!("{}_{}", value.element, value.attr.name())
         .replace(|c: char| !c.is_ascii_alphanumeric(), "_");
     let wanted = if is_identifier(&wanted) {

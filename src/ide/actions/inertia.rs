@@ -5,7 +5,7 @@ use super::{Action, ActionKind, edit};
 use crate::Cx;
 use base::{Span, TextRange};
 use expand::{SourceRange, XId};
-use model::{Body, Inertial, Link, Pose, ShapeKind, Text, element_range};
+use model::{AttrValue, Body, Inertial, Link, Pose, ShapeKind, element_range};
 use rules::Edit;
 use xml::Node;
 
@@ -117,8 +117,10 @@ fn solid(link: &Link) -> Option<[f64; 3]> {
         .then_some(inertia)
 }
 
-fn positive(text: &Option<Text>) -> Option<f64> {
-    text.as_ref().and_then(Text::number).filter(|n| *n > 0.0)
+fn positive(text: &Option<AttrValue>) -> Option<f64> {
+    text.as_ref()
+        .and_then(AttrValue::number)
+        .filter(|n| *n > 0.0)
 }
 
 /// The moments of a capsule for a mass of 1: those of its cylinder and of its half spheres, by their volumes.

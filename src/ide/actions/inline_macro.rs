@@ -26,7 +26,7 @@ pub fn inline_macro(cx: &Cx<'_>, offset: u32) -> Option<Action> {
         source_node(cx, origin)?,
         &cx.expansion.sources.get(origin.src)?.item,
     );
-    let text = Body {
+    let text = MacroBody {
         item,
         definition,
         given: given(definition, call)?,
@@ -90,13 +90,13 @@ fn inside(node: Node<'_>) -> String {
 }
 
 /// The body of a macro, and what is passed to it.
-struct Body<'a> {
+struct MacroBody<'a> {
     item: &'a Arc<Item>,
     definition: Node<'a>,
     given: FastMap<String, String>,
 }
 
-impl Body<'_> {
+impl MacroBody<'_> {
     /// The body with what is passed in the place of the parameters.
     fn text(&self) -> Option<String> {
         let item = self.item;

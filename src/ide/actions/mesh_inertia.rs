@@ -31,7 +31,7 @@ pub struct Refused {
 }
 
 /// A body filled with one kilogram for each cubic meter.
-struct Solid {
+struct SolidProperties {
     /// Cubic meters.
     volume: f64,
     /// Center of mass in the frame of the mesh, meters.
@@ -42,7 +42,7 @@ struct Solid {
 
 /// What the inertia of a link with a mesh follows from.
 #[derive(PartialEq)]
-struct Given {
+struct InertiaInput {
     file: EcoString,
     scale: [f64; 3],
     /// Position and angles, where an origin is given.
@@ -50,7 +50,7 @@ struct Given {
     mass: Option<f64>,
 }
 
-impl Given {
+impl InertiaInput {
     fn of(link: &Link) -> Option<Self> {
         let body = body(link)?;
         let ShapeKind::Mesh { filename, scale } = &body.shape()?.kind else {
@@ -67,13 +67,13 @@ impl Given {
 }
 
 /// What is asked for: a link with a mesh.
-struct Asked<'a> {
+struct InertiaRequest<'a> {
     base: u32,
     node: Node<'a>,
     link: &'a Link,
     origin: Option<&'a Pose>,
     name: String,
-    solid: Solid,
+    solid: SolidProperties,
 }
 
 /// Write the inertia that follows from the mesh of the link at an offset: for the mass that is given, or else for some
@@ -131,7 +131,11 @@ pub fn of_mesh(cx: &Cx<'_>, world: RuleEnv<'_>, offset: u32) -> Result<Vec<Actio
 }
 
 /// The link at an offset, when its shape is a mesh; the numbers are to be the same from call to call.
-fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Asked<'a>>, Refused> {
+fn asked<'a>(
+    cx: &Cx<'a>,
+    world: RuleEnv<'_>,
+    offset: u32,
+) -> Result<Option<InertiaRequest<'a>>, Refused> {
     let Some((base, node)) = enclosing(&cx.source.document, offset, "link") else {
         return Ok(None);
     };
@@ -139,10 +143,10 @@ fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Aske
     let Some(link) = links.next() else {
         return Ok(None);
     };
-    let Some(first) = Given::of(link) else {
+    let Some(first) = InertiaInput::of(link) else {
         return Ok(None);
     };
-    if !links.all(|other| Given::of(other).as_ref() == Some(&first)) {
+    if !links.all(|other| InertiaInput::of(other).as_ref() == Some(&first)) {
         return Ok(None);
     }
     let Some(body) = body(link) else {
@@ -173,7 +177,7 @@ fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Aske
         .find(|child| is_at(cx, body.element, child.range().shift(base)));
     let written = body_node.is_some_and(|node| is_origin_written(node, body.origin.as_ref()));
     let origin = body.origin.as_ref();
-    Ok(written.then_some(Asked {
+    Ok(written.then_some(InertiaRequest {
         base,
         node,
         link,
@@ -184,7 +188,7 @@ fn asked<'a>(cx: &Cx<'a>, world: RuleEnv<'_>, offset: u32) -> Result<Option<Aske
 }
 
 /// The mesh as a solid body.
-fn solid(world: RuleEnv<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid, String> {
+fn solid(world: RuleEnv<'_>, path: &Path, scale: [f64; 3]) -> Result<SolidProperties, String> {
     let mesh: &Mesh = &world.meshes.get(world.vfs, path);
     let unread = || {
         let defect = mesh
@@ -210,7 +214,7 @@ fn solid(world: RuleEnv<'_>, path: &Path, scale: [f64; 3]) -> Result<Solid, Stri
 }
 
 /// Sum over the pyramids that the triangles make with one corner of the mesh.
-fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<Solid> {
+fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<SolidProperties> {
     // numbers stay small around a point of the mesh
     let near = scaled(mesh, 0, scale);
     let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
@@ -227,7 +231,7 @@ fn integrate(mesh: &Triangles, scale: [f64; 3]) -> Option<Solid> {
     let second = (second - center * center.transpose() * volume) * volume.signum();
     let inertia = Matrix3::identity() * second.trace() - second;
     let sound = volume.abs() > 1e-15 && inertia.iter().all(|entry| entry.is_finite());
-    (sound && inertia.diagonal().min() > 0.0).then(|| Solid {
+    (sound && inertia.diagonal().min() > 0.0).then(|| SolidProperties {
         volume: volume.abs(),
         center: center + near,
         inertia,
@@ -240,7 +244,7 @@ fn scaled(mesh: &Triangles, index: u32, scale: [f64; 3]) -> Vector3<f64> {
     Vector3::from(point).component_mul(&Vector3::from(scale))
 }
 
-impl Asked<'_> {
+impl InertiaRequest<'_> {
     /// The element `origin`: the center of mass, in the axes of the mesh.
     fn origin(&self) -> Option<String> {
         let at = transform(self.origin)? * Point3::from(self.solid.center);

@@ -1,10 +1,10 @@
 //! Where new elements go, and how they are indented.
 
-use crate::{At, format_range, indentation, locate};
+use crate::{LocatedNode, format_range, indentation, locate};
 use base::TextRange;
 use vfs::SourceFile;
 use workspace::config::Format;
-use xml::{Document, Node, NodeKind, Part};
+use xml::{Document, DocumentPart, Node, NodeKind};
 
 /// The line end of a document.
 pub(super) fn line_end(document: &Document) -> &'static str {
@@ -22,7 +22,7 @@ pub(super) fn margin(document: &Document, offset: u32) -> String {
 
 /// The innermost element at an offset; at the border of two, the one that begins there.
 pub(super) fn element_at(document: &Document, offset: u32) -> Option<(u32, Node<'_>)> {
-    let At { base, item, .. } = locate(document, offset);
+    let LocatedNode { base, item, .. } = locate(document, offset);
     let inside = offset - base.min(offset);
     let around = item.all_nodes().filter(|node| {
         let range = node.range();
@@ -52,7 +52,7 @@ pub(super) fn enclosing<'a>(
 /// tag, in front of the comments that belong to the element there.
 pub(super) fn before(document: &Document, offset: u32) -> Option<u32> {
     let place = document.item_at(offset);
-    if !matches!(place.part, Part::Item(_)) {
+    if !matches!(place.part, DocumentPart::Item(_)) {
         return first_child(document);
     }
     let element = place.item.element()?;

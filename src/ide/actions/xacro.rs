@@ -8,7 +8,7 @@ use expr::is_identifier;
 use facts::{FactKind, facts};
 use rules::Edit;
 use vfs::SourceFile;
-use xml::{Document, Part};
+use xml::{Document, DocumentPart};
 
 /// Another name for a property or parameter that hides something of Python, everywhere it is used.
 pub fn other_name(cx: &Cx<'_>, all: &TextNames, range: TextRange) -> Option<Action> {
@@ -82,7 +82,7 @@ pub fn before_use(cx: &Cx<'_>, used: TextRange, given: TextRange) -> Option<Acti
     let element = place
         .item
         .element()
-        .filter(|_| matches!(place.part, Part::Item(_)))?;
+        .filter(|_| matches!(place.part, DocumentPart::Item(_)))?;
     if element.range() != name.range() || used.start >= place.start {
         return None;
     }

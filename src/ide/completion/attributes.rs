@@ -3,7 +3,7 @@
 use super::directives::directive;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::learned;
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use super::tags::{is_required, spec_of};
 use crate::typed::{Typed, is_name_char};
 use rules::schema::{AttributeKind, AttributeSpec, ElementSpec};
@@ -14,7 +14,7 @@ const NAMESPACE: &str = "http://www.ros.org/wiki/xacro";
 
 /// The element of URDF that a start tag stands for.
 pub(super) fn spec_of_tag(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     tag: Node<'_>,
 ) -> Option<&'static ElementSpec> {
@@ -24,7 +24,11 @@ pub(super) fn spec_of_tag(
 }
 
 /// Attributes that a start tag does not have yet.
-pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed<'_>, tag: Node<'_>) -> Completions {
+pub(super) fn attributes(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    tag: Node<'_>,
+) -> Completions {
     let start = typed.offset - typed.before.len() as u32;
     let rest = typed.rest_of_word(is_name_char);
     let has_value = typed
@@ -114,7 +118,7 @@ fn facts_in_short(attribute: &AttributeSpec) -> String {
 }
 
 /// The parameters of the macro that a tag calls; blocks are children, not attributes.
-fn parameters(scope: &Scope<'_>, typed: &Typed<'_>, tag: Node<'_>) -> Vec<Completion> {
+fn parameters(scope: &CompletionScope<'_>, typed: &Typed<'_>, tag: Node<'_>) -> Vec<Completion> {
     // of a macro whose file is missing, other calls say what it takes
     let Some(info) = scope.called(tag.name()) else {
         return learned::attributes(scope, typed, tag.name());

@@ -4,9 +4,9 @@ use super::attributes::spec_of_tag;
 use super::directives::directive;
 use super::expressions::expression;
 use super::item::{Completion, Completions, ItemKind, escaped};
-use super::names::{self, Wanted, blocks, flows_into, materials};
+use super::names::{self, WantedName, blocks, flows_into, materials};
 use super::paths;
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use super::semantic;
 use super::substitutions;
 use super::tags::is_directive;
@@ -29,7 +29,7 @@ const INTERFACES: &[&str] = &["position", "velocity", "effort", "acceleration"];
 
 /// The attribute whose value is typed.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct AttributeContext<'a> {
     /// What is known of its element.
     pub spec: Option<&'static ElementSpec>,
     /// Its start tag.
@@ -40,7 +40,7 @@ pub(super) struct Place<'a> {
 
 /// Values of an attribute of a start tag.
 pub(super) fn values(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     tag: Node<'_>,
     attribute: &str,
@@ -58,7 +58,7 @@ pub(super) fn values(
         None if scope.is_semantic => semantic::values(
             scope,
             typed,
-            Place {
+            AttributeContext {
                 spec,
                 tag,
                 attribute,
@@ -67,7 +67,7 @@ pub(super) fn values(
         None => of_element(
             scope,
             typed,
-            Place {
+            AttributeContext {
                 spec,
                 tag,
                 attribute,
@@ -88,22 +88,22 @@ fn file_wanted(
     spec: Option<&ElementSpec>,
     tag: Node<'_>,
     attribute: &str,
-) -> Option<paths::Wanted> {
+) -> Option<paths::WantedFile> {
     match (tag.name(), attribute) {
-        ("xacro:include", "filename") => return Some(paths::Wanted::Description),
+        ("xacro:include", "filename") => return Some(paths::WantedFile::Description),
         (name, _) if is_directive(name) => return None,
         _ => {}
     }
     let named = spec.and_then(|spec| spec.attribute(attribute));
     match (tag.name(), named.map(|attribute| attribute.kind)) {
-        ("texture", Some(AttributeKind::Uri)) => Some(paths::Wanted::Picture),
-        ("mesh", _) if attribute == "filename" => Some(paths::Wanted::Mesh),
+        ("texture", Some(AttributeKind::Uri)) => Some(paths::WantedFile::Picture),
+        ("mesh", _) if attribute == "filename" => Some(paths::WantedFile::Mesh),
         _ => None,
     }
 }
 
 fn of_directive(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     tag: Node<'_>,
     attribute: &str,
@@ -139,7 +139,7 @@ pub(super) fn words_to_choose(words: &[&str]) -> Vec<Completion> {
 }
 
 /// An expression, and the arguments that are true or false.
-fn conditions(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+fn conditions(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let mut items = vec![
         Completion::new(ItemKind::Snippet, "${}")
             .snippet("\\${$1}$0")
@@ -169,7 +169,7 @@ fn is_truth(text: &str) -> bool {
 
 /// Arguments of macro calls: names, when that is what the macro makes of them.
 fn of_call(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     tag: Node<'_>,
     attribute: &str,
@@ -198,13 +198,13 @@ fn of_call(
 }
 
 fn of_element(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
-    Place {
+    AttributeContext {
         spec,
         tag,
         attribute,
-    }: Place<'_>,
+    }: AttributeContext<'_>,
 ) -> Vec<Completion> {
     if tag.name() == "material" && attribute == "name" {
         return materials(scope, typed);
@@ -213,7 +213,7 @@ fn of_element(
         return words_to_choose(INTERFACES);
     }
     if attribute == "frame_id" || attribute == "frame_name" {
-        return names::names(scope, typed, Wanted::Link, false);
+        return names::names(scope, typed, WantedName::Link, false);
     }
     let Some(kind) = spec
         .and_then(|spec| spec.attribute(attribute))
@@ -221,7 +221,7 @@ fn of_element(
     else {
         return Vec::new();
     };
-    if let Some(wanted) = Wanted::of(kind) {
+    if let Some(wanted) = WantedName::of(kind) {
         return names::names(scope, typed, wanted, tag.name() == "child");
     }
     match kind {

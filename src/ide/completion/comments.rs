@@ -2,7 +2,7 @@
 
 use super::item::{Completion, Completions, ItemKind, Topic};
 use super::names::file_name;
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use crate::typed::Typed;
 use vfs::{relative, slashed};
 
@@ -14,7 +14,7 @@ const DIRECTIVES: &[(&str, &str)] = &[
 ];
 
 /// What fits into a comment: nothing, unless it begins as one of those.
-pub(super) fn comment(scope: &Scope<'_>, typed: &Typed<'_>) -> Completions {
+pub(super) fn comment(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Completions {
     let text = typed.before.trim_start();
     if let Some(rest) = text.strip_prefix("xacro-lint:") {
         return lint(typed, rest.trim_start());
@@ -74,7 +74,7 @@ fn answer(typed: &Typed<'_>, word: &str, items: Vec<Completion>) -> Completions 
     Completions::new(typed.offset - word.len() as u32, typed.offset, rest, items)
 }
 
-fn root(scope: &Scope<'_>, typed: &Typed<'_>, text: &str) -> Completions {
+fn root(scope: &CompletionScope<'_>, typed: &Typed<'_>, text: &str) -> Completions {
     if text.contains(' ') {
         return Completions::default();
     }

@@ -1,7 +1,7 @@
 //! The tags of xacro itself.
 
 /// A tag of xacro.
-pub(super) struct Directive {
+pub(super) struct DirectiveSpec {
     /// Its name with its prefix.
     pub name: &'static str,
     /// What it does, in a line.
@@ -49,8 +49,8 @@ const fn flag(name: &'static str, docs: &'static str) -> DirectiveAttribute {
 }
 
 /// All of them.
-pub(super) static DIRECTIVES: &[Directive] = &[
-    Directive {
+pub(super) static DIRECTIVES: &[DirectiveSpec] = &[
+    DirectiveSpec {
         name: "xacro:property",
         docs: "Define a property: a named value or block",
         attributes: &[
@@ -74,7 +74,7 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         ],
         snippet: " name=\"$1\" value=\"$2\"/>$0",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:arg",
         docs: "Declare a substitution argument with its default",
         attributes: &[
@@ -83,7 +83,7 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         ],
         snippet: " name=\"$1\" default=\"$2\"/>$0",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:include",
         docs: "Include another file",
         attributes: &[
@@ -96,7 +96,7 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         ],
         snippet: " filename=\"$1\"/>$0",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:macro",
         docs: "Define a macro: XML with parameters",
         attributes: &[
@@ -108,37 +108,37 @@ pub(super) static DIRECTIVES: &[Directive] = &[
         ],
         snippet: " name=\"$1\" params=\"$2\">\n\t$0\n</xacro:macro>",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:if",
         docs: "Keep the content if the condition is true",
         attributes: &[required("value", "The condition")],
         snippet: " value=\"${1:\\${$2\\}}\">\n\t$0\n</xacro:if>",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:unless",
         docs: "Keep the content if the condition is false",
         attributes: &[required("value", "The condition")],
         snippet: " value=\"${1:\\${$2\\}}\">\n\t$0\n</xacro:unless>",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:insert_block",
         docs: "Insert a block parameter or a block property",
         attributes: &[required("name", "The name of the block")],
         snippet: " name=\"$1\"/>$0",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:call",
         docs: "Call a macro with a computed name",
         attributes: &[required("macro", "The name of the macro")],
         snippet: " macro=\"$1\"/>$0",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:element",
         docs: "Create an element with a computed name",
         attributes: &[required("xacro:name", "The name of the element")],
         snippet: " xacro:name=\"$1\"/>$0",
     },
-    Directive {
+    DirectiveSpec {
         name: "xacro:attribute",
         docs: "Add an attribute with a computed name to the parent element",
         attributes: &[
@@ -150,6 +150,6 @@ pub(super) static DIRECTIVES: &[Directive] = &[
 ];
 
 /// The tag of a name.
-pub(super) fn directive(name: &str) -> Option<&'static Directive> {
+pub(super) fn directive(name: &str) -> Option<&'static DirectiveSpec> {
     DIRECTIVES.iter().find(|directive| directive.name == name)
 }

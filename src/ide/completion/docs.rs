@@ -4,13 +4,13 @@ use super::directives::directive;
 use super::evaluate::Evaluator;
 use super::item::Topic;
 use super::names::file_name;
-use super::scope::{MacroInfo, Scope};
-use expand::Param;
+use super::scope::{CompletionScope, MacroInfo};
+use expand::MacroParam;
 use expr::global_symbols;
 use rules::schema::{AttributeSpec, ElementSpec, every_element};
 
 /// More about a topic, as Markdown; none when there is no such thing.
-pub fn documentation(scope: &Scope<'_>, topic: &Topic) -> Option<String> {
+pub fn documentation(scope: &CompletionScope<'_>, topic: &Topic) -> Option<String> {
     match topic {
         Topic::Element { key } => every_element().find(|spec| spec.key == *key).map(element),
         Topic::Attribute { element, name } => {
@@ -98,7 +98,7 @@ fn of_macro(info: &MacroInfo) -> String {
     text
 }
 
-fn property(scope: &Scope<'_>, name: &str) -> Option<String> {
+fn property(scope: &CompletionScope<'_>, name: &str) -> Option<String> {
     let all = scope.properties(0);
     let found = all.iter().rev().find(|property| property.name == name)?;
     let file = scope
@@ -129,7 +129,7 @@ pub(super) fn signature(info: &MacroInfo) -> String {
 }
 
 /// A parameter as a signature shows it.
-pub(super) fn parameter(param: &Param) -> String {
+pub(super) fn parameter(param: &MacroParam) -> String {
     match (&param.default, param.forward) {
         (Some((default, _)), false) => format!("{}={default}", param.name),
         (Some((default, _)), true) => format!("{}=^|{default}", param.name),

@@ -3,14 +3,14 @@
 use super::item::{Completion, ItemKind};
 
 /// A label, what it is good for, and the text behind its `<`.
-struct Whole {
+struct ElementSnippet {
     label: &'static str,
     detail: &'static str,
     snippet: &'static str,
 }
 
-const WHOLE: [Whole; 6] = [
-    Whole {
+const WHOLE: [ElementSnippet; 6] = [
+    ElementSnippet {
         label: "link with visual, collision and inertial",
         detail: "a box of 1 kg with the inertia of a solid box",
         snippet: "link name=\"${1:link}\">\n\t<visual>\n\t\t<origin xyz=\"0 0 0\" rpy=\"0 0 0\"/>\n\t\t<geometry>\n\t\t\t\
@@ -20,34 +20,34 @@ const WHOLE: [Whole; 6] = [
                   <mass value=\"${3:1.0}\"/>\n\t\t<inertia ixx=\"${4:0.00167}\" ixy=\"0\" ixz=\"0\" \
                   iyy=\"${5:0.00167}\" iyz=\"0\" izz=\"${6:0.00167}\"/>\n\t</inertial>\n</link>$0",
     },
-    Whole {
+    ElementSnippet {
         label: "joint revolute with limit",
         detail: "a joint that rotates between two angles",
         snippet: "joint name=\"${1:joint}\" type=\"revolute\">\n\t<parent link=\"${2}\"/>\n\t<child link=\"${3}\"/>\n\t\
                   <origin xyz=\"${4:0 0 0}\" rpy=\"0 0 0\"/>\n\t<axis xyz=\"${5:0 0 1}\"/>\n\t\
                   <limit lower=\"${6:-1.57}\" upper=\"${7:1.57}\" effort=\"${8:10}\" velocity=\"${9:1}\"/>\n</joint>$0",
     },
-    Whole {
+    ElementSnippet {
         label: "joint prismatic with limit",
         detail: "a joint that slides between two positions",
         snippet: "joint name=\"${1:joint}\" type=\"prismatic\">\n\t<parent link=\"${2}\"/>\n\t<child link=\"${3}\"/>\n\t\
                   <origin xyz=\"${4:0 0 0}\" rpy=\"0 0 0\"/>\n\t<axis xyz=\"${5:0 0 1}\"/>\n\t\
                   <limit lower=\"${6:0}\" upper=\"${7:0.1}\" effort=\"${8:10}\" velocity=\"${9:0.1}\"/>\n</joint>$0",
     },
-    Whole {
+    ElementSnippet {
         label: "joint fixed",
         detail: "connects a link without motion",
         snippet: "joint name=\"${1:joint}\" type=\"fixed\">\n\t<parent link=\"${2}\"/>\n\t<child link=\"${3}\"/>\n\t\
                   <origin xyz=\"${4:0 0 0}\" rpy=\"${5:0 0 0}\"/>\n</joint>$0",
     },
-    Whole {
+    ElementSnippet {
         label: "link and joint of an optical frame",
         detail: "z forward, x right, y down, for a camera (REP 103)",
         snippet: "link name=\"${1:camera}_optical_frame\"/>\n<joint name=\"${1:camera}_optical_joint\" type=\"fixed\">\n\t\
                   <parent link=\"${1:camera}_link\"/>\n\t<child link=\"${1:camera}_optical_frame\"/>\n\t\
                   <origin xyz=\"0 0 0\" rpy=\"-1.570796 0 -1.570796\"/>\n</joint>$0",
     },
-    Whole {
+    ElementSnippet {
         label: "ros2_control with a joint",
         detail: "a system with one joint; the plugin is the mock of ros2_control",
         snippet: "ros2_control name=\"${1:system}\" type=\"system\">\n\t<hardware>\n\t\t\

@@ -9,14 +9,16 @@ use vfs::without_parents;
 
 use ecow::EcoString;
 
-use super::scope::{PropertyInfo, Scope};
-use crate::host::{self, Names};
+use super::scope::{CompletionScope, PropertyInfo};
+use crate::host::{self, NameResolver};
 use base::FastMap;
 use expand::yaml_value;
-use expr::{self, Code, Lookup, Subst, SubstError, Template, Token, Value, display, literal};
+use expr::{
+    self, Code, Lookup, Subst, SubstError, Template, TemplateToken, Value, display, literal,
+};
 
 /// Where a property's value stands.
-struct Given {
+struct PropertySource {
     /// The last definition, by number.
     last: usize,
     /// Another definition says something else.
@@ -25,9 +27,9 @@ struct Given {
 
 /// Evaluates texts of a scope.
 pub(super) struct Evaluator<'a> {
-    scope: &'a Scope<'a>,
+    scope: &'a CompletionScope<'a>,
     properties: Vec<PropertyInfo>,
-    given: FastMap<EcoString, Given>,
+    given: FastMap<EcoString, PropertySource>,
     arguments: FastMap<String, Option<String>>,
     memo: FastMap<String, Value>,
     /// Properties being evaluated.
@@ -45,16 +47,16 @@ impl<'a> Evaluator<'a> {
     const MOST_OPEN: usize = 12;
 
     /// For the place at `offset` of the edited file.
-    pub fn new(scope: &'a Scope<'a>, offset: u32) -> Self {
+    pub fn new(scope: &'a CompletionScope<'a>, offset: u32) -> Self {
         let mut properties = scope.properties(offset);
         properties.retain(|property| !property.is_block);
-        let mut given: FastMap<EcoString, Given> = FastMap::default();
+        let mut given: FastMap<EcoString, PropertySource> = FastMap::default();
         for (last, property) in properties.iter().enumerate() {
             let known = given.get(&property.name);
             let other = known.and_then(|known| properties.get(known.last));
             let differs = other.is_some_and(|other| other.value() != property.value());
             let ambiguous = differs || known.is_some_and(|known| known.ambiguous);
-            given.insert(property.name.clone(), Given { last, ambiguous });
+            given.insert(property.name.clone(), PropertySource { last, ambiguous });
         }
         Self {
             scope,
@@ -139,32 +141,34 @@ impl<'a> Evaluator<'a> {
         let mut result = String::new();
         for token in &template.tokens {
             let value = match token {
-                Token::Text(range) | Token::Escape(range) => Value::str(range.slice(text)),
-                Token::Expr {
+                TemplateToken::Text(range) | TemplateToken::Escape(range) => {
+                    Value::str(range.slice(text))
+                }
+                TemplateToken::Expr {
                     inner,
                     code: Code::Static(_),
                     ..
                 } => self.code(inner.slice(text)),
-                Token::Expr {
+                TemplateToken::Expr {
                     code: Code::Dynamic(nested),
                     ..
                 } => match self.template(text, nested) {
                     Value::Str(code) => self.code(&code),
                     _ => Value::Unknown,
                 },
-                Token::Subst {
+                TemplateToken::Subst {
                     inner,
                     nested: None,
                     ..
                 } => self.substitution(inner.slice(text)),
-                Token::Subst {
+                TemplateToken::Subst {
                     nested: Some(nested),
                     ..
                 } => match self.template(text, nested) {
                     Value::Str(inner) => self.substitution(&inner),
                     _ => Value::Unknown,
                 },
-                Token::Invalid { .. } => Value::Unknown,
+                TemplateToken::Invalid { .. } => Value::Unknown,
             };
             if template.tokens.len() == 1 {
                 return value;
@@ -220,7 +224,7 @@ impl<'a> Evaluator<'a> {
     }
 }
 
-impl Names for Evaluator<'_> {
+impl NameResolver for Evaluator<'_> {
     fn name(&mut self, name: &str) -> Lookup {
         match self.given.contains_key(name) {
             true => Lookup::Found(self.property(name)),

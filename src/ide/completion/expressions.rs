@@ -5,19 +5,19 @@ use super::inherited;
 use super::item::{Completion, Completions, ItemKind, Topic, fits};
 use super::members;
 use super::paths;
-use super::scope::{PropertyInfo, Scope};
+use super::scope::{CompletionScope, PropertyInfo};
 use super::substitutions;
-use crate::typed::{Cursor, Opened, Typed, Unclosed, attr_text, cursor, unclosed};
+use crate::typed::{CodeContext, Opened, Typed, UnclosedCode, attr_text, cursor, unclosed};
 use base::limits::COMPLETIONS;
 use expand::parse_params;
-use expr::{SymbolKind, Value, display, global_symbols};
+use expr::{BuiltinKind, Value, display, global_symbols};
 
 /// What fits into the expression that the text in front of the cursor ends in; none when it ends in none.
-pub(super) fn expression(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<Completions> {
+pub(super) fn expression(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Option<Completions> {
     Some(match unclosed(typed.before)? {
-        Unclosed::Dollar => dollar(typed, typed.offset - 1),
-        Unclosed::Code { code, is_eval } => self::code(scope, typed, code, is_eval),
-        Unclosed::Substitution(inner) => substitutions::substitution(scope, typed, inner),
+        UnclosedCode::Dollar => dollar(typed, typed.offset - 1),
+        UnclosedCode::Code { code, is_eval } => self::code(scope, typed, code, is_eval),
+        UnclosedCode::Substitution(inner) => substitutions::substitution(scope, typed, inner),
     })
 }
 
@@ -38,10 +38,10 @@ fn dollar(typed: &Typed<'_>, start: u32) -> Completions {
 }
 
 /// In an expression; `is_eval`: of `$(eval)`, where arguments are the names.
-fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Completions {
+fn code(scope: &CompletionScope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Completions {
     match cursor(code) {
-        Cursor::Outside => Completions::default(),
-        Cursor::Text { start, opened } => match opened {
+        CodeContext::Outside => Completions::default(),
+        CodeContext::Text { start, opened } => match opened {
             Opened::Index(object) => answer(
                 typed,
                 code,
@@ -53,17 +53,17 @@ fn code(scope: &Scope<'_>, typed: &Typed<'_>, code: &str, is_eval: bool) -> Comp
             ),
             Opened::Call("load_yaml" | "xacro.load_yaml") => {
                 let within = code.get(start..).unwrap_or("");
-                paths::in_text(scope, typed, within, paths::Wanted::Yaml)
+                paths::in_text(scope, typed, within, paths::WantedFile::Yaml)
             }
             Opened::Call("xacro.arg") => {
                 answer(typed, code, start, substitutions::arguments(scope, typed))
             }
             Opened::Call(_) | Opened::Nothing => Completions::default(),
         },
-        Cursor::Member { object, start } => {
+        CodeContext::Member { object, start } => {
             answer(typed, code, start, members(scope, typed, object))
         }
-        Cursor::Name { start, opened } => {
+        CodeContext::Name { start, opened } => {
             let word = code.get(start..).unwrap_or("");
             let (mut items, more) = names(scope, typed, word, is_eval);
             if let Opened::Index(object) = opened {
@@ -89,7 +89,7 @@ fn answer(typed: &Typed<'_>, code: &str, start: usize, items: Vec<Completion>) -
 
 /// The keys of what an expression stands for.
 fn entries(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     object: &str,
     spelled: impl Fn(&Value) -> Option<String>,
@@ -107,7 +107,7 @@ fn entries(
 }
 
 /// What can stand behind a dot.
-fn members(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion> {
+fn members(scope: &CompletionScope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion> {
     let symbols = global_symbols()
         .filter(|symbol| {
             symbol
@@ -157,7 +157,7 @@ fn members(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion
 
 /// Names that an expression can begin with, and whether some that do not fit to `word` were left out.
 fn names(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     word: &str,
     is_eval: bool,
@@ -205,7 +205,7 @@ fn parameters(typed: &Typed<'_>) -> Vec<Completion> {
 }
 
 /// Properties; their values follow when it is known which are shown.
-fn properties(scope: &Scope<'_>, found: &[PropertyInfo]) -> Vec<Completion> {
+fn properties(scope: &CompletionScope<'_>, found: &[PropertyInfo]) -> Vec<Completion> {
     let own = &scope.sources.source.path;
     let mut items: Vec<Completion> = Vec::new();
     let mut seen = base::FastSet::default();
@@ -247,7 +247,7 @@ fn properties(scope: &Scope<'_>, found: &[PropertyInfo]) -> Vec<Completion> {
 }
 
 /// Note the values of properties.
-pub(super) fn show_values(scope: &Scope<'_>, offset: u32, items: &mut [Completion]) {
+pub(super) fn show_values(scope: &CompletionScope<'_>, offset: u32, items: &mut [Completion]) {
     let mut evaluator = None;
     for item in items {
         if let Some(Topic::Property { name }) = &item.topic {
@@ -260,9 +260,9 @@ pub(super) fn show_values(scope: &Scope<'_>, offset: u32, items: &mut [Completio
 fn global(symbol: &expr::GlobalSymbol) -> Completion {
     let module = symbol.namespace.map_or("", expr::Module::name).to_owned();
     let (kind, rank) = match symbol.kind {
-        SymbolKind::Constant => (ItemKind::Constant, 4),
-        SymbolKind::Function | SymbolKind::Type => (ItemKind::Function, 4),
-        SymbolKind::Namespace => (ItemKind::Module, 3),
+        BuiltinKind::Constant => (ItemKind::Constant, 4),
+        BuiltinKind::Function | BuiltinKind::Type => (ItemKind::Function, 4),
+        BuiltinKind::Namespace => (ItemKind::Module, 3),
     };
     let item = Completion::new(kind, symbol.name)
         .detail(symbol.doc)
@@ -272,10 +272,10 @@ fn global(symbol: &expr::GlobalSymbol) -> Completion {
             name: symbol.name.to_owned(),
         });
     match symbol.kind {
-        SymbolKind::Function | SymbolKind::Type => item
+        BuiltinKind::Function | BuiltinKind::Type => item
             .note(format!("({})", symbol.params))
             .snippet(format!("{}($1)$0", symbol.name)),
-        SymbolKind::Constant => {
+        BuiltinKind::Constant => {
             let value = expr::global_symbol(symbol.name);
             item.note(
                 value
@@ -284,6 +284,6 @@ fn global(symbol: &expr::GlobalSymbol) -> Completion {
                     .unwrap_or_default(),
             )
         }
-        SymbolKind::Namespace => item,
+        BuiltinKind::Namespace => item,
     }
 }

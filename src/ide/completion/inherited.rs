@@ -5,7 +5,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use super::item::{Completion, ItemKind};
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use crate::typed::{Typed, attr_text};
 use base::FastSet;
 use expand::parse_params;
@@ -16,14 +16,14 @@ use xml::{Entities, Item, Node};
 const MOST_MACROS: usize = 40;
 
 /// A macro that calls others.
-struct Caller {
+struct CallingMacro {
     name: EcoString,
     item: Arc<Item>,
     node: xml::NodeId,
 }
 
 /// The names of the macros that call the one around the cursor, and of those that call them: the nearest first.
-pub(super) fn names(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+pub(super) fn names(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let Some(own) = typed.in_macro().and_then(|open| attr_text(open, "name")) else {
         return Vec::new();
     };
@@ -44,7 +44,7 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
 }
 
 /// The macros whose bodies call one of this name.
-fn callers(scope: &Scope<'_>, name: &str) -> Vec<Caller> {
+fn callers(scope: &CompletionScope<'_>, name: &str) -> Vec<CallingMacro> {
     let mut found = Vec::new();
     for (_, _, item) in scope.items() {
         let facts = facts_of(item);
@@ -56,7 +56,7 @@ fn callers(scope: &Scope<'_>, name: &str) -> Vec<Caller> {
                 .map_or("", |attr| attr.raw())
                 .trim_start_matches("xacro:")
                 .into();
-            found.push(Caller {
+            found.push(CallingMacro {
                 name,
                 item: item.clone(),
                 node: node.id(),
@@ -73,7 +73,7 @@ fn macro_around(node: Node<'_>) -> Option<Node<'_>> {
 }
 
 /// The names that a macro gives to what it calls.
-fn given_in(caller: &Caller) -> Vec<Completion> {
+fn given_in(caller: &CallingMacro) -> Vec<Completion> {
     let node = caller.item.node(caller.node);
     let note = format!("from `{}`, which calls this macro", caller.name);
     let params = node

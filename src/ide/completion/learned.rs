@@ -3,7 +3,7 @@
 
 use super::item::{Completion, ItemKind};
 use super::names::file_name;
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use crate::typed::Typed;
 use base::FastSet;
 use ecow::EcoString;
@@ -14,7 +14,11 @@ use xml::{Node, NodeKind};
 const MOST: usize = 60;
 
 /// Attributes that elements with a tag have elsewhere.
-pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed<'_>, tag: &str) -> Vec<Completion> {
+pub(super) fn attributes(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    tag: &str,
+) -> Vec<Completion> {
     learned(scope, typed, tag, |node, add| {
         node.attrs().for_each(|attr| add(attr.name()))
     })
@@ -30,7 +34,11 @@ pub(super) fn attributes(scope: &Scope<'_>, typed: &Typed<'_>, tag: &str) -> Vec
 }
 
 /// Elements that stand in elements with a tag elsewhere.
-pub(super) fn children(scope: &Scope<'_>, typed: &Typed<'_>, tag: &str) -> Vec<Completion> {
+pub(super) fn children(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    tag: &str,
+) -> Vec<Completion> {
     learned(scope, typed, tag, |node, add| {
         node.child_elements().for_each(|child| add(child.name()))
     })
@@ -47,7 +55,7 @@ pub(super) fn children(scope: &Scope<'_>, typed: &Typed<'_>, tag: &str) -> Vec<C
 
 /// What is read off the elements with a tag, each with the file that it is taken from. What is being typed is left out.
 fn learned(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     tag: &str,
     read: impl Fn(Node<'_>, &mut dyn FnMut(&str)),

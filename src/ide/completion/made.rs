@@ -8,10 +8,10 @@ use ecow::EcoString;
 
 use super::item::{Completion, ItemKind};
 use super::members::is_word;
-use super::scope::{MacroInfo, Scope, macro_around, macro_at};
+use super::scope::{CompletionScope, MacroInfo, macro_around, macro_at};
 use crate::typed::Typed;
 use base::FastMap;
-use expr::Token;
+use expr::TemplateToken;
 use facts::{Fact, FactKind, facts_of};
 use xml::{Entities, Item, Node};
 
@@ -21,11 +21,11 @@ const MOST_CALLS: usize = 300;
 const MOST_DEEP: u32 = 3;
 
 /// What a call gives, by the name of the parameter, as the first caller would write it; none: that cannot be written.
-type Given = FastMap<EcoString, Option<EcoString>>;
+type CallValues = FastMap<EcoString, Option<EcoString>>;
 
 /// The names that the calls of the edited file make; those around the cursor come before the others.
 pub(super) fn names(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     fact: FactKind,
     kind: ItemKind,
@@ -33,7 +33,7 @@ pub(super) fn names(
     let document = &scope.sources.source.document;
     let place = document.item_at(typed.offset.saturating_sub(1));
     let around = macro_at(place.item, typed.offset.saturating_sub(place.start));
-    let mut work = Work {
+    let mut work = CallContext {
         scope,
         fact,
         macros: FastMap::default(),
@@ -66,15 +66,15 @@ pub(super) fn names(
 }
 
 /// What is known while calls are followed.
-struct Work<'a> {
-    scope: &'a Scope<'a>,
+struct CallContext<'a> {
+    scope: &'a CompletionScope<'a>,
     fact: FactKind,
     macros: FastMap<EcoString, Option<Arc<MacroInfo>>>,
     left: usize,
     found: Vec<EcoString>,
 }
 
-impl Work<'_> {
+impl CallContext<'_> {
     /// Add what a call makes. `written` spells what it gives as the first caller would write it.
     fn call(
         &mut self,
@@ -120,8 +120,12 @@ impl Work<'_> {
 }
 
 /// What the names in a macro's body stand for in a call.
-fn given(info: &MacroInfo, node: Node<'_>, written: &dyn Fn(&str) -> Option<EcoString>) -> Given {
-    let mut given: Given = own_properties(&info.item, info.node)
+fn given(
+    info: &MacroInfo,
+    node: Node<'_>,
+    written: &dyn Fn(&str) -> Option<EcoString>,
+) -> CallValues {
+    let mut given: CallValues = own_properties(&info.item, info.node)
         .map(|name| (name, None))
         .collect();
     for param in info.params.iter().filter(|param| !param.is_block()) {
@@ -149,10 +153,10 @@ fn own_properties(item: &Arc<Item>, of: xml::NodeId) -> impl Iterator<Item = Eco
 }
 
 /// A text of a macro's body as the caller would write it; none when it is computed from what the caller gives.
-fn spelled(text: &str, given: &Given) -> Option<EcoString> {
+fn spelled(text: &str, given: &CallValues) -> Option<EcoString> {
     let mut found = EcoString::new();
     for token in expr::split(text).tokens {
-        let Token::Expr { range, inner, .. } = &token else {
+        let TemplateToken::Expr { range, inner, .. } = &token else {
             found.push_str(token.range().slice(text));
             continue;
         };

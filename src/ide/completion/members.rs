@@ -2,7 +2,7 @@
 
 use super::item::{Completion, ItemKind};
 use super::names::file_name;
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use crate::typed::Typed;
 use base::FastSet;
 
@@ -10,7 +10,11 @@ use base::FastSet;
 const MOST: usize = 60;
 
 /// The names that other texts have behind the same word and a dot: of `link.origin`, those behind `origin.`.
-pub(super) fn seen(scope: &Scope<'_>, typed: &Typed<'_>, object: &str) -> Vec<Completion> {
+pub(super) fn seen(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    object: &str,
+) -> Vec<Completion> {
     let word = object.rsplit(|c: char| !is_word(c)).next().unwrap_or("");
     let mut found = Vec::new();
     if word.is_empty() {

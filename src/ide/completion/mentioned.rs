@@ -4,20 +4,24 @@
 use super::evaluate::Evaluator;
 use super::item::{Completion, ItemKind};
 use super::names::{file_name, file_of, is_link_name};
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use crate::typed::Typed;
 use base::FastSet;
 use expand::{BindingKind, Expansion};
-use expr::{Token, display};
+use expr::{TemplateToken, display};
 use facts::FactKind;
-use model::Text;
+use model::AttrValue;
 use xml::Node;
 
 /// Different values of one expression that are tried.
 const MOST_VALUES: usize = 16;
 
 /// The names that are not given where the cursor is.
-pub(super) fn names(scope: &Scope<'_>, typed: &Typed<'_>, kind: ItemKind) -> Vec<Completion> {
+pub(super) fn names(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    kind: ItemKind,
+) -> Vec<Completion> {
     let mut found = referred_to(scope, typed, kind);
     let lead = lead(typed.before);
     if !lead.is_empty() {
@@ -34,7 +38,7 @@ pub(super) fn names(scope: &Scope<'_>, typed: &Typed<'_>, kind: ItemKind) -> Vec
 }
 
 /// What attributes of the file refer to; what is typed is none of them.
-fn referred_to(scope: &Scope<'_>, typed: &Typed<'_>, kind: ItemKind) -> Vec<Completion> {
+fn referred_to(scope: &CompletionScope<'_>, typed: &Typed<'_>, kind: ItemKind) -> Vec<Completion> {
     let mut found = Vec::new();
     for (base, item) in scope.sources.source.document.parts() {
         let attrs = item.all_nodes().flat_map(|node| references(node, kind));
@@ -80,7 +84,7 @@ fn reference(node: Node<'_>, kind: ItemKind) -> Option<xml::Attr<'_>> {
 fn lead(text: &str) -> &str {
     let tokens = expr::split(text).tokens;
     let computed = tokens.iter().filter_map(|token| match token {
-        Token::Expr { range, .. } | Token::Subst { range, .. } => Some(range.end),
+        TemplateToken::Expr { range, .. } | TemplateToken::Subst { range, .. } => Some(range.end),
         _ => None,
     });
     text.get(..computed.max().unwrap_or(0) as usize)
@@ -88,7 +92,12 @@ fn lead(text: &str) -> &str {
 }
 
 /// The names of the robot that begin with what an expression stands for, with the expression instead.
-fn behind(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str, kind: ItemKind) -> Vec<Completion> {
+fn behind(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    lead: &str,
+    kind: ItemKind,
+) -> Vec<Completion> {
     let mut found = Vec::new();
     // what no expansion knows is computed from the texts, once
     let mut known: Option<Option<String>> = None;
@@ -109,7 +118,7 @@ fn behind(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str, kind: ItemKind) -> V
                 known.get_or_insert_with(|| Evaluator::new(scope, typed.offset).string(lead));
             values.extend(known.clone());
         }
-        let names: Vec<&Text> = match kind {
+        let names: Vec<&AttrValue> = match kind {
             ItemKind::Link => robot
                 .links
                 .iter()
@@ -136,7 +145,7 @@ fn behind(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str, kind: ItemKind) -> V
 }
 
 /// What `${name}` with text around it stood for when a robot was expanded, where the file gives that name.
-fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String> {
+fn values_in(scope: &CompletionScope<'_>, expansion: &Expansion, lead: &str) -> Vec<String> {
     let Some((text, name)) = lead
         .strip_suffix('}')
         .and_then(|lead| lead.rsplit_once("${"))
@@ -169,7 +178,12 @@ fn values_in(scope: &Scope<'_>, expansion: &Expansion, lead: &str) -> Vec<String
 }
 
 /// The computed names of all files that begin with the same expression.
-fn spelled_alike(scope: &Scope<'_>, lead: &str, fact: FactKind, kind: ItemKind) -> Vec<Completion> {
+fn spelled_alike(
+    scope: &CompletionScope<'_>,
+    lead: &str,
+    fact: FactKind,
+    kind: ItemKind,
+) -> Vec<Completion> {
     let mut found = Vec::new();
     for (_, file, item) in scope.items() {
         let facts = facts::facts_of(item);
@@ -188,7 +202,7 @@ fn spelled_alike(scope: &Scope<'_>, lead: &str, fact: FactKind, kind: ItemKind) 
 
 /// What the edited file writes behind other expressions, behind this one: where it has `${name}_link`, `${parent}_link` may be meant.
 fn rests_of_others(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     own: &str,
     fact: FactKind,
     kind: ItemKind,

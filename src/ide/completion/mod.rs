@@ -31,17 +31,17 @@ mod tags;
 pub use docs::documentation;
 pub use item::{Completion, Completions, ItemKind, Topic};
 pub(super) use scope::comment_above;
-pub use scope::{Scope, Sources};
+pub use scope::{CompletionScope, CompletionSources};
 pub use settings::{BesideSources, completions_in_settings};
 pub use signature::{Signature, signature_help};
 
 use super::typed::{Typed, Typing, is_name_char, typed};
-use names::Wanted;
-use nearness::RuleEnv;
+use names::WantedName;
+use nearness::NearbyWords;
 
 /// What can be typed at `offset` of the edited file. `trigger` is the character that made the editor ask; none when
 /// the user did.
-pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Completions {
+pub fn completions(scope: &CompletionScope<'_>, offset: u32, trigger: Option<char>) -> Completions {
     let typed = typed(&scope.sources.source.document, offset);
     let found = match &typed.what {
         Typing::Nothing => Completions::default(),
@@ -62,14 +62,14 @@ pub fn completions(scope: &Scope<'_>, offset: u32, trigger: Option<char>) -> Com
         .get(typed.before.len().saturating_sub(length)..)
         .unwrap_or("")
         .to_owned();
-    let around = RuleEnv::of(&typed, &scope.sources.source.path, &word);
+    let around = NearbyWords::of(&typed, &scope.sources.source.path, &word);
     let mut found = found.bounded(&word, |item| around.nearness(item));
     expressions::show_values(scope, offset, &mut found.items);
     found
 }
 
 /// Between tags: expressions; names in elements that hold one; elements when the user asks.
-fn content(scope: &Scope<'_>, typed: &Typed<'_>, trigger: Option<char>) -> Completions {
+fn content(scope: &CompletionScope<'_>, typed: &Typed<'_>, trigger: Option<char>) -> Completions {
     if let Some(found) = expressions::expression(scope, typed) {
         return found;
     }
@@ -84,7 +84,7 @@ fn content(scope: &Scope<'_>, typed: &Typed<'_>, trigger: Option<char>) -> Compl
     ) {
         let text = typed.before.trim_start();
         let rest = typed.rest_of_word(is_name_char);
-        let items = names::names(scope, typed, Wanted::Link, false);
+        let items = names::names(scope, typed, WantedName::Link, false);
         return Completions::new(typed.offset - text.len() as u32, typed.offset, rest, items);
     }
     let is_word = typed.before.trim_start().chars().all(is_name_char);

@@ -5,43 +5,43 @@ use std::path::Path;
 use super::item::{Completion, ItemKind};
 use super::made;
 use super::mentioned;
-use super::scope::{MacroInfo, Scope};
+use super::scope::{CompletionScope, MacroInfo};
 use super::tags::spec_of;
 use crate::typed::{Typed, attr_text};
 use base::FastSet;
 use expand::{Expansion, parse_params};
 use facts::FactKind;
-use model::Text;
+use model::AttrValue;
 use rules::schema::AttributeKind;
 use xml::{Node, NodeKind};
 
 /// Which names are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wanted {
+pub(super) enum WantedName {
     Link,
     Joint,
     LinkOrJoint,
 }
 
-impl Wanted {
+impl WantedName {
     fn kinds(self) -> &'static [(FactKind, ItemKind)] {
         const BOTH: &[(FactKind, ItemKind)] = &[
             (FactKind::Link, ItemKind::Link),
             (FactKind::Joint, ItemKind::Joint),
         ];
         match self {
-            Wanted::Link => BOTH.get(..1).unwrap_or(BOTH),
-            Wanted::Joint => BOTH.get(1..).unwrap_or(BOTH),
-            Wanted::LinkOrJoint => BOTH,
+            WantedName::Link => BOTH.get(..1).unwrap_or(BOTH),
+            WantedName::Joint => BOTH.get(1..).unwrap_or(BOTH),
+            WantedName::LinkOrJoint => BOTH,
         }
     }
 
     /// What the value of an attribute names.
     pub fn of(kind: AttributeKind) -> Option<Self> {
         match kind {
-            AttributeKind::Link => Some(Wanted::Link),
-            AttributeKind::Joint => Some(Wanted::Joint),
-            AttributeKind::LinkOrJoint => Some(Wanted::LinkOrJoint),
+            AttributeKind::Link => Some(WantedName::Link),
+            AttributeKind::Joint => Some(WantedName::Joint),
+            AttributeKind::LinkOrJoint => Some(WantedName::LinkOrJoint),
             _ => None,
         }
     }
@@ -50,9 +50,9 @@ impl Wanted {
 /// Links or joints: those that the macro around gives as they are written, those of the expanded robot, those that
 /// stand in the texts. `is_end` says that the value is the child of a joint: links that have no parent come first.
 pub(super) fn names(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
-    wanted: Wanted,
+    wanted: WantedName,
     is_end: bool,
 ) -> Vec<Completion> {
     let mut found = Vec::new();
@@ -68,7 +68,7 @@ pub(super) fn names(
             found.extend(link_parameters(typed));
         }
         for (expansion, robot) in scope.robots() {
-            let texts: Vec<&Text> = match kind {
+            let texts: Vec<&AttrValue> = match kind {
                 ItemKind::Link => robot
                     .links
                     .iter()
@@ -131,11 +131,20 @@ pub(super) fn is_link_name(name: &str) -> bool {
 }
 
 /// What a parameter of a macro is used for: the value of an attribute that names a link or joint.
-pub(super) fn flows_into(scope: &Scope<'_>, info: &MacroInfo, param: &str) -> Option<Wanted> {
-    flow(scope, info, param, 3).or_else(|| is_link_name(param).then_some(Wanted::Link))
+pub(super) fn flows_into(
+    scope: &CompletionScope<'_>,
+    info: &MacroInfo,
+    param: &str,
+) -> Option<WantedName> {
+    flow(scope, info, param, 3).or_else(|| is_link_name(param).then_some(WantedName::Link))
 }
 
-fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<Wanted> {
+fn flow(
+    scope: &CompletionScope<'_>,
+    info: &MacroInfo,
+    param: &str,
+    depth: u32,
+) -> Option<WantedName> {
     let read = format!("${{{param}}}");
     let body = info.item.node(info.node);
     let range = body.range();
@@ -150,7 +159,7 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
                     .and_then(|inner| flow(scope, &inner, attr.name(), depth - 1)),
                 _ => spec(scope, node)
                     .and_then(|spec| spec.attribute(attr.name()))
-                    .and_then(|attribute| Wanted::of(attribute.kind)),
+                    .and_then(|attribute| WantedName::of(attribute.kind)),
             };
             if found.is_some() {
                 return found;
@@ -160,7 +169,10 @@ fn flow(scope: &Scope<'_>, info: &MacroInfo, param: &str, depth: u32) -> Option<
     None
 }
 
-fn spec(scope: &Scope<'_>, node: Node<'_>) -> Option<&'static rules::schema::ElementSpec> {
+fn spec(
+    scope: &CompletionScope<'_>,
+    node: Node<'_>,
+) -> Option<&'static rules::schema::ElementSpec> {
     let mut names: Vec<&str> = std::iter::successors(Some(node), |node| node.parent())
         .map(Node::name)
         .collect();
@@ -170,7 +182,7 @@ fn spec(scope: &Scope<'_>, node: Node<'_>) -> Option<&'static rules::schema::Ele
 }
 
 /// The materials of the robot, and those the texts give.
-pub(super) fn materials(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+pub(super) fn materials(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let patterns = scope
         .patterns(FactKind::Material, typed.offset)
         .into_iter()
@@ -188,10 +200,12 @@ pub(super) fn materials(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion>
             };
             let item = Completion::new(ItemKind::Color, name.value.as_str());
             let item = item.note(file_of(expansion, name)).rank(1);
-            found.push(match material.rgba.as_ref().and_then(Text::numbers::<4>) {
-                Some(rgba) => item.detail(hex(rgba)).rank(0),
-                None => item,
-            });
+            found.push(
+                match material.rgba.as_ref().and_then(AttrValue::numbers::<4>) {
+                    Some(rgba) => item.detail(hex(rgba)).rank(0),
+                    None => item,
+                },
+            );
         }
     }
     let beside = scope
@@ -221,7 +235,7 @@ fn hex(rgba: [f64; 4]) -> String {
 }
 
 /// The blocks that can be inserted: parameters of the macros around, and properties.
-pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+pub(super) fn blocks(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let macros = typed
         .open
         .iter()
@@ -247,7 +261,7 @@ pub(super) fn blocks(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     params.into_iter().chain(properties).collect()
 }
 
-pub(super) fn file_of(expansion: &Expansion, text: &Text) -> String {
+pub(super) fn file_of(expansion: &Expansion, text: &AttrValue) -> String {
     let source = expansion.sources.get(text.origin.src);
     let file = source.and_then(|source| expansion.files.get(source.file));
     file.map(|file| file_name(&file.source.path))

@@ -17,11 +17,11 @@ const AROUND: i32 = 2;
 const OF_FILE: i32 = 1;
 
 /// The words around the cursor, and what each counts.
-pub(super) struct RuleEnv {
+pub(super) struct NearbyWords {
     words: FastMap<String, i32>,
 }
 
-impl RuleEnv {
+impl NearbyWords {
     /// Of what is typed in a file. `word` is what was typed of the name itself.
     pub fn of(typed: &Typed<'_>, file: &Path, word: &str) -> Self {
         let mut found = Self {

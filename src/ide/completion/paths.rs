@@ -4,26 +4,26 @@ use std::path::{Path, PathBuf};
 
 use super::evaluate::Evaluator;
 use super::item::{Completion, Completions, ItemKind, escaped};
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use super::substitutions;
 use crate::typed::Typed;
 use vfs::without_parents;
 
 /// Which files are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wanted {
+pub(super) enum WantedFile {
     Mesh,
     Picture,
     Description,
     Yaml,
 }
 
-impl Wanted {
+impl WantedFile {
     fn endings(self) -> &'static [&'static str] {
         match self {
-            Wanted::Mesh => &["stl", "dae", "obj", "glb"],
-            Wanted::Picture => &["png", "jpg", "jpeg"],
-            Wanted::Description => &[
+            WantedFile::Mesh => &["stl", "dae", "obj", "glb"],
+            WantedFile::Picture => &["png", "jpg", "jpeg"],
+            WantedFile::Description => &[
                 "xacro",
                 "urdf",
                 "xml",
@@ -33,7 +33,7 @@ impl Wanted {
                 "sdf",
                 "srdf",
             ],
-            Wanted::Yaml => &["yaml", "yml"],
+            WantedFile::Yaml => &["yaml", "yml"],
         }
     }
 
@@ -47,11 +47,11 @@ impl Wanted {
     }
 
     fn takes_uris(self) -> bool {
-        matches!(self, Wanted::Mesh | Wanted::Picture)
+        matches!(self, WantedFile::Mesh | WantedFile::Picture)
     }
 }
 
-impl Scope<'_> {
+impl CompletionScope<'_> {
     /// Whether the names in a folder may be told: it belongs to the workspace or to a package.
     pub(super) fn may_list(&self, folder: &Path) -> bool {
         let folder = without_parents(folder);
@@ -72,10 +72,10 @@ impl Scope<'_> {
 
 /// Files for a value, or a part of one, of which `text` was typed so far.
 pub(super) fn in_text(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
     text: &str,
-    wanted: Wanted,
+    wanted: WantedFile,
 ) -> Completions {
     if let Some(name) = text
         .strip_prefix("package://")
@@ -118,7 +118,7 @@ fn is_file_char(c: char) -> bool {
 }
 
 /// The folder that the first part of a value names.
-fn listed(scope: &Scope<'_>, typed: &Typed<'_>, folder: Option<&str>) -> Option<PathBuf> {
+fn listed(scope: &CompletionScope<'_>, typed: &Typed<'_>, folder: Option<&str>) -> Option<PathBuf> {
     let own = &scope.sources.source.path;
     let Some(folder) = folder else {
         return own.parent().map(Path::to_path_buf);
@@ -151,7 +151,7 @@ fn listed(scope: &Scope<'_>, typed: &Typed<'_>, folder: Option<&str>) -> Option<
 }
 
 /// What lies in a folder and can be named.
-fn entries(scope: &Scope<'_>, folder: &Path, wanted: Wanted) -> Vec<Completion> {
+fn entries(scope: &CompletionScope<'_>, folder: &Path, wanted: WantedFile) -> Vec<Completion> {
     let vfs = scope.sources.vfs;
     let names = vfs.list_dir(folder);
     let visible = names.iter().filter(|entry| !entry.name.starts_with('.'));
@@ -195,7 +195,7 @@ fn from_last_named(typed: &Typed<'_>, mut items: Vec<Completion>) -> Vec<Complet
 }
 
 /// How a value can begin.
-fn beginnings(scope: &Scope<'_>, wanted: Wanted) -> Vec<Completion> {
+fn beginnings(scope: &CompletionScope<'_>, wanted: WantedFile) -> Vec<Completion> {
     let own = scope
         .sources
         .packages

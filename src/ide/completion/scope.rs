@@ -8,7 +8,7 @@ use std::sync::Arc;
 use ecow::EcoString;
 
 use base::FastSet;
-use expand::{Expansion, Param, parse_params};
+use expand::{Expansion, MacroParam, parse_params};
 use facts::{Fact, FactKind, facts_of};
 use model::Robot;
 use rules::is_semantic_file;
@@ -19,7 +19,7 @@ use xml::{Attr, Entities, Item, Node, NodeKind};
 
 /// What the answer may be taken from.
 #[derive(Clone, Copy)]
-pub struct Sources<'a> {
+pub struct CompletionSources<'a> {
     /// The file that is edited, as it is now.
     pub source: &'a SourceFile,
     /// The root file of its context.
@@ -46,8 +46,8 @@ pub(super) struct InScope {
 }
 
 /// The files of a context.
-pub struct Scope<'a> {
-    pub(super) sources: Sources<'a>,
+pub struct CompletionScope<'a> {
+    pub(super) sources: CompletionSources<'a>,
     pub(super) files: Vec<InScope>,
     /// Whether the edited file is SRDF.
     pub(super) is_semantic: bool,
@@ -57,7 +57,7 @@ pub struct Scope<'a> {
 pub(super) struct MacroInfo {
     /// Its name, with its namespaces.
     pub name: String,
-    pub params: Vec<Param>,
+    pub params: Vec<MacroParam>,
     /// The comment above it.
     pub comment: String,
     /// The file that defines it.
@@ -100,11 +100,11 @@ fn written_value(node: Node<'_>) -> Option<Attr<'_>> {
     node.attr("value").or_else(|| node.attr("default"))
 }
 
-impl<'a> Scope<'a> {
+impl<'a> CompletionScope<'a> {
     const MOST_FILES: usize = 1000;
 
     /// The files of a context: the root and what it includes, the edited file, what the last expansion read.
-    pub fn new(sources: Sources<'a>) -> Self {
+    pub fn new(sources: CompletionSources<'a>) -> Self {
         let is_semantic = is_semantic_file(&sources.source.path, &sources.source.document);
         let mut scope = Self {
             sources,

@@ -1,9 +1,9 @@
 //! Values of attributes in an SRDF: names of the robot that it is for, groups, positions.
 
-use super::choices::{Place, words_to_choose};
+use super::choices::{AttributeContext, words_to_choose};
 use super::item::{Completion, ItemKind};
-use super::names::{self, Wanted};
-use super::scope::Scope;
+use super::names::{self, WantedName};
+use super::scope::CompletionScope;
 use super::settings::{joint_item, same_text};
 use crate::typed::{Typed, attr_text};
 use base::FastSet;
@@ -14,20 +14,20 @@ use xml::Node;
 
 /// Values of an attribute of a start tag in an SRDF.
 pub(super) fn values(
-    scope: &Scope<'_>,
+    scope: &CompletionScope<'_>,
     typed: &Typed<'_>,
-    Place {
+    AttributeContext {
         spec,
         tag,
         attribute,
-    }: Place<'_>,
+    }: AttributeContext<'_>,
 ) -> Vec<Completion> {
     let Some(given) = spec.and_then(|spec| spec.attribute(attribute)) else {
         return Vec::new();
     };
     match given.kind {
         AttributeKind::Name if tag.name() == "robot" => robots(scope),
-        AttributeKind::Link => names::names(scope, typed, Wanted::Link, false),
+        AttributeKind::Link => names::names(scope, typed, WantedName::Link, false),
         AttributeKind::Joint => joints(scope, typed),
         AttributeKind::Group => groups(scope, typed),
         AttributeKind::Choice(words) => words_to_choose(words),
@@ -36,7 +36,7 @@ pub(super) fn values(
     }
 }
 
-fn robots(scope: &Scope<'_>) -> Vec<Completion> {
+fn robots(scope: &CompletionScope<'_>) -> Vec<Completion> {
     let names = scope
         .robots()
         .filter_map(|(_, robot)| robot.name.as_ref()?.name());
@@ -46,7 +46,7 @@ fn robots(scope: &Scope<'_>) -> Vec<Completion> {
 }
 
 /// Joints; in a state of a group, those of the group that have no position yet come first.
-fn joints(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+fn joints(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let around = typed
         .open
         .last()
@@ -60,7 +60,7 @@ fn joints(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     } else {
         Vec::new()
     };
-    let mut found = names::names(scope, typed, Wanted::Joint, false);
+    let mut found = names::names(scope, typed, WantedName::Joint, false);
     found.retain(|item| !taken.contains(&item.label));
     for item in &mut found {
         let known = scope
@@ -78,7 +78,7 @@ fn joints(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
 }
 
 /// The driven joints of a group.
-fn members(scope: &Scope<'_>, group: &str) -> FastSet<String> {
+fn members(scope: &CompletionScope<'_>, group: &str) -> FastSet<String> {
     let mut found = FastSet::default();
     for srdf in scope
         .sources
@@ -99,7 +99,7 @@ fn members(scope: &Scope<'_>, group: &str) -> FastSet<String> {
 }
 
 /// The joints that have a position in the state around already.
-fn given_beside(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<String> {
+fn given_beside(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<String> {
     let place = scope
         .sources
         .source
@@ -122,7 +122,7 @@ fn given_beside(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<String> {
 }
 
 /// The groups: those that the text defines, and those of the last expansion.
-fn groups(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+fn groups(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     let mut found: Vec<Completion> = Vec::new();
     for (own, _) in scope.sources.expansions {
         let srdf = Srdf::of(own);
@@ -160,7 +160,7 @@ fn groups(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
 }
 
 /// Positions that people often write: zero and the ends of the range.
-fn positions(scope: &Scope<'_>, tag: Node<'_>) -> Vec<Completion> {
+fn positions(scope: &CompletionScope<'_>, tag: Node<'_>) -> Vec<Completion> {
     let name = attr_text(tag, "name").unwrap_or_default();
     let joint = scope.robots().find_map(|(_, robot)| robot.joint(&name));
     let kind = joint.and_then(Joint::joint_type);

@@ -5,7 +5,7 @@ use super::item::{Completion, Completions, ItemKind, escaped};
 use base::FastMap;
 use expand::Expansion;
 use model::{Interface, Joint, JointType, Robot};
-use project::{Settings, Srdf, Wanted, Word, planner_names, word_at};
+use project::{ExpectedName, Srdf, TypedWord, YamlSettings, planner_names, word_at};
 
 /// What names in YAML are taken from.
 #[derive(Default)]
@@ -15,7 +15,7 @@ pub struct BesideSources<'a> {
     /// The SRDFs beside them.
     pub srdfs: Vec<&'a Srdf>,
     /// Other YAML beside them.
-    pub settings: Vec<&'a Settings>,
+    pub settings: Vec<&'a YamlSettings>,
 }
 
 /// Interfaces that are offered where no hardware says which there are.
@@ -28,20 +28,20 @@ pub fn completions_in_settings(
     sources: &BesideSources<'_>,
 ) -> Option<Completions> {
     let word = word_at(name, text, offset)?;
-    let own = Own::of(text, offset);
+    let own = FileSettings::of(text, offset);
     let mut items = match word.wanted {
-        Wanted::Joint => joints(sources, &word),
-        Wanted::CommandInterface => interfaces(sources, true),
-        Wanted::StateInterface => interfaces(sources, false),
-        Wanted::JointInterface => joint_interfaces(sources),
-        Wanted::Group => groups(sources),
-        Wanted::Planner => own
+        ExpectedName::Joint => joints(sources, &word),
+        ExpectedName::CommandInterface => interfaces(sources, true),
+        ExpectedName::StateInterface => interfaces(sources, false),
+        ExpectedName::JointInterface => joint_interfaces(sources),
+        ExpectedName::Group => groups(sources),
+        ExpectedName::Planner => own
             .planners
             .iter()
             .map(|name| Completion::new(ItemKind::Choice, name))
             .collect(),
-        Wanted::Controller => controllers(sources, &own, word.is_key),
-        Wanted::Limit => limit_keys(sources, &word.around),
+        ExpectedName::Controller => controllers(sources, &own, word.is_key),
+        ExpectedName::Limit => limit_keys(sources, &word.around),
     };
     let typed = word.range.slice(text);
     items.retain(|item| {
@@ -68,12 +68,12 @@ fn as_key(item: &mut Completion) {
 }
 
 /// What the rest of the file says: the line that is typed seldom parses.
-struct Own {
-    settings: Option<Settings>,
+struct FileSettings {
+    settings: Option<YamlSettings>,
     planners: Vec<String>,
 }
 
-impl Own {
+impl FileSettings {
     fn of(text: &str, offset: u32) -> Self {
         let (before, after) = text.split_at_checked(offset as usize).unwrap_or((text, ""));
         let before = before
@@ -89,14 +89,14 @@ impl Own {
             .map(|name| name.name.to_string())
             .collect();
         Self {
-            settings: root.ok().as_ref().and_then(Settings::of),
+            settings: root.ok().as_ref().and_then(YamlSettings::of),
             planners,
         }
     }
 }
 
 /// The joints of the robots: those of the hardware first, then others that are driven, last what cannot be commanded.
-fn joints(sources: &BesideSources<'_>, word: &Word) -> Vec<Completion> {
+fn joints(sources: &BesideSources<'_>, word: &TypedWord) -> Vec<Completion> {
     let mut found = Vec::new();
     for (_, robot) in &sources.robots {
         let controlled: Vec<&str> = robot
@@ -201,7 +201,7 @@ fn joint_interfaces(sources: &BesideSources<'_>) -> Vec<Completion> {
 
 fn groups(sources: &BesideSources<'_>) -> Vec<Completion> {
     let groups = sources.srdfs.iter().flat_map(|srdf| &srdf.groups);
-    let item = |group: &project::Group| {
+    let item = |group: &project::PlanningGroup| {
         let name = group.name.as_ref()?.name()?;
         Some(
             Completion::new(ItemKind::Group, name.as_str())
@@ -213,7 +213,11 @@ fn groups(sources: &BesideSources<'_>) -> Vec<Completion> {
 }
 
 /// The controllers that controller managers list, and those that the file names. MoveIt sends nothing to broadcasters.
-fn controllers(sources: &BesideSources<'_>, own: &Own, with_broadcasters: bool) -> Vec<Completion> {
+fn controllers(
+    sources: &BesideSources<'_>,
+    own: &FileSettings,
+    with_broadcasters: bool,
+) -> Vec<Completion> {
     let all = sources.settings.iter().copied().chain(&own.settings);
     let mut found = Vec::new();
     for settings in all {

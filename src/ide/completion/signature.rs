@@ -1,9 +1,9 @@
 //! What a macro or function takes, and which of it is typed now.
 
 use super::docs::{parameter, signature};
-use super::scope::{MacroInfo, Scope};
+use super::scope::{CompletionScope, MacroInfo};
 use super::tags::is_required;
-use crate::typed::{Typed, Typing, Unclosed, is_name_char, open_call, typed, unclosed};
+use crate::typed::{Typed, Typing, UnclosedCode, is_name_char, open_call, typed, unclosed};
 use base::TextRange;
 use expr::{Module, global_symbols};
 
@@ -21,7 +21,7 @@ pub struct Signature {
 }
 
 /// The signature of the call that is typed at `offset`: of a macro in a start tag, of a function in an expression.
-pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
+pub fn signature_help(scope: &CompletionScope<'_>, offset: u32) -> Option<Signature> {
     let typed = typed(&scope.sources.source.document, offset);
     match &typed.what {
         Typing::Value(tag, name) => of_function(typed.before).or_else(|| {
@@ -41,8 +41,8 @@ pub fn signature_help(scope: &Scope<'_>, offset: u32) -> Option<Signature> {
 /// The signature of a function that is called at the end of a text.
 fn of_function(before: &str) -> Option<Signature> {
     match unclosed(before)? {
-        Unclosed::Code { code, .. } => of_code(code),
-        Unclosed::Substitution(_) | Unclosed::Dollar => None,
+        UnclosedCode::Code { code, .. } => of_code(code),
+        UnclosedCode::Substitution(_) | UnclosedCode::Dollar => None,
     }
 }
 

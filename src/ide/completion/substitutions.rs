@@ -1,9 +1,9 @@
 //! Inside of `$(…)`: commands, arguments, packages.
 
 use super::item::{Completion, Completions, ItemKind};
-use super::scope::Scope;
+use super::scope::CompletionScope;
 use crate::typed::Typed;
-use workspace::{Entry, PackageSource};
+use workspace::{PackageEntry, PackageSource};
 
 /// The commands, what each needs, and what it gives.
 const COMMANDS: &[(&str, &str, &str)] = &[
@@ -28,7 +28,11 @@ const COMMANDS: &[(&str, &str, &str)] = &[
 const MOST_FILES: usize = 40;
 
 /// What fits behind `$(` and what was typed since.
-pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed<'_>, inner: &str) -> Completions {
+pub(super) fn substitution(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+    inner: &str,
+) -> Completions {
     let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
     let rest = typed.rest_of_word(is_word);
     let Some((command, word)) = inner.split_once(' ') else {
@@ -63,7 +67,7 @@ pub(super) fn substitution(scope: &Scope<'_>, typed: &Typed<'_>, inner: &str) ->
 }
 
 /// The arguments of the context with their values.
-pub(super) fn arguments(scope: &Scope<'_>, _: &Typed<'_>) -> Vec<Completion> {
+pub(super) fn arguments(scope: &CompletionScope<'_>, _: &Typed<'_>) -> Vec<Completion> {
     let all = scope.arguments().into_iter();
     all.map(|(name, value)| {
         let note = value.unwrap_or_else(|| "no default".to_owned());
@@ -75,7 +79,7 @@ pub(super) fn arguments(scope: &Scope<'_>, _: &Typed<'_>) -> Vec<Completion> {
 }
 
 /// The packages that can be named: those of the workspace first.
-pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
+pub(super) fn packages(scope: &CompletionScope<'_>) -> Vec<Completion> {
     let own = scope
         .sources
         .packages
@@ -126,12 +130,12 @@ pub(super) fn packages(scope: &Scope<'_>) -> Vec<Completion> {
         .collect()
 }
 
-fn has(packages: &[Entry], name: &str) -> bool {
+fn has(packages: &[PackageEntry], name: &str) -> bool {
     packages.iter().any(|entry| entry.name == name)
 }
 
 /// The packages that descriptions in the folder of the file find, with the name of the first such file. What is typed is none.
-fn mentioned(scope: &Scope<'_>) -> Vec<(String, String)> {
+fn mentioned(scope: &CompletionScope<'_>) -> Vec<(String, String)> {
     let own = &scope.sources.source.path;
     let Some(folder) = own.parent().filter(|folder| scope.may_list(folder)) else {
         return Vec::new();

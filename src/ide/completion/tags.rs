@@ -6,17 +6,17 @@ use super::directives::{DIRECTIVES, directive};
 use super::elements::whole_elements;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::learned;
-use super::scope::{MacroInfo, Scope};
+use super::scope::{CompletionScope, MacroInfo};
 use crate::typed::{Typed, is_name_char};
 use base::FastSet;
 use ecow::EcoString;
-use expand::Param;
+use expand::MacroParam;
 use facts::{FactKind, facts};
-use rules::schema::{AttributeKind, AttributeSpec, Content, ElementSpec, elements, robot};
+use rules::schema::{AttributeKind, AttributeSpec, ContentModel, ElementSpec, elements, robot};
 
 /// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where
 /// anything may stand: in the blocks of macro calls, below unknown elements.
-pub(super) fn spec_of(scope: &Scope<'_>, names: &[&str]) -> Option<&'static ElementSpec> {
+pub(super) fn spec_of(scope: &CompletionScope<'_>, names: &[&str]) -> Option<&'static ElementSpec> {
     let mut found: Option<&'static ElementSpec> = None;
     for name in names {
         found = match *name {
@@ -53,7 +53,7 @@ struct Near<'a> {
 }
 
 impl<'a> Near<'a> {
-    fn of(scope: &Scope<'a>) -> Self {
+    fn of(scope: &CompletionScope<'a>) -> Self {
         let source = scope.sources.source;
         let calls = facts(&source.document).flat_map(|(_, facts)| {
             facts
@@ -81,13 +81,16 @@ impl<'a> Near<'a> {
 }
 
 /// The element around what is typed.
-pub(super) fn parent_of(scope: &Scope<'_>, typed: &Typed<'_>) -> Option<&'static ElementSpec> {
+pub(super) fn parent_of(
+    scope: &CompletionScope<'_>,
+    typed: &Typed<'_>,
+) -> Option<&'static ElementSpec> {
     let names: Vec<&str> = typed.open.iter().map(|open| open.name()).collect();
     spec_of(scope, &names)
 }
 
 /// Names of start tags. `lead` stands in front of each: nothing behind a `<`, else that.
-pub(super) fn tags(scope: &Scope<'_>, typed: &Typed<'_>, lead: &str) -> Completions {
+pub(super) fn tags(scope: &CompletionScope<'_>, typed: &Typed<'_>, lead: &str) -> Completions {
     let word = typed
         .before
         .rfind(|c: char| !is_name_char(c))
@@ -168,7 +171,7 @@ pub(super) fn end_tag(typed: &Typed<'_>) -> Completions {
 }
 
 /// The elements of URDF that may stand here and do not yet.
-fn children(scope: &Scope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
+fn children(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Vec<Completion> {
     if typed.open.is_empty() {
         let xmlns = "xmlns:xacro=\"http://www.ros.org/wiki/xacro\"";
         let root = format!("robot name=\"$1\" {xmlns}>\n\t$0\n</robot>");
@@ -212,7 +215,7 @@ fn anything() -> Vec<Completion> {
 }
 
 fn element(spec: &'static ElementSpec) -> Completion {
-    let mut places = Places::default();
+    let mut places = PlaceholderCounter::default();
     Completion::new(ItemKind::Element, spec.name)
         .snippet(format!("{}$0", whole(spec, "", &mut places)))
         .detail(spec.docs)
@@ -223,9 +226,9 @@ fn element(spec: &'static ElementSpec) -> Completion {
 
 /// Numbers the places to fill in.
 #[derive(Default)]
-struct Places(u32);
+struct PlaceholderCounter(u32);
 
-impl Places {
+impl PlaceholderCounter {
     fn next(&mut self, text: &str) -> String {
         self.0 += 1;
         match text {
@@ -241,7 +244,7 @@ impl Places {
 }
 
 /// An element with what it needs, behind its `<`.
-fn whole(spec: &'static ElementSpec, indent: &str, places: &mut Places) -> String {
+fn whole(spec: &'static ElementSpec, indent: &str, places: &mut PlaceholderCounter) -> String {
     let attributes = spec
         .attributes
         .iter()
@@ -264,15 +267,15 @@ fn whole(spec: &'static ElementSpec, indent: &str, places: &mut Places) -> Strin
         return format!("{head}>{inside}\n{indent}</{}>", spec.name);
     }
     match (spec.content, spec.children().next().is_some()) {
-        (Content::Text, _) => format!("{head}>{}</{}>", places.next(""), spec.name),
-        (_, true) | (Content::Free, _) => {
+        (ContentModel::Text, _) => format!("{head}>{}</{}>", places.next(""), spec.name),
+        (_, true) | (ContentModel::Free, _) => {
             format!(
                 "{head}>\n{deeper}{}\n{indent}</{}>",
                 places.next(""),
                 spec.name
             )
         }
-        (Content::Elements, false) => format!("{head}/>"),
+        (ContentModel::Elements, false) => format!("{head}/>"),
     }
 }
 
@@ -289,7 +292,7 @@ fn is_usual(spec: &ElementSpec, attribute: &AttributeSpec) -> bool {
     }
 }
 
-fn assignment(attribute: &AttributeSpec, places: &mut Places) -> String {
+fn assignment(attribute: &AttributeSpec, places: &mut PlaceholderCounter) -> String {
     let value = match attribute.kind {
         AttributeKind::Choice(words) => places.choice(words),
         _ => places.next(attribute.default.unwrap_or("")),
@@ -300,7 +303,7 @@ fn assignment(attribute: &AttributeSpec, places: &mut Places) -> String {
 /// A call of a macro with what it requires.
 fn called(info: &MacroInfo) -> Completion {
     let tag = format!("xacro:{}", info.name);
-    let mut places = Places::default();
+    let mut places = PlaceholderCounter::default();
     let required = info
         .params
         .iter()
@@ -334,12 +337,12 @@ fn called(info: &MacroInfo) -> Completion {
 }
 
 /// Whether a call has to give a parameter.
-pub(super) fn is_required(param: &Param) -> bool {
+pub(super) fn is_required(param: &MacroParam) -> bool {
     param.default.is_none() && !param.forward
 }
 
 /// The element that a call gives for a block parameter.
-fn block(name: &str, places: &mut Places) -> String {
+fn block(name: &str, places: &mut PlaceholderCounter) -> String {
     let bare = name.trim_start_matches('*');
     if name.starts_with("**") {
         return format!("<{bare}>{}</{bare}>", places.next(""));

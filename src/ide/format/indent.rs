@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::pieces::{Kind, pieces};
+use super::pieces::{PieceKind, pieces};
 use base::TextRange;
 use xml::Document;
 
@@ -64,7 +64,7 @@ pub fn own_indentation(document: &Document) -> Option<Indent> {
     let mut steps: BTreeMap<&str, usize> = BTreeMap::new();
     for piece in pieces(document) {
         match piece.kind {
-            Kind::Start(element) => {
+            PieceKind::Start(element) => {
                 let own = margin(&text, piece.range);
                 if let (Some(own), Some(Some(outer))) = (own, open.last())
                     && let Some(step) = own.strip_prefix(outer)
@@ -76,7 +76,7 @@ pub fn own_indentation(document: &Document) -> Option<Indent> {
                     open.push(own);
                 }
             }
-            Kind::End { .. } => drop(open.pop()),
+            PieceKind::End { .. } => drop(open.pop()),
             _ => {}
         }
     }

@@ -12,7 +12,7 @@ mod tag;
 use base::TextRange;
 use indent::width;
 pub use indent::{Indent, indentation, own_indentation};
-use pieces::{Kind, Piece, pieces};
+use pieces::{FormatPiece, PieceKind, pieces};
 use workspace::config;
 use xml::Document;
 
@@ -29,7 +29,7 @@ pub fn format(
         return Vec::new();
     }
     let text = document.text();
-    let mut writer = Writer::new(&text, indent, options);
+    let mut writer = FormatWriter::new(&text, indent, options);
     for piece in pieces(document) {
         writer.piece(&piece);
     }
@@ -53,7 +53,7 @@ pub fn format_range(
 }
 
 /// The text as it is formatted, with the replacements that lead there.
-struct Writer<'a> {
+struct FormatWriter<'a> {
     text: &'a str,
     indent: &'a Indent,
     options: &'a config::Format,
@@ -68,7 +68,7 @@ struct Writer<'a> {
     edits: Vec<(TextRange, String)>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> FormatWriter<'a> {
     fn new(text: &'a str, indent: &'a Indent, options: &'a config::Format) -> Self {
         let all = text.matches('\n').count();
         let line_end = if text.matches("\r\n").count() * 2 > all {
@@ -113,18 +113,18 @@ impl<'a> Writer<'a> {
     }
 
     /// White space up to `start`, then the piece.
-    fn piece(&mut self, piece: &Piece<'_>) {
+    fn piece(&mut self, piece: &FormatPiece<'_>) {
         if piece.range.end <= self.at {
             // the end tag of an element that was closed at once
             return;
         }
         let gap = TextRange::new(self.at, piece.range.start).slice(self.text);
         let breaks = match piece.kind {
-            Kind::Start(_) => self.has_tag,
-            Kind::End { closes_elements } => closes_elements,
-            Kind::Other | Kind::Content => false,
+            PieceKind::Start(_) => self.has_tag,
+            PieceKind::End { closes_elements } => closes_elements,
+            PieceKind::Other | PieceKind::Content => false,
         };
-        if !is_blank(gap) || matches!(piece.kind, Kind::Content) {
+        if !is_blank(gap) || matches!(piece.kind, PieceKind::Content) {
             self.keep(piece.range.start);
         } else if self.at == 0 {
             self.put(piece.range.start, "");
@@ -136,9 +136,9 @@ impl<'a> Writer<'a> {
             self.keep(piece.range.start);
         }
         match piece.kind {
-            Kind::Start(element) => self.start_tag(element, piece),
-            Kind::End { .. } => self.end_tag(piece.range),
-            Kind::Other | Kind::Content => {
+            PieceKind::Start(element) => self.start_tag(element, piece),
+            PieceKind::End { .. } => self.end_tag(piece.range),
+            PieceKind::Other | PieceKind::Content => {
                 let before = self.at;
                 self.keep(piece.range.end);
                 let own = TextRange::new(before, self.at).slice(self.text);

@@ -5,8 +5,8 @@ use base::TextRange;
 use xml::{Document, Node, NodeKind};
 
 /// A piece of a document that is no white space between elements.
-pub(super) struct Piece<'a> {
-    pub(super) kind: Kind<'a>,
+pub(super) struct FormatPiece<'a> {
+    pub(super) kind: PieceKind<'a>,
     /// Where it stands in the file.
     pub(super) range: TextRange,
     /// Offset of its part of the file.
@@ -17,7 +17,7 @@ pub(super) struct Piece<'a> {
 
 /// What a piece is.
 #[derive(Clone, Copy)]
-pub(super) enum Kind<'a> {
+pub(super) enum PieceKind<'a> {
     /// A start tag, or an empty element.
     Start(Node<'a>),
     /// An end tag.
@@ -32,8 +32,8 @@ pub(super) enum Kind<'a> {
 }
 
 /// The row of a document without mistakes.
-pub(super) fn pieces(document: &Document) -> Vec<Piece<'_>> {
-    let mut row = Row::default();
+pub(super) fn pieces(document: &Document) -> Vec<FormatPiece<'_>> {
+    let mut row = PieceRow::default();
     for node in document
         .header()
         .nodes()
@@ -49,13 +49,13 @@ pub(super) fn pieces(document: &Document) -> Vec<Piece<'_>> {
         let start = root.start_tag_range().end;
         let whole = keeps_space(root) || holds_text(document);
         if whole {
-            row.push(Kind::Content, TextRange::new(start, end.start), 0);
+            row.push(PieceKind::Content, TextRange::new(start, end.start), 0);
         } else {
             row.inside(document);
         }
         row.depth = 0;
         row.push(
-            Kind::End {
+            PieceKind::End {
                 closes_elements: !whole && document.item_count() > 0,
             },
             end,
@@ -92,16 +92,16 @@ fn keeps_space(element: Node<'_>) -> bool {
 }
 
 #[derive(Default)]
-struct Row<'a> {
-    pieces: Vec<Piece<'a>>,
+struct PieceRow<'a> {
+    pieces: Vec<FormatPiece<'a>>,
     depth: usize,
     /// The elements that are open, innermost last.
     open: Vec<Node<'a>>,
 }
 
-impl<'a> Row<'a> {
-    fn push(&mut self, kind: Kind<'a>, range: TextRange, base: u32) {
-        self.pieces.push(Piece {
+impl<'a> PieceRow<'a> {
+    fn push(&mut self, kind: PieceKind<'a>, range: TextRange, base: u32) {
+        self.pieces.push(FormatPiece {
             kind,
             range: range.shift(base),
             base,
@@ -150,7 +150,7 @@ impl<'a> Row<'a> {
             self.depth -= 1;
             if let Some(end) = element.end_tag() {
                 let closes_elements = element.child_elements().next().is_some();
-                self.push(Kind::End { closes_elements }, end, base);
+                self.push(PieceKind::End { closes_elements }, end, base);
             }
         }
     }
@@ -158,16 +158,16 @@ impl<'a> Row<'a> {
     /// A node without what is in it; where its content ends when that was taken as a whole.
     fn node(&mut self, node: Node<'a>, base: u32) -> Option<u32> {
         if node.kind() != NodeKind::Element {
-            self.push(Kind::Other, node.range(), base);
+            self.push(PieceKind::Other, node.range(), base);
             return None;
         }
-        self.push(Kind::Start(node), node.start_tag_range(), base);
+        self.push(PieceKind::Start(node), node.start_tag_range(), base);
         let end = node.end_tag()?;
         if keeps_space(node) || node.children().any(is_text) {
             let content = TextRange::new(node.start_tag_range().end, end.start);
-            self.push(Kind::Content, content, base);
+            self.push(PieceKind::Content, content, base);
             self.push(
-                Kind::End {
+                PieceKind::End {
                     closes_elements: false,
                 },
                 end,

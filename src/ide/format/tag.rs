@@ -1,23 +1,23 @@
 //! White space inside of start tags.
 
-use super::Writer;
+use super::FormatWriter;
 use super::indent::width;
-use super::pieces::Piece;
+use super::pieces::FormatPiece;
 use base::TextRange;
 use workspace::config::AttributeLayout;
 use xml::{Attr, Node};
 
 /// How the attributes of a tag stand below each other.
-struct Layout {
+struct TagLayout {
     /// The column of attributes that begin a line.
     column: usize,
     /// The column of a `>` that begins a line.
     end: usize,
 }
 
-impl Writer<'_> {
+impl FormatWriter<'_> {
     /// A start tag: attributes with one blank between them, or below each other.
-    pub(super) fn start_tag(&mut self, element: Node<'_>, piece: &Piece<'_>) {
+    pub(super) fn start_tag(&mut self, element: Node<'_>, piece: &FormatPiece<'_>) {
         let layout = self.layout(element, piece);
         self.keep(element.name_range().shift(piece.base).end);
         let count = element.attrs().len();
@@ -41,7 +41,7 @@ impl Writer<'_> {
         self.has_tag = true;
     }
 
-    fn attribute(&mut self, attr: Attr<'_>, piece: &Piece<'_>) {
+    fn attribute(&mut self, attr: Attr<'_>, piece: &FormatPiece<'_>) {
         let value = attr.value_range().shift(piece.base);
         if attr.is_quoted() {
             let quote = TextRange::new(value.start - 1, value.start).slice(self.text);
@@ -51,7 +51,7 @@ impl Writer<'_> {
     }
 
     /// The end of a tag.
-    fn close(&mut self, element: Node<'_>, piece: &Piece<'_>, layout: &Layout) {
+    fn close(&mut self, element: Node<'_>, piece: &FormatPiece<'_>, layout: &TagLayout) {
         let closer = closer(element, piece, self.text);
         let start = piece.range.end - closer.trim_start().len() as u32;
         let blanks = TextRange::new(self.at, start).slice(self.text);
@@ -66,7 +66,7 @@ impl Writer<'_> {
     }
 
     /// `<a></a>` becomes `<a/>` where that is wished.
-    fn close_empty(&mut self, element: Node<'_>, piece: &Piece<'_>) {
+    fn close_empty(&mut self, element: Node<'_>, piece: &FormatPiece<'_>) {
         let end = element
             .end_tag()
             .filter(|end| end.start == element.start_tag_range().end);
@@ -108,13 +108,13 @@ impl Writer<'_> {
     }
 
     /// Attributes that stood in one column stay there, seen from the tag; others go below the first one.
-    fn layout(&self, element: Node<'_>, piece: &Piece<'_>) -> Layout {
+    fn layout(&self, element: Node<'_>, piece: &FormatPiece<'_>) -> TagLayout {
         let new = self.column;
         let below_first = new + width(element.name(), 0, self.indent.tab) + 2;
         let tag_text = piece.range.slice(self.text);
         if self.options.attributes == AttributeLayout::Auto || !tag_text.contains(['\n', '\r']) {
             // columns in the old text are not looked for: its lines may be long
-            return Layout {
+            return TagLayout {
                 column: below_first,
                 end: new,
             };
@@ -142,11 +142,11 @@ impl Writer<'_> {
         } else {
             column
         };
-        Layout { column, end }
+        TagLayout { column, end }
     }
 
     /// Where attributes begin that have a line end in front of them.
-    fn beginning_lines(&self, element: Node<'_>, piece: &Piece<'_>) -> Vec<u32> {
+    fn beginning_lines(&self, element: Node<'_>, piece: &FormatPiece<'_>) -> Vec<u32> {
         let mut before = element.name_range().end;
         let mut found = Vec::new();
         for attr in element.attrs() {
@@ -161,7 +161,7 @@ impl Writer<'_> {
 }
 
 /// The end of a start tag with the white space in front of it.
-fn closer<'t>(element: Node<'_>, piece: &Piece<'_>, text: &'t str) -> &'t str {
+fn closer<'t>(element: Node<'_>, piece: &FormatPiece<'_>, text: &'t str) -> &'t str {
     let behind = element
         .attrs()
         .last()

@@ -6,7 +6,7 @@ use crate::expressions::{ExprText, parsed};
 use crate::schema;
 use crate::values::{cut, distinct, instances, short};
 use base::{Encoding, LineCol, TextRange};
-use expr::{self, Code, Subst, Token, Value, parse_substitution};
+use expr::{self, Code, Subst, TemplateToken, Value, parse_substitution};
 use xml::{Attr, Document, Node};
 
 /// The values of a file, collected.
@@ -14,18 +14,18 @@ pub(super) struct Values<'a> {
     cx: &'a Cx<'a>,
     /// Most characters of one.
     most: usize,
-    found: Vec<Found>,
+    found: Vec<ValueHint>,
 }
 
 /// A value, and the attribute that it stands in, by its place and name; none in text.
-struct Found {
+struct ValueHint {
     hint: Hint,
     attribute: Option<(u32, String)>,
 }
 
 /// What stands around an expression.
 #[derive(Clone, Copy)]
-struct Around {
+struct ExpressionContext {
     /// Angles in radians are shown in degrees, too.
     is_angle: bool,
     /// In a tag of xacro, an attribute that is a name alone passes the value on.
@@ -44,7 +44,7 @@ impl<'a> Values<'a> {
     pub(super) fn of_text(&mut self, text: &ExprText<'_>) {
         self.collect(
             text,
-            Around {
+            ExpressionContext {
                 is_angle: false,
                 passes_on: false,
             },
@@ -54,14 +54,19 @@ impl<'a> Values<'a> {
 
     pub(super) fn of_attribute(&mut self, text: &ExprText<'_>, node: Node<'_>, attr: Attr<'_>) {
         let is_xacro = node.name().starts_with("xacro:");
-        let around = Around {
+        let around = ExpressionContext {
             is_angle: !is_xacro && schema::is_angle(node, attr.name()),
             passes_on: is_xacro && text.template.tokens.len() == 1,
         };
         self.collect(text, around, Some((attr.value_range().start, attr.name())));
     }
 
-    fn collect(&mut self, text: &ExprText<'_>, around: Around, attribute: Option<(u32, &str)>) {
+    fn collect(
+        &mut self,
+        text: &ExprText<'_>,
+        around: ExpressionContext,
+        attribute: Option<(u32, &str)>,
+    ) {
         for token in &text.template.tokens {
             let Some(arrow) = arrow(text, token) else {
                 continue;
@@ -80,7 +85,7 @@ impl<'a> Values<'a> {
                 kind: HintKind::Value,
                 about: range.start,
             };
-            self.found.push(Found {
+            self.found.push(ValueHint {
                 hint,
                 attribute: attribute.map(|(at, name)| (at, name.to_owned())),
             });
@@ -121,7 +126,7 @@ impl<'a> Values<'a> {
         let mut found = self.found;
         found.sort_by_key(|found| found.hint.offset);
         let lines = found.chunk_by(|a, b| line_of(document, a) == line_of(document, b));
-        let hint = |values: &[Found]| match values {
+        let hint = |values: &[ValueHint]| match values {
             [one] => Some(one.hint.clone()),
             [first, ..] => {
                 let line = line_of(document, first);
@@ -139,14 +144,14 @@ impl<'a> Values<'a> {
     }
 }
 
-fn line_of(document: &Document, found: &Found) -> u32 {
+fn line_of(document: &Document, found: &ValueHint) -> u32 {
     document.line_col(found.hint.offset, Encoding::Utf8).line
 }
 
 /// `xyz = 0.1 0.3; rpy = 1.571 (90°)`
-fn joined(values: &[Found]) -> String {
+fn joined(values: &[ValueHint]) -> String {
     const MOST: usize = 80;
-    let bare = |found: &Found| {
+    let bare = |found: &ValueHint| {
         found
             .hint
             .label
@@ -154,7 +159,7 @@ fn joined(values: &[Found]) -> String {
             .to_owned()
     };
     let attributes = values.chunk_by(|a, b| a.attribute == b.attribute);
-    let part = |values: &[Found]| {
+    let part = |values: &[ValueHint]| {
         let shown: Vec<String> = values.iter().map(bare).collect();
         match values.first().and_then(|found| found.attribute.as_ref()) {
             Some((_, attribute)) => format!("{attribute} = {}", shown.join(" ")),
@@ -165,17 +170,17 @@ fn joined(values: &[Found]) -> String {
 }
 
 /// What stands in front of the value; none for tokens without one, and for expressions without names.
-fn arrow(text: &ExprText<'_>, token: &Token) -> Option<&'static str> {
+fn arrow(text: &ExprText<'_>, token: &TemplateToken) -> Option<&'static str> {
     match token {
-        Token::Expr {
+        TemplateToken::Expr {
             code: Code::Static(_),
             ..
         } => {
             let has_names = parsed(token).is_some_and(|(expr, _)| !expr::names(expr).is_empty());
             has_names.then_some("= ")
         }
-        Token::Expr { .. } => Some("= "),
-        Token::Subst {
+        TemplateToken::Expr { .. } => Some("= "),
+        TemplateToken::Subst {
             inner,
             nested: None,
             ..
@@ -190,9 +195,9 @@ fn arrow(text: &ExprText<'_>, token: &Token) -> Option<&'static str> {
 }
 
 /// Whether a reader knows the value, or sees it passed on as it is.
-fn is_evident(text: &ExprText<'_>, token: &Token, around: Around) -> bool {
+fn is_evident(text: &ExprText<'_>, token: &TemplateToken, around: ExpressionContext) -> bool {
     const CONSTANTS: [&str; 6] = ["pi", "math.pi", "-pi", "pi/2", "-pi/2", "tau"];
-    let Token::Expr { inner, .. } = token else {
+    let TemplateToken::Expr { inner, .. } = token else {
         return false;
     };
     let written = inner.slice(&text.text).replace(' ', "");

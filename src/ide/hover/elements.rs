@@ -2,12 +2,12 @@
 
 use super::super::context::Cx;
 use super::super::expressions::ExprText;
-use super::super::locate::{At, Part};
+use super::super::locate::{LocatedNode, NodePart};
 use super::super::schema;
 use super::super::values::{distinct, instances};
 use super::page::{Page, code};
 use base::TextRange;
-use expr::{Token, Value, literal};
+use expr::{TemplateToken, Value, literal};
 use rules::is_semantic_file;
 use rules::schema::{AttributeKind, AttributeSpec, ElementSpec, robot, semantic_robot};
 use xml::{Attr, Node};
@@ -91,18 +91,20 @@ const TAGS: &[(&str, &str)] = &[
 ];
 
 /// The element or attribute at a place.
-pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, Page)> {
     let node = at.node?;
     match at.part {
-        Part::StartName => Some((at.shift(node.name_range()), element(cx, at, node)?)),
-        Part::EndName => Some((at.shift(node.end_name_range()?), element(cx, at, node)?)),
-        Part::AttrName(attr) => Some((at.shift(attr.name_range()), attribute(cx, node, attr)?)),
-        Part::AttrValue(attr) => Some((at.shift(attr.value_range()), attribute(cx, node, attr)?)),
+        NodePart::StartName => Some((at.shift(node.name_range()), element(cx, at, node)?)),
+        NodePart::EndName => Some((at.shift(node.end_name_range()?), element(cx, at, node)?)),
+        NodePart::AttrName(attr) => Some((at.shift(attr.name_range()), attribute(cx, node, attr)?)),
+        NodePart::AttrValue(attr) => {
+            Some((at.shift(attr.value_range()), attribute(cx, node, attr)?))
+        }
         _ => None,
     }
 }
 
-fn element(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<Page> {
+fn element(cx: &Cx<'_>, at: &LocatedNode<'_>, node: Node<'_>) -> Option<Page> {
     if let Some(tag) = node.name().strip_prefix("xacro:") {
         return xacro_tag(cx, at, node, tag);
     }
@@ -232,7 +234,7 @@ fn facts(spec: &AttributeSpec) -> String {
     format!("{kind}{unit}{default}{required}")
 }
 
-fn xacro_tag(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>, tag: &str) -> Option<Page> {
+fn xacro_tag(cx: &Cx<'_>, at: &LocatedNode<'_>, node: Node<'_>, tag: &str) -> Option<Page> {
     let (_, docs) = TAGS.iter().find(|(name, _)| *name == tag)?;
     let mut page = Page::titled(format!(
         "**{}** – {docs}",
@@ -245,7 +247,7 @@ fn xacro_tag(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>, tag: &str) -> Option<Page
     Some(page)
 }
 
-fn condition_line(cx: &Cx<'_>, at: &At<'_>, node: Node<'_>) -> Option<String> {
+fn condition_line(cx: &Cx<'_>, at: &LocatedNode<'_>, node: Node<'_>) -> Option<String> {
     let truths = condition(cx, at.base, node)?;
     let wanted = node.name() == "xacro:if";
     match truths.as_slice() {
@@ -269,7 +271,8 @@ pub(in super::super) fn condition(
             text.text.as_ref().into(),
         ))]);
     }
-    let [token @ (Token::Expr { .. } | Token::Subst { .. })] = text.template.tokens.as_slice()
+    let [token @ (TemplateToken::Expr { .. } | TemplateToken::Subst { .. })] =
+        text.template.tokens.as_slice()
     else {
         return None;
     };

@@ -2,21 +2,25 @@
 
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
-use super::super::locate::At;
+use super::super::locate::LocatedNode;
 use super::super::values::{Instance, UNKNOWN, distinct, instances, part_values, short};
 use super::page::{Page, code};
 use super::{files, numbers, symbols};
 use base::{TextRange, counted};
 use expand::{FrameId, FrameKind, Origin};
 use expr::ast::{Expr, ExprKind};
-use expr::{Token, Value, display, global_symbols};
+use expr::{TemplateToken, Value, display, global_symbols};
 use rules::RuleEnv;
 
 /// Most characters of a value.
 const MOST_VALUE: usize = 200;
 
 /// The expression or a part of it at a place.
-pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, Page)> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let whole = text.range(token.range());
@@ -64,12 +68,12 @@ pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(Tex
 }
 
 /// All of the expression at a place.
-pub(super) fn whole(cx: &Cx<'_>, at: &At<'_>) -> Option<Page> {
+pub(super) fn whole(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<Page> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let range = text.range(token.range());
     let source = match token {
-        Token::Expr { inner, .. } => inner.slice(&text.text),
+        TemplateToken::Expr { inner, .. } => inner.slice(&text.text),
         other => other.range().slice(&text.text),
     };
     Some(valued(cx, at, source.trim(), &instances(cx, range)))
@@ -92,7 +96,7 @@ pub fn package_at<'t>(text: &'t ExprText<'_>, offset: u32) -> Option<(TextRange,
     })
 }
 
-fn valued(cx: &Cx<'_>, at: &At<'_>, source: &str, values: &[Instance]) -> Page {
+fn valued(cx: &Cx<'_>, at: &LocatedNode<'_>, source: &str, values: &[Instance]) -> Page {
     let mut page = match distinct(values.iter().map(|instance| &instance.value)).as_slice() {
         [value] => Page::titled(format!("{} = {}", code(source), shown(value))),
         _ => Page::titled(code(source)),
@@ -158,7 +162,7 @@ pub fn value_lines(cx: &Cx<'_>, values: &[Instance]) -> Vec<String> {
             )];
         }
         [Value::Unknown] => return vec!["the value is unknown".to_owned()],
-        [_] if cx.pinned.is_some() => {
+        [_] if cx.selected_frame.is_some() => {
             let label = values
                 .first()
                 .and_then(|instance| call_label(cx, instance.frame));
@@ -255,7 +259,7 @@ pub(super) fn function(path: &[&Expr]) -> Option<Page> {
     })?;
     if symbol.params.is_empty()
         && symbol.namespace.is_none()
-        && symbol.kind == expr::SymbolKind::Constant
+        && symbol.kind == expr::BuiltinKind::Constant
     {
         return None;
     }

@@ -2,19 +2,23 @@
 
 use super::super::context::Cx;
 use super::super::expressions::ExprText;
-use super::super::locate::{At, Part};
+use super::super::locate::{LocatedNode, NodePart};
 use super::super::paths::{FileKind, FileName, FileTarget, file_name_at};
 use super::super::values::number_text;
 use super::page::{Page, code};
 use base::{TextRange, counted};
-use model::{Mesh, Text};
+use model::{AttrValue, Mesh};
 use rules::RuleEnv;
 
 /// Most places that are listed.
 const MOST_PLACES: usize = 8;
 
 /// The name of a file at a place.
-pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, Page)> {
     let name = file_name_at(cx, world, at)?;
     Some((name.range, page(cx, world, at, &name)))
 }
@@ -33,7 +37,7 @@ pub(super) fn loaded(
         .then(|| (name.range, page(cx, world, &at, &name)))
 }
 
-fn page(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>, name: &FileName) -> Page {
+fn page(cx: &Cx<'_>, world: RuleEnv<'_>, at: &LocatedNode<'_>, name: &FileName) -> Page {
     let path = match &name.target {
         FileTarget::Found(path) => path,
         FileTarget::Missing(places) => {
@@ -60,8 +64,8 @@ fn page(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>, name: &FileName) -> Page {
 }
 
 /// The scale of a mesh, when it is known.
-fn factors(cx: &Cx<'_>, at: &At<'_>) -> Option<[f64; 3]> {
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+fn factors(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<[f64; 3]> {
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return None;
     };
     if node.attr("scale").is_none() {
@@ -74,7 +78,7 @@ fn factors(cx: &Cx<'_>, at: &At<'_>) -> Option<[f64; 3]> {
             .is_some_and(|file| expand::SourceRange::from(file.origin) == place)
     };
     let mesh = tree.below(expand::XId::DOCUMENT).find(is_named)?;
-    Text::attr(tree, mesh, "scale")?.numbers()
+    AttrValue::attr(tree, mesh, "scale")?.numbers()
 }
 
 fn mesh_lines(mesh: &Mesh, factors: Option<[f64; 3]>) -> Vec<String> {

@@ -17,7 +17,7 @@ pub use settled::hover_while_typing;
 pub use symbols::declared_argument;
 
 use super::context::Cx;
-use super::locate::{Part, locate};
+use super::locate::{NodePart, locate};
 use crate::text_names::TextNames;
 use base::TextRange;
 use rules::RuleEnv;
@@ -46,7 +46,7 @@ pub fn hover(
 ) -> Option<Hover> {
     let document = &cx.source.document;
     let at = locate(document, offset);
-    if matches!(at.part, Part::Verbatim) {
+    if matches!(at.part, NodePart::Verbatim) {
         return None;
     }
     let found = symbols::about(cx, &at)

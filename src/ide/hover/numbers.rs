@@ -1,6 +1,6 @@
 //! Numbers with units: angles in degrees, colors.
 
-use super::super::locate::{At, Part};
+use super::super::locate::{LocatedNode, NodePart};
 use super::super::schema;
 use super::super::values::number_text;
 use super::elements;
@@ -10,8 +10,8 @@ use model::decimal;
 use xml::Node;
 
 /// The number at a place.
-pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
-    let Part::AttrValue(attr) = at.part else {
+pub(super) fn about(cx: &super::Cx<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, Page)> {
+    let NodePart::AttrValue(attr) = at.part else {
         return None;
     };
     if attr.name() == "rgba" {
@@ -32,8 +32,8 @@ pub(super) fn about(cx: &super::Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)
 }
 
 /// `1.57 rad (89.95°)`, where the attribute at a place holds angles.
-pub(super) fn in_degrees(at: &At<'_>, number: f64) -> Option<String> {
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+pub(super) fn in_degrees(at: &LocatedNode<'_>, number: f64) -> Option<String> {
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return None;
     };
     let unit = schema::attribute(node, attr.name())?.unit?;

@@ -2,8 +2,8 @@
 
 use super::super::beside::BesideName;
 use super::super::context::Cx;
-use super::super::locate::{At, Part};
-use super::super::robot_names::{NameKind, named_at, robot_names};
+use super::super::locate::{LocatedNode, NodePart};
+use super::super::robot_names::{RobotNameKind, named_at, robot_names};
 use super::expression::call_label;
 use super::files::{lengths, three_digits};
 use super::numbers::{degrees, rounded};
@@ -11,27 +11,31 @@ use super::page::{Page, code};
 use base::{FastSet, TextRange};
 use expand::{BindingId, BindingKind};
 use expr::Value;
-use model::{Joint, JointType, Kinematics, Link, Pose, Robot, Text};
+use model::{AttrValue, Joint, JointType, Kinematics, Link, Pose, Robot};
 use rules::{RuleEnv, link_bounds};
 
 /// Most links or joints that are shown for one text.
 const MOST: usize = 3;
 
 /// The links and joints that a text names.
-pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(
+    cx: &Cx<'_>,
+    world: RuleEnv<'_>,
+    at: &LocatedNode<'_>,
+) -> Option<(TextRange, Page)> {
     if let Some(group) = cx
         .beside
         .iter()
-        .find(|name| name.kind == NameKind::Group && name.is_at(cx, at.offset))
+        .find(|name| name.kind == RobotNameKind::Group && name.is_at(cx, at.offset))
     {
         return Some((group.place.range, group_page(cx, group)));
     }
     let (robot, kinematics) = (cx.robot?, cx.kinematics?);
     let (range, names) = match (named_at(cx, at.offset), at.part) {
-        (Some((_, names)), Part::AttrValue(attr)) => (at.shift(attr.value_range()), names),
+        (Some((_, names)), NodePart::AttrValue(attr)) => (at.shift(attr.value_range()), names),
         // in YAML
         (Some(found), _) if cx.beside.iter().any(|name| name.is_at(cx, at.offset)) => found,
-        (None, Part::AttrValue(attr)) => {
+        (None, NodePart::AttrValue(attr)) => {
             let range = at.shift(attr.value_range());
             (range, passed(cx, range)?)
         }
@@ -74,7 +78,7 @@ pub(super) fn about(cx: &Cx<'_>, world: RuleEnv<'_>, at: &At<'_>) -> Option<(Tex
 fn group_page(cx: &Cx<'_>, group: &BesideName) -> Page {
     let mut page = Page::titled(format!("**group** {}", code(&group.value)));
     let is_it = |name: &&BesideName| {
-        name.kind == NameKind::Group && name.is_definition && name.value == group.value
+        name.kind == RobotNameKind::Group && name.is_definition && name.value == group.value
     };
     match cx.beside.iter().find(is_it) {
         Some(given) => page.add(given.content.clone()),
@@ -84,11 +88,11 @@ fn group_page(cx: &Cx<'_>, group: &BesideName) -> Page {
 }
 
 /// Whether a text is meant for a joint, should a link and a joint have one name.
-fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
+fn is_joint_name(cx: &Cx<'_>, at: &LocatedNode<'_>) -> bool {
     if let Some(name) = cx.beside.iter().find(|name| name.is_at(cx, at.offset)) {
-        return name.kind == NameKind::Joint;
+        return name.kind == RobotNameKind::Joint;
     }
-    let (Part::AttrValue(attr), Some(node)) = (at.part, at.node) else {
+    let (NodePart::AttrValue(attr), Some(node)) = (at.part, at.node) else {
         return false;
     };
     matches!(
@@ -98,7 +102,7 @@ fn is_joint_name(cx: &Cx<'_>, at: &At<'_>) -> bool {
 }
 
 /// The names that an argument of a call becomes as it is, when its text stands at `range`.
-fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
+fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<AttrValue>> {
     let place = cx.source_range(range)?;
     let mut given: FastSet<BindingId> = FastSet::default();
     let mut values: Vec<&str> = Vec::new();
@@ -122,7 +126,7 @@ fn passed(cx: &Cx<'_>, range: TextRange) -> Option<Vec<Text>> {
     if given.is_empty() {
         return None;
     }
-    let mut names: Vec<Text> = robot_names(cx).into_iter().map(|(text, _)| text).collect();
+    let mut names: Vec<AttrValue> = robot_names(cx).into_iter().map(|(text, _)| text).collect();
     names.retain(|text| {
         values.contains(&text.value.as_str())
             && text
@@ -158,7 +162,7 @@ fn link_page(
         .unwrap_or_default();
     page.add(format!("{mass}{space}"));
     let children: Vec<String> = kinematics
-        .down(index)
+        .child_joints(index)
         .iter()
         .filter_map(|&joint| {
             let child = robot.links.get(kinematics.ends(joint)?.1)?;
@@ -192,7 +196,7 @@ fn made_by(cx: &Cx<'_>, frame: expand::FrameId, page: &mut Page) {
 fn chain(robot: &Robot, kinematics: &Kinematics, link: usize) -> String {
     const MOST_STEPS: usize = 8;
     let mut parts = vec![link_name(robot, link)];
-    let joints: Vec<usize> = kinematics.above(link).collect();
+    let joints: Vec<usize> = kinematics.ancestor_joints(link).collect();
     for joint in joints.iter().take(MOST_STEPS) {
         parts.push(robot.joints.get(*joint).map_or("?", |joint| joint.shown()));
         parts.push(
@@ -237,7 +241,7 @@ fn joint_page(cx: &Cx<'_>, joint: &Joint, page: &mut Page) {
 /// The axis in the frame of the parent link: `+Z`, or three numbers.
 fn axis(joint: &Joint) -> Option<String> {
     let written = joint.axis.as_ref().and_then(|axis| axis.xyz.as_ref());
-    let [x, y, z] = written.map_or(Some([1.0, 0.0, 0.0]), Text::numbers)?;
+    let [x, y, z] = written.map_or(Some([1.0, 0.0, 0.0]), AttrValue::numbers)?;
     let turn = joint
         .origin
         .as_ref()
@@ -287,7 +291,7 @@ pub(in super::super) fn limits(joint: &Joint, kind: Option<JointType>) -> Option
 }
 
 /// A number with its unit.
-fn quantity(text: &Option<Text>, unit: &str) -> Option<String> {
+fn quantity(text: &Option<AttrValue>, unit: &str) -> Option<String> {
     let text = text.as_ref()?;
     let number = text
         .number()

@@ -6,13 +6,13 @@ use std::sync::Arc;
 
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
-use super::super::locate::{At, locate};
+use super::super::locate::{LocatedNode, locate};
 use super::Hover;
 use super::expression::{function, shown};
 use super::page::{Page, code};
 use super::symbols::comment_above;
 use base::{Encoding, FastSet, IdVec, counted};
-use expand::{DefinitionId, FileIdx, Source, SrcId, SymbolKind, UseKind, parse_params};
+use expand::{DefinitionId, FileIdx, SourceItem, SrcId, SymbolKind, UseKind, parse_params};
 use expr::ast::ExprKind;
 use expr::{Value, names};
 use facts::{FactKind, FactsOf, MentionKind, facts_of};
@@ -68,7 +68,7 @@ pub fn hover_while_typing(
 
 /// Whether a name at a place means the same as anywhere in the file, and the place is come by: not under a condition,
 /// and in a macro only when it is called and has no parameter of that name.
-fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
+fn is_of_the_file(cx: &Cx<'_>, at: &LocatedNode<'_>, name: &str) -> bool {
     let mut around = at.node;
     while let Some(node) = around {
         let is_settled = match node.name() {
@@ -78,7 +78,7 @@ fn is_of_the_file(cx: &Cx<'_>, at: &At<'_>, name: &str) -> bool {
                     .attr("params")
                     .map_or(Some(Vec::new()), |params| parse_params(params.raw()));
                 let own =
-                    |params: Vec<expand::Param>| params.iter().all(|param| param.name != name);
+                    |params: Vec<expand::MacroParam>| params.iter().all(|param| param.name != name);
                 params.is_some_and(own)
                     && node
                         .attr("name")
@@ -235,7 +235,7 @@ impl<'a, 'c> Changes<'a, 'c> {
     }
 
     /// An item of the expansion, and its file as it was and as it is.
-    fn versions(&self, src: SrcId) -> Option<(&Source, &Arc<SourceFile>, &Arc<SourceFile>)> {
+    fn versions(&self, src: SrcId) -> Option<(&SourceItem, &Arc<SourceFile>, &Arc<SourceFile>)> {
         let source = self.cx.expansion.sources.get(src)?;
         let before = self.cx.expansion.files.get(source.file)?;
         let now = self.files.get(source.file)?.as_ref()?;

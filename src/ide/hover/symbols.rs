@@ -5,12 +5,12 @@ use std::sync::Arc;
 use super::super::context::Cx;
 use super::super::expressions::{ExprText, parsed, path_to};
 use super::super::instances::is_call_of;
-use super::super::locate::At;
+use super::super::locate::LocatedNode;
 use super::super::values::{Instance, distinct, part_values};
 use super::expression::{place_name, root_name, shown, value_lines};
 use super::page::{Page, code, plain};
 use crate::rename::definition_at;
-use crate::text_names::{Given, TextNames};
+use crate::text_names::{TextDefinition, TextNames};
 use base::{Encoding, FastSet, TextRange, counted};
 use expand::{Definition, DefinitionId, Expansion, FrameId, SymbolKind, Use, UseKind, XId};
 use expr::Value;
@@ -18,7 +18,7 @@ use rules::RuleEnv;
 use xml::{Node, NodeKind};
 
 /// The name of xacro at a place.
-pub(super) fn about(cx: &Cx<'_>, at: &At<'_>) -> Option<(TextRange, Page)> {
+pub(super) fn about(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, Page)> {
     let (id, range) = cx.symbol_at(at.offset)?;
     let definition = cx.expansion.index.symbols.get(id)?;
     Some((
@@ -48,7 +48,7 @@ pub(super) fn by_text(
     cx: &Cx<'_>,
     world: RuleEnv<'_>,
     names: &TextNames,
-    at: &At<'_>,
+    at: &LocatedNode<'_>,
 ) -> Option<(TextRange, Page)> {
     let (span, meaning) = names.at(cx.source.id, at.offset)?;
     let page = match meaning.all() {
@@ -79,13 +79,13 @@ pub(super) fn by_text(
 }
 
 /// What is known of a definition that was evaluated, though not where it is used.
-fn evaluated(cx: &Cx<'_>, given: &Given) -> Option<Page> {
+fn evaluated(cx: &Cx<'_>, given: &TextDefinition) -> Option<Page> {
     let id = definition_at(cx, given.span)?;
     let definition = cx.expansion.index.symbols.get(id)?;
     Some(definition_page(cx, id, definition, Vec::new()))
 }
 
-fn place_of(world: RuleEnv<'_>, given: &Given) -> String {
+fn place_of(world: RuleEnv<'_>, given: &TextDefinition) -> String {
     let path = world.vfs.path(given.span.file);
     let document = world.vfs.document(&path).ok();
     let line = document.map(|file| {
@@ -127,7 +127,7 @@ pub(super) fn by_name(cx: &Cx<'_>, name: &str) -> Option<Page> {
 }
 
 /// The values of the name at a place of an expression, in each call.
-fn values_here(cx: &Cx<'_>, at: &At<'_>) -> Option<Vec<Instance>> {
+fn values_here(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<Vec<Instance>> {
     let text = ExprText::at(&cx.source.document, at)?;
     let token = text.token_at(at.offset)?;
     let whole = text.range(token.range());

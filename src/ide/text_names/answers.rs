@@ -2,7 +2,7 @@
 
 use super::TextNames;
 use crate::context::Cx;
-use crate::names::{NameUse, Target, definition_of, evaluated_uses};
+use crate::names::{NameOccurrence, NavigationTarget, definition_of, evaluated_uses};
 use crate::rename::definition_at;
 use crate::robot_names::{robot_name_at, uses_of};
 use base::{FastSet, Span, TextRange};
@@ -12,19 +12,19 @@ pub fn definitions_by_text(
     cx: &Cx<'_>,
     names: &TextNames,
     offset: u32,
-) -> Option<(TextRange, Vec<Target>)> {
+) -> Option<(TextRange, Vec<NavigationTarget>)> {
     let (span, meaning) = names.at(cx.source.id, offset)?;
-    let target = |given: &&super::Given| Target {
+    let target = |given: &&super::TextDefinition| NavigationTarget {
         whole: given.whole,
         name: given.span,
     };
-    let targets: Vec<Target> = meaning.all().iter().map(target).collect();
+    let targets: Vec<NavigationTarget> = meaning.all().iter().map(target).collect();
     (!targets.is_empty()).then_some((span.range, targets))
 }
 
 /// The definitions that a name which was evaluated may mean with other arguments, besides the one that it meant, which stands
 /// in a condition then: those that the texts allow. None where the texts say something else than the expansion.
-pub fn definitions_elsewhere(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<Target> {
+pub fn definitions_elsewhere(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NavigationTarget> {
     let own = cx.symbol_at(offset);
     let Some(own) = own.and_then(|(id, _)| definition_of(cx, id)) else {
         return Vec::new();
@@ -38,7 +38,7 @@ pub fn definitions_elsewhere(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec
 }
 
 /// All places of the name at an offset, its definition among them, evaluated or not; none when there is no name.
-pub fn occurrences(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> {
+pub fn occurrences(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameOccurrence> {
     let mut found = match cx.symbol_at(offset) {
         Some((id, _)) => {
             let elsewhere = definitions_elsewhere(cx, names, offset);
@@ -69,7 +69,7 @@ pub fn occurrences(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> 
         .uses_of(&given)
         .into_iter()
         .filter(|span| known.insert(*span));
-    found.extend(further.map(|span| NameUse {
+    found.extend(further.map(|span| NameOccurrence {
         span,
         is_definition: false,
     }));
@@ -77,7 +77,7 @@ pub fn occurrences(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> 
 }
 
 /// The definitions that a name may mean which was not evaluated, and the evaluated uses of these.
-fn by_text(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> {
+fn by_text(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameOccurrence> {
     let Some((_, meaning)) = names.at(cx.source.id, offset) else {
         return Vec::new();
     };
@@ -88,13 +88,13 @@ fn by_text(cx: &Cx<'_>, names: &TextNames, offset: u32) -> Vec<NameUse> {
 /// Uses, and definitions with the uses of these that were evaluated.
 fn with_uses(
     cx: &Cx<'_>,
-    mut found: Vec<NameUse>,
+    mut found: Vec<NameOccurrence>,
     given: impl Iterator<Item = Span>,
-) -> Vec<NameUse> {
+) -> Vec<NameOccurrence> {
     for span in given {
         let own = definition_at(cx, span).map(|id| evaluated_uses(cx, id));
         let own = own.unwrap_or_else(|| {
-            vec![NameUse {
+            vec![NameOccurrence {
                 span,
                 is_definition: true,
             }]

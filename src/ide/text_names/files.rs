@@ -9,14 +9,14 @@ use vfs::SourceFile;
 use workspace::{admitted_files, named_file};
 
 /// The files behind includes: those that an expansion read, and for the others what the text says.
-pub(super) struct Files<'a> {
+pub(super) struct IncludedFiles<'a> {
     world: RuleEnv<'a>,
     expansion: &'a Expansion,
     /// By the start of the tag.
     taken: FastMap<(FileId, u32), Vec<FileId>>,
 }
 
-impl<'a> Files<'a> {
+impl<'a> IncludedFiles<'a> {
     pub fn new(expansion: &'a Expansion, world: RuleEnv<'a>) -> Self {
         let mut taken: FastMap<(FileId, u32), Vec<FileId>> = FastMap::default();
         for (file, tag) in include_tags(expansion, world) {

@@ -24,9 +24,9 @@ use expand::{SymbolKind, UseKind};
 /// What the names of a robot's texts may mean.
 #[derive(Debug, Default)]
 pub struct TextNames {
-    given: IdVec<GivenId, Given>,
-    used: IdVec<UsedId, Used>,
-    scopes: IdVec<ScopeId, Scope>,
+    given: IdVec<TextDefinitionId, TextDefinition>,
+    used: IdVec<UsedId, TextUse>,
+    scopes: IdVec<TextScopeId, TextScope>,
     /// The condition around each condition.
     guards: Vec<Guard>,
     /// The files that were read.
@@ -38,18 +38,18 @@ pub struct TextNames {
     /// By file, the tags of the includes that bring it in.
     included_at: FastMap<FileId, Vec<Span>>,
     /// The definitions of a name.
-    by_name: FastMap<(Class, EcoString), Vec<GivenId>>,
+    by_name: FastMap<(Class, EcoString), Vec<TextDefinitionId>>,
     /// Where macros are called, and blocks inserted: the scopes that their content sees.
-    entered_from: FastMap<ScopeId, Vec<ScopeId>>,
+    entered_from: FastMap<TextScopeId, Vec<TextScopeId>>,
     /// The calls of macros.
-    calls_of: FastMap<GivenId, Vec<UsedId>>,
+    calls_of: FastMap<TextDefinitionId, Vec<UsedId>>,
     /// When each macro is called, the first time and the last.
-    called_at: FastMap<GivenId, (u32, u32)>,
+    called_at: FastMap<TextDefinitionId, (u32, u32)>,
 }
 
 /// A definition.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Given {
+pub struct TextDefinition {
     /// What it defines.
     pub kind: SymbolKind,
     /// Its name.
@@ -59,9 +59,9 @@ pub struct Given {
     /// All that belongs to it: its element, or the name of a parameter.
     pub whole: Span,
     /// Of a parameter: its macro.
-    of: Option<GivenId>,
+    of: Option<TextDefinitionId>,
     /// The scopes that it stands in.
-    scopes: Vec<ScopeId>,
+    scopes: Vec<TextScopeId>,
     /// `scope="parent"`: it goes to whoever calls this macro.
     handed_out: bool,
     /// Its place in the order of evaluation.
@@ -76,28 +76,28 @@ pub struct Given {
 
 /// A text that uses a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Used {
+struct TextUse {
     kind: UseKind,
     class: Class,
     name: EcoString,
     span: Span,
     /// The scopes that it stands in.
-    scopes: Vec<ScopeId>,
+    scopes: Vec<TextScopeId>,
     /// Of `ns.name`: `ns`. Of what a call gives: the macro.
     of: EcoString,
     order: u32,
     /// The innermost condition around it.
     guard: Guard,
     /// The property whose value it stands in, when that is evaluated later than where it stands.
-    lazy_in: Option<GivenId>,
+    lazy_in: Option<TextDefinitionId>,
     /// Whether it is the name in an end tag.
     is_end: bool,
 }
 
-impl Used {
+impl TextUse {
     /// Where and when it is evaluated, as far as its text says.
-    fn seen(&self) -> Seen {
-        Seen {
+    fn seen(&self) -> EvaluationPoint {
+        EvaluationPoint {
             file: self.span.file,
             guard: self.guard,
             order: self.order,
@@ -135,22 +135,22 @@ impl Class {
 
 /// A scope: index of [`TextNames::scopes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-struct ScopeId(u32);
+struct TextScopeId(u32);
 
-impl ScopeId {
+impl TextScopeId {
     /// The document.
-    const TOP: ScopeId = ScopeId(0);
+    const TOP: TextScopeId = TextScopeId(0);
 }
 
 /// A definition: index of [`TextNames::given`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-struct GivenId(u32);
+struct TextDefinitionId(u32);
 
 /// A use: index of [`TextNames::used`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 struct UsedId(u32);
 
-base::ids!(ScopeId, GivenId, UsedId);
+base::ids!(TextScopeId, TextDefinitionId, UsedId);
 
 /// A condition, with those around it and around the includes and macros that it stands in: index of [`TextNames::guards`],
 /// counted from one; zero: none.
@@ -160,14 +160,14 @@ struct Guard(u32);
 /// One of several times that a file is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Reading {
-    scope: ScopeId,
+    scope: TextScopeId,
     guard: Guard,
     order: u32,
 }
 
 /// Where and when something is evaluated that definitions may be sure for.
 #[derive(Clone, Copy, Debug)]
-struct Seen {
+struct EvaluationPoint {
     file: FileId,
     guard: Guard,
     order: u32,
@@ -175,31 +175,31 @@ struct Seen {
 
 /// What holds names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum Scope {
+enum TextScope {
     /// The document.
     Top,
     /// An include with `ns`: its name with those around it, and the scope that includes.
-    Namespace(EcoString, ScopeId),
+    Namespace(EcoString, TextScopeId),
     /// The body of a macro, or the content of a block, by its definition.
-    Body(GivenId),
+    Body(TextDefinitionId),
     /// Where a macro is called: nothing of its own, for the defaults of parameters.
-    Callers(GivenId),
+    Callers(TextDefinitionId),
 }
 
 /// What a name may mean.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Meaning<'a> {
     /// This definition.
-    One(&'a Given),
+    One(&'a TextDefinition),
     /// One of these: callers, conditions or the order of evaluation decide.
-    OneOf(Vec<&'a Given>),
+    OneOf(Vec<&'a TextDefinition>),
     /// No definition, as far as the texts say: it is computed, stands in a file that is not known, or nowhere.
     Unknown,
 }
 
 impl<'a> Meaning<'a> {
     /// The definitions that it may be.
-    pub fn all(&self) -> &[&'a Given] {
+    pub fn all(&self) -> &[&'a TextDefinition] {
         match self {
             Meaning::One(given) => std::slice::from_ref(given),
             Meaning::OneOf(given) => given,
@@ -248,8 +248,8 @@ impl TextNames {
         own.is_some_and(|own| !self.is_sure(own, used.seen()))
     }
 
-    fn use_at(&self, file: FileId, offset: u32) -> Option<&Used> {
-        let here = |used: &&Used| used.span.file == file && used.span.range.touches(offset);
+    fn use_at(&self, file: FileId, offset: u32) -> Option<&TextUse> {
+        let here = |used: &&TextUse| used.span.file == file && used.span.range.touches(offset);
         let used = self.used.iter().filter(here);
         used.min_by_key(|used| used.span.range.len())
     }
@@ -261,8 +261,8 @@ impl TextNames {
             .iter()
             .filter(|given| definitions.contains(&given.span))
             .collect();
-        let named = |used: &&Used| names.iter().any(|given| given.name == used.name);
-        let is_it = |used: &&Used| {
+        let named = |used: &&TextUse| names.iter().any(|given| given.name == used.name);
+        let is_it = |used: &&TextUse| {
             self.meaning(used)
                 .all()
                 .iter()

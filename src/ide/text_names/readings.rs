@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{Given, GivenId, Reading, Seen, TextNames, Used};
+use super::{EvaluationPoint, Reading, TextDefinition, TextDefinitionId, TextNames, TextUse};
 use base::FileId;
 
 impl TextNames {
@@ -17,20 +17,20 @@ impl TextNames {
     /// Of definitions in the scope of a use whose file several conditions bring in, each with one in front of it: those.
     pub(super) fn at_each_reading(
         &self,
-        used: &Used,
-        all: &BTreeSet<GivenId>,
-    ) -> Option<BTreeSet<GivenId>> {
-        let given = |id: &GivenId| self.given.get(*id);
+        used: &TextUse,
+        all: &BTreeSet<TextDefinitionId>,
+    ) -> Option<BTreeSet<TextDefinitionId>> {
+        let given = |id: &TextDefinitionId| self.given.get(*id);
         let mut found = BTreeSet::new();
         for reading in self.several(used.span.file)? {
-            let is_in_front = |id: &&GivenId| {
+            let is_in_front = |id: &&TextDefinitionId| {
                 let own = given(id);
                 own.is_some_and(|own| own.span.file != used.span.file && own.order < reading.order)
             };
-            let in_front: Vec<GivenId> = all.iter().filter(is_in_front).copied().collect();
-            let is_sure = |id: &&GivenId| {
+            let in_front: Vec<TextDefinitionId> = all.iter().filter(is_in_front).copied().collect();
+            let is_sure = |id: &&TextDefinitionId| {
                 given(id).is_some_and(|own| {
-                    let at = Seen {
+                    let at = EvaluationPoint {
                         file: own.span.file,
                         guard: reading.guard,
                         order: reading.order,
@@ -38,11 +38,11 @@ impl TextNames {
                     self.is_sure(own, at)
                 })
             };
-            let order = |id: &GivenId| given(id).map_or(0, |own| own.order);
+            let order = |id: &TextDefinitionId| given(id).map_or(0, |own| own.order);
             let since = in_front.iter().filter(is_sure).map(order).max()?;
             found.extend(in_front.into_iter().filter(|id| order(id) >= since));
         }
-        let is_beside = |id: &&GivenId| {
+        let is_beside = |id: &&TextDefinitionId| {
             let own = given(id);
             own.is_some_and(|own| own.span.file == used.span.file && own.order < used.order)
         };
@@ -51,7 +51,11 @@ impl TextNames {
     }
 
     /// When the body around a use last includes the file of a definition in front of it, and whether that is sure to make it.
-    pub(super) fn included_order(&self, given: &Given, used: &Used) -> Option<(u32, bool)> {
+    pub(super) fn included_order(
+        &self,
+        given: &TextDefinition,
+        used: &TextUse,
+    ) -> Option<(u32, bool)> {
         let readings = self.readings.get(&given.span.file)?;
         let is_own = |reading: &&Reading| {
             used.scopes == [reading.scope]

@@ -5,17 +5,19 @@ use std::collections::{BTreeMap, BTreeSet};
 use ecow::EcoString;
 
 use super::{
-    Class, Given, GivenId, Guard, Meaning, NameText, Reading, Scope, ScopeId, Seen, TextNames, Used,
+    Class, EvaluationPoint, Guard, Meaning, NameText, Reading, TextDefinition, TextDefinitionId,
+    TextNames, TextScope, TextScopeId, TextUse,
 };
 use base::{FastMap, FastSet, Span};
 use expand::{SymbolKind, UseKind};
 
 impl TextNames {
     /// What a use means.
-    pub(super) fn meaning(&self, used: &Used) -> Meaning<'_> {
+    pub(super) fn meaning(&self, used: &TextUse) -> Meaning<'_> {
         let mut found = self.candidates(used, Some(used.order));
         found = self.latest(used, found, &mut { MOST_CALLS });
-        let mut given: Vec<&Given> = found.iter().filter_map(|&id| self.given.get(id)).collect();
+        let mut given: Vec<&TextDefinition> =
+            found.iter().filter_map(|&id| self.given.get(id)).collect();
         match (given.len(), given.pop()) {
             (1, Some(one)) => Meaning::One(one),
             (_, Some(last)) => Meaning::OneOf(given.into_iter().chain([last]).collect()),
@@ -25,20 +27,29 @@ impl TextNames {
 
     /// All definitions that a use may mean; with `order`, a definition in front of it in its own scope hides those of
     /// outer ones.
-    pub(super) fn candidates(&self, used: &Used, order: Option<u32>) -> BTreeSet<GivenId> {
+    pub(super) fn candidates(
+        &self,
+        used: &TextUse,
+        order: Option<u32>,
+    ) -> BTreeSet<TextDefinitionId> {
         self.among(self.named(used.class, &used.name), used, order)
     }
 
     /// The ones of some definitions that a use would mean if it had their name.
-    fn among(&self, named: &[GivenId], used: &Used, order: Option<u32>) -> BTreeSet<GivenId> {
-        let given = |id: &GivenId| self.given.get(*id);
+    fn among(
+        &self,
+        named: &[TextDefinitionId],
+        used: &TextUse,
+        order: Option<u32>,
+    ) -> BTreeSet<TextDefinitionId> {
+        let given = |id: &TextDefinitionId| self.given.get(*id);
         if used.kind == UseKind::Given {
-            let mut macros: BTreeSet<GivenId> =
+            let mut macros: BTreeSet<TextDefinitionId> =
                 self.macros(&used.of, &used.scopes).into_iter().collect();
             if order.is_some() {
                 macros = self.at_that_time(used, macros);
             }
-            let is_it = |given: &Given| {
+            let is_it = |given: &TextDefinition| {
                 given.kind == SymbolKind::Parameter
                     && given.of.is_some_and(|of| macros.contains(&of))
             };
@@ -66,7 +77,7 @@ impl TextNames {
         }
     }
 
-    fn named(&self, class: Class, name: &EcoString) -> &[GivenId] {
+    fn named(&self, class: Class, name: &EcoString) -> &[TextDefinitionId] {
         self.by_name
             .get(&(class, name.clone()))
             .map_or(&[], Vec::as_slice)
@@ -75,11 +86,11 @@ impl TextNames {
     /// The ones of these definitions that can be seen from a scope.
     fn visible(
         &self,
-        (scope, at): (ScopeId, Seen),
-        named: &[GivenId],
+        (scope, at): (TextScopeId, EvaluationPoint),
+        named: &[TextDefinitionId],
         order: Option<u32>,
-        seen: &mut FastSet<ScopeId>,
-        found: &mut BTreeSet<GivenId>,
+        seen: &mut FastSet<TextScopeId>,
+        found: &mut BTreeSet<TextDefinitionId>,
     ) {
         if named.is_empty() || !seen.insert(scope) {
             return;
@@ -105,7 +116,7 @@ impl TextNames {
     }
 
     /// Whether a definition belongs to a scope.
-    fn reaches(&self, given: &Given, scope: ScopeId) -> bool {
+    fn reaches(&self, given: &TextDefinition, scope: TextScopeId) -> bool {
         if !given.handed_out {
             return given.scopes.contains(&scope);
         }
@@ -116,19 +127,21 @@ impl TextNames {
     }
 
     /// The scopes that a scope sees.
-    fn around(&self, scope: ScopeId) -> Vec<ScopeId> {
+    fn around(&self, scope: TextScopeId) -> Vec<TextScopeId> {
         match self.scopes.get(scope) {
-            Some(Scope::Namespace(_, outer)) => vec![*outer],
-            Some(Scope::Body(of) | Scope::Callers(of)) => match self.entered_from.get(&scope) {
-                Some(from) => from.clone(),
-                // nobody comes by: where it is defined
-                None => self
-                    .given
-                    .get(*of)
-                    .map(|given| given.scopes.clone())
-                    .unwrap_or_default(),
-            },
-            Some(Scope::Top) | None => Vec::new(),
+            Some(TextScope::Namespace(_, outer)) => vec![*outer],
+            Some(TextScope::Body(of) | TextScope::Callers(of)) => {
+                match self.entered_from.get(&scope) {
+                    Some(from) => from.clone(),
+                    // nobody comes by: where it is defined
+                    None => self
+                        .given
+                        .get(*of)
+                        .map(|given| given.scopes.clone())
+                        .unwrap_or_default(),
+                }
+            }
+            Some(TextScope::Top) | None => Vec::new(),
         }
     }
 
@@ -136,13 +149,13 @@ impl TextNames {
     /// may leave out.
     pub(super) fn latest(
         &self,
-        used: &Used,
-        found: BTreeSet<GivenId>,
+        used: &TextUse,
+        found: BTreeSet<TextDefinitionId>,
         left: &mut u32,
-    ) -> BTreeSet<GivenId> {
-        let given = |id: &GivenId| self.given.get(*id);
+    ) -> BTreeSet<TextDefinitionId> {
+        let given = |id: &TextDefinitionId| self.given.get(*id);
         let is_sure =
-            |id: &GivenId| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
+            |id: &TextDefinitionId| given(id).is_some_and(|given| self.is_sure(given, used.seen()));
         if used.class == Class::Argument {
             // the first one counts; macros are called later
             let outside = found
@@ -167,8 +180,9 @@ impl TextNames {
         let sure = own.iter().filter(|(_, (_, is_sure))| *is_sure);
         let last = sure.max_by_key(|(_, (order, _))| *order);
         let since = last.map_or(0, |(_, (order, _))| *order);
-        let later = |id: &GivenId| own.get(id).is_some_and(|(order, _)| *order >= since);
-        let in_scope = |id: &GivenId| given(id).is_some_and(|given| self.is_in_scope(given, used));
+        let later = |id: &TextDefinitionId| own.get(id).is_some_and(|(order, _)| *order >= since);
+        let in_scope =
+            |id: &TextDefinitionId| given(id).is_some_and(|given| self.is_in_scope(given, used));
         if used.lazy_in.is_some() {
             // it is evaluated later, when others may have been defined; those in front of a sure one are gone
             let end = self.last_use(used);
@@ -198,14 +212,18 @@ impl TextNames {
     }
 
     /// Whether a definition is made in the scope of a use, by its own text.
-    fn is_in_scope(&self, given: &Given, used: &Used) -> bool {
+    fn is_in_scope(&self, given: &TextDefinition, used: &TextUse) -> bool {
         !given.handed_out && given.scopes == used.scopes
     }
 
     /// The ones of some definitions that are made in the scope of a use and in front of it, be it by a macro that is called
     /// there and hands them out: with the order in which they are made, and whether they are sure to be.
-    fn in_front(&self, used: &Used, found: &BTreeSet<GivenId>) -> BTreeMap<GivenId, (u32, bool)> {
-        let order = |given: &Given| {
+    fn in_front(
+        &self,
+        used: &TextUse,
+        found: &BTreeSet<TextDefinitionId>,
+    ) -> BTreeMap<TextDefinitionId, (u32, bool)> {
+        let order = |given: &TextDefinition| {
             if given.handed_out {
                 return self.handed_out_order(given, used);
             }
@@ -220,7 +238,7 @@ impl TextNames {
     }
 
     /// Whether a definition is made whenever something is evaluated.
-    pub(super) fn is_sure(&self, given: &Given, at: Seen) -> bool {
+    pub(super) fn is_sure(&self, given: &TextDefinition, at: EvaluationPoint) -> bool {
         if !given.is_sure {
             return false;
         }
@@ -260,18 +278,23 @@ impl TextNames {
     }
 
     /// The macros that `name`, with namespaces, calls in these scopes.
-    pub(super) fn macros(&self, name: &str, scopes: &[ScopeId]) -> Vec<GivenId> {
+    pub(super) fn macros(&self, name: &str, scopes: &[TextScopeId]) -> Vec<TextDefinitionId> {
         let (path, last) = name.rsplit_once('.').unwrap_or(("", name));
         self.called(self.named(Class::Macro, &last.into()), path, scopes)
     }
 
     /// The ones of some macros that a call in these scopes reaches, with `path` in front of their name.
-    fn called(&self, named: &[GivenId], path: &str, scopes: &[ScopeId]) -> Vec<GivenId> {
+    fn called(
+        &self,
+        named: &[TextDefinitionId],
+        path: &str,
+        scopes: &[TextScopeId],
+    ) -> Vec<TextDefinitionId> {
         let wanted: Vec<EcoString> = scopes
             .iter()
             .map(|&scope| joined(&self.namespace(scope), path))
             .collect();
-        let is_it = |id: &&GivenId| {
+        let is_it = |id: &&TextDefinitionId| {
             let given = self.given.get(**id);
             given.is_some_and(|given| {
                 given
@@ -280,7 +303,7 @@ impl TextNames {
                     .any(|&own| wanted.contains(&self.namespace(own)))
             })
         };
-        let found: Vec<GivenId> = named.iter().filter(is_it).copied().collect();
+        let found: Vec<TextDefinitionId> = named.iter().filter(is_it).copied().collect();
         // a body may be called from a namespace that its text knows nothing of
         if found.is_empty() && path.is_empty() {
             named.to_vec()
@@ -290,17 +313,17 @@ impl TextNames {
     }
 
     /// The ones of some definitions that `ns.name` means: those of the include into `ns`.
-    fn members(&self, named: &[GivenId], used: &Used) -> Vec<GivenId> {
+    fn members(&self, named: &[TextDefinitionId], used: &TextUse) -> Vec<TextDefinitionId> {
         let inner = used
             .scopes
             .iter()
             .map(|&scope| joined(&self.namespace(scope), &used.of));
         let paths: Vec<EcoString> = inner.chain([used.of.clone()]).collect();
-        let in_it = |scope: &ScopeId| {
+        let in_it = |scope: &TextScopeId| {
             let scope = self.scopes.get(*scope);
-            matches!(scope, Some(Scope::Namespace(path, _)) if paths.contains(path))
+            matches!(scope, Some(TextScope::Namespace(path, _)) if paths.contains(path))
         };
-        let is_it = |id: &&GivenId| {
+        let is_it = |id: &&TextDefinitionId| {
             self.given
                 .get(**id)
                 .is_some_and(|given| given.scopes.iter().any(in_it))
@@ -309,18 +332,18 @@ impl TextNames {
     }
 
     /// The namespaces around a scope, joined by dots; of a macro those that it is defined in.
-    pub(super) fn namespace(&self, scope: ScopeId) -> EcoString {
+    pub(super) fn namespace(&self, scope: TextScopeId) -> EcoString {
         let mut scope = Some(scope);
         for _ in 0..MOST_STEPS {
             match scope.and_then(|scope| self.scopes.get(scope)) {
-                Some(Scope::Namespace(path, _)) => return path.clone(),
-                Some(Scope::Body(of) | Scope::Callers(of)) => {
+                Some(TextScope::Namespace(path, _)) => return path.clone(),
+                Some(TextScope::Body(of) | TextScope::Callers(of)) => {
                     scope = self
                         .given
                         .get(*of)
                         .and_then(|given| given.scopes.first().copied());
                 }
-                Some(Scope::Top) | None => break,
+                Some(TextScope::Top) | None => break,
             }
         }
         EcoString::new()
@@ -341,7 +364,7 @@ impl TextNames {
                 groups.join(used.span, id);
             }
         }
-        let wanted: FastSet<GivenId> = places
+        let wanted: FastSet<TextDefinitionId> = places
             .iter()
             .filter_map(|place| groups.of_place(*place))
             .collect();
@@ -375,7 +398,7 @@ impl TextNames {
     /// Where a name would mean something else if those at some places were called `new`.
     pub fn clash(&self, places: &[Span], new: &str) -> Option<Span> {
         let new: EcoString = new.into();
-        let group: Vec<GivenId> = self
+        let group: Vec<TextDefinitionId> = self
             .given
             .iter_ids()
             .filter(|(_, given)| places.contains(&given.span))
@@ -383,7 +406,7 @@ impl TextNames {
             .collect();
         let class = Class::of(self.given.get(*group.first()?)?.kind);
         let others = self.named(class, &new);
-        let both: Vec<GivenId> = group.iter().chain(others).copied().collect();
+        let both: Vec<TextDefinitionId> = group.iter().chain(others).copied().collect();
         let of_class = self.used.iter().filter(|used| used.class == class);
         let mut asked = of_class.filter(|used| places.contains(&used.span) || used.name == new);
         let other = asked.find(|used| {
@@ -425,19 +448,19 @@ fn joined(outer: &str, inner: &str) -> EcoString {
 /// Definitions that belong together, joined by the places that mean them.
 #[derive(Default)]
 struct Groups {
-    parents: FastMap<GivenId, GivenId>,
-    places: FastMap<Span, GivenId>,
+    parents: FastMap<TextDefinitionId, TextDefinitionId>,
+    places: FastMap<Span, TextDefinitionId>,
 }
 
 impl Groups {
-    fn root(&self, mut id: GivenId) -> GivenId {
+    fn root(&self, mut id: TextDefinitionId) -> TextDefinitionId {
         while let Some(&parent) = self.parents.get(&id) {
             id = parent;
         }
         id
     }
 
-    fn join(&mut self, place: Span, id: GivenId) {
+    fn join(&mut self, place: Span, id: TextDefinitionId) {
         let id = self.root(id);
         let known = self.places.insert(place, id).map(|known| self.root(known));
         if let Some(known) = known.filter(|known| *known != id) {
@@ -445,12 +468,12 @@ impl Groups {
         }
     }
 
-    fn of_place(&self, place: Span) -> Option<GivenId> {
+    fn of_place(&self, place: Span) -> Option<TextDefinitionId> {
         self.places.get(&place).map(|&id| self.root(id))
     }
 
     /// Whether a place is in one of some groups.
-    fn has(&self, groups: &FastSet<GivenId>, place: Span) -> bool {
+    fn has(&self, groups: &FastSet<TextDefinitionId>, place: Span) -> bool {
         self.of_place(place)
             .is_some_and(|group| groups.contains(&group))
     }

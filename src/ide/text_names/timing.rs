@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{Class, Given, GivenId, Scope, ScopeId, Seen, TextNames, Used};
+use super::{
+    Class, EvaluationPoint, TextDefinition, TextDefinitionId, TextNames, TextScope, TextScopeId,
+    TextUse,
+};
 use base::{FastMap, FastSet};
 use expand::UseKind;
 
@@ -20,17 +23,21 @@ fn wider(one: (u32, u32), other: (u32, u32)) -> (u32, u32) {
 impl TextNames {
     /// Of macros with one name, those that count when a use is evaluated: the last one that is sure to be defined then,
     /// and those behind it.
-    pub(super) fn at_that_time(&self, used: &Used, found: BTreeSet<GivenId>) -> BTreeSet<GivenId> {
+    pub(super) fn at_that_time(
+        &self,
+        used: &TextUse,
+        found: BTreeSet<TextDefinitionId>,
+    ) -> BTreeSet<TextDefinitionId> {
         if found.len() < 2 {
             return found;
         }
         if let Some(own) = self.defined_on_the_way(used, &found, &mut { MOST_STEPS }) {
             return own;
         }
-        let given = |id: &GivenId| self.given.get(*id);
+        let given = |id: &TextDefinitionId| self.given.get(*id);
         let (first, last) = self.time(used.order, &used.scopes);
         let sure = found.iter().filter(|id| self.is_before(**id, first));
-        let at = Seen {
+        let at = EvaluationPoint {
             order: first,
             ..used.seen()
         };
@@ -44,13 +51,13 @@ impl TextNames {
             .collect()
     }
 
-    fn is_before(&self, id: GivenId, time: u32) -> bool {
+    fn is_before(&self, id: TextDefinitionId, time: u32) -> bool {
         self.given.get(id).is_some_and(|given| given.order < time)
     }
 
     /// When the value that a use stands in is evaluated at the latest: when the property is last used, as far as that happens in
     /// the scope of the property.
-    pub(super) fn last_use(&self, used: &Used) -> u32 {
+    pub(super) fn last_use(&self, used: &TextUse) -> u32 {
         let property = used.lazy_in.and_then(|id| self.given.get(id));
         let Some(property) = property else {
             return u32::MAX;
@@ -64,7 +71,7 @@ impl TextNames {
             let is_here = other.lazy_in.is_none()
                 && other.kind != UseKind::Given
                 && other.scopes == property.scopes;
-            let means_it = |given: &&Given| given.span == property.span;
+            let means_it = |given: &&TextDefinition| given.span == property.span;
             match is_here {
                 true => self
                     .meaning(other)
@@ -82,10 +89,10 @@ impl TextNames {
     /// where a caller is not known.
     pub(super) fn at_each_call(
         &self,
-        used: &Used,
-        found: &BTreeSet<GivenId>,
+        used: &TextUse,
+        found: &BTreeSet<TextDefinitionId>,
         left: &mut u32,
-    ) -> Option<BTreeSet<GivenId>> {
+    ) -> Option<BTreeSet<TextDefinitionId>> {
         if found.len() < 2 {
             return None;
         }
@@ -98,7 +105,7 @@ impl TextNames {
                 if !call.of.is_empty() {
                     return None;
                 }
-                let there = Used {
+                let there = TextUse {
                     kind: used.kind,
                     class: used.class,
                     name: used.name.clone(),
@@ -115,32 +122,41 @@ impl TextNames {
     /// Of definitions with one name, those that count while the macro around a use is called. What stands outside of macros is evaluated in
     /// the order of its text: what follows the last call comes too late, and the last one that is sure in front of the first call
     /// hides those in front of it.
-    pub(super) fn at_the_calls(&self, used: &Used, found: BTreeSet<GivenId>) -> BTreeSet<GivenId> {
+    pub(super) fn at_the_calls(
+        &self,
+        used: &TextUse,
+        found: BTreeSet<TextDefinitionId>,
+    ) -> BTreeSet<TextDefinitionId> {
         let is_in_macro = used.scopes.iter().all(|&scope| self.is_called(scope));
         if found.len() < 2 || !is_in_macro {
             return found;
         }
         let (first, last) = self.time(used.order, &used.scopes);
-        let at = Seen {
+        let at = EvaluationPoint {
             order: first,
             ..used.seen()
         };
-        let given = |id: &GivenId| self.given.get(*id);
-        let outside: Vec<&Given> = found
+        let given = |id: &TextDefinitionId| self.given.get(*id);
+        let outside: Vec<&TextDefinition> = found
             .iter()
             .filter_map(given)
             .filter(|given| !given.is_in_body && !given.handed_out)
             .collect();
-        let counts = |given: &Given| {
+        let counts = |given: &TextDefinition| {
             let is_outside = outside.iter().any(|other| other.span == given.span);
             !is_outside || given.order < last && !self.is_hidden(given, &outside, at)
         };
-        let counting = |id: &GivenId| given(id).is_some_and(counts);
+        let counting = |id: &TextDefinitionId| given(id).is_some_and(counts);
         found.iter().copied().filter(counting).collect()
     }
 
     /// Whether a later one of some definitions in the same scope is sure to count instead.
-    fn is_hidden(&self, given: &Given, all: &[&Given], at: Seen) -> bool {
+    fn is_hidden(
+        &self,
+        given: &TextDefinition,
+        all: &[&TextDefinition],
+        at: EvaluationPoint,
+    ) -> bool {
         let later = given.order + 1..at.order;
         let mut hiding = all
             .iter()
@@ -149,9 +165,9 @@ impl TextNames {
     }
 
     /// Whether a scope is that of a macro with known calls.
-    fn is_called(&self, scope: ScopeId) -> bool {
+    fn is_called(&self, scope: TextScopeId) -> bool {
         match self.scopes.get(scope) {
-            Some(Scope::Body(of) | Scope::Callers(of)) => self.called_at.contains_key(of),
+            Some(TextScope::Body(of) | TextScope::Callers(of)) => self.called_at.contains_key(of),
             _ => false,
         }
     }
@@ -161,11 +177,11 @@ impl TextNames {
     /// one.
     fn defined_on_the_way(
         &self,
-        used: &Used,
-        found: &BTreeSet<GivenId>,
+        used: &TextUse,
+        found: &BTreeSet<TextDefinitionId>,
         left: &mut u32,
-    ) -> Option<BTreeSet<GivenId>> {
-        let given = |id: &GivenId| self.given.get(*id);
+    ) -> Option<BTreeSet<TextDefinitionId>> {
+        let given = |id: &TextDefinitionId| self.given.get(*id);
         let own = found.iter().filter_map(given);
         let own = own.filter_map(|given| self.own_order(given, used));
         let since = own
@@ -177,12 +193,12 @@ impl TextNames {
             None => self.defined_by_callers(used, found, left)?,
         };
         let since = since.unwrap_or(0);
-        let is_called = |scope: &ScopeId| {
+        let is_called = |scope: &TextScopeId| {
             self.macro_of(*scope).is_some_and(|of| {
                 self.is_called_between((since, used), of, &mut FastSet::default())
             })
         };
-        let counts = |given: &Given| match self.own_order(given, used) {
+        let counts = |given: &TextDefinition| match self.own_order(given, used) {
             Some((order, _)) => order >= since,
             None => given.scopes.iter().any(is_called),
         };
@@ -197,7 +213,11 @@ impl TextNames {
 
     /// When a macro that hands out a definition is last called in the scope of a use and in front of it, and whether the definition is
     /// sure to be made then.
-    pub(super) fn handed_out_order(&self, given: &Given, used: &Used) -> Option<(u32, bool)> {
+    pub(super) fn handed_out_order(
+        &self,
+        given: &TextDefinition,
+        used: &TextUse,
+    ) -> Option<(u32, bool)> {
         let makers = given.scopes.iter().filter_map(|&own| self.macro_of(own));
         let calls = makers.filter_map(|of| Some((of, self.calls_of.get(&of)?)));
         let calls = calls.flat_map(|(of, calls)| calls.iter().map(move |&call| (of, call)));
@@ -214,7 +234,7 @@ impl TextNames {
     }
 
     /// When the body around a use last defines something in front of it, itself or by an include, and whether it is sure to.
-    fn own_order(&self, given: &Given, used: &Used) -> Option<(u32, bool)> {
+    fn own_order(&self, given: &TextDefinition, used: &TextUse) -> Option<(u32, bool)> {
         let included = self.included_order(given, used);
         if included.is_some_and(|(_, is_sure)| is_sure) {
             return included;
@@ -229,9 +249,9 @@ impl TextNames {
     /// Whether the body around a use calls a macro in front of it, but behind a place, be it through others.
     fn is_called_between(
         &self,
-        within: (u32, &Used),
-        of: GivenId,
-        seen: &mut FastSet<GivenId>,
+        within: (u32, &TextUse),
+        of: TextDefinitionId,
+        seen: &mut FastSet<TextDefinitionId>,
     ) -> bool {
         let (since, used) = within;
         if !seen.insert(of) {
@@ -251,9 +271,9 @@ impl TextNames {
     }
 
     /// The macro whose body a scope is.
-    fn macro_of(&self, scope: ScopeId) -> Option<GivenId> {
+    fn macro_of(&self, scope: TextScopeId) -> Option<TextDefinitionId> {
         match self.scopes.get(scope) {
-            Some(Scope::Body(of)) => Some(*of),
+            Some(TextScope::Body(of)) => Some(*of),
             _ => None,
         }
     }
@@ -262,10 +282,10 @@ impl TextNames {
     /// stands in no body.
     fn defined_by_callers(
         &self,
-        used: &Used,
-        found: &BTreeSet<GivenId>,
+        used: &TextUse,
+        found: &BTreeSet<TextDefinitionId>,
         left: &mut u32,
-    ) -> Option<BTreeSet<GivenId>> {
+    ) -> Option<BTreeSet<TextDefinitionId>> {
         *left = left.checked_sub(1)?;
         let mut counting = BTreeSet::new();
         for &scope in &used.scopes {
@@ -279,11 +299,11 @@ impl TextNames {
 
     /// When something in these scopes is evaluated, the first time and the last, as places in the order of evaluation: what stands in
     /// a macro when that is called.
-    fn time(&self, order: u32, scopes: &[ScopeId]) -> (u32, u32) {
+    fn time(&self, order: u32, scopes: &[TextScopeId]) -> (u32, u32) {
         let mut found = NEVER;
         for scope in scopes {
             let of = match self.scopes.get(*scope) {
-                Some(Scope::Body(of) | Scope::Callers(of)) => Some(of),
+                Some(TextScope::Body(of) | TextScope::Callers(of)) => Some(of),
                 _ => None,
             };
             let time = of.map_or(Some((order, order)), |of| self.called_at.get(of).copied());
@@ -298,10 +318,10 @@ impl TextNames {
 
     /// Work out when macros are called, of which the calls are known.
     pub(super) fn set_times(&mut self) {
-        let macros: Vec<GivenId> = self.calls_of.keys().copied().collect();
+        let macros: Vec<TextDefinitionId> = self.calls_of.keys().copied().collect();
         // a call in a macro is made when that is called: what one round adds, the next hands on
         for _ in 0..MOST_CALLS {
-            let mut found: FastMap<GivenId, (u32, u32)> = FastMap::default();
+            let mut found: FastMap<TextDefinitionId, (u32, u32)> = FastMap::default();
             for of in &macros {
                 let own = self
                     .calls_of

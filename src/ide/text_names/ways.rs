@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Class, GivenId, TextNames};
+use super::{Class, TextDefinitionId, TextNames};
 use base::{FastSet, FileId, Span, TextRange};
 use expand::SymbolKind;
 use vfs::SourceFile;
@@ -44,7 +44,7 @@ impl TextNames {
     }
 
     /// The innermost macro that a text stands in, with its element.
-    fn macro_around(&self, at: Span) -> Option<(GivenId, Span)> {
+    fn macro_around(&self, at: Span) -> Option<(TextDefinitionId, Span)> {
         let macros = self
             .given
             .iter_ids()
@@ -60,7 +60,7 @@ impl TextNames {
     }
 
     /// The call of a macro that the fewest conditions stand around.
-    fn call_of(&self, documents: Documents<'_>, of: GivenId, whole: Span) -> Option<Span> {
+    fn call_of(&self, documents: Documents<'_>, of: TextDefinitionId, whole: Span) -> Option<Span> {
         let name = &self.given.get(of)?.name;
         let calls = self
             .used

@@ -3,13 +3,13 @@
 use super::super::expressions::ExprText;
 use super::{Collector, Modifiers, TokenKind};
 use base::TextRange;
-use expr::{Code, Subst, Template, Token, WordKind, parse_substitution, words};
+use expr::{Code, Subst, Template, TemplateToken, WordKind, parse_substitution, words};
 use xml::Node;
 
 const PLAIN: Modifiers = Modifiers(0);
 
 /// What an expression stands in.
-struct Site<'t, 'a> {
+struct TokenSite<'t, 'a> {
     text: &'t ExprText<'a>,
     node: Option<Node<'a>>,
 }
@@ -22,19 +22,19 @@ impl Collector<'_> {
         node: Option<Node<'_>>,
         plain: Option<(TokenKind, Modifiers)>,
     ) {
-        let site = Site { text, node };
+        let site = TokenSite { text, node };
         for token in &text.template.tokens {
-            if let (Token::Text(range), Some((kind, modifiers))) = (token, plain) {
+            if let (TemplateToken::Text(range), Some((kind, modifiers))) = (token, plain) {
                 self.add(text.range(*range), kind, modifiers);
             }
         }
         self.tokens_of(&site, &text.template);
     }
 
-    fn tokens_of(&mut self, site: &Site<'_, '_>, template: &Template) {
+    fn tokens_of(&mut self, site: &TokenSite<'_, '_>, template: &Template) {
         for token in &template.tokens {
             match token {
-                Token::Expr { range, inner, code } => {
+                TemplateToken::Expr { range, inner, code } => {
                     self.brackets(site, *range, *inner);
                     let nested = match code {
                         Code::Dynamic(nested) => {
@@ -42,15 +42,16 @@ impl Collector<'_> {
                             nested
                                 .tokens
                                 .iter()
-                                .filter(|token| !matches!(token, Token::Text(_)))
+                                .filter(|token| !matches!(token, TemplateToken::Text(_)))
                                 .collect()
                         }
                         Code::Static(_) => Vec::new(),
                     };
-                    let holes: Vec<TextRange> = nested.into_iter().map(Token::range).collect();
+                    let holes: Vec<TextRange> =
+                        nested.into_iter().map(TemplateToken::range).collect();
                     self.words(site, *inner, &holes, false);
                 }
-                Token::Subst {
+                TemplateToken::Subst {
                     range,
                     inner,
                     nested,
@@ -62,7 +63,7 @@ impl Collector<'_> {
                     }
                 }
                 // half-typed: what stands behind `${` is an expression all the same
-                Token::Invalid {
+                TemplateToken::Invalid {
                     range,
                     unclosed: Some("${"),
                 } => {
@@ -73,7 +74,7 @@ impl Collector<'_> {
         }
     }
 
-    fn brackets(&mut self, site: &Site<'_, '_>, range: TextRange, inner: TextRange) {
+    fn brackets(&mut self, site: &TokenSite<'_, '_>, range: TextRange, inner: TextRange) {
         for bracket in [
             TextRange::new(range.start, inner.start),
             TextRange::new(inner.end, range.end),
@@ -82,7 +83,7 @@ impl Collector<'_> {
         }
     }
 
-    fn substitution(&mut self, site: &Site<'_, '_>, inner: TextRange) {
+    fn substitution(&mut self, site: &TokenSite<'_, '_>, inner: TextRange) {
         let source = inner.slice(&site.text.text);
         let command = source
             .split(' ')
@@ -102,7 +103,13 @@ impl Collector<'_> {
     }
 
     /// The words of code; what stands in `holes` has its own pieces. In `$(eval)`, names are arguments.
-    fn words(&mut self, site: &Site<'_, '_>, inner: TextRange, holes: &[TextRange], is_eval: bool) {
+    fn words(
+        &mut self,
+        site: &TokenSite<'_, '_>,
+        inner: TextRange,
+        holes: &[TextRange],
+        is_eval: bool,
+    ) {
         let source = inner.slice(&site.text.text);
         let words = words(source);
         let text = |i: usize| words.get(i).map_or("", |(range, _)| range.slice(source));

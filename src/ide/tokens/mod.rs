@@ -7,7 +7,7 @@ mod tags;
 use super::context::Cx;
 use super::hover::condition;
 use base::TextRange;
-use names::Names;
+use names::KnownNames;
 use xml::{Node, NodeKind};
 
 /// What a piece of text is.
@@ -56,7 +56,7 @@ impl Modifiers {
 
 /// A piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Token {
+pub struct HighlightToken {
     /// Where it stands.
     pub range: TextRange,
     /// What it is.
@@ -66,10 +66,10 @@ pub struct Token {
 }
 
 /// The pieces of a file in order; none overlaps another. A piece may stretch over several lines.
-pub fn tokens(cx: &Cx<'_>) -> Vec<Token> {
+pub fn tokens(cx: &Cx<'_>) -> Vec<HighlightToken> {
     let mut out = Collector {
         cx,
-        names: Names::of(cx),
+        names: KnownNames::of(cx),
         found: Vec::new(),
     };
     for (base, item) in cx.source.document.parts() {
@@ -106,13 +106,13 @@ pub fn tokens(cx: &Cx<'_>) -> Vec<Token> {
 
 struct Collector<'a> {
     cx: &'a Cx<'a>,
-    names: Names,
-    found: Vec<Token>,
+    names: KnownNames,
+    found: Vec<HighlightToken>,
 }
 
 impl Collector<'_> {
     fn add(&mut self, range: TextRange, kind: TokenKind, modifiers: Modifiers) {
-        self.found.push(Token {
+        self.found.push(HighlightToken {
             range,
             kind,
             modifiers,

@@ -4,11 +4,11 @@ use super::super::context::Cx;
 use super::{Modifiers, TokenKind};
 use base::{FastMap, FastSet, TextRange};
 use expand::SymbolKind;
-use expr::{SymbolKind as GlobalKind, global_symbols};
+use expr::{BuiltinKind as GlobalKind, global_symbols};
 use xml::Node;
 
 /// The names of a file that expansion came by, and those that all expressions know.
-pub(super) struct Names {
+pub(super) struct KnownNames {
     /// By their place in the file.
     known: FastMap<TextRange, SymbolKind>,
     globals: FastMap<&'static str, (TokenKind, Modifiers)>,
@@ -16,7 +16,7 @@ pub(super) struct Names {
     properties: FastSet<String>,
 }
 
-impl Names {
+impl KnownNames {
     pub fn of(cx: &Cx<'_>) -> Self {
         let symbols = &cx.expansion.index.symbols;
         let mut known = FastMap::default();

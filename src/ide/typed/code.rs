@@ -2,14 +2,14 @@
 //! the lexer, so that quotes, escapes and brackets mean here what they mean when the expression is evaluated.
 
 use base::TextRange;
-use expr::{Token, WordKind, split, words};
+use expr::{TemplateToken, WordKind, split, words};
 
 /// Brackets of `${…}` and `$(…)` that are open inside of each other and that are looked into.
 const MOST_NESTED: usize = 8;
 
 /// What a text ends in the middle of, the innermost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unclosed<'t> {
+pub enum UnclosedCode<'t> {
     /// Behind a `$`.
     Dollar,
     /// The code of `${…`, or of `$(eval …`, in which arguments are names.
@@ -19,17 +19,17 @@ pub enum Unclosed<'t> {
 }
 
 /// What is open at the end of a text.
-pub fn unclosed(text: &str) -> Option<Unclosed<'_>> {
+pub fn unclosed(text: &str) -> Option<UnclosedCode<'_>> {
     let mut found = None;
     let mut start = 0;
     for _ in 0..MOST_NESTED {
         let rest = text.get(start..)?;
         match split(rest).tokens.last() {
-            Some(Token::Text(_)) if rest.ends_with('$') => {
-                return Some(Unclosed::Dollar);
+            Some(TemplateToken::Text(_)) if rest.ends_with('$') => {
+                return Some(UnclosedCode::Dollar);
             }
             // what is open inside is what is typed: `${xacro.load_yaml('$(find `
-            Some(Token::Invalid {
+            Some(TemplateToken::Invalid {
                 range,
                 unclosed: Some(lead),
             }) => {
@@ -37,7 +37,7 @@ pub fn unclosed(text: &str) -> Option<Unclosed<'_>> {
                 found = Some(of_bracket(lead, text.get(start..)?));
             }
             // `$$`, which the reference refuses: what is typed behind it can be helped all the same
-            Some(Token::Invalid {
+            Some(TemplateToken::Invalid {
                 range,
                 unclosed: None,
             }) => {
@@ -51,24 +51,24 @@ pub fn unclosed(text: &str) -> Option<Unclosed<'_>> {
     found
 }
 
-fn of_bracket<'t>(lead: &str, inside: &'t str) -> Unclosed<'t> {
+fn of_bracket<'t>(lead: &str, inside: &'t str) -> UnclosedCode<'t> {
     let eval = inside.strip_prefix("eval ");
     match (lead, eval) {
-        ("${", _) => Unclosed::Code {
+        ("${", _) => UnclosedCode::Code {
             code: inside,
             is_eval: false,
         },
-        (_, Some(code)) => Unclosed::Code {
+        (_, Some(code)) => UnclosedCode::Code {
             code,
             is_eval: true,
         },
-        _ => Unclosed::Substitution(inside),
+        _ => UnclosedCode::Substitution(inside),
     }
 }
 
 /// Where code ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cursor<'t> {
+pub enum CodeContext<'t> {
     /// Behind a number, or something else that no name can follow.
     Outside,
     /// In a string; what is in it begins at `start`.
@@ -91,7 +91,7 @@ pub enum Opened<'t> {
 }
 
 /// Where the text of an expression ends.
-pub fn cursor(code: &str) -> Cursor<'_> {
+pub fn cursor(code: &str) -> CodeContext<'_> {
     let words = Words::of(code);
     let Some((last, before)) = words.found.split_last() else {
         return words.name(&[], code.len());
@@ -99,18 +99,18 @@ pub fn cursor(code: &str) -> Cursor<'_> {
     let (range, kind) = *last;
     let start = range.start as usize;
     if kind == WordKind::OpenString {
-        return Cursor::Text {
+        return CodeContext::Text {
             start: start + opening_length(range.slice(code)),
             opened: words.opened(before),
         };
     }
     let touches = range.end as usize == code.len();
     match kind {
-        _ if words.is_comment_behind(range.end) => Cursor::Outside,
-        WordKind::Number if touches => Cursor::Outside,
+        _ if words.is_comment_behind(range.end) => CodeContext::Outside,
+        WordKind::Number if touches => CodeContext::Outside,
         WordKind::Name | WordKind::Keyword if touches => words.name(before, start),
-        WordKind::String => Cursor::Outside,
-        WordKind::Operator if matches!(range.slice(code), "]" | ")") => Cursor::Outside,
+        WordKind::String => CodeContext::Outside,
+        WordKind::Operator if matches!(range.slice(code), "]" | ")") => CodeContext::Outside,
         _ => words.name(&words.found, code.len()),
     }
 }
@@ -190,13 +190,13 @@ impl<'t> Words<'t> {
     }
 
     /// A name that begins at `start`, behind these tokens.
-    fn name(&self, before: &[(TextRange, WordKind)], start: usize) -> Cursor<'t> {
+    fn name(&self, before: &[(TextRange, WordKind)], start: usize) -> CodeContext<'t> {
         match before.split_last() {
             Some((dot, object)) if self.text(dot) == "." => match self.chain(object) {
-                "" => Cursor::Outside,
-                object => Cursor::Member { object, start },
+                "" => CodeContext::Outside,
+                object => CodeContext::Member { object, start },
             },
-            _ => Cursor::Name {
+            _ => CodeContext::Name {
                 start,
                 opened: self.opened(before),
             },
@@ -265,33 +265,33 @@ impl<'t> Words<'t> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cursor, Opened, Unclosed, Words, cursor, open_call, unclosed};
+    use super::{CodeContext, Opened, UnclosedCode, Words, cursor, open_call, unclosed};
 
     #[test]
     fn what_is_unclosed() {
         let code = |code| {
-            Some(Unclosed::Code {
+            Some(UnclosedCode::Code {
                 code,
                 is_eval: false,
             })
         };
         for (text, expected) in [
             ("a ${b", code("b")),
-            ("a ${b} $(arg c", Some(Unclosed::Substitution("arg c"))),
+            ("a ${b} $(arg c", Some(UnclosedCode::Substitution("arg c"))),
             (
                 "a $(eval b",
-                Some(Unclosed::Code {
+                Some(UnclosedCode::Code {
                     code: "b",
                     is_eval: true,
                 }),
             ),
             (
                 "${xacro.load_yaml('$(find ",
-                Some(Unclosed::Substitution("find ")),
+                Some(UnclosedCode::Substitution("find ")),
             ),
             ("${load_yaml('$(find x)/", code("load_yaml('$(find x)/")),
-            ("a$", Some(Unclosed::Dollar)),
-            ("${a$", Some(Unclosed::Dollar)),
+            ("a$", Some(UnclosedCode::Dollar)),
+            ("${a$", Some(UnclosedCode::Dollar)),
             ("$${a", None),
             ("$$", None),
             ("a $$ ${b", code("b")),
@@ -306,29 +306,29 @@ mod tests {
     #[test]
     fn brackets_are_opened_often() {
         let text = "${".repeat(1000);
-        assert!(matches!(unclosed(&text), Some(Unclosed::Code { .. })));
+        assert!(matches!(unclosed(&text), Some(UnclosedCode::Code { .. })));
     }
 
     #[test]
     fn cursors() {
-        let name = |start| Cursor::Name {
+        let name = |start| CodeContext::Name {
             start,
             opened: Opened::Nothing,
         };
-        let member = |object, start| Cursor::Member { object, start };
+        let member = |object, start| CodeContext::Member { object, start };
         for (code, expected) in [
             ("", name(0)),
             ("2 * m", name(4)),
             ("a and ", name(6)),
-            ("1.5", Cursor::Outside),
-            ("12", Cursor::Outside),
-            ("1.", Cursor::Outside),
+            ("1.5", CodeContext::Outside),
+            ("12", CodeContext::Outside),
+            ("1.", CodeContext::Outside),
             ("(1 + 2).", member("(1 + 2)", 8)),
             ("cam.ma", member("cam", 4)),
             ("2*cam['a.b'].", member("cam['a.b']", 13)),
-            ("cam['a']", Cursor::Outside),
-            ("a # ", Cursor::Outside),
-            (" .a", Cursor::Outside),
+            ("cam['a']", CodeContext::Outside),
+            ("a # ", CodeContext::Outside),
+            (" .a", CodeContext::Outside),
         ] {
             assert_eq!(cursor(code), expected, "{code}");
         }
@@ -336,8 +336,8 @@ mod tests {
 
     #[test]
     fn brackets_in_front_of_the_cursor() {
-        let text = |start, opened| Cursor::Text { start, opened };
-        let name = |start, opened| Cursor::Name { start, opened };
+        let text = |start, opened| CodeContext::Text { start, opened };
+        let name = |start, opened| CodeContext::Name { start, opened };
         for (code, expected) in [
             ("cam['", text(5, Opened::Index("cam"))),
             ("a.cam[ 'k", text(8, Opened::Index("a.cam"))),
@@ -361,7 +361,7 @@ mod tests {
     fn escaped_quotes() {
         assert_eq!(
             cursor(r"f('\'"),
-            Cursor::Text {
+            CodeContext::Text {
                 start: 3,
                 opened: Opened::Call("f")
             }
@@ -369,7 +369,7 @@ mod tests {
         assert_eq!(open_call(r"f('\'(', "), Some(("f", 1)));
         assert_eq!(
             cursor(r"d['\')'].x"),
-            Cursor::Member {
+            CodeContext::Member {
                 object: r"d['\')']",
                 start: 9
             }

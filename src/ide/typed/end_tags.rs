@@ -1,6 +1,6 @@
 //! End tags that are missing, and those that are too many.
 
-use xml::{Document, Node, NodeKind, Part};
+use xml::{Document, DocumentPart, Node, NodeKind};
 
 /// Whether an element of the document has an end tag, and one of its own name.
 pub fn has_end_tag(document: &Document, node: Node<'_>) -> bool {
@@ -29,10 +29,10 @@ pub fn is_surplus(document: &Document, offset: u32, name: &str) -> bool {
     let mut offset = offset;
     loop {
         let next = match owner(document, offset) {
-            Owner::Nothing => return true,
-            Owner::Root => return is_junk_of(document.epilog(), name) == Some(true),
-            Owner::Element(node, _) if node.name() != name => return true,
-            Owner::Element(node, base) => behind(document, node, base, name),
+            ClosedElement::Nothing => return true,
+            ClosedElement::Root => return is_junk_of(document.epilog(), name) == Some(true),
+            ClosedElement::Element(node, _) if node.name() != name => return true,
+            ClosedElement::Element(node, base) => behind(document, node, base, name),
         };
         match next {
             Next::EndTag(at) => offset = at,
@@ -42,26 +42,26 @@ pub fn is_surplus(document: &Document, offset: u32, name: &str) -> bool {
 }
 
 /// What an end tag closes.
-enum Owner<'a> {
+enum ClosedElement<'a> {
     Nothing,
     Root,
     /// An element, and where its item begins.
     Element(Node<'a>, u32),
 }
 
-fn owner(document: &Document, offset: u32) -> Owner<'_> {
+fn owner(document: &Document, offset: u32) -> ClosedElement<'_> {
     if document
         .root_end_tag()
         .is_some_and(|tag| tag.start == offset)
     {
-        return Owner::Root;
+        return ClosedElement::Root;
     }
     let place = document.item_at(offset);
     let inside = offset - place.start;
     let is_it = |node: &Node<'_>| node.end_tag().is_some_and(|tag| tag.start == inside);
     match place.item.all_nodes().find(is_it) {
-        Some(node) => Owner::Element(node, place.start),
-        None => Owner::Nothing,
+        Some(node) => ClosedElement::Element(node, place.start),
+        None => ClosedElement::Nothing,
     }
 }
 
@@ -102,7 +102,7 @@ fn behind_item(document: &Document, end: u32, name: &str) -> Next {
     }
     let root = document
         .root_end_tag()
-        .filter(|_| place.part == Part::Footer);
+        .filter(|_| place.part == DocumentPart::Footer);
     let is_named = document.root().is_some_and(|root| root.name() == name);
     match root {
         Some(tag) if is_named => Next::EndTag(tag.start),

@@ -7,15 +7,15 @@
 
 mod code;
 mod end_tags;
-mod place;
 mod tag;
 #[cfg(test)]
 mod tests;
+mod typed_text;
 
-pub use code::{Cursor, Opened, Unclosed, cursor, open_call, unclosed};
+pub use code::{CodeContext, Opened, UnclosedCode, cursor, open_call, unclosed};
 pub use end_tags::{ended_at, has_end_tag, is_surplus};
 
-use tag::Tag;
+use tag::TypedTag;
 use xml::{Document, Node};
 
 /// What is being typed.
@@ -55,13 +55,13 @@ pub struct Typed<'a> {
     /// The offset in the document.
     pub offset: u32,
     /// The start tag that is typed.
-    tag: Option<Tag<'a>>,
+    tag: Option<TypedTag<'a>>,
 }
 
 /// What is being typed at `offset`.
 pub fn typed(document: &Document, offset: u32) -> Typed<'_> {
     let offset = offset.min(document.len());
-    let found = place::find(document, offset);
+    let found = typed_text::find(document, offset);
     let in_front = document.item_at(offset.saturating_sub(1));
     let text_before = part_of(in_front.item.text(), 0, offset - in_front.start);
     let before = match found.start.checked_sub(in_front.start) {
@@ -69,7 +69,7 @@ pub fn typed(document: &Document, offset: u32) -> Typed<'_> {
         None => "",
     };
     let behind = document.item_at(offset);
-    let open = place::open_at(document, found.around);
+    let open = typed_text::open_at(document, found.around);
     let just_opened = match found.what {
         Typing::Content => just_opened(document, &open, offset, found.start),
         _ => None,
@@ -125,7 +125,7 @@ impl<'a> Typed<'a> {
     /// How much of the text behind the offset still belongs to the value: up to its quote, where that stands on
     /// the same line.
     pub fn rest_of_value(&self) -> u32 {
-        let attrs = self.tag.into_iter().flat_map(|Tag { node, base }| {
+        let attrs = self.tag.into_iter().flat_map(|TypedTag { node, base }| {
             let quoted = node.attrs().filter(|attr| attr.is_quoted());
             quoted.map(move |attr| attr.value_range().shift(base))
         });
@@ -167,7 +167,7 @@ impl<'a> Typed<'a> {
 
     /// Whether the start tag that is typed has an attribute beside the one that is typed.
     pub fn has_attr(&self, name: &str) -> bool {
-        let Some(Tag { node, base }) = self.tag else {
+        let Some(TypedTag { node, base }) = self.tag else {
             return false;
         };
         node.attrs()

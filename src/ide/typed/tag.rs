@@ -1,12 +1,12 @@
 //! What is typed in a start tag.
 
 use super::Typing;
-use super::place::{Found, Spot};
+use super::typed_text::{Spot, TypedText};
 use xml::{Attr, Node};
 
 /// A start tag that is typed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tag<'a> {
+pub(super) struct TypedTag<'a> {
     pub node: Node<'a>,
     /// Where its item begins.
     pub base: u32,
@@ -14,7 +14,7 @@ pub(super) struct Tag<'a> {
 
 impl<'a> Spot<'a> {
     /// What is typed in the start tag of an element, or behind one without an end.
-    pub fn in_tag(&self, node: Node<'a>, gap: &str) -> Option<Found<'a>> {
+    pub fn in_tag(&self, node: Node<'a>, gap: &str) -> Option<TypedText<'a>> {
         let end = node.start_tag_range().end;
         let is_inside = self.inside < end || self.inside == end && !is_finished(node);
         // where the `>` is taken for that of the tag, the value ends with the line at the latest
@@ -26,8 +26,8 @@ impl<'a> Spot<'a> {
         }
         let (what, start) = self.part_of_tag(node, gap);
         let (base, tag) = (self.base, node.range().start);
-        Some(Found {
-            tag: Some(Tag { node, base }),
+        Some(TypedText {
+            tag: Some(TypedTag { node, base }),
             ..self.found(what, start, tag)
         })
     }

@@ -5,8 +5,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use super::dae_geometry::{Arrays, Surfaced, numbers, triangles};
 use super::defect::{Defect, DefectKind};
-use super::draft::{Dependency, Draft, UpAxis};
-use super::placed::Placed;
+use super::draft::{Dependency, MeshBuilder, UpAxis};
+use super::node_transform::NodeTransform;
 use base::FastMap;
 use base::limits::{MESH_NODES, MESH_VISITS};
 
@@ -14,7 +14,7 @@ use base::limits::{MESH_NODES, MESH_VISITS};
 const MOST_BOUND: usize = 256;
 
 /// Read a Collada file. Some exporters write `<` into attributes, and most readers do not mind.
-pub(super) fn read(text: &str, draft: &mut Draft) -> Result<(), Defect> {
+pub(super) fn read(text: &str, draft: &mut MeshBuilder) -> Result<(), Defect> {
     match parse(text) {
         Ok(document) => document_of(&document, draft),
         Err(defect) if defect.kind == DefectKind::Corrupt => {
@@ -69,13 +69,13 @@ fn with_escaped_attributes(text: &str) -> String {
     escaped
 }
 
-fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect> {
+fn document_of(document: &Document<'_>, draft: &mut MeshBuilder) -> Result<(), Defect> {
     let root = document.root_element();
     if root.tag_name().name() != "COLLADA" {
         return Err(Defect::corrupt("its root element is not `COLLADA`"));
     }
     header(root, draft);
-    let mut scene = Scene {
+    let mut scene = ColladaScene {
         ids: FastMap::default(),
         by_kind: FastMap::default(),
         made: FastMap::default(),
@@ -96,7 +96,7 @@ fn document_of(document: &Document<'_>, draft: &mut Draft) -> Result<(), Defect>
 }
 
 /// Unit, up axis and textures.
-fn header(root: Node<'_, '_>, draft: &mut Draft) {
+fn header(root: Node<'_, '_>, draft: &mut MeshBuilder) {
     if let Some(asset) = child(root, "asset") {
         let unit = child(asset, "unit").and_then(|unit| unit.attribute("meter"));
         draft.unit = unit
@@ -127,16 +127,16 @@ fn header(root: Node<'_, '_>, draft: &mut Draft) {
 }
 
 /// A file on its way to triangles.
-struct Scene<'a, 'input, 'd> {
+struct ColladaScene<'a, 'input, 'd> {
     ids: FastMap<&'a str, Node<'a, 'input>>,
     /// The same by the kind of element.
     by_kind: FastMap<(&'a str, &'a str), Node<'a, 'input>>,
     made: FastMap<&'a str, Surfaced<Option<&'a str>>>,
     arrays: Arrays,
-    draft: &'d mut Draft,
+    draft: &'d mut MeshBuilder,
 }
 
-impl<'a, 'input> Scene<'a, 'input, '_> {
+impl<'a, 'input> ColladaScene<'a, 'input, '_> {
     fn read(&mut self, root: Node<'a, 'input>) -> Result<(), Defect> {
         let unit = self.draft.unit.unwrap_or(1.0);
         let start = Matrix4::new_scaling(unit);
@@ -211,7 +211,7 @@ impl<'a, 'input> Scene<'a, 'input, '_> {
             self.made
                 .insert(id, triangles(geometry, &self.ids, &mut self.arrays)?);
         }
-        let placed = Placed::new(*at);
+        let placed = NodeTransform::new(*at);
         let Some(Surfaced {
             triangles,
             materials,

@@ -7,16 +7,16 @@ use roxmltree::{Node, NodeId};
 
 use super::dae::{child, children, fragment};
 use super::defect::Defect;
-use super::soup::Point;
+use super::soup::MeshPoint;
 use base::FastMap;
 
 /// Corners of triangles in the frame of a geometry.
-pub(super) type Triangles = Vec<[Point; 3]>;
+pub(super) type TriangleList = Vec<[MeshPoint; 3]>;
 
 /// Triangles, and from which one on there is which material.
 #[derive(Debug)]
 pub(super) struct Surfaced<M> {
-    pub(super) triangles: Triangles,
+    pub(super) triangles: TriangleList,
     pub(super) materials: Vec<(usize, M)>,
 }
 
@@ -37,7 +37,7 @@ impl<M> Surfaced<M> {
 }
 
 /// Arrays that were read, with their stride: a file may name the same large one again and again.
-pub(super) type Arrays = FastMap<(NodeId, usize), Rc<[Point]>>;
+pub(super) type Arrays = FastMap<(NodeId, usize), Rc<[MeshPoint]>>;
 
 /// The triangles of a `geometry`.
 pub(super) fn triangles<'a, 'input>(
@@ -72,7 +72,7 @@ pub(super) fn triangles<'a, 'input>(
 }
 
 /// How the indices of a primitive are laid out.
-struct Layout {
+struct IndexLayout {
     /// Indices for each corner.
     stride: usize,
     /// Which of them is the vertex.
@@ -80,7 +80,7 @@ struct Layout {
 }
 
 /// The id of the vertices and the layout of a primitive.
-fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, Layout)> {
+fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, IndexLayout)> {
     let offset = |input: Node<'_, '_>| -> usize {
         input
             .attribute("offset")
@@ -92,7 +92,7 @@ fn layout<'a>(part: Node<'a, '_>) -> Option<(&'a str, Layout)> {
     let stride = children(part, "input").map(offset).max()?.checked_add(1)?;
     Some((
         fragment(vertex.attribute("source")?)?,
-        Layout {
+        IndexLayout {
             stride,
             offset: offset(vertex),
         },
@@ -118,7 +118,7 @@ fn points<'a, 'input>(
     vertices: Node<'a, 'input>,
     ids: &FastMap<&'a str, Node<'a, 'input>>,
     arrays: &mut Arrays,
-) -> Result<Rc<[Point]>, Defect> {
+) -> Result<Rc<[MeshPoint]>, Defect> {
     let missing = || Defect::corrupt("its vertices have no positions");
     let position =
         children(vertices, "input").find(|input| input.attribute("semantic") == Some("POSITION"));
@@ -132,7 +132,7 @@ fn points<'a, 'input>(
         return Ok(known.clone());
     }
     let values: Vec<f64> = numbers(array)?;
-    let points: Rc<[Point]> = values
+    let points: Rc<[MeshPoint]> = values
         .chunks(stride)
         .filter_map(|chunk| chunk.first_chunk::<3>().copied())
         .collect();
@@ -156,9 +156,9 @@ pub(super) fn numbers<T: FromStr>(element: Node<'_, '_>) -> Result<Vec<T>, Defec
 
 fn primitive(
     part: Node<'_, '_>,
-    layout: &Layout,
-    points: &[Point],
-    found: &mut Triangles,
+    layout: &IndexLayout,
+    points: &[MeshPoint],
+    found: &mut TriangleList,
 ) -> Result<(), Defect> {
     let lists =
         children(part, "p").chain(children(part, "ph").filter_map(|holes| child(holes, "p")));
@@ -201,7 +201,11 @@ fn primitive(
 }
 
 /// The corners that a list of indices names.
-fn corners(list: Node<'_, '_>, layout: &Layout, points: &[Point]) -> Result<Vec<Point>, Defect> {
+fn corners(
+    list: Node<'_, '_>,
+    layout: &IndexLayout,
+    points: &[MeshPoint],
+) -> Result<Vec<MeshPoint>, Defect> {
     let indices: Vec<i64> = numbers(list)?;
     let vertices = indices
         .chunks_exact(layout.stride)
@@ -216,7 +220,7 @@ fn corners(list: Node<'_, '_>, layout: &Layout, points: &[Point]) -> Result<Vec<
 }
 
 /// A polygon, or a fan, as triangles around its first corner.
-pub(super) fn fan(corners: &[Point], found: &mut Triangles) {
+pub(super) fn fan(corners: &[MeshPoint], found: &mut TriangleList) {
     if let Some((first, rest)) = corners.split_first() {
         found.extend(
             rest.iter()
@@ -227,7 +231,7 @@ pub(super) fn fan(corners: &[Point], found: &mut Triangles) {
 }
 
 /// A strip as triangles: every second one is turned.
-pub(super) fn strip(corners: &[Point], found: &mut Triangles) {
+pub(super) fn strip(corners: &[MeshPoint], found: &mut TriangleList) {
     for (window, turned) in corners.windows(3).zip([false, true].into_iter().cycle()) {
         if let &[a, b, c] = window {
             found.push(if turned { [b, a, c] } else { [a, b, c] });

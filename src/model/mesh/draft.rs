@@ -54,7 +54,7 @@ impl Dependency {
 
 /// What a reader has found so far.
 #[derive(Debug)]
-pub(super) struct Draft {
+pub(super) struct MeshBuilder {
     pub(super) format: MeshFormat,
     pub(super) soup: Soup,
     /// Meters a unit, where the file says so.
@@ -67,7 +67,7 @@ pub(super) struct Draft {
     pub(super) tinted: bool,
 }
 
-impl Draft {
+impl MeshBuilder {
     pub(super) fn new(format: MeshFormat) -> Self {
         let (soup, dependencies) = (Soup::default(), Vec::new());
         Self {

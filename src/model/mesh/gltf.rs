@@ -5,18 +5,22 @@ use std::cell::Cell;
 use nalgebra::{Matrix4, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use super::defect::Defect;
-use super::draft::{Dependency, Draft, UpAxis};
-use super::gltf_json::{Buffer, Gltf, Node};
+use super::draft::{Dependency, MeshBuilder, UpAxis};
+use super::gltf_json::{Gltf, GltfBuffer, GltfNode};
 use super::gltf_mesh::{Data, triangles};
-use super::placed::Placed;
+use super::node_transform::NodeTransform;
 use base::FastSet;
 use base::limits::{MESH_ELEMENTS, MESH_VISITS};
 
 /// Reads a file beside the mesh; none when it is not there.
-pub(super) type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
+pub(super) type FileLoader<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 /// Read a glTF file.
-pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
+pub(super) fn read(
+    bytes: &[u8],
+    beside: FileLoader<'_>,
+    draft: &mut MeshBuilder,
+) -> Result<(), Defect> {
     let (json, binary) = if bytes.starts_with(b"glTF") {
         chunks(bytes)?
     } else {
@@ -119,9 +123,9 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Defect> {
 
 /// The bytes of a buffer; none when its file is missing, which is a dependency of its own.
 fn buffer_bytes(
-    buffer: &Buffer,
+    buffer: &GltfBuffer,
     binary: Option<&[u8]>,
-    beside: Beside<'_>,
+    beside: FileLoader<'_>,
 ) -> Result<Option<Vec<u8>>, Defect> {
     let Some(uri) = buffer.uri.as_deref() else {
         let bytes = binary
@@ -143,7 +147,7 @@ fn buffer_bytes(
 }
 
 /// Take the triangles of the scene that is shown.
-fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> {
+fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut MeshBuilder) -> Result<(), Defect> {
     let scene = gltf.scenes.get(gltf.scene.unwrap_or(0));
     // without a scene, there is what is in the nodes that no node holds
     let tops = match scene {
@@ -176,7 +180,7 @@ fn scene(gltf: &Gltf, data: &Data<'_>, draft: &mut Draft) -> Result<(), Defect> 
         let here = around * transform(node);
         open.extend(node.children.iter().map(|&child| (child, here)));
         if let Some(mesh) = node.mesh {
-            let placed = Placed::new(here);
+            let placed = NodeTransform::new(here);
             let found = triangles(data, mesh)?;
             let mut materials = found.materials.into_iter().peekable();
             for (number, corners) in found.triangles.into_iter().enumerate() {
@@ -212,7 +216,7 @@ fn color(gltf: &Gltf, material: usize) -> Option<[f64; 4]> {
     Some([r, g, b, a])
 }
 
-fn transform(node: &Node) -> Matrix4<f64> {
+fn transform(node: &GltfNode) -> Matrix4<f64> {
     if let Some(matrix) = &node.matrix {
         return Matrix4::from_column_slice(matrix);
     }

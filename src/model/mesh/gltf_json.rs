@@ -6,26 +6,26 @@ use serde::Deserialize;
 #[serde(default, rename_all = "camelCase")]
 pub(super) struct Gltf {
     pub(super) scene: Option<usize>,
-    pub(super) scenes: Vec<Scene>,
-    pub(super) nodes: Vec<Node>,
-    pub(super) meshes: Vec<Mesh>,
+    pub(super) scenes: Vec<GltfScene>,
+    pub(super) nodes: Vec<GltfNode>,
+    pub(super) meshes: Vec<GltfMesh>,
     pub(super) accessors: Vec<Accessor>,
     pub(super) buffer_views: Vec<BufferView>,
-    pub(super) buffers: Vec<Buffer>,
-    pub(super) images: Vec<Buffer>,
-    pub(super) materials: Vec<Material>,
+    pub(super) buffers: Vec<GltfBuffer>,
+    pub(super) images: Vec<GltfBuffer>,
+    pub(super) materials: Vec<GltfMaterial>,
     pub(super) extensions_required: Vec<String>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Scene {
+pub(super) struct GltfScene {
     pub(super) nodes: Vec<usize>,
 }
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Node {
+pub(super) struct GltfNode {
     pub(super) children: Vec<usize>,
     pub(super) mesh: Option<usize>,
     pub(super) matrix: Option<[f64; 16]>,
@@ -36,7 +36,7 @@ pub(super) struct Node {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Mesh {
+pub(super) struct GltfMesh {
     pub(super) primitives: Vec<Primitive>,
 }
 
@@ -51,7 +51,7 @@ pub(super) struct Primitive {
 
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-pub(super) struct Material {
+pub(super) struct GltfMaterial {
     pub(super) pbr_metallic_roughness: Roughness,
 }
 
@@ -90,6 +90,6 @@ pub(super) struct BufferView {
 /// A buffer or an image: data of its own, or those of a file.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
-pub(super) struct Buffer {
+pub(super) struct GltfBuffer {
     pub(super) uri: Option<String>,
 }

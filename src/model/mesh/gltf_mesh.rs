@@ -5,7 +5,7 @@ use std::cell::Cell;
 use super::dae_geometry::{Surfaced, fan, strip};
 use super::defect::Defect;
 use super::gltf_json::{Accessor, Gltf, Primitive};
-use super::soup::Point;
+use super::soup::MeshPoint;
 use base::limits::MESH_ELEMENTS;
 
 const BYTE: u32 = 5121;
@@ -43,7 +43,7 @@ pub(super) fn triangles(data: &Data<'_>, mesh: usize) -> Result<Surfaced<Option<
 }
 
 /// The corners of a primitive in the order of its indices.
-fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect> {
+fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<MeshPoint>, Defect> {
     let Some(position) = primitive.attributes.position else {
         return Ok(Vec::new());
     };
@@ -53,7 +53,7 @@ fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect>
             "its positions are not stored as three floats",
         ));
     }
-    let points: Vec<Point> = elements(data, accessor, 12)?.map(point).collect();
+    let points: Vec<MeshPoint> = elements(data, accessor, 12)?.map(point).collect();
     let Some(indices) = primitive.indices else {
         return Ok(points);
     };
@@ -78,7 +78,7 @@ fn corners(data: &Data<'_>, primitive: &Primitive) -> Result<Vec<Point>, Defect>
         .collect()
 }
 
-fn point(bytes: &[u8]) -> Point {
+fn point(bytes: &[u8]) -> MeshPoint {
     let mut numbers = bytes
         .as_chunks::<4>()
         .0

@@ -23,7 +23,7 @@ pub struct Meshes {
 
 /// A file that a mesh needs and that is not there.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Missing {
+pub struct MissingDependency {
     /// Its name as it is written.
     pub name: String,
     /// Whether it is an absolute path of Windows.
@@ -92,7 +92,7 @@ impl Meshes {
         path: &Path,
         mesh: &Mesh,
         belongs: &dyn Fn(&Path) -> bool,
-    ) -> Vec<Missing> {
+    ) -> Vec<MissingDependency> {
         let mut missing = Vec::new();
         if mesh.dependencies.is_empty() || !belongs(path) {
             return missing;
@@ -109,7 +109,7 @@ impl Meshes {
                 && words.iter().any(|word| find(vfs, path, word).is_some());
             for name in if is_list { words } else { vec![name.as_str()] } {
                 match find(vfs, path, name) {
-                    None => missing.push(Missing::new(name, None)),
+                    None => missing.push(MissingDependency::new(name, None)),
                     Some(library) if *is_material_library && belongs(&library) => {
                         missing.extend(self.missing_textures(vfs, &library, name));
                     }
@@ -150,7 +150,7 @@ impl Meshes {
         files
     }
 
-    fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<Missing> {
+    fn missing_textures(&self, vfs: &Vfs, library: &Path, name: &str) -> Vec<MissingDependency> {
         let make = |bytes: Vec<u8>| obj::textures(&bytes);
         let textures = vfs
             .cached_read(&self.textures, library, MATERIAL_BYTES, make)
@@ -158,12 +158,12 @@ impl Meshes {
         let gone = textures
             .iter()
             .filter(|texture| find(vfs, library, texture).is_none());
-        gone.map(|texture| Missing::new(texture, Some(name)))
+        gone.map(|texture| MissingDependency::new(texture, Some(name)))
             .collect()
     }
 }
 
-impl Missing {
+impl MissingDependency {
     fn new(name: &str, named_in: Option<&str>) -> Self {
         let path = name.trim_start_matches("file:").trim_start_matches('/');
         let drive = path

@@ -13,8 +13,8 @@ mod gltf_json;
 mod gltf_mesh;
 mod library;
 mod mtl;
+mod node_transform;
 mod obj;
-mod placed;
 mod rewrite;
 mod soup;
 mod stl;
@@ -26,13 +26,13 @@ mod triangles;
 pub use bounds::Bounds;
 pub use defect::{Defect, DefectKind};
 pub use draft::{Dependency, MeshFormat, UpAxis};
-pub use library::{Meshes, Missing};
+pub use library::{Meshes, MissingDependency};
 pub use rewrite::plain_stl;
 pub use topology::Edges;
 pub use triangles::Triangles;
 
-use draft::Draft;
-use gltf::Beside;
+use draft::MeshBuilder;
+use gltf::FileLoader;
 use soup::Soup;
 
 /// A mesh file.
@@ -67,13 +67,13 @@ pub struct Surface {
 
 impl Mesh {
     /// Read a file from its ending (small letters, without point) and bytes; `beside` reads a file that it names.
-    pub fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Self {
+    pub fn read(ending: &str, bytes: &[u8], beside: FileLoader<'_>) -> Self {
         let (draft, read) = draft(ending, bytes, beside, false);
         Self::of(draft, read)
     }
 
-    fn of(draft: Draft, read: Result<(), Defect>) -> Self {
-        let Draft {
+    fn of(draft: MeshBuilder, read: Result<(), Defect>) -> Self {
+        let MeshBuilder {
             format,
             soup,
             unit,
@@ -106,9 +106,9 @@ impl Mesh {
 fn draft(
     ending: &str,
     bytes: &[u8],
-    beside: Beside<'_>,
+    beside: FileLoader<'_>,
     tinted: bool,
-) -> (Draft, Result<(), Defect>) {
+) -> (MeshBuilder, Result<(), Defect>) {
     let format = match ending {
         "stl" => MeshFormat::StlBinary { solid: false },
         "obj" => MeshFormat::Obj,
@@ -116,9 +116,9 @@ fn draft(
         "gltf" | "glb" => MeshFormat::Gltf,
         _ => MeshFormat::Other,
     };
-    let mut draft = Draft {
+    let mut draft = MeshBuilder {
         tinted,
-        ..Draft::new(format)
+        ..MeshBuilder::new(format)
     };
     let read = match format {
         _ if is_lfs_pointer(bytes) => Err(lfs_pointer()),

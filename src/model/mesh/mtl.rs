@@ -1,6 +1,6 @@
 //! Colors of the material libraries of OBJ.
 
-use super::gltf::Beside;
+use super::gltf::FileLoader;
 use super::obj::logical_lines;
 use base::FastMap;
 
@@ -16,7 +16,7 @@ pub(super) struct Colors {
 
 impl Colors {
     /// Read the library that a mesh names; several may be named in one line.
-    pub(super) fn read(&mut self, name: &str, beside: Beside<'_>) {
+    pub(super) fn read(&mut self, name: &str, beside: FileLoader<'_>) {
         let whole = beside(name).map(|bytes| vec![bytes]);
         let found = whole.unwrap_or_else(|| name.split_whitespace().filter_map(beside).collect());
         for bytes in found {

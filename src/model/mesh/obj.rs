@@ -3,17 +3,21 @@
 use std::borrow::Cow;
 
 use super::defect::Defect;
-use super::draft::{Dependency, Draft};
-use super::gltf::Beside;
+use super::draft::{Dependency, MeshBuilder};
+use super::gltf::FileLoader;
 use super::mtl::Colors;
-use super::soup::Point;
+use super::soup::MeshPoint;
 use base::limits::MESH_FILES;
 
 /// Read an OBJ file.
-pub(super) fn read(bytes: &[u8], beside: Beside<'_>, draft: &mut Draft) -> Result<(), Defect> {
+pub(super) fn read(
+    bytes: &[u8],
+    beside: FileLoader<'_>,
+    draft: &mut MeshBuilder,
+) -> Result<(), Defect> {
     let text = String::from_utf8_lossy(bytes);
     let mut colors = Colors::default();
-    let mut points: Vec<Point> = Vec::new();
+    let mut points: Vec<MeshPoint> = Vec::new();
     for (number, line) in logical_lines(&text) {
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((&line, ""));
         match word {
@@ -87,14 +91,14 @@ fn without_comment(line: &str) -> &str {
     line.split('#').next().unwrap_or_default().trim()
 }
 
-fn point(text: &str) -> Option<Point> {
+fn point(text: &str) -> Option<MeshPoint> {
     let mut numbers = text.split_ascii_whitespace().map(|word| word.parse().ok());
     Some([numbers.next()??, numbers.next()??, numbers.next()??])
 }
 
 /// Take a polygon as a fan of triangles. One of one or two corners, which some exporters write, is a point or an edge: readers
 /// draw nothing there.
-fn face(text: &str, points: &[Point], draft: &mut Draft) -> Result<(), Defect> {
+fn face(text: &str, points: &[MeshPoint], draft: &mut MeshBuilder) -> Result<(), Defect> {
     let mut corners = text
         .split_ascii_whitespace()
         .map(|word| corner(word, points));
@@ -112,7 +116,7 @@ fn face(text: &str, points: &[Point], draft: &mut Draft) -> Result<(), Defect> {
 }
 
 /// The point that `7/1/3` means: counted from 1, or backwards from the last one so far.
-fn corner(word: &str, points: &[Point]) -> Result<Point, Defect> {
+fn corner(word: &str, points: &[MeshPoint]) -> Result<MeshPoint, Defect> {
     let index = word.split('/').next().unwrap_or_default();
     let number: Option<i64> = index.parse().ok();
     let place = number.and_then(|number| match number {

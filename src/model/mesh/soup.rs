@@ -5,13 +5,13 @@ use base::FastMap;
 use base::limits::MESH_TRIANGLES;
 
 /// A point, meters.
-pub(super) type Point = [f64; 3];
+pub(super) type MeshPoint = [f64; 3];
 
 /// Triangles over points that are stored once each.
 #[derive(Debug, Default)]
 pub(super) struct Soup {
     /// The points, each different from the others.
-    pub(super) points: Vec<Point>,
+    pub(super) points: Vec<MeshPoint>,
     /// Corners as indices of points, counter-clockwise seen from outside.
     pub(super) triangles: Vec<[u32; 3]>,
     /// From which triangle on there is which color: red, green, blue, opacity.
@@ -24,7 +24,7 @@ impl Soup {
     ///
     /// # Errors
     /// When a corner is no finite point, and when there are too many triangles.
-    pub(super) fn push(&mut self, corners: [Point; 3]) -> Result<(), Defect> {
+    pub(super) fn push(&mut self, corners: [MeshPoint; 3]) -> Result<(), Defect> {
         if corners.iter().flatten().any(|number| !number.is_finite()) {
             let number = self.triangles.len() + 1;
             return Err(Defect::corrupt(format!(
@@ -52,7 +52,7 @@ impl Soup {
         }
     }
 
-    fn point(&mut self, point: Point) -> u32 {
+    fn point(&mut self, point: MeshPoint) -> u32 {
         // adding zero makes minus zero zero
         let key = point.map(|number| (number + 0.0).to_bits());
         *self.known.entry(key).or_insert_with(|| {
@@ -68,7 +68,7 @@ impl Soup {
     }
 
     /// The corners of a triangle.
-    pub(super) fn corners(&self, triangle: [u32; 3]) -> [Point; 3] {
+    pub(super) fn corners(&self, triangle: [u32; 3]) -> [MeshPoint; 3] {
         triangle.map(|index| self.points.get(index as usize).copied().unwrap_or_default())
     }
 }

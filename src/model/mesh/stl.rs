@@ -1,8 +1,8 @@
 //! STL, binary and as text.
 
 use super::defect::Defect;
-use super::draft::{Draft, MeshFormat};
-use super::soup::Point;
+use super::draft::{MeshBuilder, MeshFormat};
+use super::soup::MeshPoint;
 
 /// Bytes in front of the number of triangles.
 const HEADER: usize = 80;
@@ -15,7 +15,7 @@ const NORMAL: usize = 3;
 ///
 /// Binary files tell themselves by their size: many of them begin with the word `solid`, which should be a sign
 /// of text.
-pub(super) fn read(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
+pub(super) fn read(bytes: &[u8], draft: &mut MeshBuilder) -> Result<(), Defect> {
     let count = count(bytes);
     let solid = starts_with_solid(bytes);
     let fits = count.is_some_and(|count| size_for(count) == bytes.len() as u64);
@@ -63,7 +63,7 @@ fn has_word(bytes: &[u8], word: &[u8]) -> bool {
         .any(|window| window.eq_ignore_ascii_case(word))
 }
 
-fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
+fn binary(bytes: &[u8], count: u32, draft: &mut MeshBuilder) -> Result<(), Defect> {
     let (expected, size) = (size_for(count), bytes.len() as u64);
     if size < expected {
         let message =
@@ -88,15 +88,15 @@ fn binary(bytes: &[u8], count: u32, draft: &mut Draft) -> Result<(), Defect> {
             .iter()
             .skip(NORMAL)
             .map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
-        let corners: [Point; 3] =
+        let corners: [MeshPoint; 3] =
             std::array::from_fn(|_| std::array::from_fn(|_| numbers.next().unwrap_or(f64::NAN)));
         draft.soup.push(corners)?;
     }
     Ok(())
 }
 
-fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
-    let mut corners: Vec<Point> = Vec::new();
+fn text(bytes: &[u8], draft: &mut MeshBuilder) -> Result<(), Defect> {
+    let mut corners: Vec<MeshPoint> = Vec::new();
     for (number, line) in (1..).zip(bytes.split(|&byte| byte == b'\n')) {
         let mut words = line
             .split(u8::is_ascii_whitespace)
@@ -115,7 +115,7 @@ fn text(bytes: &[u8], draft: &mut Draft) -> Result<(), Defect> {
                 corners.push([x, y, z]);
             }
             if word.eq_ignore_ascii_case(b"endloop") {
-                let Ok(triangle) = <[Point; 3]>::try_from(corners.as_slice()) else {
+                let Ok(triangle) = <[MeshPoint; 3]>::try_from(corners.as_slice()) else {
                     let count = corners.len();
                     return Err(Defect::corrupt(format!(
                         "line {number}: a facet has {count} vertices"

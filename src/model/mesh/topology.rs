@@ -1,7 +1,7 @@
 //! How the triangles of a mesh hang together.
 
 use super::bounds::Bounds;
-use super::soup::{Point, Soup};
+use super::soup::{MeshPoint, Soup};
 use base::FastMap;
 
 /// Points nearer than this part of the greatest length are one.
@@ -60,7 +60,7 @@ fn run((from, to): (u32, u32)) -> u64 {
 }
 
 /// For each point the first point that lies together with it.
-fn weld(points: &[Point], bounds: Bounds) -> Vec<u32> {
+fn weld(points: &[MeshPoint], bounds: Bounds) -> Vec<u32> {
     let distance = bounds.extent() * WELDING;
     // in a grid of twice the distance, what is near lies in the cell or in those on the nearer sides
     let cell = (distance * 2.0).max(f64::MIN_POSITIVE);
@@ -89,7 +89,7 @@ fn weld(points: &[Point], bounds: Bounds) -> Vec<u32> {
 }
 
 /// The cell of a point, and along each axis the side on which the next cell is nearer.
-fn place([x, y, z]: Point, [ox, oy, oz]: Point, cell: f64) -> ([i64; 3], [i64; 3]) {
+fn place([x, y, z]: MeshPoint, [ox, oy, oz]: MeshPoint, cell: f64) -> ([i64; 3], [i64; 3]) {
     let (x, i) = place_along(x - ox, cell);
     let (y, j) = place_along(y - oy, cell);
     let (z, k) = place_along(z - oz, cell);
@@ -113,6 +113,6 @@ fn cells([x, y, z]: [i64; 3], [i, j, k]: [i64; 3]) -> impl Iterator<Item = [i64;
     })
 }
 
-fn near(a: Point, b: Point, distance: f64) -> bool {
+fn near(a: MeshPoint, b: MeshPoint, distance: f64) -> bool {
     a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= distance)
 }

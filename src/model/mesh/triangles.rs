@@ -2,7 +2,7 @@
 
 use super::defect::Defect;
 use super::draft;
-use super::gltf::Beside;
+use super::gltf::FileLoader;
 
 /// The triangles of a mesh; meters, in the axes of the file.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +17,7 @@ pub struct Triangles {
 
 impl Triangles {
     /// Read a file from its ending (small letters, without point) and bytes.
-    pub(super) fn read(ending: &str, bytes: &[u8], beside: Beside<'_>) -> Result<Self, Defect> {
+    pub(super) fn read(ending: &str, bytes: &[u8], beside: FileLoader<'_>) -> Result<Self, Defect> {
         let (draft, read) = draft(ending, bytes, beside, true);
         read?;
         let soup = draft.soup.complete();

@@ -10,8 +10,8 @@ use tokio::sync::watch;
 
 use super::limiter::ConnectionLimiter;
 use super::serve;
-use crate::Files;
-use crate::messages::{FromViewer, ModelMessage, Selection, Side, Source};
+use crate::ModelFiles;
+use crate::messages::{FromViewer, ModelMessage, ModelSource, Selection, Side};
 use base::limits::{CONNECTIONS, PAGES, UNAUTHENTICATED};
 use vfs::Vfs;
 
@@ -31,7 +31,7 @@ pub(super) struct ViewState {
     pub compare: Option<Arc<str>>,
     pub selection: Option<Arc<str>>,
     /// What the main robot was made of, for those who want its URDF.
-    pub source: Option<Source>,
+    pub source: Option<ModelSource>,
 }
 
 /// The server for browsers: started once, ends with the process.
@@ -39,7 +39,7 @@ pub struct Hub {
     token: String,
     port: u16,
     views: Mutex<BTreeMap<u32, watch::Sender<ViewState>>>,
-    pub(super) files: Arc<Files>,
+    pub(super) files: Arc<ModelFiles>,
     pub(super) vfs: Arc<Vfs>,
     pub(super) receive: Box<dyn Fn(Received) + Send + Sync>,
     pub(super) connections: Arc<ConnectionLimiter>,
@@ -53,7 +53,7 @@ impl Hub {
     /// # Errors
     /// When there is no port or no source of random numbers.
     pub fn start(
-        files: Arc<Files>,
+        files: Arc<ModelFiles>,
         vfs: Arc<Vfs>,
         receive: impl Fn(Received) + Send + Sync + 'static,
     ) -> io::Result<Arc<Self>> {

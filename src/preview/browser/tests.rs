@@ -9,14 +9,14 @@ use std::time::{Duration, Instant};
 
 use super::limiter::ConnectionLimiter;
 use super::{Hub, Received};
-use crate::Files;
+use crate::ModelFiles;
 use crate::messages::{FromViewer, Selection};
 use vfs::testing::Tree;
 
 struct Rig {
     hub: Arc<Hub>,
     tree: Tree,
-    files: Arc<Files>,
+    files: Arc<ModelFiles>,
     said: Receiver<Received>,
 }
 
@@ -24,7 +24,7 @@ fn rig() -> Rig {
     let tree = Tree::new();
     tree.write("mesh.stl", "solid x\nendsolid x\n");
     tree.write("secret.txt", "secret");
-    let files = Arc::new(Files::default());
+    let files = Arc::new(ModelFiles::default());
     let (say, said) = mpsc::channel();
     let hub = Hub::start(files.clone(), tree.vfs().clone(), move |received| {
         drop(say.send(received))

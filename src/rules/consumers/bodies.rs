@@ -20,7 +20,7 @@ pub(super) struct RigidBody {
 pub(super) fn bodies(robot: &Robot, kinematics: &Kinematics) -> Vec<RigidBody> {
     (0..robot.links.len())
         .filter(|&link| {
-            let joint = kinematics.up(link).first();
+            let joint = kinematics.parent_joints(link).first();
             let joint = joint.and_then(|&joint| robot.joints.get(joint));
             joint.is_none_or(|joint| !joint.is(&[JointType::Fixed]))
         })
@@ -33,7 +33,7 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
     let mut next = 0;
     while let Some(&(link, place)) = placed.get(next).filter(|_| next < robot.links.len()) {
         next += 1;
-        for &index in kinematics.down(link) {
+        for &index in kinematics.child_joints(link) {
             let Some(joint) = robot
                 .joints
                 .get(index)
@@ -46,7 +46,7 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
             // a link with two joints above it belongs to the first of them
             placed.extend(
                 below
-                    .filter(|&child| kinematics.up(child).first() == Some(&index))
+                    .filter(|&child| kinematics.parent_joints(child).first() == Some(&index))
                     .map(|child| (child, place.zip(step).map(|(place, step)| place * step))),
             );
         }
@@ -54,7 +54,7 @@ fn body(robot: &Robot, kinematics: &Kinematics, top: usize) -> RigidBody {
     placed.truncate(robot.links.len());
     let links: Vec<usize> = placed.iter().map(|&(link, _)| link).collect();
     RigidBody {
-        is_root: kinematics.up(top).is_empty(),
+        is_root: kinematics.parent_joints(top).is_empty(),
         has_mass: links
             .iter()
             .any(|&link| robot.links.get(link).is_some_and(has_mass)),

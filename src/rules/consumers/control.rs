@@ -1,7 +1,7 @@
 //! The XML, and elements outside of links and joints.
-use super::facts::{Facts, Found, Owner};
+use super::facts::{ConstructCollector, ConstructOwner, RobotFacts};
 use expand::{XId, XTree};
-use model::{Text, decimal};
+use model::{AttrValue, decimal};
 use xml::{Document, Node, NodeKind};
 
 /// Elements of `<gazebo>` that hold a number.
@@ -54,7 +54,7 @@ const SENSORS: [&str; 35] = [
     "wireless_transmitter",
 ];
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     document(facts, out);
     transmissions(facts, out);
     for gazebo in &facts.robot.gazebo {
@@ -78,7 +78,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 /// What the root file says above its elements. What xacro reads is written again for consumers.
-fn document(facts: &Facts<'_, '_>, out: &mut Found) {
+fn document(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let Some(file) = facts.cx.expansion.files.first() else {
         return;
     };
@@ -130,12 +130,12 @@ fn is_entity(value: &str) -> bool {
     })
 }
 
-fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
+fn transmissions(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let tree = &facts.cx.expansion.tree;
     for transmission in &facts.robot.transmissions {
         let element = transmission.element;
         let at = facts.at(element);
-        let owner = Owner {
+        let owner = ConstructOwner {
             kind: "transmission",
             name: transmission.name.as_ref().map(|name| name.value.as_str()),
         };
@@ -156,7 +156,7 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
         if !facts.has_child(element, "joint") {
             out.add("transmission-without-joint", at, owner);
         }
-        let unknown = |name: &Text| {
+        let unknown = |name: &AttrValue| {
             name.name()
                 .is_some_and(|name| facts.robot.joint(name).is_none())
         };
@@ -171,7 +171,7 @@ fn transmissions(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
+fn extension(facts: &RobotFacts<'_, '_>, gazebo: XId, out: &mut ConstructCollector) {
     let tree = &facts.cx.expansion.tree;
     let owner = "a `<gazebo>` element";
     for child in tree.elements(gazebo) {
@@ -188,13 +188,13 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
             }
             Some(name) => names.push(name.value.clone()),
         }
-        let kind = Text::attr(tree, sensor, "type").filter(Text::is_known);
+        let kind = AttrValue::attr(tree, sensor, "type").filter(AttrValue::is_known);
         if let Some(kind) = kind.filter(|kind| !SENSORS.contains(&kind.value.as_str())) {
             out.add("gazebo-sensor-type", kind.origin, owner);
         }
     }
     for pose in tree.below(gazebo).filter(|&id| tree.get(id).text == "pose") {
-        let text = Text::content(tree, pose).filter(Text::is_known);
+        let text = AttrValue::content(tree, pose).filter(AttrValue::is_known);
         if text.is_some_and(|text| text.words().count() != 6) {
             out.add("gazebo-pose", facts.at(pose), owner);
         }
@@ -203,7 +203,7 @@ fn extension(facts: &Facts<'_, '_>, gazebo: XId, out: &mut Found) {
 
 /// Whether an element of `<gazebo>` holds a number, or may hold one.
 fn has_number(tree: &XTree, element: XId) -> bool {
-    Text::attr(tree, element, "value")
-        .or_else(|| Text::content(tree, element))
+    AttrValue::attr(tree, element, "value")
+        .or_else(|| AttrValue::content(tree, element))
         .is_some_and(|text| !text.is_known() || decimal(text.value.trim()).is_some())
 }

@@ -2,7 +2,7 @@
 use std::collections::BTreeMap;
 
 use super::super::context::{DocumentCx, RootKind, RuleEnv, is_plain_urdf, is_whole};
-use super::facts::{Facts, Found};
+use super::facts::{ConstructCollector, RobotFacts};
 use super::met::Met;
 use super::table::Outcome;
 use super::{control, geometry, inertia, joints, materials, meshes, mimic, names, numbers, tree};
@@ -15,7 +15,7 @@ pub fn constructs(expansion: &Expansion, robot: Option<&Robot>, world: RuleEnv<'
     let Some(root) = expansion.tree.root() else {
         return Vec::new();
     };
-    let mut found = Found::default();
+    let mut found = ConstructCollector::default();
     if robot.is_none() {
         found.add("root-element", tag_start(expansion, root), "the file");
         return found.met;
@@ -86,8 +86,8 @@ fn find(cx: &DocumentCx<'_>) -> Vec<Met> {
     else {
         return Vec::new();
     };
-    let facts = Facts::of(cx, robot);
-    let mut found = Found::default();
+    let facts = RobotFacts::of(cx, robot);
+    let mut found = ConstructCollector::default();
     let detectors = [
         control::find,
         tree::find,

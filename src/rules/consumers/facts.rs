@@ -5,10 +5,10 @@ use super::super::edits::source_text;
 use super::bodies::{RigidBody, bodies};
 use super::table::construct;
 use expand::{Origin, XId};
-use model::{Joint, Kinematics, Link, Robot, Text, Version, tag_start};
+use model::{AttrValue, Joint, Kinematics, Link, Robot, Version, tag_start};
 
 /// A robot, as detectors see it.
-pub(super) struct Facts<'a, 'e> {
+pub(super) struct RobotFacts<'a, 'e> {
     pub(super) cx: &'a DocumentCx<'e>,
     pub(super) robot: &'a Robot,
     pub(super) kinematics: Kinematics,
@@ -21,18 +21,18 @@ pub(super) struct Facts<'a, 'e> {
 
 /// Collects what is found.
 #[derive(Default)]
-pub(super) struct Found {
+pub(super) struct ConstructCollector {
     pub(super) met: Vec<Met>,
 }
 
 /// The thing that has a construct: "joint `elbow`", or "a joint" when it has no name.
 #[derive(Clone, Copy)]
-pub(super) struct Owner<'a> {
+pub(super) struct ConstructOwner<'a> {
     pub(super) kind: &'static str,
     pub(super) name: Option<&'a str>,
 }
 
-impl Found {
+impl ConstructCollector {
     /// The construct `name` is at `origin`.
     pub(super) fn add(&mut self, name: &str, origin: Origin, owner: impl Into<String>) {
         let construct = construct(name);
@@ -45,7 +45,7 @@ impl Found {
     }
 }
 
-impl<'a, 'e> Facts<'a, 'e> {
+impl<'a, 'e> RobotFacts<'a, 'e> {
     pub(super) fn of(cx: &'a DocumentCx<'e>, robot: &'a Robot) -> Self {
         let version = Version::of(&cx.expansion.tree);
         let file = cx.expansion.files.first();
@@ -67,7 +67,7 @@ impl<'a, 'e> Facts<'a, 'e> {
     }
 
     /// The text of a value as consumers see it.
-    pub(super) fn seen(&self, text: &Text) -> String {
+    pub(super) fn seen(&self, text: &AttrValue) -> String {
         // blanks may have been tabs, and what is computed was written otherwise
         if !self.is_plain || text.is_literal() && !text.value.contains([' ', '&', '<', '"']) {
             return text.value.to_string();
@@ -86,7 +86,7 @@ impl<'a, 'e> Facts<'a, 'e> {
     }
 
     /// Where a thing is named, or where it begins.
-    pub(super) fn at_name(&self, name: Option<&Text>, element: XId) -> Origin {
+    pub(super) fn at_name(&self, name: Option<&AttrValue>, element: XId) -> Origin {
         name.filter(|name| !name.value.is_empty())
             .map_or_else(|| self.at(element), |name| name.origin)
     }
@@ -108,23 +108,23 @@ impl<'a, 'e> Facts<'a, 'e> {
     }
 }
 
-impl From<Owner<'_>> for String {
-    fn from(Owner { kind, name }: Owner<'_>) -> Self {
+impl From<ConstructOwner<'_>> for String {
+    fn from(ConstructOwner { kind, name }: ConstructOwner<'_>) -> Self {
         name.map_or_else(|| format!("a {kind}"), |name| format!("{kind} `{name}`"))
     }
 }
 
 /// "link `arm`"
-pub(super) fn link_owner(link: &Link) -> Owner<'_> {
-    Owner {
+pub(super) fn link_owner(link: &Link) -> ConstructOwner<'_> {
+    ConstructOwner {
         kind: "link",
         name: Some(link.shown()).filter(|name| !name.is_empty()),
     }
 }
 
 /// "joint `elbow`"
-pub(super) fn joint_owner(joint: &Joint) -> Owner<'_> {
-    Owner {
+pub(super) fn joint_owner(joint: &Joint) -> ConstructOwner<'_> {
+    ConstructOwner {
         kind: "joint",
         name: Some(joint.shown()).filter(|name| !name.is_empty()),
     }

@@ -1,9 +1,9 @@
 //! Shapes of visuals and collisions.
-use super::facts::{Facts, Found, link_owner};
+use super::facts::{ConstructCollector, RobotFacts, link_owner};
 use expand::XId;
-use model::{Body, Link, Shape, ShapeKind, Text, Version};
+use model::{AttrValue, Body, Link, Shape, ShapeKind, Version};
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     for link in &facts.robot.links {
         for (bodies, prefix) in [(&link.visuals, ""), (&link.collisions, "collision-")] {
             for body in bodies {
@@ -21,7 +21,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn geometry(facts: &Facts<'_, '_>, body: &Body, at: &mut impl FnMut(&str, XId)) {
+fn geometry(facts: &RobotFacts<'_, '_>, body: &Body, at: &mut impl FnMut(&str, XId)) {
     let Some(geometry) = &body.geometry else {
         return at("geometry-missing", body.element);
     };
@@ -60,7 +60,7 @@ fn has_size(shape: &Shape, is_such: fn(f64) -> bool) -> bool {
     })
 }
 
-fn sizes(shape: &Shape) -> [Option<&Text>; 2] {
+fn sizes(shape: &Shape) -> [Option<&AttrValue>; 2] {
     match &shape.kind {
         ShapeKind::Box { size } => [size.as_ref(), None],
         ShapeKind::Sphere { radius } => [radius.as_ref(), None],
@@ -72,7 +72,7 @@ fn sizes(shape: &Shape) -> [Option<&Text>; 2] {
 }
 
 /// What is there twice, of which consumers read one.
-fn twice(facts: &Facts<'_, '_>, (link, body): (&Link, &Body), out: &mut Found) {
+fn twice(facts: &RobotFacts<'_, '_>, (link, body): (&Link, &Body), out: &mut ConstructCollector) {
     let rows = [
         ("geometry", "two-geometries"),
         ("origin", "two-visual-origins"),

@@ -1,7 +1,7 @@
 //! Mass and inertia.
 use super::super::inertia::principal;
 use super::bodies::RigidBody;
-use super::facts::{Facts, Found, link_owner};
+use super::facts::{ConstructCollector, RobotFacts, link_owner};
 use model::{Inertial, Link};
 
 /// Up to here, Gazebo takes a mass for zero, kg.
@@ -13,7 +13,7 @@ const HUGE_MASS: f64 = 1e10;
 /// Consumers compare moments as they are; this part of the greatest is our own rounding.
 const ROUNDING: f64 = 1e-12;
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     for body in &facts.bodies {
         for &index in &body.links {
             let Some(link) = facts.robot.links.get(index) else {
@@ -34,10 +34,10 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 fn missing(
-    facts: &Facts<'_, '_>,
+    facts: &RobotFacts<'_, '_>,
     link: &Link,
     (body, is_top): (&RigidBody, bool),
-    out: &mut Found,
+    out: &mut ConstructCollector,
 ) {
     let name = match (is_top, body.is_root) {
         (true, true) if facts.robot.joints.is_empty() || body.has_mass => return,
@@ -57,7 +57,7 @@ fn missing(
 }
 
 /// The links of a body, the one that moves first.
-fn links<'a>(facts: &Facts<'a, '_>, body: &RigidBody) -> impl Iterator<Item = &'a Link> {
+fn links<'a>(facts: &RobotFacts<'a, '_>, body: &RigidBody) -> impl Iterator<Item = &'a Link> {
     let robot = facts.robot;
     body.links
         .iter()
@@ -65,11 +65,11 @@ fn links<'a>(facts: &Facts<'a, '_>, body: &RigidBody) -> impl Iterator<Item = &'
 }
 
 fn written(
-    facts: &Facts<'_, '_>,
+    facts: &RobotFacts<'_, '_>,
     link: &Link,
     inertial: &Inertial,
     (body, is_top): (&RigidBody, bool),
-    out: &mut Found,
+    out: &mut ConstructCollector,
 ) {
     let owner = link_owner(link);
     let at = facts.at(inertial.element);

@@ -1,12 +1,12 @@
 //! Joints: types, limits, axes, dynamics.
 use super::super::context::RootKind;
-use super::facts::{Facts, Found, joint_owner};
-use model::{Dynamics, Joint, JointType, Limit, Text, Version};
+use super::facts::{ConstructCollector, RobotFacts, joint_owner};
+use model::{AttrValue, Dynamics, Joint, JointType, Limit, Version};
 
 /// Shorter axes are zero.
 const TINY_AXIS: f64 = 1e-6;
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     debug_assert_eq!(facts.cx.kind, RootKind::Robot);
     let last = facts
         .robot
@@ -22,7 +22,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) {
+fn kind(facts: &RobotFacts<'_, '_>, joint: &Joint, is_before: bool, out: &mut ConstructCollector) {
     let Some(text) = &joint.kind else {
         return out.add(
             "joint-without-type",
@@ -49,15 +49,15 @@ fn kind(facts: &Facts<'_, '_>, joint: &Joint, is_before: bool, out: &mut Found) 
 }
 
 /// Whether the parent of a joint is a root.
-fn is_below_root(facts: &Facts<'_, '_>, joint: &Joint) -> bool {
+fn is_below_root(facts: &RobotFacts<'_, '_>, joint: &Joint) -> bool {
     let parent = joint
         .parent
         .as_ref()
         .and_then(|parent| facts.kinematics.link(parent.value.as_str()));
-    parent.is_some_and(|link| facts.kinematics.up(link).is_empty())
+    parent.is_some_and(|link| facts.kinematics.parent_joints(link).is_empty())
 }
 
-fn limits(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+fn limits(facts: &RobotFacts<'_, '_>, joint: &Joint, out: &mut ConstructCollector) {
     let Some(kind) = joint.joint_type() else {
         return;
     };
@@ -118,7 +118,7 @@ fn signs(limit: &Limit, add: &mut impl FnMut(&str)) {
         ),
     ];
     for (text, zero, negative) in rows {
-        match text.as_ref().and_then(Text::number) {
+        match text.as_ref().and_then(AttrValue::number) {
             Some(0.0) => add(zero),
             Some(number) if number < 0.0 => add(negative),
             _ => {}
@@ -141,7 +141,7 @@ fn bounds(limit: &Limit, add: &mut impl FnMut(&str)) {
     }
 }
 
-fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+fn axis(facts: &RobotFacts<'_, '_>, joint: &Joint, out: &mut ConstructCollector) {
     let Some(kind) = joint.joint_type() else {
         return;
     };
@@ -174,7 +174,7 @@ fn axis(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
     out.add(row, at, owner);
 }
 
-fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
+fn rest(facts: &RobotFacts<'_, '_>, joint: &Joint, out: &mut ConstructCollector) {
     let owner = joint_owner(joint);
     if let Some(of_joint) = &joint.dynamics {
         dynamics(facts, joint, of_joint, out);
@@ -217,7 +217,12 @@ fn rest(facts: &Facts<'_, '_>, joint: &Joint, out: &mut Found) {
     }
 }
 
-fn dynamics(facts: &Facts<'_, '_>, joint: &Joint, dynamics: &Dynamics, out: &mut Found) {
+fn dynamics(
+    facts: &RobotFacts<'_, '_>,
+    joint: &Joint,
+    dynamics: &Dynamics,
+    out: &mut ConstructCollector,
+) {
     let (at, owner) = (facts.at(dynamics.element), joint_owner(joint));
     if dynamics.damping.is_none() && dynamics.friction.is_none() {
         out.add("dynamics-empty", at, owner);
@@ -227,7 +232,7 @@ fn dynamics(facts: &Facts<'_, '_>, joint: &Joint, dynamics: &Dynamics, out: &mut
         (&dynamics.friction, "friction-negative"),
     ];
     for (text, row) in rows {
-        let number = text.as_ref().and_then(Text::number);
+        let number = text.as_ref().and_then(AttrValue::number);
         if number.is_some_and(|number| number < 0.0) {
             out.add(row, at, owner);
         }

@@ -1,14 +1,14 @@
 //! Materials of the robot and of visuals.
 use super::super::geometry::{FileTarget, color, is_defined, resolve_file, visual_materials};
-use super::facts::{Facts, Found, Owner, link_owner};
+use super::facts::{ConstructCollector, ConstructOwner, RobotFacts, link_owner};
 use base::FastMap;
-use model::{Material, Text};
+use model::{AttrValue, Material};
 
 /// Red, green, blue and opacity.
-type Color = [f64; 4];
+type ColorChannels = [f64; 4];
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
-    let mut colors: FastMap<&str, Option<Color>> = FastMap::default();
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
+    let mut colors: FastMap<&str, Option<ColorChannels>> = FastMap::default();
     for material in &facts.robot.materials {
         let owner = owner(material);
         let at = facts.at(material.element);
@@ -53,7 +53,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 /// Whether a visual defines a material.
-fn is_defined_elsewhere(facts: &Facts<'_, '_>, name: &Text) -> bool {
+fn is_defined_elsewhere(facts: &RobotFacts<'_, '_>, name: &AttrValue) -> bool {
     let mut materials = visual_materials(facts.robot)
         .map(|(_, material)| material)
         .filter(|material| is_defined(material));
@@ -65,15 +65,20 @@ fn is_defined_elsewhere(facts: &Facts<'_, '_>, name: &Text) -> bool {
     })
 }
 
-fn owner(material: &Material) -> Owner<'_> {
-    Owner {
+fn owner(material: &Material) -> ConstructOwner<'_> {
+    ConstructOwner {
         kind: "material",
         name: material.name.as_ref().map(|name| name.value.as_str()),
     }
 }
 
 /// What a material says of its color and texture.
-fn look(facts: &Facts<'_, '_>, material: &Material, owner: Owner<'_>, out: &mut Found) {
+fn look(
+    facts: &RobotFacts<'_, '_>,
+    material: &Material,
+    owner: ConstructOwner<'_>,
+    out: &mut ConstructCollector,
+) {
     let tree = &facts.cx.expansion.tree;
     if let Some(color) = material
         .color
@@ -100,7 +105,7 @@ fn look(facts: &Facts<'_, '_>, material: &Material, owner: Owner<'_>, out: &mut 
     }
 }
 
-fn is_missing(target: &FileTarget, file: &Text) -> bool {
+fn is_missing(target: &FileTarget, file: &AttrValue) -> bool {
     match target {
         FileTarget::Missing(..) | FileTarget::NoFile(_) | FileTarget::OtherCase(_) => true,
         FileTarget::Unknown => file.is_known() && file.value.starts_with("package://"),

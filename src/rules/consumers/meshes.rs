@@ -2,14 +2,14 @@
 use std::path::Path;
 
 use super::super::geometry::{FileTarget, MeshUse};
-use super::facts::{Facts, Found, link_owner};
+use super::facts::{ConstructCollector, RobotFacts, link_owner};
 use base::FastMap;
 use model::{DefectKind, Mesh, MeshFormat, ShapeKind};
 
 /// Meshes of more triangles are too many for MuJoCo.
 const HUGE: usize = 200_000;
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     without_name(facts, out);
     for mesh in facts
         .cx
@@ -37,7 +37,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     same_stem(facts, out);
 }
 
-fn without_name(facts: &Facts<'_, '_>, out: &mut Found) {
+fn without_name(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     for link in &facts.robot.links {
         let visuals = link.visuals.iter().map(|body| (body, ""));
         for (body, prefix) in visuals.chain(link.collisions.iter().map(|body| (body, "collision-")))
@@ -93,7 +93,7 @@ fn scheme(uri: &str) -> &'static str {
     }
 }
 
-fn missing(facts: &Facts<'_, '_>, mesh: &MeshUse<'_>) -> Option<&'static str> {
+fn missing(facts: &RobotFacts<'_, '_>, mesh: &MeshUse<'_>) -> Option<&'static str> {
     let uri = mesh.file.value.as_str();
     let world = facts.cx.world;
     let from = facts
@@ -172,7 +172,7 @@ fn scale(factors: [f64; 3]) -> Option<&'static str> {
 }
 
 /// Collision meshes of one file name in different folders.
-fn same_stem(facts: &Facts<'_, '_>, out: &mut Found) {
+fn same_stem(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let mut first: FastMap<String, &Path> = FastMap::default();
     for mesh in facts.cx.meshes().filter(|mesh| mesh.is_collision) {
         let Some(path) = mesh.target.file() else {

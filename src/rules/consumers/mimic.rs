@@ -1,8 +1,8 @@
 //! Joints that mimic others.
-use super::facts::{Facts, Found, joint_owner};
-use model::{Joint, JointType, Text};
+use super::facts::{ConstructCollector, RobotFacts, joint_owner};
+use model::{AttrValue, Joint, JointType};
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     for (number, joint) in facts.robot.joints.iter().enumerate() {
         let Some(mimic) = &joint.mimic else { continue };
         let (at, owner) = (facts.at(mimic.element), joint_owner(joint));
@@ -15,7 +15,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             continue;
         };
         let Some(name) = name.name() else { continue };
-        if mimic.multiplier.as_ref().and_then(Text::number) == Some(0.0) {
+        if mimic.multiplier.as_ref().and_then(AttrValue::number) == Some(0.0) {
             out.add("mimic-multiplier-zero", at, owner);
         }
         let row = match position(facts, name) {
@@ -27,7 +27,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn position(facts: &Facts<'_, '_>, name: &str) -> Option<usize> {
+fn position(facts: &RobotFacts<'_, '_>, name: &str) -> Option<usize> {
     facts
         .robot
         .joints
@@ -35,7 +35,7 @@ fn position(facts: &Facts<'_, '_>, name: &str) -> Option<usize> {
         .position(|joint| joint.name.as_ref().is_some_and(|own| own.value == name))
 }
 
-fn row(facts: &Facts<'_, '_>, joint: usize, other: usize) -> &'static str {
+fn row(facts: &RobotFacts<'_, '_>, joint: usize, other: usize) -> &'static str {
     let joints = &facts.robot.joints;
     let is_fixed = joints
         .get(other)
@@ -52,7 +52,7 @@ fn row(facts: &Facts<'_, '_>, joint: usize, other: usize) -> &'static str {
 }
 
 /// The joint that a joint mimics.
-fn mimicked(facts: &Facts<'_, '_>, joint: usize) -> Option<usize> {
+fn mimicked(facts: &RobotFacts<'_, '_>, joint: usize) -> Option<usize> {
     let mimic = facts.robot.joints.get(joint)?.mimic.as_ref()?;
     position(facts, mimic.joint.as_ref()?.name()?)
 }

@@ -1,10 +1,10 @@
 //! Names of links and joints that some consumers reserve, change or reject.
-use super::facts::{Facts, Found, Owner, joint_owner, link_owner};
+use super::facts::{ConstructCollector, ConstructOwner, RobotFacts, joint_owner, link_owner};
 use base::FastSet;
 use expand::{Origin, XId};
-use model::{JointType, Text};
+use model::{AttrValue, JointType};
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let tops: FastSet<usize> = facts
         .bodies
         .iter()
@@ -23,7 +23,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             continue;
         };
         let is_top = tops.contains(&index);
-        let is_root = facts.kinematics.up(index).is_empty();
+        let is_root = facts.kinematics.parent_joints(index).is_empty();
         let at = name.origin;
         match name.value.as_str() {
             "universe" => out.add("link-universe", at, owner),
@@ -88,13 +88,13 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 
 /// The name of a thing, when it is known and not empty.
 fn one<'t>(
-    facts: &Facts<'_, '_>,
-    name: &'t Option<Text>,
+    facts: &RobotFacts<'_, '_>,
+    name: &'t Option<AttrValue>,
     element: XId,
-    owner: Owner<'_>,
+    owner: ConstructOwner<'_>,
     [missing, empty]: [&str; 2],
-    out: &mut Found,
-) -> Option<&'t Text> {
+    out: &mut ConstructCollector,
+) -> Option<&'t AttrValue> {
     let at: Origin = facts.at(element);
     match name {
         None => out.add(missing, at, owner),
@@ -106,7 +106,7 @@ fn one<'t>(
 }
 
 /// What holds for a link whatever it is in the robot.
-fn common(name: &Text, owner: Owner<'_>, out: &mut Found) {
+fn common(name: &AttrValue, owner: ConstructOwner<'_>, out: &mut ConstructCollector) {
     let value = name.value.as_str();
     let at = name.origin;
     if value.contains('/') {

@@ -1,15 +1,15 @@
 //! Numbers: the same mistakes in each attribute that holds them.
 use super::super::xml::{described, known};
-use super::facts::{Facts, Found};
+use super::facts::{ConstructCollector, RobotFacts};
 use super::met::Met;
 use super::table::fault;
 use expand::XId;
-use model::{Text, is_decimal};
+use model::{AttrValue, is_decimal};
 
 /// White space that is no space.
 const BREAKS: [char; 3] = ['\t', '\n', '\r'];
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let tree = &facts.cx.expansion.tree;
     for (id, spec) in known(facts.cx) {
         for attribute in spec.attributes {
@@ -19,7 +19,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
             if facts.cx.is_older_than(attribute.since) {
                 continue;
             }
-            let text = Text::attr(tree, id, attribute.name);
+            let text = AttrValue::attr(tree, id, attribute.name);
             let found = match &text {
                 None if attribute.required => Some("missing"),
                 Some(text) if text.is_known() => judge(&facts.seen(text), count),
@@ -40,7 +40,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
 }
 
 /// The names of an attribute in the table, the longest first: `visual/box/size`, `box/size`.
-fn keys(facts: &Facts<'_, '_>, element: XId, attribute: &str) -> Vec<String> {
+fn keys(facts: &RobotFacts<'_, '_>, element: XId, attribute: &str) -> Vec<String> {
     let tree = &facts.cx.expansion.tree;
     let name = tree.get(element).text.as_str();
     let around = std::iter::successors(tree.parent(element), |&id| tree.parent(id));

@@ -3,7 +3,7 @@
 //! A fix is only offered when all consumers that the user names accept what it writes. It is safe when the robot stays
 //! what it is: the same numbers with other white space, the same shape in another format.
 use super::super::context::DocumentCx;
-use super::super::conventions::{Named, names, rename};
+use super::super::conventions::{NamedElement, names, rename};
 use super::super::edits::{is_called, removal, source_text, with_blanks};
 use super::super::finding::Edit;
 use super::super::inertia::{ADD_ROOT, massless_root};
@@ -14,7 +14,7 @@ use super::fix::Remedy;
 use super::met::Met;
 use super::other_mesh::other_mesh;
 use base::TextRange;
-use expand::{Place, XId};
+use expand::{FileRange, XId};
 use model::{Link, attr_range, element_range, tag_start};
 
 /// The fix of one of the constructs in a robot, for the consumers that the user names.
@@ -44,7 +44,7 @@ fn plain_spaces(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
     let content = words.join(" ");
     let is_other = content != text && !text.contains(['&', '$']);
     let edit = Edit {
-        span: span(cx.expansion, Place { file, range })?,
+        span: span(cx.expansion, FileRange { file, range })?,
         content,
     };
     let message = "replace whitespace with single spaces".to_owned();
@@ -68,7 +68,7 @@ fn remove(cx: &DocumentCx<'_>, met: &Met, (name, safety): (&str, Safety)) -> Opt
         .find(is_it)?;
     let (file, range) = removal(cx.expansion, element_range(cx.expansion, element))?;
     let edit = Edit {
-        span: span(cx.expansion, Place { file, range })?,
+        span: span(cx.expansion, FileRange { file, range })?,
         content: String::new(),
     };
     Some(Remedy {
@@ -90,7 +90,7 @@ fn other_root(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
     let (place, content) = massless_root(cx.expansion, robot, link)?;
     let range = TextRange::empty(place.range.start);
     let edit = Edit {
-        span: span(cx.expansion, Place { range, ..place })?,
+        span: span(cx.expansion, FileRange { range, ..place })?,
         content,
     };
     Some(Remedy {
@@ -115,7 +115,7 @@ fn without_version(cx: &DocumentCx<'_>, all: &[Met]) -> Option<Remedy> {
         .place(attr_range(cx.expansion, root.element, "version")?)?;
     let range = with_blanks(cx.expansion, place.file, place.range);
     let edit = Edit {
-        span: span(cx.expansion, Place { range, ..place })?,
+        span: span(cx.expansion, FileRange { range, ..place })?,
         content: String::new(),
     };
     Some(Remedy {
@@ -143,7 +143,7 @@ fn other_name(cx: &DocumentCx<'_>, met: &Met) -> Option<Remedy> {
         "name-with-quote" => old.replace('"', "_"),
         // extensions for Gazebo may mean the one or the other
         "link-and-joint-of-one-name" if !is_referred_to(cx, old) => {
-            format!("{old}_{}", Named::Joint.word())
+            format!("{old}_{}", NamedElement::Joint.word())
         }
         _ => return None,
     };

@@ -92,7 +92,7 @@ fn lists(names: &str, consumer: &Consumer) -> bool {
 }
 
 #[derive(Deserialize)]
-struct File {
+struct TableFile {
     construct: Vec<Construct>,
 }
 
@@ -110,7 +110,7 @@ pub static CONSTRUCTS: LazyLock<Vec<Construct>> = LazyLock::new(|| {
     // a unit test reads each file: none is left out
     files
         .iter()
-        .filter_map(|text| toml::from_str::<File>(text).ok())
+        .filter_map(|text| toml::from_str::<TableFile>(text).ok())
         .flat_map(|file| file.construct)
         .collect()
 });

@@ -1,14 +1,14 @@
 //! The tree of links and joints.
-use super::facts::{Facts, Found, joint_owner, link_owner};
+use super::facts::{ConstructCollector, RobotFacts, joint_owner, link_owner};
 use base::{FastMap, FastSet};
-use model::{JointType, Link, Text, Version};
+use model::{AttrValue, JointType, Link, Version};
 
 /// More joints than these are too many for PyBullet.
 const WIDE: usize = 128;
 /// Longer chains of links end the stacks of some consumers.
 const DEEP: usize = 1000;
 
-pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
+pub(super) fn find(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     robot(facts, out);
     version(facts, out);
     roots(facts, out);
@@ -16,7 +16,7 @@ pub(super) fn find(facts: &Facts<'_, '_>, out: &mut Found) {
     repeated(facts, out);
 }
 
-fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
+fn robot(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let (robot, at) = (facts.robot, facts.at(facts.robot.element));
     match &robot.name {
         None => out.add("robot-without-name", at, "the robot"),
@@ -35,15 +35,16 @@ fn robot(facts: &Facts<'_, '_>, out: &mut Found) {
         out.add("wide-tree", at, "the robot");
     }
     let mut links = 0..robot.links.len();
-    if robot.joints.len() >= DEEP && links.any(|link| facts.kinematics.above(link).count() >= DEEP)
+    if robot.joints.len() >= DEEP
+        && links.any(|link| facts.kinematics.ancestor_joints(link).count() >= DEEP)
     {
         out.add("deep-tree", at, "the robot");
     }
 }
 
-fn version(facts: &Facts<'_, '_>, out: &mut Found) {
-    let text = Text::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
-    let Some(text) = text.filter(Text::is_known) else {
+fn version(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
+    let text = AttrValue::attr(&facts.cx.expansion.tree, facts.robot.element, "version");
+    let Some(text) = text.filter(AttrValue::is_known) else {
         return;
     };
     let row = match Version::parse(&text.value) {
@@ -57,7 +58,7 @@ fn version(facts: &Facts<'_, '_>, out: &mut Found) {
     out.add(row, text.origin, "the robot");
 }
 
-fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
+fn roots(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let roots = facts.kinematics.roots(facts.robot);
     for cycle in facts.kinematics.cycles() {
         let joint = cycle
@@ -80,7 +81,7 @@ fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
         let Some(link) = facts.robot.links.get(root) else {
             continue;
         };
-        let row = if facts.kinematics.down(root).is_empty() {
+        let row = if facts.kinematics.child_joints(root).is_empty() {
             "two-roots"
         } else {
             "second-tree"
@@ -92,7 +93,7 @@ fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
         );
     }
     for (index, link) in facts.robot.links.iter().enumerate() {
-        if facts.kinematics.up(index).len() > 1 && !roots.is_empty() {
+        if facts.kinematics.parent_joints(index).len() > 1 && !roots.is_empty() {
             out.add(
                 "two-parents",
                 facts.at_name(link.name.as_ref(), link.element),
@@ -102,7 +103,7 @@ fn roots(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
+fn ends(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let is_empty = |link: &Link| link.name.as_ref().is_some_and(|name| name.value.is_empty());
     let has_empty = facts.robot.links.iter().any(is_empty);
     for joint in &facts.robot.joints {
@@ -140,17 +141,17 @@ fn ends(facts: &Facts<'_, '_>, out: &mut Found) {
     }
 }
 
-fn is_unknown(facts: &Facts<'_, '_>, link: &Text) -> bool {
+fn is_unknown(facts: &RobotFacts<'_, '_>, link: &AttrValue) -> bool {
     link.name()
         .is_some_and(|name| facts.kinematics.link(name).is_none())
 }
 
 /// The row of a link that is not there: Drake knows `world` without being told.
-fn unknown_row(link: &Text, [world, other]: [&'static str; 2]) -> &'static str {
+fn unknown_row(link: &AttrValue, [world, other]: [&'static str; 2]) -> &'static str {
     if link.value == "world" { world } else { other }
 }
 
-fn repeated(facts: &Facts<'_, '_>, out: &mut Found) {
+fn repeated(facts: &RobotFacts<'_, '_>, out: &mut ConstructCollector) {
     let mut links: FastMap<&str, ()> = FastMap::default();
     let mut by_case: FastMap<String, &str> = FastMap::default();
     for link in &facts.robot.links {

@@ -3,7 +3,7 @@ use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::controller_unknown_interface::is_commanding;
-use super::hardware::Hardware;
+use super::hardware::HardwareJoints;
 use project::joint_keys;
 
 pub(super) static RULE: Rule = Rule::beside(
@@ -16,7 +16,7 @@ pub(super) static RULE: Rule = Rule::beside(
 );
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(hardware) = Hardware::of(cx).filter(|hardware| hardware.is_complete) else {
+    let Some(hardware) = HardwareJoints::of(cx).filter(|hardware| hardware.is_complete) else {
         return;
     };
     let controllers = cx

@@ -2,8 +2,8 @@
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::hardware::Hardware;
-use project::{Controller, Named, is_computed};
+use super::hardware::HardwareJoints;
+use project::{Controller, SpannedName, is_computed};
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL027",
@@ -85,7 +85,7 @@ const COMMANDED: [(&str, &str, &str); 13] = [
 ];
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
-    let Some(all) = Hardware::of(cx) else {
+    let Some(all) = HardwareJoints::of(cx) else {
         return;
     };
     let lacks = |joint: &str, interface: &str, is_command| all.lacks(joint, interface, is_command);
@@ -93,7 +93,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     check_with(cx, out, (&all, &lacks), &chosen, RULE.severity);
     // what one of several robots offers is no help to another one that is started with the controller
     for paired in cx.robots.iter().filter(|paired| !paired.started.is_empty()) {
-        let Some(own) = Hardware::of_robots(std::slice::from_ref(paired)) else {
+        let Some(own) = HardwareJoints::of_robots(std::slice::from_ref(paired)) else {
             continue;
         };
         let is_started = |one: &&Controller| paired.started.contains(&one.name.name);
@@ -117,10 +117,10 @@ fn of_ros2<'a>(cx: &BesideCx<'a>) -> impl Iterator<Item = &'a Controller> + use<
 }
 
 /// Whether a controller can command a joint with what the hardware offers.
-fn fits(hardware: &Hardware<'_>, controller: &Controller, joint: &str) -> bool {
+fn fits(hardware: &HardwareJoints<'_>, controller: &Controller, joint: &str) -> bool {
     let mut named = controller.joints.iter().map(|(_, own)| &own.name);
     let offers =
-        |(name, is_command): (&Named, bool)| !hardware.lacks(joint, &name.name, is_command);
+        |(name, is_command): (&SpannedName, bool)| !hardware.lacks(joint, &name.name, is_command);
     named.any(|own| own == joint)
         && (!controller.commands.is_empty() || controller.interface.is_some())
         && interfaces(controller).all(offers)
@@ -132,7 +132,7 @@ type Lacks<'l> = &'l dyn Fn(&str, &str, bool) -> bool;
 fn check_with(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
-    (hardware, lacks): (&Hardware<'_>, Lacks<'_>),
+    (hardware, lacks): (&HardwareJoints<'_>, Lacks<'_>),
     controllers: &[&Controller],
     severity: Severity,
 ) {
@@ -179,7 +179,7 @@ pub(super) fn is_commanding(cx: &BesideCx<'_>, controller: &Controller) -> bool 
 }
 
 /// The joints of a parameter.
-fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a Named> {
+fn joints<'a>(controller: &'a Controller, key: &str) -> impl Iterator<Item = &'a SpannedName> {
     controller
         .joints
         .iter()
@@ -205,8 +205,8 @@ pub(super) fn class_of<'a>(cx: &BesideCx<'a>, controller: &'a Controller) -> Opt
 fn report(
     cx: &BesideCx<'_>,
     out: &mut Sink<'_>,
-    (hardware, severity): (&Hardware<'_>, Severity),
-    place: &Named,
+    (hardware, severity): (&HardwareJoints<'_>, Severity),
+    place: &SpannedName,
     (joint, interface, is_command): (&str, &str, bool),
 ) {
     if cx.may_offer(joint, interface, is_command) {
@@ -235,7 +235,7 @@ fn report(
 }
 
 /// The interfaces that a controller names, with whether each is for commands.
-fn interfaces(controller: &Controller) -> impl Iterator<Item = (&Named, bool)> {
+fn interfaces(controller: &Controller) -> impl Iterator<Item = (&SpannedName, bool)> {
     let commands = controller
         .commands
         .iter()

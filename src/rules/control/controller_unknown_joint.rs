@@ -3,7 +3,7 @@ use super::super::beside::{BesideCx, PairedRobot};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::controller_unknown_interface::class_of;
-use project::{Controller, Kind, is_computed};
+use project::{Controller, ProjectNameKind, is_computed};
 
 pub(in super::super) static RULE: Rule = Rule::beside(
     "CTL025",
@@ -39,7 +39,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .collect();
         let unknown: Vec<_> = joints
             .iter()
-            .filter(|(_, joint)| cx.lacks(Kind::Joint, &joint.name))
+            .filter(|(_, joint)| cx.lacks(ProjectNameKind::Joint, &joint.name))
             .collect();
         let is_for_another = unknown.len() == joints.len() && joints.len() > MOST_RENAMED;
         if unknown.is_empty()
@@ -59,7 +59,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             } else {
                 RULE.severity
             };
-            let advice = cx.advice(Kind::Joint, &joint.name);
+            let advice = cx.advice(ProjectNameKind::Joint, &joint.name);
             cx.report(out, joint, message)
                 .severity(severity)
                 .help(advice)
@@ -87,7 +87,7 @@ fn has_variant(cx: &BesideCx<'_>, controller: &Controller) -> bool {
         other
             .joints
             .iter()
-            .all(|(_, joint)| !cx.lacks(Kind::Joint, &joint.name))
+            .all(|(_, joint)| !cx.lacks(ProjectNameKind::Joint, &joint.name))
     })
 }
 

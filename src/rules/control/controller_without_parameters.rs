@@ -4,7 +4,7 @@ use super::super::finding::Help;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
-use project::Settings;
+use project::YamlSettings;
 use workspace::nearest;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
@@ -80,7 +80,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The controllers that have parameters.
-fn names<'a>(all: impl Iterator<Item = &'a Settings>) -> FastSet<&'a str> {
+fn names<'a>(all: impl Iterator<Item = &'a YamlSettings>) -> FastSet<&'a str> {
     all.flat_map(|settings| &settings.controllers)
         .map(|controller| controller.name.name.as_str())
         .collect()

@@ -3,8 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
-use model::Text;
-use workspace::Target;
+use model::AttrValue;
+use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL018",
@@ -19,13 +19,13 @@ pub(super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    if cx.world.config.target != Target::Ros2 {
+    if cx.world.config.target != RosVersion::Ros2 {
         return;
     }
     let tree = &cx.expansion.tree;
     for file in plugins(cx)
         .into_iter()
-        .filter_map(|plugin| Text::attr(tree, plugin, "filename"))
+        .filter_map(|plugin| AttrValue::attr(tree, plugin, "filename"))
     {
         if file.is_known() && file.value.starts_with("libgazebo_ros") {
             out.report(file.origin, format!("plugin `{}` works only in Gazebo Classic", file.value))

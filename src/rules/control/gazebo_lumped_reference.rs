@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::{Reported, Sink};
 use base::TextRange;
 use expand::{XId, XTree};
-use model::{Gazebo, Joint, JointType, Text, element_range};
+use model::{AttrValue, Gazebo, Joint, JointType, element_range};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL015",
@@ -37,7 +37,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let up = cx
             .kinematics
             .link(name)
-            .and_then(|link| cx.kinematics.up(link).first().copied());
+            .and_then(|link| cx.kinematics.parent_joints(link).first().copied());
         let Some(joint) = up.and_then(|joint| cx.robot.joints.get(joint)) else {
             continue;
         };
@@ -68,7 +68,8 @@ fn is_kept(cx: &RobotCx<'_>, joint: &Joint) -> bool {
     let keeps = |id: XId| {
         let name = tree.get(id).text.as_str();
         ["preserveFixedJoint", "disableFixedJointLumping"].contains(&name)
-            && Text::content(tree, id).is_some_and(|text| text.value == "true" || text.value == "1")
+            && AttrValue::content(tree, id)
+                .is_some_and(|text| text.value == "true" || text.value == "1")
     };
     let about = |block: &&Gazebo| {
         block

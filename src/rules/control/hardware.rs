@@ -3,14 +3,14 @@ use super::super::beside::{BesideCx, PairedRobot};
 use super::ros2_control_unknown_interface::is_misspelled;
 use super::ros2_control_unknown_tag::is_misread_in_joint;
 use base::{FastMap, FastSet};
-use model::{ControlJoint, Interface, Ros2Control, Text};
+use model::{AttrValue, ControlJoint, Interface, Ros2Control};
 
 /// Interfaces that the hardware of Gazebo exports under the name of another one, and controls by itself.
 /// Source: `gazebo_system.cpp` of gazebo_ros2_control 0.6.
 const WITH_GAINS: [(&str, &str); 2] = [("position_pid", "position"), ("velocity_pid", "velocity")];
 
 /// The joints of all `<ros2_control>` of the robots.
-pub(super) struct Hardware<'a> {
+pub(super) struct HardwareJoints<'a> {
     joints: FastMap<&'a str, Vec<&'a ControlJoint>>,
     /// The joints of blocks that declare no interface for commands: some hardware offers what it does not declare.
     undeclared: FastSet<&'a str>,
@@ -20,7 +20,7 @@ pub(super) struct Hardware<'a> {
     pub is_complete: bool,
 }
 
-impl<'a> Hardware<'a> {
+impl<'a> HardwareJoints<'a> {
     /// None where no robot has hardware, or not all names are known. A joint with a mistake of its own is left out: what it
     /// offers is not what was meant. A robot without hardware offers controllers nothing.
     pub fn of(cx: &BesideCx<'a>) -> Option<Self> {
@@ -131,7 +131,8 @@ fn offers_only_declared(paired: &PairedRobot<'_>, control: &Ros2Control) -> bool
         .flat_map(|&hardware| tree.elements(hardware));
     let mut plugins = plugins.filter(|&child| tree.get(child).text == "plugin");
     plugins.any(|plugin| {
-        Text::content(tree, plugin).is_some_and(|class| ONLY_DECLARED.contains(&class.value.trim()))
+        AttrValue::content(tree, plugin)
+            .is_some_and(|class| ONLY_DECLARED.contains(&class.value.trim()))
     })
 }
 

@@ -7,7 +7,7 @@ use super::super::sink::Sink;
 use base::{FastMap, FastSet, TextRange};
 use expand::{Expansion, Origin};
 use model::JointType::{Prismatic, Revolute};
-use model::{ControlJoint, Joint, Text};
+use model::{AttrValue, ControlJoint, Joint};
 use workspace::nearest;
 
 /// The joints that ros2_control lists, each with that of the robot.
@@ -40,7 +40,7 @@ fn has_old_plugin(cx: &DocumentCx<'_>) -> bool {
         .into_iter()
         .flat_map(|robot| &robot.controls)
         .filter_map(|one| one.plugin(tree));
-    let mut names = plugins.filter_map(|plugin| Text::content(tree, plugin));
+    let mut names = plugins.filter_map(|plugin| AttrValue::content(tree, plugin));
     names.any(|name| OLD.iter().any(|old| name.value.trim().starts_with(old)))
 }
 
@@ -48,7 +48,7 @@ fn has_old_plugin(cx: &DocumentCx<'_>) -> bool {
 pub(super) fn unknown_joints<'t>(
     cx: &RobotCx<'_>,
     out: &mut Sink<'_>,
-    texts: impl Iterator<Item = &'t Text>,
+    texts: impl Iterator<Item = &'t AttrValue>,
     block: &str,
     severity: Severity,
 ) {
@@ -82,7 +82,7 @@ pub(crate) fn range(joint: &Joint) -> Option<(f64, f64)> {
 }
 
 /// Where the text inside of an element stands, without the blanks around it.
-pub(super) fn value_place(expansion: &Expansion, text: &Text) -> Origin {
+pub(super) fn value_place(expansion: &Expansion, text: &AttrValue) -> Origin {
     let Some((_, _, source)) = source_text(expansion, text.origin) else {
         return text.origin;
     };

@@ -5,7 +5,7 @@ use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
-use model::Text;
+use model::AttrValue;
 use workspace::misspelled;
 
 pub(super) static RULE: Rule = Rule {
@@ -60,20 +60,20 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let tree = &cx.expansion.tree;
     for file in plugins(cx)
         .into_iter()
-        .filter_map(|plugin| Text::attr(tree, plugin, "filename"))
+        .filter_map(|plugin| AttrValue::attr(tree, plugin, "filename"))
     {
         report(&file, &LIBRARIES, out);
     }
     let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls);
     for plugin in controls.filter_map(|control| control.plugin(tree)) {
-        if let Some(class) = Text::content(tree, plugin) {
+        if let Some(class) = AttrValue::content(tree, plugin) {
             report(&class, &HARDWARE, out);
         }
     }
 }
 
 /// A name with one letter too many, too few, other or swapped. What differs in a digit is another version.
-fn report(text: &Text, known: &[&'static str], out: &mut Sink<'_>) {
+fn report(text: &AttrValue, known: &[&'static str], out: &mut Sink<'_>) {
     let Some(name) = text.name().filter(|name| !known.contains(&name.as_str())) else {
         return;
     };

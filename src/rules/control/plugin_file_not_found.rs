@@ -6,7 +6,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::plugins::plugins;
 use expand::XId;
-use model::Text;
+use model::AttrValue;
 use workspace::UriOutcome;
 
 pub(super) static RULE: Rule = Rule {
@@ -26,7 +26,7 @@ const READ: [&str; 4] = [".yaml", ".yml", ".xml", ".srdf"];
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for element in parameters(cx) {
-        let Some(text) = Text::content(&cx.expansion.tree, element) else {
+        let Some(text) = AttrValue::content(&cx.expansion.tree, element) else {
             continue;
         };
         let Some((package, path)) = missing(cx, &text) else {
@@ -64,7 +64,7 @@ fn parameters(cx: &DocumentCx<'_>) -> Vec<XId> {
 }
 
 /// The file that a text with `$(find package)` names, when the package is there and the file is not.
-fn missing(cx: &DocumentCx<'_>, text: &Text) -> Option<(String, String)> {
+fn missing(cx: &DocumentCx<'_>, text: &AttrValue) -> Option<(String, String)> {
     let value = text.name()?.as_str();
     let is_meant =
         Path::new(value).is_absolute() && READ.iter().any(|ending| value.ends_with(ending));

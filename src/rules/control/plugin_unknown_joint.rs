@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::joints::unknown_joints;
 use super::plugins::plugins_of;
 use expand::XTree;
-use model::{Robot, Text};
+use model::{AttrValue, Robot};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL029",
@@ -68,15 +68,19 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The joints that plugins of Gazebo for drives move.
-pub(in super::super) fn driven(tree: &XTree, robot: &Robot) -> Vec<Text> {
+pub(in super::super) fn driven(tree: &XTree, robot: &Robot) -> Vec<AttrValue> {
     named_by_plugins(tree, robot, |tags| tags == WHEELS)
 }
 
 /// The names of joints in parameters of plugins that are known, of those whose tags are `wanted`.
-fn named_by_plugins(tree: &XTree, robot: &Robot, wanted: impl Fn(&[&str]) -> bool) -> Vec<Text> {
-    let mut names: Vec<Text> = Vec::new();
+fn named_by_plugins(
+    tree: &XTree,
+    robot: &Robot,
+    wanted: impl Fn(&[&str]) -> bool,
+) -> Vec<AttrValue> {
+    let mut names: Vec<AttrValue> = Vec::new();
     for plugin in plugins_of(tree, robot) {
-        let Some(file) = Text::attr(tree, plugin, "filename") else {
+        let Some(file) = AttrValue::attr(tree, plugin, "filename") else {
             continue;
         };
         let known = TAGS.iter().find(|(part, _)| file.value.contains(part));
@@ -88,8 +92,8 @@ fn named_by_plugins(tree: &XTree, robot: &Robot, wanted: impl Fn(&[&str]) -> boo
             .filter(|&one| tags.contains(&tree.get(one).text.as_str()))
         {
             // lists, and names in other models, are not looked at
-            let is_plain = |text: &Text| !text.value.contains([',', ':', '/', ' ']);
-            names.extend(Text::content(tree, parameter).filter(is_plain));
+            let is_plain = |text: &AttrValue| !text.value.contains([',', ':', '/', ' ']);
+            names.extend(AttrValue::content(tree, parameter).filter(is_plain));
         }
     }
     names

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::is_before_jazzy;
 use base::FastMap;
-use model::{ControlJoint, Interface, Text};
+use model::{AttrValue, ControlJoint, Interface};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL007",
@@ -73,7 +73,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// A joint that a block lists twice: most likely one of the names was not changed after copying.
-fn twice_in_block(name: &Text, first: &ControlJoint, out: &mut Sink<'_>) {
+fn twice_in_block(name: &AttrValue, first: &ControlJoint, out: &mut Sink<'_>) {
     let Some(first) = &first.name else { return };
     out.report(
         name.origin,

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::Text;
+use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL006",
@@ -18,7 +18,7 @@ pub(in super::super) static RULE: Rule = Rule {
 };
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let mut first: FastMap<&str, &Text> = FastMap::default();
+    let mut first: FastMap<&str, &AttrValue> = FastMap::default();
     let controls = cx.robot.into_iter().flat_map(|robot| &robot.controls);
     for text in controls.filter_map(|control| control.name.as_ref()) {
         let Some(name) = text.name() else { continue };

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{controlled, range, value_place};
 use base::FastSet;
-use model::Text;
+use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL009",
@@ -90,7 +90,7 @@ fn joints_of_real_hardware<'a>(cx: &DocumentCx<'a>) -> FastSet<&'a str> {
     let real = controls.filter(|control| {
         let class = control
             .plugin(tree)
-            .and_then(|plugin| Text::content(tree, plugin));
+            .and_then(|plugin| AttrValue::content(tree, plugin));
         class.is_some_and(|class| is_real(&class))
     });
     real.flat_map(|control| &control.joints)
@@ -99,7 +99,7 @@ fn joints_of_real_hardware<'a>(cx: &DocumentCx<'a>) -> FastSet<&'a str> {
 }
 
 /// Whether a plugin is none of those that read initial values.
-fn is_real(class: &Text) -> bool {
+fn is_real(class: &AttrValue) -> bool {
     let name = class.value.to_ascii_lowercase();
     class.is_known() && !READERS.iter().any(|part| name.contains(part))
 }

@@ -4,7 +4,7 @@ use super::super::finding::Help;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_simulator_plugin;
-use model::{Ros2Control, Text, tag_start};
+use model::{AttrValue, Ros2Control, tag_start};
 use workspace::nearest;
 
 pub(super) static RULE: Rule = Rule {
@@ -61,6 +61,6 @@ fn is_simulated(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     let tree = &cx.expansion.tree;
     let plugin = control
         .plugin(tree)
-        .and_then(|element| Text::content(tree, element));
+        .and_then(|element| AttrValue::content(tree, element));
     plugin.is_some_and(|plugin| is_simulator_plugin(&plugin.value))
 }

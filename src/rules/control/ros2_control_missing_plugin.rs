@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::{Ros2Control, Text, source_mentions, tag_start};
+use model::{AttrValue, Ros2Control, source_mentions, tag_start};
 use workspace::nearest;
 
 pub(super) static RULE: Rule = Rule {
@@ -33,7 +33,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let mut plugins = tree
                 .elements(hardware)
                 .filter(|&id| tree.get(id).text == "plugin");
-            if !plugins.any(|plugin| Text::content(tree, plugin).is_some()) {
+            if !plugins.any(|plugin| AttrValue::content(tree, plugin).is_some()) {
                 // other arguments choose one: the parameters of a hardware whose plugin is missing would be here
                 let has_branch = source_mentions(cx.expansion, hardware, "plugin")
                     && tree.elements(hardware).next().is_none();

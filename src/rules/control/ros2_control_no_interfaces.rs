@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::misspelled_plugin::HARDWARE;
-use model::{ControlJoint, Ros2Control, Text, tag_start};
+use model::{AttrValue, ControlJoint, Ros2Control, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL011",
@@ -46,7 +46,7 @@ fn exports_its_own(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     let tree = &cx.expansion.tree;
     let plugin = control
         .plugin(tree)
-        .and_then(|element| Text::content(tree, element));
+        .and_then(|element| AttrValue::content(tree, element));
     let from = cx.expansion.files.first().map(|file| &*file.source.path);
     plugin.zip(from).is_some_and(|(plugin, from)| {
         cx.world
@@ -60,7 +60,7 @@ fn may_know_better(cx: &DocumentCx<'_>, control: &Ros2Control) -> bool {
     let tree = &cx.expansion.tree;
     let plugin = control
         .plugin(tree)
-        .and_then(|element| Text::content(tree, element));
+        .and_then(|element| AttrValue::content(tree, element));
     let is_other = plugin.is_some_and(|plugin| !HARDWARE.contains(&plugin.value.trim()));
     is_other
         && control

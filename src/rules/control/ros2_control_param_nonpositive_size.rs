@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::Text;
+use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL017",
@@ -23,7 +23,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let interfaces = parts
         .flat_map(|part| tree.elements(part))
         .filter(|&id| tree.get(id).text.ends_with("_interface"));
-    for text in interfaces.filter_map(|interface| Text::attr(tree, interface, "size")) {
+    for text in interfaces.filter_map(|interface| AttrValue::attr(tree, interface, "size")) {
         let digits = text.value.bytes().all(|byte| byte.is_ascii_digit());
         if text.is_known() && (!digits || text.value.bytes().all(|byte| byte == b'0')) {
             out.report(

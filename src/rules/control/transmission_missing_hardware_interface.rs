@@ -3,8 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use expand::XTree;
-use model::{Text, Transmission, tag_start};
-use workspace::Target;
+use model::{AttrValue, Transmission, tag_start};
+use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "CTL013",
@@ -26,7 +26,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     // in ROS 2, nothing reads transmissions outside of <ros2_control>
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
-        Some(Target::Ros2) => Severity::Info,
+        Some(RosVersion::Ros2) => Severity::Info,
         _ => Severity::Warning,
     };
     for transmission in robot
@@ -55,6 +55,6 @@ fn is_simple(tree: &XTree, transmission: &Transmission) -> bool {
         .elements(transmission.element)
         .filter(|&id| tree.get(id).text == "type");
     types.any(|id| {
-        Text::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission"))
+        AttrValue::content(tree, id).is_some_and(|text| text.value.ends_with("SimpleTransmission"))
     })
 }

@@ -3,8 +3,8 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joints::unknown_joints;
-use model::Text;
-use workspace::{Target, misspelled};
+use model::AttrValue;
+use workspace::{RosVersion, misspelled};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CTL012",
@@ -27,17 +27,18 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         .transmissions
         .iter()
         .flat_map(|transmission| &transmission.joints);
-    let names: Vec<&Text> = listed.filter_map(|(_, name)| name.as_ref()).collect();
+    let names: Vec<&AttrValue> = listed.filter_map(|(_, name)| name.as_ref()).collect();
     let root = cx.expansion.files.first().map(|file| &*file.source.path);
     let severity = match root.and_then(|root| cx.world.packages.generation(root)) {
         // nothing in ROS 2 reads these elements: what resembles no joint is left over from ROS 1
-        Some(Target::Ros2) => {
-            let is_slip = |text: &&Text| {
+        Some(RosVersion::Ros2) => {
+            let is_slip = |text: &&AttrValue| {
                 let joints = cx.robot.joints.iter().map(|joint| joint.shown());
                 text.name()
                     .is_some_and(|name| misspelled(name, joints).is_some())
             };
-            let (slips, others): (Vec<&Text>, Vec<&Text>) = names.into_iter().partition(is_slip);
+            let (slips, others): (Vec<&AttrValue>, Vec<&AttrValue>) =
+                names.into_iter().partition(is_slip);
             unknown_joints(cx, out, slips.into_iter(), BLOCK, Severity::Warning);
             return unknown_joints(cx, out, others.into_iter(), BLOCK, Severity::Info);
         }

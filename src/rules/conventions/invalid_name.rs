@@ -4,8 +4,8 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::xml::with_dollars;
-use super::names::{self, Named};
-use model::{JointType, Text};
+use super::names::{self, NamedElement};
+use model::{AttrValue, JointType};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "CNV001",
@@ -50,7 +50,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             // no controller ever names a joint that is fixed; frames may have the letters of any language
             .severity(
                 if is_fixed_joint(cx, named, &name.value)
-                    || named == Named::Link && name.value.chars().all(is_letter)
+                    || named == NamedElement::Link && name.value.chars().all(is_letter)
                 {
                     Severity::Info
                 } else {
@@ -123,17 +123,19 @@ fn check_ends(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// Whether the name is that of fixed joints.
-fn is_fixed_joint(cx: &DocumentCx<'_>, named: Named, name: &str) -> bool {
+fn is_fixed_joint(cx: &DocumentCx<'_>, named: NamedElement, name: &str) -> bool {
     let mut own = cx
         .joints()
         .iter()
         .filter(|joint| joint.shown() == name)
         .peekable();
-    named == Named::Joint && own.peek().is_some() && own.all(|joint| joint.is(&[JointType::Fixed]))
+    named == NamedElement::Joint
+        && own.peek().is_some()
+        && own.all(|joint| joint.is(&[JointType::Fixed]))
 }
 
 /// The name, unless it is so long that it cannot be meant as one: then it may be the text of some file.
-fn quoted(name: &Text) -> String {
+fn quoted(name: &AttrValue) -> String {
     const MOST: usize = 100;
     if name.value.len() > MOST {
         String::new()

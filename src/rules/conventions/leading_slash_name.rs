@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::names;
 use base::FastSet;
 use expand::{BindingId, BindingKind};
-use model::Text;
+use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
     code: "CNV003",
@@ -54,7 +54,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// Whether the text in front of the slash comes from an argument that is empty here: who runs the file gives it.
-fn follows_empty_argument(cx: &DocumentCx<'_>, name: &Text) -> bool {
+fn follows_empty_argument(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
     let expansion = cx.expansion;
     let first = name
         .pieces

@@ -60,7 +60,7 @@ fn chain(cx: &RobotCx<'_>, root: usize) -> Vec<usize> {
         if !seen.insert(link) {
             continue;
         }
-        for &joint in cx.kinematics.down(link) {
+        for &joint in cx.kinematics.child_joints(link) {
             let Some((_, child)) = cx.kinematics.ends(joint) else {
                 continue;
             };

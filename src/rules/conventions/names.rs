@@ -3,35 +3,35 @@ use super::super::context::DocumentCx;
 use super::super::finding::Edit;
 use base::FastSet;
 use expand::{Expansion, XId, XKind};
-use model::{Robot, Text};
+use model::{AttrValue, Robot};
 
 /// What a name names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in super::super) enum Named {
+pub(in super::super) enum NamedElement {
     Link,
     Joint,
 }
 
-impl Named {
+impl NamedElement {
     /// The word for messages.
     pub fn word(self) -> &'static str {
         match self {
-            Named::Link => "link",
-            Named::Joint => "joint",
+            NamedElement::Link => "link",
+            NamedElement::Joint => "joint",
         }
     }
 }
 
 /// The known names of a robot, or of what a library gives.
-pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Text)> {
+pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (NamedElement, &AttrValue)> {
     let links = robot
         .links
         .iter()
-        .filter_map(|link| Some((Named::Link, link.name.as_ref()?)));
+        .filter_map(|link| Some((NamedElement::Link, link.name.as_ref()?)));
     let joints = robot
         .joints
         .iter()
-        .filter_map(|joint| Some((Named::Joint, joint.name.as_ref()?)));
+        .filter_map(|joint| Some((NamedElement::Joint, joint.name.as_ref()?)));
     links.chain(joints).filter(|(_, name)| name.is_known())
 }
 
@@ -39,14 +39,14 @@ pub(in super::super) fn names(robot: &Robot) -> impl Iterator<Item = (Named, &Te
 /// the new name is taken.
 pub(in super::super) fn rename(
     cx: &DocumentCx<'_>,
-    named: Named,
+    named: NamedElement,
     old: &str,
     new: &str,
 ) -> Option<Vec<Edit>> {
     let mut places = FastSet::default();
     let mut edits = Vec::new();
     for (id, attr) in mentions(cx.expansion, cx.element, named) {
-        let text = Text::attr(&cx.expansion.tree, id, attr)?;
+        let text = AttrValue::attr(&cx.expansion.tree, id, attr)?;
         if text.value == new {
             return None;
         }
@@ -73,7 +73,7 @@ pub(in super::super) fn rename(
 }
 
 /// The attributes that name links, or joints: where they are defined and where they are referred to.
-fn mentions(expansion: &Expansion, root: XId, named: Named) -> Vec<(XId, &'static str)> {
+fn mentions(expansion: &Expansion, root: XId, named: NamedElement) -> Vec<(XId, &'static str)> {
     let tree = &expansion.tree;
     let mut open = vec![root];
     let mut found = Vec::new();
@@ -84,9 +84,9 @@ fn mentions(expansion: &Expansion, root: XId, named: Named) -> Vec<(XId, &'stati
             .filter(|&id| tree.get(id).kind == XKind::Element);
         let parent = around.map_or("", |id| tree.get(id).text.as_str());
         let attr = match (node.text.as_str(), parent, named) {
-            ("link", _, Named::Link) | ("joint", _, Named::Joint) => Some("name"),
-            ("parent" | "child", "joint", Named::Link) => Some("link"),
-            ("mimic", _, Named::Joint) => Some("joint"),
+            ("link", _, NamedElement::Link) | ("joint", _, NamedElement::Joint) => Some("name"),
+            ("parent" | "child", "joint", NamedElement::Link) => Some("link"),
+            ("mimic", _, NamedElement::Joint) => Some("joint"),
             ("gazebo", _, _) => Some("reference"),
             _ => None,
         };

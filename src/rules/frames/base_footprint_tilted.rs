@@ -6,7 +6,7 @@ use super::super::numbers::{comes_from_a_name, short};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::names::prefix_of;
-use model::{Text, transform};
+use model::{AttrValue, transform};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM010",
@@ -48,7 +48,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
                 return;
             };
             // a joint that is walked from child to parent turns the other way
-            let down = cx.kinematics.above(base).any(|above| above == i);
+            let down = cx.kinematics.ancestor_joints(base).any(|above| above == i);
             rotation *= if down {
                 step.rotation
             } else {
@@ -62,7 +62,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let mut tilts = joints
             .iter()
             .filter_map(|joint| joint.origin.as_ref()?.rpy.as_ref());
-        let tilted = |text: &&Text| {
+        let tilted = |text: &&AttrValue| {
             text.numbers::<3>()
                 .is_some_and(|[roll, pitch, _]| roll.abs().max(pitch.abs()) > LEVEL)
         };

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_surroundings;
 use super::names::{can_move, prefix_of};
-use model::{Joint, JointType, Text};
+use model::{AttrValue, Joint, JointType};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM019",
@@ -57,7 +57,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The rotation of a joint, when roll or pitch is a quarter of a turn and no name says that it is meant.
-fn tilt<'a>(cx: &RobotCx<'_>, joint: &'a Joint) -> Option<&'a Text> {
+fn tilt<'a>(cx: &RobotCx<'_>, joint: &'a Joint) -> Option<&'a AttrValue> {
     let text = joint.origin.as_ref()?.rpy.as_ref()?;
     let [roll, pitch, _] = text.numbers::<3>()?;
     let is_named = text

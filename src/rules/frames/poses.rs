@@ -6,14 +6,14 @@ use model::{Body, Pose};
 pub(super) const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];
 
 /// An origin and what it places.
-pub(super) struct Placed<'a> {
+pub(super) struct ElementPose<'a> {
     /// The origin.
     pub(super) pose: &'a Pose,
     kind: &'static str,
     name: &'a str,
 }
 
-impl Placed<'_> {
+impl ElementPose<'_> {
     /// What is placed, for messages.
     pub(super) fn owner(&self) -> String {
         let Self { kind, name, .. } = self;
@@ -26,13 +26,13 @@ impl Placed<'_> {
 }
 
 /// The origins of joints, visuals, collisions and inertias.
-pub(super) fn poses<'a>(cx: &DocumentCx<'a>) -> Vec<Placed<'a>> {
+pub(super) fn poses<'a>(cx: &DocumentCx<'a>) -> Vec<ElementPose<'a>> {
     let Some(robot) = cx.robot else {
         return Vec::new();
     };
     let mut found = Vec::new();
     for joint in &robot.joints {
-        let placed = |pose| Placed {
+        let placed = |pose| ElementPose {
             pose,
             kind: "joint",
             name: joint.shown(),
@@ -44,14 +44,14 @@ pub(super) fn poses<'a>(cx: &DocumentCx<'a>) -> Vec<Placed<'a>> {
             .inertial
             .as_ref()
             .and_then(|inertial| inertial.origin.as_ref());
-        found.extend(inertial.map(|pose| Placed {
+        found.extend(inertial.map(|pose| ElementPose {
             pose,
             kind: "inertial",
             name: link.shown(),
         }));
         let mut bodies = |kind, bodies: &'a [Body]| {
             let poses = bodies.iter().filter_map(|body| body.origin.as_ref());
-            found.extend(poses.map(|pose| Placed {
+            found.extend(poses.map(|pose| ElementPose {
                 pose,
                 kind,
                 name: link.shown(),

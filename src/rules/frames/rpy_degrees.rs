@@ -6,7 +6,7 @@ use super::super::numbers::{from_degrees, is_made_with, is_part_of_pi};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::poses::{ANGLES, poses};
-use model::Text;
+use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM001",
@@ -49,7 +49,7 @@ fn is_converted(written: Option<&str>) -> bool {
 }
 
 /// Whether the part `range` of a value is an angle in radians, by its value or by what it was made with.
-fn is_in_radians(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>, angle: f64) -> bool {
+fn is_in_radians(cx: &DocumentCx<'_>, text: &AttrValue, range: Range<usize>, angle: f64) -> bool {
     is_part_of_pi(angle)
         || angle.abs() < MOST_COMPUTED
             && (is_converted(text.value.get(range.clone()))

@@ -2,7 +2,7 @@
 use super::super::context::{DocumentCx, RootKind, RuleEnv};
 use super::resources::factors;
 use expand::Expansion;
-use model::{Body, Bounds, Link, Mesh, Robot, Shape, ShapeKind, Text, UpAxis, transform};
+use model::{AttrValue, Body, Bounds, Link, Mesh, Robot, Shape, ShapeKind, UpAxis, transform};
 
 /// What is known about the space that bodies take.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,7 +95,7 @@ fn shape_bounds(cx: &DocumentCx<'_>, shape: &Shape) -> Option<Bounds> {
     })
 }
 
-fn number(text: &Option<Text>) -> Option<f64> {
+fn number(text: &Option<AttrValue>) -> Option<f64> {
     text.as_ref()?.number()
 }
 

@@ -74,7 +74,7 @@ fn is_between(cx: &RobotCx<'_>, index: usize) -> bool {
         parent.is_some_and(|parent| parent.value == name)
     });
     cx.kinematics
-        .up(index)
+        .parent_joints(index)
         .first()
         .is_some_and(|&joint| moves(joint))
         && below.into_iter().any(moves)

@@ -8,8 +8,8 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::{is_replaceable, resource_names};
-use model::Text;
-use workspace::Target;
+use model::AttrValue;
+use workspace::RosVersion;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO021",
@@ -81,7 +81,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// `package://$(find arm)/meshes/a.stl` as `package://arm/meshes/a.stl`.
-fn without_find(cx: &DocumentCx<'_>, name: &Text) -> Option<String> {
+fn without_find(cx: &DocumentCx<'_>, name: &AttrValue) -> Option<String> {
     let (_, _, source) = source_text(cx.expansion, name.origin).filter(|_| !name.is_literal())?;
     let (package, path) = source.strip_prefix("package://$(find ")?.split_once(')')?;
     path.starts_with('/')
@@ -105,11 +105,11 @@ fn is_of_model(cx: &DocumentCx<'_>, file: &Path) -> bool {
 }
 
 fn is_of_ros1(cx: &DocumentCx<'_>, file: &Path) -> bool {
-    cx.world.packages.generation(file) == Some(Target::Ros1)
+    cx.world.packages.generation(file) == Some(RosVersion::Ros1)
 }
 
 /// Whether a URI that is computed has spaces only in the folders above its package: it is installed elsewhere.
-fn is_of_checkout(cx: &DocumentCx<'_>, name: &Text) -> bool {
+fn is_of_checkout(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
     let path = name.value.strip_prefix("file://").map(Path::new);
     let Some(path) = path.filter(|_| !name.is_literal()) else {
         return false;
@@ -125,7 +125,7 @@ fn is_of_checkout(cx: &DocumentCx<'_>, name: &Text) -> bool {
 
 /// Whether the name of a file follows `package:///`, the file lies beside the description, and no package does: programs
 /// that are given the folder, and Bullet, find it.
-fn is_beside(cx: &DocumentCx<'_>, name: &Text) -> bool {
+fn is_beside(cx: &DocumentCx<'_>, name: &AttrValue) -> bool {
     let file = cx.expansion.files.first().map(|file| &*file.source.path);
     let path = name
         .value
@@ -153,7 +153,7 @@ fn beginning(uri: &str) -> String {
 }
 
 /// Whether the first name is a package that is known; with a slash too many, it may be a folder of one.
-fn leads_to_package(cx: &DocumentCx<'_>, name: &Text, meant: &str) -> bool {
+fn leads_to_package(cx: &DocumentCx<'_>, name: &AttrValue, meant: &str) -> bool {
     let package = meant
         .strip_prefix("package://")
         .and_then(|rest| rest.split('/').next());

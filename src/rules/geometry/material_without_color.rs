@@ -3,7 +3,7 @@ use super::super::context::{DocumentCx, RootKind};
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::is_defined;
-use model::{Material, Text, source_has_elements, tag_start};
+use model::{AttrValue, Material, source_has_elements, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO031",
@@ -49,5 +49,5 @@ fn is_of_gazebo(cx: &DocumentCx<'_>, material: &Material) -> bool {
     let is_root = cx.expansion.tree.root() == Some(cx.element);
     !is_root
         && material.name.is_none()
-        && Text::content(&cx.expansion.tree, material.element).is_some()
+        && AttrValue::content(&cx.expansion.tree, material.element).is_some()
 }

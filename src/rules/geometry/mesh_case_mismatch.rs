@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::missing::shown;
 use super::shapes::is_replaceable;
-use super::target::Target;
+use super::target::FileLookup;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO002",
@@ -20,7 +20,7 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for mesh in cx.meshes() {
-        let Target::OtherCase(found) = mesh.target else {
+        let FileLookup::OtherCase(found) = mesh.target else {
             continue;
         };
         let message = format!(

@@ -5,7 +5,7 @@ use std::path::Path;
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::Missing;
+use model::MissingDependency;
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO022",
@@ -55,8 +55,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-fn names(missing: &[Missing]) -> String {
-    let name = |missing: &Missing| match &missing.named_in {
+fn names(missing: &[MissingDependency]) -> String {
+    let name = |missing: &MissingDependency| match &missing.named_in {
         Some(library) => format!("`{}` (referenced in `{library}`)", missing.name),
         None => format!("`{}`", missing.name),
     };

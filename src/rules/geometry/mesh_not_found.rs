@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::absolute_mesh_path::is_absolute;
 use super::missing::MissingFiles;
-use super::target::Target;
+use super::target::FileLookup;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO001",
@@ -24,12 +24,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let link = mesh.link.shown();
         match mesh.target {
             // that it is absolute is said by another rule: on the machine it was written on, it may be there
-            Target::Missing(..) if is_absolute(&mesh) => {}
-            Target::Missing(path, package) => {
+            FileLookup::Missing(..) if is_absolute(&mesh) => {}
+            FileLookup::Missing(path, package) => {
                 let what = format!("mesh `{}` of link `{link}`", mesh.name());
                 missing.add(mesh.file, what, path, package.as_deref());
             }
-            Target::NoFile(path) => {
+            FileLookup::NoFile(path) => {
                 let message = format!(
                     "mesh of link `{link}`: `{}` is not a file",
                     vfs::slashed(path)

@@ -7,7 +7,7 @@ use super::bodies::extent_of;
 use super::resources::MeshUse;
 use base::TextRange;
 use expand::{FileIdx, Origin};
-use model::{Body, Bounds, Joint, Link, Robot, Text, tag_start};
+use model::{AttrValue, Body, Bounds, Joint, Link, Robot, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "GEO007",
@@ -183,8 +183,8 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
 /// would be smaller than a part of the robot.
 fn is_around(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, extent: f64) -> bool {
     let is_child = |joint: &Joint| {
-        let child = joint.child.as_ref().and_then(Text::name);
-        child.is_some() && child == mesh.link.name.as_ref().and_then(Text::name)
+        let child = joint.child.as_ref().and_then(AttrValue::name);
+        child.is_some() && child == mesh.link.name.as_ref().and_then(AttrValue::name)
     };
     let is_part = |other: MeshUse<'_>| {
         other.link.element != mesh.link.element

@@ -8,7 +8,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Safety, Severity};
 use super::super::sink::{Reported, Sink};
 use super::shapes::is_replaceable;
-use model::Text;
+use model::AttrValue;
 
 /// The missing files of a robot by package and folder.
 #[derive(Default)]
@@ -17,7 +17,7 @@ pub(super) struct MissingFiles<'a>(IndexMap<(Option<PathBuf>, PathBuf), Vec<Miss
 /// A file that is not there.
 struct MissingFile<'a> {
     /// The text that names it.
-    name: &'a Text,
+    name: &'a AttrValue,
     /// What needs it, for the message.
     what: String,
     /// Where it would be.
@@ -28,7 +28,7 @@ impl<'a> MissingFiles<'a> {
     /// Add the file at `path`, in the folder of a package if any; `what` needs it.
     pub(super) fn add(
         &mut self,
-        name: &'a Text,
+        name: &'a AttrValue,
         what: String,
         path: &Path,
         package: Option<&Path>,
@@ -179,7 +179,7 @@ fn is_installed(cx: &DocumentCx<'_>, found: &Path, missing: &Path, package: Opti
 
 /// A file or folder as messages call it where `name` is: as that text would name it, else from its package, else
 /// whole.
-pub(super) fn shown(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> String {
+pub(super) fn shown(cx: &DocumentCx<'_>, name: &AttrValue, file: &Path) -> String {
     let in_package = || cx.world.packages.containing(file)?.uri(file);
     uri_of(cx, name, file)
         .or_else(in_package)
@@ -187,7 +187,7 @@ pub(super) fn shown(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> String {
 }
 
 /// How a file is named in place of `name`.
-fn uri_of(cx: &DocumentCx<'_>, name: &Text, file: &Path) -> Option<String> {
+fn uri_of(cx: &DocumentCx<'_>, name: &AttrValue, file: &Path) -> Option<String> {
     if name.value.starts_with("package://") {
         return cx.world.packages.containing(file)?.uri(file);
     }

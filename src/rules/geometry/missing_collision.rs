@@ -38,7 +38,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let lower = name.value.to_lowercase();
         let above = cx
             .kinematics
-            .up(index)
+            .parent_joints(index)
             .first()
             .and_then(|&joint| cx.robot.joints.get(joint)?.joint_type());
         // what is fixed and weighs nothing is decoration

@@ -48,7 +48,7 @@ use super::rule::Rule;
 
 pub use bodies::link_bounds;
 pub use resources::{factors, resolve as resolve_file};
-pub use target::Target as FileTarget;
+pub use target::FileLookup as FileTarget;
 
 pub(super) use bodies::{Extent, extent, extent_of, volume};
 pub(super) use mesh_scale_suspicious::is_scaled_wrong;

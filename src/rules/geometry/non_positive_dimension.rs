@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::shapes::bodies;
-use model::{ShapeKind, Text};
+use model::{AttrValue, ShapeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "GEO013",
@@ -20,7 +20,7 @@ pub(in super::super) static RULE: Rule = Rule {
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, body, is_collision) in bodies(cx) {
         for shape in body.geometry.iter().flat_map(|geometry| &geometry.shapes) {
-            let lengths: Vec<(&str, &Text, Vec<f64>)> = match &shape.kind {
+            let lengths: Vec<(&str, &AttrValue, Vec<f64>)> = match &shape.kind {
                 ShapeKind::Box { size } => {
                     length("size", size, |text| Some(text.numbers::<3>()?.to_vec()))
                 }
@@ -77,9 +77,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 fn length<'a>(
     name: &'static str,
-    text: &'a Option<Text>,
-    numbers: impl Fn(&Text) -> Option<Vec<f64>>,
-) -> Vec<(&'static str, &'a Text, Vec<f64>)> {
+    text: &'a Option<AttrValue>,
+    numbers: impl Fn(&AttrValue) -> Option<Vec<f64>>,
+) -> Vec<(&'static str, &'a AttrValue, Vec<f64>)> {
     text.iter()
         .filter_map(|text| Some((name, text, numbers(text)?)))
         .collect()

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::super::context::{DocumentCx, RuleEnv};
-use super::super::geometry::target::{Resources, Target};
+use super::super::geometry::target::{FileLookup, Resources};
 use super::super::grouping::Group;
 use super::uri::defect;
 use base::FastMap;
 use expand::{Expansion, FileIdx, XId, XTree};
-use model::{Link, Mesh, Shape, ShapeKind, Text};
+use model::{AttrValue, Link, Mesh, Shape, ShapeKind};
 use workspace::{UriKind, UriOutcome};
 
 /// A mesh that a visual or collision names.
@@ -22,11 +22,11 @@ pub struct MeshUse<'a> {
     /// The element `mesh`.
     pub element: XId,
     /// Its `filename`.
-    pub file: &'a Text,
+    pub file: &'a AttrValue,
     /// Its `scale`.
-    pub scale: Option<&'a Text>,
+    pub scale: Option<&'a AttrValue>,
     /// Where the name leads.
-    pub target: &'a Target,
+    pub target: &'a FileLookup,
     /// The mesh, when there is a file.
     pub mesh: Option<&'a Mesh>,
 }
@@ -63,8 +63,8 @@ impl MeshUse<'_> {
 }
 
 /// The factors of a scale that may be absent; none when they are not known.
-pub fn factors(scale: Option<&Text>) -> Option<[f64; 3]> {
-    scale.map_or(Some([1.0; 3]), Text::numbers)
+pub fn factors(scale: Option<&AttrValue>) -> Option<[f64; 3]> {
+    scale.map_or(Some([1.0; 3]), AttrValue::numbers)
 }
 
 impl DocumentCx<'_> {
@@ -73,7 +73,7 @@ impl DocumentCx<'_> {
         let resources = self.resources.get_or_init(|| read_meshes(self));
         named(self).filter_map(|named| {
             let (target, mesh) = resources.meshes.get(&named.element)?;
-            let Named {
+            let MeshReference {
                 link,
                 is_collision,
                 element,
@@ -101,15 +101,15 @@ impl DocumentCx<'_> {
 }
 
 /// A mesh before its file is looked for.
-struct Named<'a> {
+struct MeshReference<'a> {
     link: &'a Link,
     is_collision: bool,
     element: XId,
-    file: &'a Text,
-    scale: Option<&'a Text>,
+    file: &'a AttrValue,
+    scale: Option<&'a AttrValue>,
 }
 
-fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
+fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = MeshReference<'a>> {
     let links = cx.robot.into_iter().flat_map(|robot| &robot.links);
     let bodies = links.flat_map(|link| {
         let visuals = link.visuals.iter().map(|body| (body, false));
@@ -125,7 +125,7 @@ fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
         else {
             return None;
         };
-        Some(Named {
+        Some(MeshReference {
             link,
             is_collision,
             element: shape.element,
@@ -137,7 +137,7 @@ fn named<'a>(cx: &'a DocumentCx<'_>) -> impl Iterator<Item = Named<'a>> {
 
 /// Find the files that meshes name, and read them.
 fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
-    let mut known: FastMap<(Option<FileIdx>, &str), Target> = FastMap::default();
+    let mut known: FastMap<(Option<FileIdx>, &str), FileLookup> = FastMap::default();
     let mut targets = Vec::new();
     for named in named(cx) {
         let file = cx
@@ -154,7 +154,7 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
                 })
                 .clone()
         } else {
-            Target::Unknown
+            FileLookup::Unknown
         };
         targets.push((named.element, target));
     }
@@ -167,7 +167,7 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
     let (meshes, vfs) = (cx.world.meshes, cx.world.vfs);
     known
         .values()
-        .filter_map(Target::place)
+        .filter_map(FileLookup::place)
         .for_each(|path| meshes.note(path));
     let get = |path: &&Path| meshes.get(vfs, path);
     // threads are only started where there is work for them
@@ -189,8 +189,8 @@ fn read_meshes(cx: &DocumentCx<'_>) -> Resources {
 
 /// Where MuJoCo finds a mesh that is missing elsewhere: in the folder that `<mujoco><compiler meshdir="..."/>` of the robot
 /// names, by the name of the file alone unless it says `strippath="false"`.
-fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &Target) -> Option<Target> {
-    if !matches!(target, Target::Missing(..)) {
+fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &FileLookup) -> Option<FileLookup> {
+    if !matches!(target, FileLookup::Missing(..)) {
         return None;
     }
     let tree = &cx.expansion.tree;
@@ -206,7 +206,10 @@ fn in_mesh_folder(cx: &DocumentCx<'_>, name: &str, target: &Target) -> Option<Ta
     let root = &cx.expansion.files.first()?.source.path;
     let folder = tree.attr(compiler, "meshdir")?.value.as_str();
     let path = vfs::without_parents(&root.parent()?.join(folder).join(name));
-    cx.world.vfs.is_file(&path).then_some(Target::File(path))
+    cx.world
+        .vfs
+        .is_file(&path)
+        .then_some(FileLookup::File(path))
 }
 
 /// The first child element of a name.
@@ -215,12 +218,12 @@ fn child(tree: &XTree, element: XId, name: &str) -> Option<XId> {
 }
 
 /// Find the file that an attribute names.
-pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &Text) -> Target {
+pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &AttrValue) -> FileLookup {
     let place = expansion
         .place(name.origin)
         .filter(|_| name.is_known() && !name.value.trim().is_empty());
     let Some(place) = place else {
-        return Target::Unknown;
+        return FileLookup::Unknown;
     };
     let files = [place.file, FileIdx(0)];
     let from = files.map(|file| {
@@ -233,21 +236,21 @@ pub fn resolve(expansion: &Expansion, world: RuleEnv<'_>, name: &Text) -> Target
     // a relative path counts from the file it stands in, or from the file that is loaded
     for from in from.into_iter().flatten() {
         let target = resolve_from(world, &name.value, from);
-        if !matches!(target, Target::Missing(..) | Target::OtherCase(_)) {
+        if !matches!(target, FileLookup::Missing(..) | FileLookup::OtherCase(_)) {
             return target;
         }
         first.get_or_insert(target);
     }
     // a path with such faults leads nowhere because of them
-    let faulty = matches!(first, Some(Target::Missing(..))) && defect(&name.value).is_some();
+    let faulty = matches!(first, Some(FileLookup::Missing(..))) && defect(&name.value).is_some();
     if faulty {
-        Target::Malformed
+        FileLookup::Malformed
     } else {
-        first.unwrap_or(Target::Unknown)
+        first.unwrap_or(FileLookup::Unknown)
     }
 }
 
-fn resolve_from(world: RuleEnv<'_>, uri: &str, from: &Path) -> Target {
+fn resolve_from(world: RuleEnv<'_>, uri: &str, from: &Path) -> FileLookup {
     let result = world.packages.resolve_uri(uri, from);
     let package = uri
         .strip_prefix("package://")
@@ -261,16 +264,16 @@ fn resolve_from(world: RuleEnv<'_>, uri: &str, from: &Path) -> Target {
         _ => None,
     };
     match result.outcome {
-        UriOutcome::Elsewhere => Target::Unknown,
-        UriOutcome::UnknownPackage(_) => Target::Unknown,
-        UriOutcome::Malformed(_) => Target::Malformed,
+        UriOutcome::Elsewhere => FileLookup::Unknown,
+        UriOutcome::UnknownPackage(_) => FileLookup::Unknown,
+        UriOutcome::Malformed(_) => FileLookup::Malformed,
         UriOutcome::Found(path) => {
             let path = world.vfs.absolute(&path);
             let listed = base.and_then(|base| world.vfs.as_listed(&base, &path));
             match listed.filter(|listed| *listed != path) {
-                Some(listed) => Target::OtherCase(listed),
-                None if world.vfs.is_file(&path) => Target::File(path),
-                None => Target::NoFile(path),
+                Some(listed) => FileLookup::OtherCase(listed),
+                None if world.vfs.is_file(&path) => FileLookup::File(path),
+                None => FileLookup::NoFile(path),
             }
         }
         UriOutcome::Missing(path) => {
@@ -281,8 +284,8 @@ fn resolve_from(world: RuleEnv<'_>, uri: &str, from: &Path) -> Target {
                 .as_listed(&base, &path)
                 .filter(|listed| world.vfs.is_file(listed))
             {
-                Some(listed) if listed != path => Target::OtherCase(listed),
-                _ => Target::Missing(path, package),
+                Some(listed) if listed != path => FileLookup::OtherCase(listed),
+                _ => FileLookup::Missing(path, package),
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The bodies and materials of a robot.
 use super::super::context::DocumentCx;
 use expand::{XId, XKind, XTree};
-use model::{Body, Link, Material, Robot, Shape, ShapeKind, Text};
+use model::{AttrValue, Body, Link, Material, Robot, Shape, ShapeKind};
 
 /// All visuals and collisions with their link, and whether it is a collision.
 pub(super) fn bodies<'a>(
@@ -78,7 +78,7 @@ pub(in super::super) fn color(material: &Material) -> Option<[f64; 4]> {
 }
 
 /// The file of a mesh.
-pub(super) fn mesh_file(shape: &Shape) -> Option<&Text> {
+pub(super) fn mesh_file(shape: &Shape) -> Option<&AttrValue> {
     match &shape.kind {
         ShapeKind::Mesh { filename, .. } => filename.as_ref(),
         _ => None,
@@ -86,7 +86,7 @@ pub(super) fn mesh_file(shape: &Shape) -> Option<&Text> {
 }
 
 /// The names of all meshes and textures.
-pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
+pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a AttrValue> {
     let shapes = bodies(cx)
         .flat_map(|(_, body, _)| body.geometry.iter().flat_map(|geometry| &geometry.shapes));
     shapes
@@ -96,7 +96,7 @@ pub(super) fn resource_names<'a>(cx: &'a DocumentCx<'_>) -> Vec<&'a Text> {
 }
 
 /// Whether a value may be replaced by `content`: the source spells it, and neither needs entities.
-pub(in super::super) fn is_replaceable(text: &Text, content: &str) -> bool {
+pub(in super::super) fn is_replaceable(text: &AttrValue, content: &str) -> bool {
     text.is_literal() && is_plain(&text.value) && is_plain(content)
 }
 

@@ -8,7 +8,7 @@ use model::Mesh;
 
 /// Where the text of a file name leads.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Target {
+pub enum FileLookup {
     /// Nothing can be said: the text is not known, or speaks of a package or machine that is not at hand.
     Unknown,
     /// To no place at all.
@@ -26,25 +26,25 @@ pub enum Target {
 /// The meshes of a robot by the element that names them.
 #[derive(Debug, Default)]
 pub struct Resources {
-    pub(super) meshes: FastMap<XId, (Target, Option<Arc<Mesh>>)>,
+    pub(super) meshes: FastMap<XId, (FileLookup, Option<Arc<Mesh>>)>,
 }
 
-impl Target {
+impl FileLookup {
     /// The path it leads to, whatever is there.
     pub(super) fn place(&self) -> Option<&Path> {
         match self {
-            Target::File(path)
-            | Target::NoFile(path)
-            | Target::OtherCase(path)
-            | Target::Missing(path, _) => Some(path),
-            Target::Unknown | Target::Malformed => None,
+            FileLookup::File(path)
+            | FileLookup::NoFile(path)
+            | FileLookup::OtherCase(path)
+            | FileLookup::Missing(path, _) => Some(path),
+            FileLookup::Unknown | FileLookup::Malformed => None,
         }
     }
 
     /// The file it leads to.
     pub fn file(&self) -> Option<&Path> {
         match self {
-            Target::File(path) => Some(path),
+            FileLookup::File(path) => Some(path),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@ use super::super::sink::Sink;
 use super::missing::{MissingFiles, shown};
 use super::resources::resolve;
 use super::shapes::{materials, visual_materials};
-use super::target::Target;
+use super::target::FileLookup;
 use base::FastSet;
 
 pub(super) static RULE: Rule = Rule {
@@ -47,11 +47,11 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             .as_ref()
             .map_or("", |name| name.value.as_str());
         match resolve(cx.expansion, cx.world, file) {
-            Target::Missing(path, package) => {
+            FileLookup::Missing(path, package) => {
                 let what = format!("texture of material `{name}`");
                 missing.add(file, what, &path, package.as_deref());
             }
-            Target::OtherCase(found) => {
+            FileLookup::OtherCase(found) => {
                 let message =
                     format!("texture of material `{name}` differs in case from the file on disk");
                 out.report(file.origin, message)

@@ -6,7 +6,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::shapes::{is_defined, is_replaceable, mesh_file, visual_materials};
 use base::FastSet;
-use model::{Body, Material, Text};
+use model::{AttrValue, Body, Material};
 use workspace::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -61,7 +61,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 /// Whether a material is that of a mesh in a format that holds colors of its own: these are shown without it.
 fn is_on_colored_mesh(cx: &RobotCx<'_>, material: &Material) -> bool {
     const FORMATS: [&str; 4] = [".dae", ".glb", ".gltf", ".obj"];
-    let is_colored = |file: &Text| {
+    let is_colored = |file: &AttrValue| {
         let name = file.value.trim().to_lowercase();
         FORMATS.iter().any(|ending| name.ends_with(ending))
     };

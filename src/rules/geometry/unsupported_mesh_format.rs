@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::target::Target;
+use super::target::FileLookup;
 use workspace::edit_distance;
 
 pub(super) static RULE: Rule = Rule {
@@ -37,7 +37,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         if known
             || name.is_empty()
             || !mesh.file.is_known()
-            || matches!(mesh.target, Target::NoFile(_))
+            || matches!(mesh.target, FileLookup::NoFile(_))
         {
             continue;
         }

@@ -5,7 +5,9 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::inertia_triangle_inequality;
 use super::joined::{LIGHT, is_in_world, is_joined, shape};
-use super::moments::{Verdict, inertia_tag, inertials, is_same_about_all_axes, short, verdict};
+use super::moments::{
+    InertiaClass, inertia_tag, inertials, is_same_about_all_axes, short, verdict,
+};
 use super::placeholder_inertia::is_placeholder;
 use model::Link;
 
@@ -37,7 +39,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some(entries) = inertial.entries() else {
             continue;
         };
-        let Verdict::Definite([_, _, most]) = verdict(entries) else {
+        let InertiaClass::Definite([_, _, most]) = verdict(entries) else {
             continue;
         };
         let radius = (most / mass).sqrt();

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
-use super::moments::{NEGLIGIBLE_MASS, Verdict, inertia_tag, inertials, verdict};
+use super::moments::{InertiaClass, NEGLIGIBLE_MASS, inertia_tag, inertials, verdict};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "INR004",
@@ -23,8 +23,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         }
         let (severity, message) = match inertial.entries().map(verdict) {
-            Some(Verdict::Negative) => (Severity::Error, "has a negative principal moment"),
-            Some(Verdict::Singular) => {
+            Some(InertiaClass::Negative) => (Severity::Error, "has a negative principal moment"),
+            Some(InertiaClass::Singular) => {
                 // simulators add the inertia of a link that is fixed to that of its parent
                 let severity = if is_joined(cx, link) {
                     Severity::Info

@@ -6,7 +6,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{is_in_world, is_small_part};
-use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
+use super::moments::{InertiaClass, inertia_tag, inertials, short, verdict};
 use model::{Inertial, JointType, Link, transform};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -63,7 +63,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// The moments, if no body has them.
 fn impossible(inertial: &Inertial) -> Option<[f64; 3]> {
-    let Verdict::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else {
+    let InertiaClass::Definite(moments @ [a, b, c]) = verdict(inertial.entries()?) else {
         return None;
     };
     (a + b < c * (1.0 - ROUNDING)).then_some(moments)

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::super::vocabulary::is_simulator_plugin;
 use base::FastSet;
-use model::{Gazebo, JointType, Ros2Control, Text};
+use model::{AttrValue, Gazebo, JointType, Ros2Control};
 use workspace::config::Profile;
 
 pub(super) static RULE: Rule = Rule {
@@ -36,7 +36,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         };
         let above = cx
             .kinematics
-            .up(index)
+            .parent_joints(index)
             .first()
             .and_then(|&joint| robot.joints.get(joint)?.joint_type());
         let moves = above.is_some_and(|kind| kind != JointType::Fixed);
@@ -57,7 +57,7 @@ fn is_simulated(cx: &RobotCx<'_>) -> bool {
     let is_simulator = |control: &Ros2Control| {
         let plugin = control
             .plugin(tree)
-            .and_then(|element| Text::content(tree, element));
+            .and_then(|element| AttrValue::content(tree, element));
         // a plugin that is not known may be one
         plugin
             .as_ref()
@@ -91,7 +91,7 @@ fn carries_mass(cx: &RobotCx<'_>, link: usize) -> bool {
         {
             return true;
         }
-        let fixed = cx.kinematics.down(link).iter().filter(|&&joint| {
+        let fixed = cx.kinematics.child_joints(link).iter().filter(|&&joint| {
             cx.robot
                 .joints
                 .get(joint)

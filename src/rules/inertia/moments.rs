@@ -19,7 +19,7 @@ pub(super) const NEGLIGIBLE_MASS: f64 = 1e-5;
 
 /// What an inertia matrix is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Verdict {
+pub(super) enum InertiaClass {
     /// Zero, but for rounding.
     Zero,
     /// One of its principal moments is negative.
@@ -31,21 +31,21 @@ pub(super) enum Verdict {
 }
 
 /// Judge `ixx ixy ixz iyy iyz izz`.
-pub(super) fn verdict(entries: [f64; 6]) -> Verdict {
+pub(super) fn verdict(entries: [f64; 6]) -> InertiaClass {
     let entries = without_noise(entries);
     let [xx, _, _, yy, _, zz] = entries;
     if entries == [0.0; 6] {
-        return Verdict::Zero;
+        return InertiaClass::Zero;
     }
     let moments = principal(entries);
     let [least, _, most] = moments;
     let magnitude = most.abs().max(least.abs());
     if least < -ROUNDING * magnitude || [xx, yy, zz].iter().any(|&entry| entry < 0.0) {
-        Verdict::Negative
+        InertiaClass::Negative
     } else if least.abs() <= ZERO * magnitude {
-        Verdict::Singular
+        InertiaClass::Singular
     } else {
-        Verdict::Definite(moments)
+        InertiaClass::Definite(moments)
     }
 }
 
@@ -113,29 +113,41 @@ pub(super) fn short(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Verdict, short, verdict};
+    use super::{InertiaClass, short, verdict};
 
     #[test]
     fn verdicts() {
-        let is_definite = |entries| matches!(verdict(entries), Verdict::Definite(_));
-        assert_eq!(verdict([0.0; 6]), Verdict::Zero);
+        let is_definite = |entries| matches!(verdict(entries), InertiaClass::Definite(_));
+        assert_eq!(verdict([0.0; 6]), InertiaClass::Zero);
         assert_eq!(
             verdict([9e-16, 1e-22, -3e-18, 0.0, 0.0, -1e-19]),
-            Verdict::Zero
+            InertiaClass::Zero
         );
-        assert_eq!(verdict([0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]), Verdict::Negative);
-        assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]), Verdict::Singular);
+        assert_eq!(
+            verdict([0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]),
+            InertiaClass::Negative
+        );
+        assert_eq!(
+            verdict([1.0, 0.0, 0.0, 1.0, 0.0, 0.0]),
+            InertiaClass::Singular
+        );
         assert_eq!(
             verdict([1.0, 9e-13, 0.0, 1.0, 0.0, -9e-16]),
-            Verdict::Singular
+            InertiaClass::Singular
         );
-        assert_eq!(verdict([1.0, 0.0, 0.0, 1.0, 0.0, -1e-9]), Verdict::Negative);
-        assert_eq!(verdict([1.0, 1.1, 0.0, 1.0, 0.0, 1.0]), Verdict::Negative);
+        assert_eq!(
+            verdict([1.0, 0.0, 0.0, 1.0, 0.0, -1e-9]),
+            InertiaClass::Negative
+        );
+        assert_eq!(
+            verdict([1.0, 1.1, 0.0, 1.0, 0.0, 1.0]),
+            InertiaClass::Negative
+        );
         // eigenvalues 2, 1 and -1e-6: an export with six digits
         assert!(is_definite([1.0, 1.000_001, 0.0, 1.0, 0.0, 1.0]));
         assert!(is_definite([1e-14, 0.0, 0.0, 1e-14, 0.0, 1e-14]));
         assert!(is_definite([1e200, 0.0, 0.0, 2e200, 0.0, 2e200]));
-        let Verdict::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else {
+        let InertiaClass::Definite(moments) = verdict([2.0, 0.0, 0.0, 3.0, 1.0, 3.0]) else {
             panic!()
         };
         assert!(

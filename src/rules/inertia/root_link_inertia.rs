@@ -3,7 +3,7 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use base::TextRange;
-use expand::{Expansion, Place};
+use expand::{Expansion, FileRange};
 use model::{Link, Robot, tag_start};
 use workspace::config::Profile;
 
@@ -62,7 +62,7 @@ pub(in super::super) fn massless_root(
     expansion: &Expansion,
     robot: &Robot,
     link: &Link,
-) -> Option<(Place, String)> {
+) -> Option<(FileRange, String)> {
     let name = link.name.as_ref()?;
     let is_plain = name.is_literal() && !name.value.contains(['&', '<', '"']);
     let place = expansion.place(tag_start(expansion, link.element))?;

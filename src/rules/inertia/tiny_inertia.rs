@@ -2,7 +2,7 @@
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::moments::{Verdict, inertia_tag, inertials, short, verdict};
+use super::moments::{InertiaClass, inertia_tag, inertials, short, verdict};
 
 pub(super) static RULE: Rule = Rule {
     code: "INR012",
@@ -21,7 +21,7 @@ const TINY: f64 = 1e-9;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
-        let Some(Verdict::Definite([least, ..])) = inertial.entries().map(verdict) else {
+        let Some(InertiaClass::Definite([least, ..])) = inertial.entries().map(verdict) else {
             continue;
         };
         if least > 0.0 && least < TINY {

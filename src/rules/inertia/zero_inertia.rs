@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joined::{LIGHT, is_in_world, is_joined};
-use super::moments::{Verdict, inertia_tag, inertials, verdict};
+use super::moments::{InertiaClass, inertia_tag, inertials, verdict};
 
 pub(super) static RULE: Rule = Rule {
     code: "INR003",
@@ -23,7 +23,7 @@ const NOTHING: f64 = 1e-5;
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for (link, inertial) in inertials(cx) {
         let heavy = inertial.mass().is_some_and(|mass| mass > NOTHING);
-        if heavy && inertial.entries().map(verdict) == Some(Verdict::Zero) {
+        if heavy && inertial.entries().map(verdict) == Some(InertiaClass::Zero) {
             let message = format!("link `{}` has a mass but zero inertia", link.shown());
             // what is joined to a heavier body, or never turns, needs no inertia of its own
             let is_frame =

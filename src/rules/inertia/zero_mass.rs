@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::joined::is_joined;
-use super::moments::{Verdict, inertials, verdict};
+use super::moments::{InertiaClass, inertials, verdict};
 use model::{Robot, element_range};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -31,7 +31,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let no_inertia = inertial
             .entries()
             .map(verdict)
-            .is_none_or(|verdict| verdict == Verdict::Zero);
+            .is_none_or(|verdict| verdict == InertiaClass::Zero);
         let is_frame = !link.has_geometry() && no_inertia;
         let is_object = no_inertia && cx.robot.is_some_and(Robot::is_rigid);
         let harmless = is_frame || is_object || is_joined(cx, link);

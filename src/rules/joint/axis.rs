@@ -1,11 +1,13 @@
 //! Axes of joints, as numbers.
-use model::{Joint, JointType, Text};
+use model::{AttrValue, Joint, JointType};
 
 /// What counts as no length at all.
 pub(super) const NO_LENGTH: f64 = 1e-9;
 
 /// The axes of joints that move, as far as they are written and known. Fixed joints often carry a zero axis.
-pub(super) fn moving_axes(joints: &[Joint]) -> impl Iterator<Item = (&Joint, &Text, [f64; 3])> {
+pub(super) fn moving_axes(
+    joints: &[Joint],
+) -> impl Iterator<Item = (&Joint, &AttrValue, [f64; 3])> {
     let moving = |joint: &&Joint| {
         joint
             .joint_type()

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::numbers::{UNLIMITED, from_degrees, is_part_of_pi, short, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::{JointType, Limit, Text};
+use model::{AttrValue, JointType, Limit};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT006",
@@ -49,14 +49,14 @@ fn is_for_none(cx: &DocumentCx<'_>, limit: &Limit) -> bool {
 }
 
 /// Whether the one large end is the number of the effort as well, which no angle is: both stand for no limit.
-fn is_filled_in(limit: &Limit, large: &[(&str, &Text, f64)]) -> bool {
-    let effort = limit.effort.as_ref().and_then(Text::number);
+fn is_filled_in(limit: &Limit, large: &[(&str, &AttrValue, f64)]) -> bool {
+    let effort = limit.effort.as_ref().and_then(AttrValue::number);
     matches!(large, [(_, _, value)] if effort == Some(value.abs()))
 }
 
 /// Both ends.
 fn range(limit: &Limit) -> Option<(f64, f64)> {
-    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
+    let number = |text: &Option<AttrValue>| text.as_ref().and_then(AttrValue::number);
     Some((number(&limit.lower)?, number(&limit.upper)?))
 }
 
@@ -86,8 +86,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// The end of a range, if it is no angle in radians.
 fn large<'a>(
-    (name, text): (&'static str, &'a Option<Text>),
-) -> Option<(&'static str, &'a Text, f64)> {
+    (name, text): (&'static str, &'a Option<AttrValue>),
+) -> Option<(&'static str, &'a AttrValue, f64)> {
     let text = text.as_ref()?;
     let value = text.number()?;
     let is_large = value.abs() > MOST

@@ -4,7 +4,7 @@ use super::super::numbers::{UNLIMITED, from_degrees, whole};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::thresholds::MAX_JOINT_VELOCITY;
-use model::{Joint, JointType, Limit, Text};
+use model::{AttrValue, Joint, JointType, Limit};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT007",
@@ -58,21 +58,21 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
 }
 
-fn velocity(joint: &Joint) -> Option<&Text> {
+fn velocity(joint: &Joint) -> Option<&AttrValue> {
     joint.limit.as_ref()?.velocity.as_ref()
 }
 
 /// Whether many joints have the same velocity: nobody measured that, it only means "enough".
 fn is_everywhere(joints: &[&Joint], value: f64) -> bool {
     const MANY: usize = 8;
-    let same = |joint: &&&Joint| velocity(joint).and_then(Text::number) == Some(value);
+    let same = |joint: &&&Joint| velocity(joint).and_then(AttrValue::number) == Some(value);
     joints.iter().filter(same).count() >= MANY
 }
 
 /// Whether effort and velocity are round numbers that only mean "enough", such as 1000 and 100.
 fn is_made_up(limit: &Limit) -> bool {
     [&limit.effort, &limit.velocity].into_iter().all(|text| {
-        let value = text.as_ref().and_then(Text::number);
+        let value = text.as_ref().and_then(AttrValue::number);
         value.is_some_and(|value| [1.0, 10.0, 100.0].contains(&value) || value >= UNLIMITED)
     })
 }

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::edits::delete_attrs;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::{Joint, JointType, Limit, Text, tag_start};
+use model::{AttrValue, Joint, JointType, Limit, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT017",
@@ -60,7 +60,7 @@ fn follows(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
         .as_ref()
         .and_then(|mimic| mimic.joint.as_ref()?.name());
     let mut joints = cx.joints().iter();
-    let is_leader = |other: &&Joint| other.name.as_ref().and_then(Text::name) == leader;
+    let is_leader = |other: &&Joint| other.name.as_ref().and_then(AttrValue::name) == leader;
     leader.is_some()
         && joints
             .find(is_leader)
@@ -69,7 +69,7 @@ fn follows(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
 
 /// Whether the limits leave less than a full turn: they are meant, and ignored. Limits of zero say nothing.
 fn restricts(limit: &Limit) -> bool {
-    let number = |text: &Option<Text>| text.as_ref().and_then(Text::number);
+    let number = |text: &Option<AttrValue>| text.as_ref().and_then(AttrValue::number);
     let range = number(&limit.lower).zip(number(&limit.upper));
     range.is_some_and(|(lower, upper)| lower != upper && (upper - lower).abs() < FULL_TURN)
 }

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::targets;
 use base::{FastMap, FastSet};
-use model::{Joint, Robot, Text};
+use model::{AttrValue, Joint, Robot};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "JNT022",
@@ -50,7 +50,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// A joint that mimics another one, and the name it gives.
-fn mimicking(robot: &Robot, joint: usize) -> Option<(&Joint, &Text)> {
+fn mimicking(robot: &Robot, joint: usize) -> Option<(&Joint, &AttrValue)> {
     let joint = robot.joints.get(joint)?;
     Some((joint, joint.mimic.as_ref()?.joint.as_ref()?))
 }

@@ -5,7 +5,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::mimics::mimicking;
 use model::JointType::{Prismatic, Revolute};
-use model::{Joint, Text, tag_start};
+use model::{AttrValue, Joint, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT024",
@@ -25,8 +25,9 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         let (Some(own), Some(theirs)) = (range(joint), range(target)) else {
             continue;
         };
-        let number =
-            |text: &Option<Text>, default| text.as_ref().map_or(Some(default), Text::number);
+        let number = |text: &Option<AttrValue>, default| {
+            text.as_ref().map_or(Some(default), AttrValue::number)
+        };
         let (Some(factor), Some(offset)) =
             (number(&mimic.multiplier, 1.0), number(&mimic.offset, 0.0))
         else {

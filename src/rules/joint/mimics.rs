@@ -1,6 +1,6 @@
 //! Which joint follows which.
 use base::FastMap;
-use model::{Joint, Robot, Text};
+use model::{AttrValue, Joint, Robot};
 
 /// For each joint, the one it mimics: indices into [`Robot::joints`].
 pub(super) fn targets(robot: &Robot) -> Vec<Option<usize>> {
@@ -16,7 +16,7 @@ pub(super) fn targets(robot: &Robot) -> Vec<Option<usize>> {
 }
 
 /// The joints that mimic another one: the joint, the name it gives, and the other one.
-pub(super) fn mimicking(robot: &Robot) -> impl Iterator<Item = (&Joint, &Text, &Joint)> {
+pub(super) fn mimicking(robot: &Robot) -> impl Iterator<Item = (&Joint, &AttrValue, &Joint)> {
     let pairs = robot.joints.iter().zip(targets(robot));
     pairs.filter_map(|(joint, target)| {
         let text = joint.mimic.as_ref()?.joint.as_ref()?;

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use model::JointType::{Prismatic, Revolute};
-use model::{Joint, Text, tag_start};
+use model::{AttrValue, Joint, tag_start};
 use workspace::nearest;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -44,7 +44,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// Whether a joint holds text that could not be computed.
 fn has_unknown_text(cx: &DocumentCx<'_>, joint: &Joint) -> bool {
-    Text::content(&cx.expansion.tree, joint.element).is_some_and(|text| !text.is_known())
+    AttrValue::content(&cx.expansion.tree, joint.element).is_some_and(|text| !text.is_known())
 }
 
 /// Whether a joint holds an element whose name is nearly `limit`.

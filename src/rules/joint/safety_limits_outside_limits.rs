@@ -3,8 +3,8 @@ use super::super::context::DocumentCx;
 use super::super::numbers::short;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
+use model::AttrValue;
 use model::JointType::{Prismatic, Revolute};
-use model::Text;
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT020",
@@ -33,7 +33,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         let Some((lower, upper)) = limit.range() else {
             continue;
         };
-        let number = |text: &Option<Text>| text.as_ref().map_or(Some(0.0), Text::number);
+        let number = |text: &Option<AttrValue>| text.as_ref().map_or(Some(0.0), AttrValue::number);
         let (Some(low), Some(up)) = (
             number(&safety.soft_lower_limit),
             number(&safety.soft_upper_limit),

@@ -75,7 +75,7 @@ fn axis_in_base(robot: &Robot, kinematics: &Kinematics, joint: usize) -> Option<
     let mut axis = Vector3::from(own.axis()?).try_normalize(1e-9)?;
     axis = transform(own.origin.as_ref())?.rotation * axis;
     let (mut link, _) = kinematics.ends(joint)?;
-    for above in kinematics.above(link).collect::<Vec<_>>() {
+    for above in kinematics.ancestor_joints(link).collect::<Vec<_>>() {
         if robot
             .links
             .get(link)

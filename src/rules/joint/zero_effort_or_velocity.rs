@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
 use expand::FileIdx;
-use model::{Joint, Text};
+use model::{AttrValue, Joint};
 
 pub(super) static RULE: Rule = Rule {
     code: "JNT009",
@@ -22,7 +22,7 @@ pub(super) static RULE: Rule = Rule {
 struct First<'a> {
     joint: &'a Joint,
     name: &'static str,
-    value: &'a Text,
+    value: &'a AttrValue,
     others: usize,
 }
 
@@ -73,7 +73,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The effort or velocity of a joint that is zero.
-fn zero(joint: &Joint) -> Option<(&'static str, &Text)> {
+fn zero(joint: &Joint) -> Option<(&'static str, &AttrValue)> {
     let limit = joint.limit.as_ref()?;
     let texts = [
         ("effort", limit.effort.as_ref()),

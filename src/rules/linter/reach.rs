@@ -8,7 +8,7 @@ use base::{FastMap, TextRange};
 
 /// The suppressions of a file, by the words they name rules with.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Reach {
+pub(super) struct SuppressionIndex {
     words: BTreeMap<String, OfWord>,
     /// For each word of an `enable`: the end of the first `disable` of a rule that both mean.
     begins: FastMap<String, Option<u32>>,
@@ -25,7 +25,7 @@ struct OfWord {
     file: Option<usize>,
 }
 
-impl Reach {
+impl SuppressionIndex {
     /// That of suppressions in the order of the text.
     pub fn of(list: &[Suppression]) -> Self {
         let mut found = Self::default();

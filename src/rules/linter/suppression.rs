@@ -1,7 +1,7 @@
 //! Comments that hide findings: `<!-- xacro-lint: disable-next-line RULE, RULE: reason -->`.
 use super::super::linter::directive::{Directive, Selector, Suppression};
 use super::super::rule::Rule;
-use super::reach::Reach;
+use super::reach::SuppressionIndex;
 use base::{Encoding, TextRange};
 use workspace::nearest;
 use xml::{Document, Node, NodeKind};
@@ -30,7 +30,7 @@ pub struct Suppressions {
     pub list: Vec<Suppression>,
     /// Those that do not.
     pub malformed: Vec<Malformed>,
-    reach: Reach,
+    reach: SuppressionIndex,
 }
 
 impl Suppressions {
@@ -75,7 +75,7 @@ impl Suppressions {
                 }
             }
         }
-        found.reach = Reach::of(&found.list);
+        found.reach = SuppressionIndex::of(&found.list);
         found
     }
 

@@ -2,7 +2,7 @@
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use project::{Kind, is_computed};
+use project::{ProjectNameKind, is_computed};
 
 pub(super) static RULE: Rule = Rule::beside(
     "MOV001",
@@ -20,10 +20,10 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         .flat_map(|settings| &settings.limits)
     {
         let joint = &limit.joint;
-        if !is_computed(&joint.name) && cx.lacks(Kind::Joint, &joint.name) {
+        if !is_computed(&joint.name) && cx.lacks(ProjectNameKind::Joint, &joint.name) {
             let message = format!("limits of unknown joint `{}`", joint.name);
             cx.report(out, joint, message)
-                .help(cx.advice(Kind::Joint, &joint.name))
+                .help(cx.advice(ProjectNameKind::Joint, &joint.name))
                 .done();
         }
     }

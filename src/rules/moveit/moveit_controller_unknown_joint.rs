@@ -2,7 +2,7 @@
 use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use project::{Kind, is_computed};
+use project::{ProjectNameKind, is_computed};
 
 pub(super) static RULE: Rule = Rule::beside(
     "MOV006",
@@ -24,13 +24,13 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
             .iter()
             .filter(|joint| !is_computed(&joint.name))
         {
-            if cx.lacks(Kind::Joint, &joint.name) {
+            if cx.lacks(ProjectNameKind::Joint, &joint.name) {
                 let message = format!(
                     "MoveIt controller `{}` has unknown joint `{}`",
                     controller.name.name, joint.name
                 );
                 cx.report(out, joint, message)
-                    .help(cx.advice(Kind::Joint, &joint.name))
+                    .help(cx.advice(ProjectNameKind::Joint, &joint.name))
                     .done();
             }
         }

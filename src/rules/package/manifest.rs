@@ -14,10 +14,10 @@ const RUNTIME: [&str; 4] = ["depend", "exec_depend", "run_depend", "build_export
 
 /// Manifests, read once for each text they have.
 #[derive(Default)]
-pub struct Manifests(Mutex<FastMap<FileId, Known>>);
+pub struct Manifests(Mutex<FastMap<FileId, CachedManifest>>);
 
 /// A manifest and the hash of its text; none when it cannot be understood.
-type Known = (u64, Option<Arc<Manifest>>);
+type CachedManifest = (u64, Option<Arc<Manifest>>);
 
 impl Manifests {
     pub(super) fn get(

@@ -3,7 +3,7 @@ use base::TextRange;
 
 /// A package that a text names.
 #[derive(Debug)]
-pub struct Mention {
+pub struct PackageMention {
     /// Its name.
     pub name: String,
     /// Where the name stands, absolute.

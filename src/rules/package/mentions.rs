@@ -5,17 +5,17 @@ use memchr::memchr2;
 use memchr::memmem::Finder;
 
 use super::super::context::FileCx;
-use super::super::package::mention::Mention;
+use super::super::package::mention::PackageMention;
 use base::TextRange;
 use xml::{Node, NodeKind};
 
 /// The packages in `package://` URIs and in `$(find)` of a file, comments left out.
-pub(super) fn packages<'a>(cx: &'a FileCx<'_>) -> &'a [Mention] {
+pub(super) fn packages<'a>(cx: &'a FileCx<'_>) -> &'a [PackageMention] {
     cx.packages.get_or_init(|| of_file(cx))
 }
 
-fn of_file(cx: &FileCx<'_>) -> Vec<Mention> {
-    let mut found: Vec<Mention> = Vec::new();
+fn of_file(cx: &FileCx<'_>) -> Vec<PackageMention> {
+    let mut found: Vec<PackageMention> = Vec::new();
     for (base, item) in cx.source.document.parts() {
         for node in item.all_nodes() {
             let known = found.len();
@@ -51,7 +51,7 @@ fn is_conditional(node: Node<'_>) -> bool {
 static URI: LazyLock<Finder<'_>> = LazyLock::new(|| Finder::new("package://"));
 static FIND: LazyLock<Finder<'_>> = LazyLock::new(|| Finder::new("$(find "));
 
-fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
+fn in_text(text: &str, base: u32, found: &mut Vec<PackageMention>) {
     if memchr2(b':', b'(', text.as_bytes()).is_none() {
         return;
     }
@@ -84,7 +84,7 @@ fn in_text(text: &str, base: u32, found: &mut Vec<Mention>) {
                 )
             });
             let name = rest.get(..end).unwrap_or_default().to_owned();
-            found.push(Mention {
+            found.push(PackageMention {
                 name,
                 range: range(start, start + end).shift(base),
                 is_conditional: false,

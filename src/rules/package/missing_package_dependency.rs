@@ -5,7 +5,7 @@ use super::super::grouping::Group;
 use super::super::package::dependencies::{brings, manifest_around};
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use super::mention::Mention;
+use super::mention::PackageMention;
 use super::{dependencies, mentions};
 use base::FastSet;
 
@@ -30,7 +30,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         return;
     };
     let mut said: FastSet<&str> = FastSet::default();
-    let (maybe, always): (Vec<&Mention>, Vec<&Mention>) =
+    let (maybe, always): (Vec<&PackageMention>, Vec<&PackageMention>) =
         mentions.iter().partition(|mention| mention.is_conditional);
     for mention in always.into_iter().chain(maybe) {
         let name = mention.name.as_str();

@@ -28,7 +28,7 @@ pub use generated_urdf_out_of_date::generated_urdf_out_of_date;
 pub(super) use launch::reads_as_it_stands;
 pub use launched_file_not_found::launched_file_not_found;
 pub use manifest::Manifests;
-pub(super) use mention::Mention;
+pub(super) use mention::PackageMention;
 pub use missing_launch_argument::missing_launch_argument;
 pub use package_not_found::missing_packages;
 pub(super) use package_not_found::{RULE as PACKAGE_NOT_FOUND, is_news, warn_once};

@@ -37,17 +37,17 @@ pub(in super::super) fn is_news(world: RuleEnv<'_>, nearest: Option<&str>) -> bo
 }
 
 /// A package that is missing, and where one file names it.
-struct Missing {
+struct MissingPackage {
     error: NotFound,
     places: Vec<Origin>,
 }
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
-    let mut missing: IndexMap<(FileIdx, String), Option<Missing>> = IndexMap::new();
+    let mut missing: IndexMap<(FileIdx, String), Option<MissingPackage>> = IndexMap::new();
     for attr in file_names(cx.expansion, cx.element) {
         look_up(cx, attr, &mut missing);
     }
-    for Missing { error, places } in missing.into_values().flatten() {
+    for MissingPackage { error, places } in missing.into_values().flatten() {
         report(cx, &error, &places, out);
     }
 }
@@ -205,7 +205,7 @@ fn file_names(expansion: &Expansion, root: XId) -> Vec<&XAttr> {
 fn look_up(
     cx: &DocumentCx<'_>,
     attr: &XAttr,
-    missing: &mut IndexMap<(FileIdx, String), Option<Missing>>,
+    missing: &mut IndexMap<(FileIdx, String), Option<MissingPackage>>,
 ) {
     let Some(name) = package(attr) else { return };
     let Some(place) = cx.expansion.place(attr.origin) else {
@@ -216,7 +216,7 @@ fn look_up(
         .or_insert_with(|| {
             let from = cx.expansion.files.get(place.file)?.source.path.clone();
             let error = cx.world.packages.find(name, &from).err()?;
-            Some(Missing {
+            Some(MissingPackage {
                 error,
                 places: Vec::new(),
             })

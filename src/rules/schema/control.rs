@@ -1,7 +1,7 @@
 //! Blocks beside the links and joints: Gazebo, ros2_control, transmissions. Other tools read these; the table
 //! lists what is usual.
 use super::spec::AttributeKind::{Choice, Joint, LinkOrJoint, Name, Number, Text, Uri};
-use super::spec::Content::{Elements, Free, Text as Characters};
+use super::spec::ContentModel::{Elements, Free, Text as Characters};
 use super::spec::{AttributeKind, AttributeSpec, ElementSpec};
 
 const fn el(

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 use base::FastMap;
 
-pub use spec::{AttributeKind, AttributeSpec, Content, ElementSpec};
+pub use spec::{AttributeKind, AttributeSpec, ContentModel, ElementSpec};
 
 impl ElementSpec {
     /// The element of a name that may stand in it.
@@ -79,7 +79,7 @@ pub(super) fn urdf_element(name: &str) -> Option<&'static ElementSpec> {
 
 #[cfg(test)]
 mod tests {
-    use super::{AttributeKind, Content, every_element, robot, semantic_robot};
+    use super::{AttributeKind, ContentModel, every_element, robot, semantic_robot};
 
     #[test]
     fn parents_are_elements_and_required_children_are_children() {
@@ -95,7 +95,7 @@ mod tests {
                 assert!(spec.child(child).is_some(), "{}: {child}", spec.name);
             }
             let leaf = spec.children().next().is_none();
-            assert!(leaf || spec.content != Content::Text, "{}", spec.name);
+            assert!(leaf || spec.content != ContentModel::Text, "{}", spec.name);
         }
     }
 

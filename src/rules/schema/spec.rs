@@ -19,12 +19,12 @@ pub struct ElementSpec {
     /// Whether its parent may hold several.
     pub repeats: bool,
     /// Who decides about what stands inside.
-    pub content: Content,
+    pub content: ContentModel,
 }
 
 /// What may stand inside an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Content {
+pub enum ContentModel {
     /// The elements that name it as a parent, and no text.
     Elements,
     /// Text.
@@ -92,7 +92,7 @@ impl ElementSpec {
             attributes,
             required,
             repeats: false,
-            content: Content::Elements,
+            content: ContentModel::Elements,
         }
     }
 
@@ -116,7 +116,7 @@ impl ElementSpec {
         self
     }
 
-    pub(super) const fn holding(mut self, content: Content) -> Self {
+    pub(super) const fn holding(mut self, content: ContentModel) -> Self {
         self.content = content;
         self
     }

@@ -1,6 +1,6 @@
 //! The elements that every reader of URDF knows.
 use super::spec::AttributeKind::{Choice, Joint, Link, Name, Number, Text, Uri, Vector};
-use super::spec::Content::Free;
+use super::spec::ContentModel::Free;
 use super::spec::{AttributeKind, AttributeSpec, ElementSpec};
 use model::Version;
 

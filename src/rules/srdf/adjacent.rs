@@ -35,11 +35,11 @@ pub(super) fn are_adjacent(paired: &PairedRobot<'_>, one: &str, two: &str) -> Op
 fn neighbors(paired: &PairedRobot<'_>, link: usize) -> impl Iterator<Item = usize> {
     let kinematics = paired.kinematics;
     let up = kinematics
-        .up(link)
+        .parent_joints(link)
         .iter()
         .filter_map(|&joint| Some(kinematics.ends(joint)?.0));
     let down = kinematics
-        .down(link)
+        .child_joints(link)
         .iter()
         .filter_map(|&joint| Some(kinematics.ends(joint)?.1));
     up.chain(down).collect::<Vec<_>>().into_iter()

@@ -6,7 +6,7 @@ use super::super::sink::Sink;
 use super::adjacent::touching;
 use base::FastSet;
 use model::tag_start;
-use project::Pair;
+use project::CollisionPair;
 
 pub(super) static RULE: Rule = Rule::beside(
     "SRD012",
@@ -25,7 +25,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     ) else {
         return;
     };
-    let is_adjacent = |pair: &&Pair| {
+    let is_adjacent = |pair: &&CollisionPair| {
         pair.reason
             .as_ref()
             .is_some_and(|reason| reason.value == "Adjacent")
@@ -37,7 +37,11 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     if srdf.disabled.iter().any(|pair| pair.links().is_none()) {
         return;
     }
-    let disabled: FastSet<(&str, &str)> = srdf.disabled.iter().filter_map(Pair::links).collect();
+    let disabled: FastSet<(&str, &str)> = srdf
+        .disabled
+        .iter()
+        .filter_map(CollisionPair::links)
+        .collect();
     for (joint, links) in touching(paired)
         .into_iter()
         .filter(|(_, links)| !disabled.contains(links))

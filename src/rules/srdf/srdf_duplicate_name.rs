@@ -3,7 +3,7 @@ use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::Text;
+use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule::semantic(
     "SRD009",
@@ -16,7 +16,7 @@ pub(super) static RULE: Rule = Rule::semantic(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
-    fn own(name: &Option<Text>) -> (&str, Option<&Text>) {
+    fn own(name: &Option<AttrValue>) -> (&str, Option<&AttrValue>) {
         ("", name.as_ref())
     }
     report(
@@ -47,9 +47,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 fn report<'a>(
     out: &mut Sink<'_>,
     (kind, severity): (&str, Severity),
-    names: impl Iterator<Item = (&'a str, Option<&'a Text>)>,
+    names: impl Iterator<Item = (&'a str, Option<&'a AttrValue>)>,
 ) {
-    let mut first: FastMap<(&str, &str), &Text> = FastMap::default();
+    let mut first: FastMap<(&str, &str), &AttrValue> = FastMap::default();
     for (scope, text) in names {
         let Some((text, name)) = text.and_then(|text| Some((text, text.name()?))) else {
             continue;

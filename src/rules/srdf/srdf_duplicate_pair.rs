@@ -5,7 +5,7 @@ use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
 use model::tag_start;
-use project::Pair;
+use project::CollisionPair;
 
 pub(super) static RULE: Rule = Rule::semantic(
     "SRD010",
@@ -18,7 +18,7 @@ pub(super) static RULE: Rule = Rule::semantic(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
-    let mut first: FastMap<(&str, &str), &Pair> = FastMap::default();
+    let mut first: FastMap<(&str, &str), &CollisionPair> = FastMap::default();
     for pair in &srdf.disabled {
         let Some(links) = pair.links() else { continue };
         let known = *first.entry(links).or_insert(pair);

@@ -3,8 +3,8 @@ use super::super::beside::BesideCx;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::joints::{Members, is_planned};
-use model::{Text, tag_start};
-use project::Kind;
+use model::{AttrValue, tag_start};
+use project::ProjectNameKind;
 
 pub(super) static RULE: Rule = Rule::beside(
     "SRD008",
@@ -19,14 +19,14 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
     let mut members = Members::new(cx, srdf);
     for state in &srdf.states {
-        let Some(group) = state.group.as_ref().and_then(Text::name) else {
+        let Some(group) = state.group.as_ref().and_then(AttrValue::name) else {
             continue;
         };
         // an unknown joint most likely is the one that is missing
         let is_known = state.joints.iter().all(|(joint, _)| {
             joint
                 .name()
-                .is_some_and(|name| !cx.lacks(Kind::Joint, name))
+                .is_some_and(|name| !cx.lacks(ProjectNameKind::Joint, name))
         });
         let Some(joints) = members.of(group).filter(|_| is_known) else {
             continue;

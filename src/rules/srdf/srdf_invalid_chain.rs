@@ -2,7 +2,7 @@
 use super::super::beside::{BesideCx, PairedRobot};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::Text;
+use model::AttrValue;
 use project::Chain;
 
 pub(super) static RULE: Rule = Rule::beside(
@@ -55,14 +55,14 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 /// Whether both links are there, and the base is the tip or below it.
 fn is_reversed(paired: &PairedRobot<'_>, chain: &Chain) -> bool {
     let kinematics = paired.kinematics;
-    let links =
-        [&chain.base, &chain.tip].map(|text| kinematics.link(text.as_ref().and_then(Text::name)?));
+    let links = [&chain.base, &chain.tip]
+        .map(|text| kinematics.link(text.as_ref().and_then(AttrValue::name)?));
     let [Some(base), Some(tip)] = links else {
         return false;
     };
     base == tip
         || kinematics
-            .above(base)
+            .ancestor_joints(base)
             .filter_map(|joint| kinematics.ends(joint))
             .any(|(parent, _)| parent == tip)
 }

@@ -3,7 +3,7 @@ use super::super::beside::{BesideCx, unknown};
 use super::super::context::is_whole;
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use project::Kind;
+use project::ProjectNameKind;
 
 pub(super) static RULE: Rule = Rule::semantic(
     "SRD004",
@@ -19,7 +19,9 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         return;
     };
     for (text, kind, is_given) in srdf.names() {
-        let name = text.name().filter(|_| kind == Kind::Group && !is_given);
+        let name = text
+            .name()
+            .filter(|_| kind == ProjectNameKind::Group && !is_given);
         let Some(name) = name.filter(|name| srdf.group(name).is_none()) else {
             continue;
         };

@@ -2,7 +2,7 @@
 use super::super::beside::{BesideCx, unknown};
 use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
-use project::Kind;
+use project::ProjectNameKind;
 
 pub(super) static RULE: Rule = Rule::beside(
     "SRD003",
@@ -18,7 +18,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for (text, kind, _) in srdf.names() {
         let Some(name) = text
             .name()
-            .filter(|name| kind == Kind::Joint && cx.lacks(kind, name))
+            .filter(|name| kind == ProjectNameKind::Joint && cx.lacks(kind, name))
         else {
             continue;
         };

@@ -4,8 +4,8 @@ use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastSet;
 use ecow::EcoString;
-use model::Text;
-use project::Kind;
+use model::AttrValue;
+use project::ProjectNameKind;
 use std::cell::OnceCell;
 
 pub(in super::super) static RULE: Rule = Rule::beside(
@@ -19,7 +19,7 @@ pub(in super::super) static RULE: Rule = Rule::beside(
 
 fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     let Some(srdf) = cx.srdf() else { return };
-    let of_pairs: Vec<&Text> = srdf
+    let of_pairs: Vec<&AttrValue> = srdf
         .disabled
         .iter()
         .flat_map(|pair| [&pair.link1, &pair.link2])
@@ -29,7 +29,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
     for (text, kind, _) in srdf.names() {
         let Some(name) = text
             .name()
-            .filter(|name| kind == Kind::Link && cx.lacks(kind, name))
+            .filter(|name| kind == ProjectNameKind::Link && cx.lacks(kind, name))
         else {
             continue;
         };
@@ -58,11 +58,11 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
 const MOST_RENAMED: usize = 2;
 
 /// Whether the pairs are for several variants of the robot: they name many links that this one does not have.
-fn is_for_variants(cx: &BesideCx<'_>, of_pairs: &[&Text]) -> bool {
+fn is_for_variants(cx: &BesideCx<'_>, of_pairs: &[&AttrValue]) -> bool {
     let names: FastSet<&EcoString> = of_pairs.iter().filter_map(|text| text.name()).collect();
     let unknown = names
         .iter()
-        .filter(|name| cx.lacks(Kind::Link, name))
+        .filter(|name| cx.lacks(ProjectNameKind::Link, name))
         .count();
     unknown > MOST_RENAMED || unknown * 2 > names.len()
 }

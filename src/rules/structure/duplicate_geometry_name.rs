@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::{Body, Link, Text};
+use model::{AttrValue, Body, Link};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR010",
@@ -25,7 +25,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 fn twice(link: &Link, kind: &str, bodies: &[Body], out: &mut Sink<'_>) {
-    let mut first: FastMap<&str, &Text> = FastMap::default();
+    let mut first: FastMap<&str, &AttrValue> = FastMap::default();
     for text in bodies.iter().filter_map(|body| body.name.as_ref()) {
         let Some(name) = text.name() else { continue };
         match first.get(name.as_str()) {

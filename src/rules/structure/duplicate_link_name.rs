@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::repeated_calls::{HELP, RepeatedCalls, differ_when_given};
 use base::FastMap;
-use model::Text;
+use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR001",
@@ -21,7 +21,7 @@ pub(in super::super) static RULE: Rule = Rule {
 fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
     let names = cx.robot.links.iter().filter_map(|link| link.name.as_ref());
     let mut calls = RepeatedCalls::default();
-    let mut first: FastMap<&str, &Text> = FastMap::default();
+    let mut first: FastMap<&str, &AttrValue> = FastMap::default();
     for name in names {
         let Some(text) = name.name() else { continue };
         let Some(earlier) = first.get(text.as_str()) else {

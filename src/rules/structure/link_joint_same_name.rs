@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::Text;
+use model::AttrValue;
 
 pub(super) static RULE: Rule = Rule {
     code: "STR011",
@@ -19,7 +19,7 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let links = cx.links().iter().filter_map(|link| link.name.as_ref());
-    let links: FastMap<&str, &Text> = links
+    let links: FastMap<&str, &AttrValue> = links
         .filter_map(|text| Some((text.name()?.as_str(), text)))
         .collect();
     for text in cx.joints().iter().filter_map(|joint| joint.name.as_ref()) {

@@ -7,29 +7,29 @@ use indexmap::IndexMap;
 use super::super::context::{RobotCx, elements};
 use base::FastSet;
 use expand::Origin;
-use model::{Joint, Robot, Text};
+use model::{AttrValue, Joint, Robot};
 use workspace::nearest;
 
 /// A link that does not exist.
-pub(super) struct Missing {
+pub(super) struct MissingLink {
     /// Its name.
     pub(super) name: EcoString,
     /// The joints that name it.
-    pub(super) uses: Uses,
+    pub(super) uses: LinkUses,
     /// The link that was perhaps meant.
     pub(super) nearest: Option<EcoString>,
 }
 
 /// The joints that name a link, in document order.
-pub(super) struct Uses {
+pub(super) struct LinkUses {
     /// The first.
-    pub(super) first: Use,
+    pub(super) first: LinkUse,
     /// The others.
-    pub(super) others: Vec<Use>,
+    pub(super) others: Vec<LinkUse>,
 }
 
 /// A joint that names a link.
-pub(super) struct Use {
+pub(super) struct LinkUse {
     /// The joint's name.
     pub(super) joint: String,
     /// Whether as parent or as child.
@@ -42,8 +42,8 @@ pub(super) struct Use {
 
 /// All links that joints name and nobody defines, in the order of their first use. A link whose name could not be computed
 /// may be any that its known part fits.
-pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
-    let mut missing: IndexMap<EcoString, Uses> = IndexMap::new();
+pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<MissingLink> {
+    let mut missing: IndexMap<EcoString, LinkUses> = IndexMap::new();
     let almost = OnceCell::new();
     for joint in &cx.robot.joints {
         for (end, text) in [("parent", &joint.parent), ("child", &joint.child)] {
@@ -60,7 +60,7 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
             {
                 continue;
             }
-            let used = Use {
+            let used = LinkUse {
                 joint: joint.shown().to_owned(),
                 end,
                 at: text.origin,
@@ -71,7 +71,7 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
                 None => {
                     missing.insert(
                         name.clone(),
-                        Uses {
+                        LinkUses {
                             first: used,
                             others: Vec::new(),
                         },
@@ -82,7 +82,7 @@ pub(super) fn missing_links(cx: &RobotCx<'_>) -> Vec<Missing> {
     }
     let missing = missing.into_iter().enumerate();
     missing
-        .map(|(i, (name, uses))| Missing {
+        .map(|(i, (name, uses))| MissingLink {
             // looking for near names takes time; nobody reads that many suggestions
             nearest: if i < 50 { near_link(cx, &name) } else { None },
             name,
@@ -105,7 +105,7 @@ fn almost_links(cx: &RobotCx<'_>) -> FastSet<EcoString> {
     let elements = tree
         .elements(cx.robot.element)
         .filter(|&id| is_misspelled_link(&tree.get(id).text));
-    let named = elements.filter_map(|id| Some(Text::attr(tree, id, "name")?.name()?.clone()));
+    let named = elements.filter_map(|id| Some(AttrValue::attr(tree, id, "name")?.name()?.clone()));
     let trimmed = link_names(cx)
         .filter(|name| name.trim() != *name)
         .map(|name| name.trim().into());
@@ -144,7 +144,8 @@ pub(super) fn joints_with_one_end(robot: &Robot) -> impl Iterator<Item = &Joint>
 fn near_link(cx: &RobotCx<'_>, name: &str) -> Option<EcoString> {
     let is_loose = |name: &&str| {
         cx.kinematics.link(name).is_some_and(|link| {
-            cx.kinematics.up(link).is_empty() && cx.kinematics.down(link).is_empty()
+            cx.kinematics.parent_joints(link).is_empty()
+                && cx.kinematics.child_joints(link).is_empty()
         })
     };
     if let Some(near) = nearest(name, link_names(cx).filter(is_loose)) {

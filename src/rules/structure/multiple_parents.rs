@@ -35,7 +35,7 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         }
         let joints = cx
             .kinematics
-            .up(link)
+            .parent_joints(link)
             .iter()
             .filter_map(|&joint| cx.robot.joints.get(joint));
         // loops and doubled joints are said elsewhere
@@ -93,7 +93,7 @@ fn reversed<'j>(cx: &RobotCx<'_>, joints: [&'j Joint; 2]) -> Option<&'j Joint> {
             .parent
             .as_ref()
             .and_then(|parent| cx.kinematics.link(parent.name()?));
-        parent.is_some_and(|link| cx.kinematics.up(link).is_empty())
+        parent.is_some_and(|link| cx.kinematics.parent_joints(link).is_empty())
     };
     let mut loose = joints.into_iter().filter(is_loose);
     loose.next().filter(|_| loose.next().is_none())

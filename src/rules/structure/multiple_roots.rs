@@ -3,7 +3,7 @@ use super::super::context::RobotCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
-use model::{Joint, Text};
+use model::{AttrValue, Joint};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR007",
@@ -33,11 +33,11 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let lost = lost_links(cx);
-    let mut roots: Vec<&Text> = Vec::new();
+    let mut roots: Vec<&AttrValue> = Vec::new();
     for root in cx.kinematics.roots(cx.robot) {
         let name = cx.robot.links.get(root).and_then(|link| link.name.as_ref());
         roots.extend(name.filter(|name| {
-            !cx.kinematics.down(root).is_empty()
+            !cx.kinematics.child_joints(root).is_empty()
                 && !lost.contains(&name.value)
                 && !is_end_of_reversed_joint(cx, root)
         }));
@@ -74,10 +74,10 @@ fn check(cx: &RobotCx<'_>, out: &mut Sink<'_>) {
 fn is_end_of_reversed_joint(cx: &RobotCx<'_>, root: usize) -> bool {
     let children = cx
         .kinematics
-        .down(root)
+        .child_joints(root)
         .iter()
         .filter_map(|&joint| Some(cx.kinematics.ends(joint)?.1));
     children
         .into_iter()
-        .any(|child| cx.kinematics.up(child).len() > 1)
+        .any(|child| cx.kinematics.parent_joints(child).len() > 1)
 }

@@ -5,7 +5,7 @@ use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use base::FastMap;
-use model::Text;
+use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR012",
@@ -32,8 +32,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     );
 }
 
-fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a Text>, out: &mut Sink<'_>) {
-    let mut first: FastMap<EcoString, &Text> = FastMap::default();
+fn alike<'a>(kind: &str, names: impl Iterator<Item = &'a AttrValue>, out: &mut Sink<'_>) {
+    let mut first: FastMap<EcoString, &AttrValue> = FastMap::default();
     for text in names {
         let Some(name) = text.name() else { continue };
         let folded = name.to_lowercase();

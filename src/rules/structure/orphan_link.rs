@@ -8,7 +8,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::missing_links::{joined_elsewhere, joints_with_one_end, lost_links};
 use base::FastSet;
-use model::Text;
+use model::AttrValue;
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "STR008",
@@ -79,6 +79,6 @@ fn ends_of_misplaced_joints(cx: &RobotCx<'_>) -> FastSet<EcoString> {
         .flat_map(|joint| tree.elements(joint));
     let links = ends.filter(|&end| matches!(tree.get(end).text.as_str(), "parent" | "child"));
     links
-        .filter_map(|end| Some(Text::attr(tree, end, "link")?.name()?.clone()))
+        .filter_map(|end| Some(AttrValue::attr(tree, end, "link")?.name()?.clone()))
         .collect()
 }

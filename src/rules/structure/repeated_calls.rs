@@ -1,19 +1,19 @@
 //! Two calls of one macro that give the same names: one mistake, however many names the macro gives.
 use super::super::context::RobotCx;
 use base::{FastMap, FastSet, TextRange};
-use expand::{Expansion, FileIdx, Frame, FrameKind, Origin, Place};
-use model::Text;
+use expand::{Expansion, FileIdx, FileRange, Frame, FrameKind, Origin};
+use model::AttrValue;
 
 /// The advice where no call is to blame.
 pub(super) const HELP: &str =
     "rename one of them; in a macro, start the name with a parameter: name=\"${prefix}...\"";
 
-type Call = (FileIdx, TextRange);
+type CallRange = (FileIdx, TextRange);
 
 /// The pairs of calls that were seen.
 #[derive(Default)]
 pub(super) struct RepeatedCalls {
-    seen: FastSet<(Call, Call)>,
+    seen: FastSet<(CallRange, CallRange)>,
 }
 
 /// The later one of two calls.
@@ -44,7 +44,7 @@ impl RepeatedCalls {
     /// The pairs that give the same links.
     pub(super) fn of_links(cx: &RobotCx<'_>) -> Self {
         let mut calls = Self::default();
-        let mut first: FastMap<&str, &Text> = FastMap::default();
+        let mut first: FastMap<&str, &AttrValue> = FastMap::default();
         for name in cx.robot.links.iter().filter_map(|link| link.name.as_ref()) {
             let Some(text) = name.name() else { continue };
             match first.get(text.as_str()) {
@@ -90,12 +90,12 @@ impl RepeatedCalls {
 }
 
 /// Whether two names are equal only as long as arguments are empty that are there to be given: each is made from another one.
-pub(super) fn differ_when_given(expansion: &Expansion, one: &Text, other: &Text) -> bool {
+pub(super) fn differ_when_given(expansion: &Expansion, one: &AttrValue, other: &AttrValue) -> bool {
     expansion.empty_argument(&one.pieces) != expansion.empty_argument(&other.pieces)
 }
 
 /// The calls and blocks around a text, outermost first.
-fn calls_around(expansion: &Expansion, origin: Origin) -> Vec<(&Frame, Place)> {
+fn calls_around(expansion: &Expansion, origin: Origin) -> Vec<(&Frame, FileRange)> {
     let frames = expansion
         .frames_of(origin)
         .filter(|frame| frame.kind != FrameKind::Include);

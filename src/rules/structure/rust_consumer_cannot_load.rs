@@ -115,7 +115,7 @@ fn alone(text: &str, part: Node<'_, '_>) -> String {
 fn named(cx: &RobotCx<'_>, id: expand::XId) -> String {
     let tree = &cx.expansion.tree;
     let kind = tree.get(id).text.as_str();
-    let name =
-        model::Text::attr(tree, id, "name").and_then(|name| name.name().map(|n| n.to_string()));
+    let name = model::AttrValue::attr(tree, id, "name")
+        .and_then(|name| name.name().map(|n| n.to_string()));
     name.map_or_else(|| format!("a {kind}"), |name| format!("{kind} `{name}`"))
 }

@@ -2,7 +2,7 @@
 use super::super::context::FileCx;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use expr::{Token, split};
+use expr::{TemplateToken, split};
 use model::decimal;
 
 pub(super) static RULE: Rule = Rule {
@@ -23,7 +23,7 @@ fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
             let text = attr.raw();
             let start = attr.value_range().start + base;
             for token in split(text).tokens {
-                let Token::Expr { range, inner, .. } = token else {
+                let TemplateToken::Expr { range, inner, .. } = token else {
                     continue;
                 };
                 let literal = inner.slice(text).trim();

@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, TextRange};
-use expand::{FileIdx, FrameId, Place, XId};
+use expand::{FileIdx, FileRange, FrameId, XId};
 use xml::NodeKind;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -31,7 +31,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let always = |found: &&Inclusion<'_>| {
         !source::is_conditional(found.node) && source::macro_around(found.node).is_none()
     };
-    let mut seen: FastSet<Place> = FastSet::default();
+    let mut seen: FastSet<FileRange> = FastSet::default();
     for later in inclusions
         .iter()
         .filter(always)

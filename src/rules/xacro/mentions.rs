@@ -1,19 +1,19 @@
 //! What the texts of a description mention, whether expansion came by or not.
 use super::super::context::DocumentCx;
-use super::super::xacro::words::Mentions;
+use super::super::xacro::words::MentionedWords;
 use super::untaken;
 use base::FastSet;
 use expand::FileIdx;
 
 /// The mentions of the files of an expansion, in their order, and of those that other arguments would bring in;
 /// none when it cannot be told which.
-pub(super) fn everywhere<'a>(cx: &'a DocumentCx<'_>) -> Option<&'a [Mentions]> {
+pub(super) fn everywhere<'a>(cx: &'a DocumentCx<'_>) -> Option<&'a [MentionedWords]> {
     let mentions = cx.mentions.get_or_init(|| {
         let untaken = untaken::files(cx)?;
         let read = cx.expansion.files.iter().map(|file| &file.source);
         Some(
             read.chain(&untaken)
-                .map(|file| Mentions::of_file(file))
+                .map(|file| MentionedWords::of_file(file))
                 .collect(),
         )
     });
@@ -24,7 +24,7 @@ pub(super) fn everywhere<'a>(cx: &'a DocumentCx<'_>) -> Option<&'a [Mentions]> {
 pub(super) fn outside<'a>(
     cx: &'a DocumentCx<'_>,
     without: &'a FastSet<FileIdx>,
-) -> Option<impl Iterator<Item = &'a Mentions> + Clone> {
+) -> Option<impl Iterator<Item = &'a MentionedWords> + Clone> {
     let files = (0..)
         .map(FileIdx)
         .zip(everywhere(cx)?)
@@ -34,7 +34,7 @@ pub(super) fn outside<'a>(
 
 #[cfg(test)]
 mod tests {
-    use super::Mentions;
+    use super::MentionedWords;
     use xml::Document;
 
     #[test]
@@ -43,7 +43,7 @@ mod tests {
                     <!-- ${j} --><xacro:arm.part/><xacro:insert_block name='k'/></xacro:macro></r>";
         let document = Document::parse(text);
         let item = document.items().next().unwrap().1.clone();
-        let mut mentions = Mentions::default();
+        let mut mentions = MentionedWords::default();
         mentions.add_item(&item);
         let found: String = "abcdefghijk"
             .chars()
@@ -55,7 +55,7 @@ mod tests {
                 && mentions.blocks.contains("k")
                 && !mentions.computed
         );
-        let inside = Mentions::inside(item.element().unwrap());
+        let inside = MentionedWords::inside(item.element().unwrap());
         assert!(!inside.word("b") && inside.word("a"));
     }
 }

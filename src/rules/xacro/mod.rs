@@ -31,7 +31,7 @@ use super::rule::Rule;
 
 pub use source::include_tags;
 pub(super) use unprefixed_xacro_tag::is_unprefixed;
-pub(super) use words::Mentions;
+pub(super) use words::MentionedWords;
 
 /// All rules of this category, by code.
 pub(super) static RULES: &[&Rule] = &[

@@ -8,7 +8,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source::{self, Inclusion};
 use base::{FastMap, FastSet, Span, TextRange};
-use expand::{DefinitionId, Detail, FileIdx, Place, SymbolKind, UseKind};
+use expand::{DefinitionId, Detail, FileIdx, FileRange, SymbolKind, UseKind};
 use xml::{Node, NodeKind};
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let inclusions = source::inclusions(cx.expansion, cx.world);
     let spaces = namespaces(&inclusions);
-    let mut first: FastMap<(&str, &str), (Place, Node<'_>, bool)> = FastMap::default();
+    let mut first: FastMap<(&str, &str), (FileRange, Node<'_>, bool)> = FastMap::default();
     for (id, definition) in cx
         .expansion
         .index

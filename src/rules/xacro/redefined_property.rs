@@ -4,7 +4,7 @@ use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::{source, unused};
 use base::{FastMap, TextRange};
-use expand::{Definition, DefinitionId, FileIdx, Place, SymbolKind};
+use expand::{Definition, DefinitionId, FileIdx, FileRange, SymbolKind};
 use xml::Node;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -24,7 +24,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         return;
     }
     let used = unused::used(cx);
-    let mut last: FastMap<(FileIdx, &str), (DefinitionId, Place, Node<'_>)> = FastMap::default();
+    let mut last: FastMap<(FileIdx, &str), (DefinitionId, FileRange, Node<'_>)> =
+        FastMap::default();
     let properties = cx
         .expansion
         .index
@@ -71,7 +72,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 }
 
 /// The place and tag of a definition that holds in any case: in no conditional, and with a value alone.
-fn plain<'a>(cx: &DocumentCx<'a>, definition: &Definition) -> Option<(Place, Node<'a>)> {
+fn plain<'a>(cx: &DocumentCx<'a>, definition: &Definition) -> Option<(FileRange, Node<'a>)> {
     let node = source::definition_tag(cx.expansion, definition)?;
     let special = ["default", "scope", "lazy_eval", "remove"]
         .iter()
@@ -97,7 +98,7 @@ fn are_close(one: &str, two: &str) -> bool {
 
 /// Whether a file is included between two definitions: it may read the first one, in another branch or in the macros that
 /// it defines.
-fn included_between(cx: &DocumentCx<'_>, first: Place, second: Place) -> bool {
+fn included_between(cx: &DocumentCx<'_>, first: FileRange, second: FileRange) -> bool {
     let Some(file) = cx.expansion.files.get(second.file) else {
         return true;
     };
@@ -112,8 +113,8 @@ fn included_between(cx: &DocumentCx<'_>, first: Place, second: Place) -> bool {
 /// here may read it.
 fn mentioned_between(
     cx: &DocumentCx<'_>,
-    first: Place,
-    second: Place,
+    first: FileRange,
+    second: FileRange,
     node: Node<'_>,
     name: &str,
 ) -> bool {

@@ -1,10 +1,10 @@
 //! A property that hides a built-in symbol: whether that is news.
 use super::super::rule::{Category, Rule, Severity, page};
 use super::source;
-use expand::{Expansion, Place, Problem};
+use expand::{Expansion, FileRange, Problem};
 use expr::{Value, global_symbol};
 use model::decimal;
-use workspace::Target;
+use workspace::RosVersion;
 use xml::Node;
 
 pub(in super::super) static RULE: Rule = Rule::found(
@@ -38,9 +38,9 @@ const ROUGH: f64 = 1e-3;
 pub(in super::super) fn is_harmless(
     expansion: &Expansion,
     problem: &Problem,
-    generation: Option<Target>,
+    generation: Option<RosVersion>,
 ) -> bool {
-    generation != Some(Target::Ros2)
+    generation != Some(RosVersion::Ros2)
         && definition(expansion, problem)
             .is_some_and(|node| has_value(expansion, problem.place, node, ROUGH))
 }
@@ -56,7 +56,7 @@ fn definition<'a>(expansion: &'a Expansion, problem: &Problem) -> Option<Node<'a
 }
 
 /// Whether a property has the value of the symbol that it hides, up to a part of it.
-fn has_value(expansion: &Expansion, place: Place, node: Node<'_>, rounding: f64) -> bool {
+fn has_value(expansion: &Expansion, place: FileRange, node: Node<'_>, rounding: f64) -> bool {
     let name = node
         .attr("name")
         .map(|name| name.raw().to_owned())

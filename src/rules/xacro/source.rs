@@ -3,7 +3,7 @@ use std::path::Path;
 
 use super::super::context::{DocumentCx, RuleEnv};
 use base::{FastMap, FileId, Span, TextRange};
-use expand::{Definition, Expansion, FileIdx, FrameId, FrameKind, Place, SourceRange};
+use expand::{Definition, Expansion, FileIdx, FileRange, FrameId, FrameKind, SourceRange};
 use xml::{Document, Node};
 
 /// Whether a context is about the whole document, not about a macro that nothing calls.
@@ -12,9 +12,9 @@ pub(super) fn is_main(cx: &DocumentCx<'_>) -> bool {
 }
 
 /// The absolute place of a text.
-pub(super) fn place(expansion: &Expansion, at: SourceRange) -> Option<Place> {
+pub(super) fn place(expansion: &Expansion, at: SourceRange) -> Option<FileRange> {
     let source = expansion.sources.get(at.src)?;
-    Some(Place {
+    Some(FileRange {
         file: source.file,
         range: at.range.shift(source.base),
     })
@@ -82,7 +82,7 @@ pub(super) struct Inclusion<'a> {
     /// Its frame.
     pub frame: FrameId,
     /// The tag, from `<` to the end of the name.
-    pub tag: Place,
+    pub tag: FileRange,
     /// The same as an element.
     pub node: Node<'a>,
     /// The file that was included.

@@ -8,9 +8,9 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::sink::Sink;
 use super::source;
 use base::{FastMap, FastSet, TextRange};
-use expand::{Definition, DefinitionId, Place, SourceRange, SymbolKind, UseKind};
+use expand::{Definition, DefinitionId, FileRange, SourceRange, SymbolKind, UseKind};
 use expr::ast::{CmpOp, Const, Expr, ExprKind};
-use expr::{Code, Token, split, visit};
+use expr::{Code, TemplateToken, split, visit};
 
 pub(super) static RULE: Rule = Rule {
     code: "XAC028",
@@ -28,7 +28,7 @@ pub(super) static RULE: Rule = Rule {
 const MOST_STEPS: u32 = 8;
 
 /// The uses of an expansion by their place.
-type Uses = FastMap<SourceRange, Vec<DefinitionId>>;
+type UsesByPlace = FastMap<SourceRange, Vec<DefinitionId>>;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     if !source::is_main(cx) {
@@ -49,7 +49,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 if !definitions.is_empty() && definitions.iter().all(converted) {
                     let range = found.range.shift(start + offset + read.base);
                     report(
-                        Place {
+                        FileRange {
                             file: read.file,
                             range,
                         },
@@ -69,8 +69,8 @@ fn may_compare(text: &str) -> bool {
         && (text.contains("rue") || text.contains("alse"))
 }
 
-fn uses(cx: &DocumentCx<'_>) -> Uses {
-    let mut uses = Uses::default();
+fn uses(cx: &DocumentCx<'_>) -> UsesByPlace {
+    let mut uses = UsesByPlace::default();
     for used in cx
         .expansion
         .index
@@ -85,7 +85,7 @@ fn uses(cx: &DocumentCx<'_>) -> Uses {
 }
 
 /// `name == 'true'`
-struct Comparison {
+struct StringComparison {
     name: String,
     name_range: TextRange,
     range: TextRange,
@@ -94,10 +94,10 @@ struct Comparison {
 }
 
 /// The comparisons in a text, each with the offset its ranges count from.
-fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
+fn comparisons(text: &str) -> Vec<(StringComparison, u32)> {
     let mut found = Vec::new();
     for token in split(text).tokens {
-        if let Token::Expr {
+        if let TemplateToken::Expr {
             inner,
             code: Code::Static(parsed),
             ..
@@ -107,7 +107,7 @@ fn comparisons(text: &str) -> Vec<(Comparison, u32)> {
             visit_all(&parsed.expr, &mut |expr| {
                 truths.extend(compared_with_truth(expr))
             });
-            let is_news = |found: &Comparison| !truths.contains(found.name.as_str());
+            let is_news = |found: &StringComparison| !truths.contains(found.name.as_str());
             visit_all(&parsed.expr, &mut |expr| {
                 found.extend(
                     comparison(expr)
@@ -148,7 +148,7 @@ fn is_truth(expr: &Expr) -> bool {
     }
 }
 
-fn comparison(expr: &Expr) -> Option<Comparison> {
+fn comparison(expr: &Expr) -> Option<StringComparison> {
     let ExprKind::Compare(left, rest) = &expr.kind else {
         return None;
     };
@@ -167,7 +167,7 @@ fn comparison(expr: &Expr) -> Option<Comparison> {
     };
     let is_truth = matches!(text.as_str(), "true" | "True" | "false" | "False");
     let (name, text) = (name.to_string(), text.to_string());
-    is_truth.then_some(Comparison {
+    is_truth.then_some(StringComparison {
         name,
         name_range,
         range: expr.range,
@@ -177,7 +177,7 @@ fn comparison(expr: &Expr) -> Option<Comparison> {
 }
 
 /// Whether the text `true` given to a definition becomes a truth value in any case.
-fn is_converted(cx: &DocumentCx<'_>, id: DefinitionId, uses: &Uses, steps: u32) -> bool {
+fn is_converted(cx: &DocumentCx<'_>, id: DefinitionId, uses: &UsesByPlace, steps: u32) -> bool {
     let Some(definition) = cx.expansion.index.symbols.get(id).filter(|_| steps > 0) else {
         return false;
     };
@@ -203,7 +203,7 @@ fn is_converted_param(
     cx: &DocumentCx<'_>,
     id: DefinitionId,
     param: &Definition,
-    uses: &Uses,
+    uses: &UsesByPlace,
     steps: u32,
 ) -> bool {
     let given: Vec<_> = cx
@@ -223,7 +223,7 @@ fn is_converted_param(
 }
 
 /// The value that a call gives at a place.
-fn is_converted_use(cx: &DocumentCx<'_>, at: SourceRange, uses: &Uses, steps: u32) -> bool {
+fn is_converted_use(cx: &DocumentCx<'_>, at: SourceRange, uses: &UsesByPlace, steps: u32) -> bool {
     let attr = source::tag(cx.expansion, at)
         .and_then(|(_, node)| node.attrs().find(|attr| attr.name_range() == at.range));
     attr.is_some_and(|attr| {
@@ -251,7 +251,7 @@ fn is_converted_text(
     cx: &DocumentCx<'_>,
     text: &str,
     at: SourceRange,
-    uses: &Uses,
+    uses: &UsesByPlace,
     steps: u32,
 ) -> bool {
     if text.contains(['\'', '"', '&']) {
@@ -260,7 +260,7 @@ fn is_converted_text(
     let tokens = split(text).tokens;
     match tokens.as_slice() {
         [
-            Token::Expr {
+            TemplateToken::Expr {
                 inner,
                 code: Code::Static(parsed),
                 ..
@@ -274,12 +274,12 @@ fn is_converted_text(
         }
         tokens => tokens
             .iter()
-            .all(|token| matches!(token, Token::Text(_) | Token::Subst { .. })),
+            .all(|token| matches!(token, TemplateToken::Text(_) | TemplateToken::Subst { .. })),
     }
 }
 
-fn report(at: Place, found: &Comparison, out: &mut Sink<'_>) {
-    let Comparison {
+fn report(at: FileRange, found: &StringComparison, out: &mut Sink<'_>) {
+    let StringComparison {
         name, equal, text, ..
     } = found;
     let verdict = if *equal { "never" } else { "always" };

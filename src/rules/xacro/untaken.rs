@@ -5,14 +5,14 @@ use std::sync::Arc;
 use super::super::context::DocumentCx;
 use super::source;
 use base::{FastSet, FileId};
-use expand::Place;
+use expand::FileRange;
 use vfs::SourceFile;
 use workspace::{admitted_files, named_file};
 use xml::NodeKind;
 
 /// The files that further arguments could bring in; none when it cannot be told which.
 pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
-    let taken: FastSet<Place> = source::inclusions(cx.expansion, cx.world)
+    let taken: FastSet<FileRange> = source::inclusions(cx.expansion, cx.world)
         .into_iter()
         .map(|inclusion| inclusion.tag)
         .collect();
@@ -25,7 +25,7 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     let mut open = Vec::new();
     for (idx, file) in cx.expansion.files.iter_ids() {
         for (range, filename) in includes(&file.source) {
-            let place = Place { file: idx, range };
+            let place = FileRange { file: idx, range };
             match taken.contains(&place) {
                 false => open.extend(load(cx, &filename, &file.source.path)?),
                 // a folder that a property holds is often the same with all arguments: what was read has to do then

@@ -2,14 +2,14 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::source;
 use base::{FastSet, TextRange};
-use expand::{Definition, DefinitionId, FileIdx, Place, ProblemKind, SymbolKind, UseKind};
+use expand::{Definition, DefinitionId, FileIdx, FileRange, ProblemKind, SymbolKind, UseKind};
 
 /// The definitions of some kinds in the root file of a robot that nothing uses in this expansion. None, when
 /// something of the robot could not be resolved.
 pub(super) fn in_root<'a>(
     cx: &DocumentCx<'a>,
     kinds: &[SymbolKind],
-) -> Vec<(DefinitionId, &'a Definition, Place)> {
+) -> Vec<(DefinitionId, &'a Definition, FileRange)> {
     if !source::is_main(cx) || cx.kind != RootKind::Robot || !cx.complete {
         return Vec::new();
     }

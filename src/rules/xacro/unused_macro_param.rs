@@ -4,7 +4,7 @@ use ecow::EcoString;
 use super::super::context::DocumentCx;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use super::words::Mentions;
+use super::words::MentionedWords;
 use super::{source, unused};
 use base::{FastMap, FastSet};
 use expand::{Definition, DefinitionId, Problem, ProblemKind, SymbolKind, UseKind};
@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     }
     let used = unused::used(cx);
     let forwards = Forwards::of(cx);
-    let mut bodies: FastMap<DefinitionId, Option<Mentions>> = FastMap::default();
+    let mut bodies: FastMap<DefinitionId, Option<MentionedWords>> = FastMap::default();
     for (id, definition) in cx.expansion.index.symbols.iter() {
         let Some(of) = definition
             .of
@@ -49,7 +49,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
 
 /// What the body of a macro mentions; none, when that cannot be told: it is empty, includes a file, calls what
 /// is not known, or a name in it is misspelled.
-fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Mentions> {
+fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<MentionedWords> {
     let place = cx.expansion.index.symbols.get(of)?.place;
     let (base, node) = source::tag(cx.expansion, place)?;
     let (file, range) = (
@@ -73,7 +73,7 @@ fn body(cx: &DocumentCx<'_>, of: DefinitionId, forwards: &Forwards) -> Option<Me
     node.children().find(|child| {
         matches!(child.kind(), NodeKind::Element | NodeKind::Text) && !is_blank(*child)
     })?;
-    let body = Mentions::inside(node);
+    let body = MentionedWords::inside(node);
     let known = |tag: &EcoString| {
         is_keyword(tag)
             || forwards
@@ -98,7 +98,7 @@ fn is_blank(node: Node<'_>) -> bool {
     node.kind() == NodeKind::Text && node.raw().trim().is_empty()
 }
 
-fn is_mentioned(body: &Mentions, param: &Definition, forwards: &Forwards) -> bool {
+fn is_mentioned(body: &MentionedWords, param: &Definition, forwards: &Forwards) -> bool {
     let name = param.name.as_str();
     match param.kind {
         SymbolKind::BlockParameter => body.computed || body.blocks.contains(name),
@@ -107,7 +107,7 @@ fn is_mentioned(body: &Mentions, param: &Definition, forwards: &Forwards) -> boo
 }
 
 /// Whether the body calls a macro that takes a parameter of this name from its caller.
-fn is_forwarded(body: &Mentions, name: &str, forwards: &Forwards) -> bool {
+fn is_forwarded(body: &MentionedWords, name: &str, forwards: &Forwards) -> bool {
     let mut tags = body
         .tags
         .iter()

@@ -10,7 +10,7 @@ use xml::{Item, Node, NodeKind};
 ///
 /// A branch that is not taken with these arguments is taken with others: what it mentions is used.
 #[derive(Debug, Default)]
-pub struct Mentions {
+pub struct MentionedWords {
     words: FastSet<EcoString>,
     /// Names of tags behind `xacro:`.
     pub tags: FastSet<EcoString>,
@@ -20,7 +20,7 @@ pub struct Mentions {
     pub computed: bool,
 }
 
-impl Mentions {
+impl MentionedWords {
     pub fn of_file(file: &SourceFile) -> Self {
         let mut mentions = Self::default();
         file.document

@@ -7,10 +7,10 @@ use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::super::xml::seen::Numeric;
-use super::meant::{self, Meant};
+use super::meant::{self, MeantValue};
 use super::walk;
 use expand::{BindingId, Origin, XId, meant_number};
-use model::{Text, decimal, is_decimal};
+use model::{AttrValue, decimal, is_decimal};
 use xml::Document;
 
 pub(in super::super) static RULE: Rule = Rule {
@@ -55,9 +55,10 @@ fn find_numeric(cx: &DocumentCx<'_>) -> Vec<Numeric> {
     let mut found = Vec::new();
     for (id, spec) in walk::known(cx) {
         for attribute in spec.attributes {
-            let text = attribute
-                .numbers()
-                .zip(Text::attr(&cx.expansion.tree, id, attribute.name));
+            let text =
+                attribute
+                    .numbers()
+                    .zip(AttrValue::attr(&cx.expansion.tree, id, attribute.name));
             let text = text.filter(|(_, text)| {
                 let open = text.value.contains("${") || text.value.contains("$(");
                 // readers pass over what is newer than the robot
@@ -82,7 +83,7 @@ fn blanks(
     cx: &DocumentCx<'_>,
     (id, name): (XId, &str),
     count: usize,
-    text: &Text,
+    text: &AttrValue,
     is_plain: bool,
     out: &mut Sink<'_>,
 ) {
@@ -178,7 +179,7 @@ pub(super) fn is_reported(cx: &DocumentCx<'_>, origin: Origin) -> bool {
 }
 
 /// The words that are no numbers. Of a single number also what follows it; an empty range when there is none.
-pub(super) fn bad_words(text: &Text, count: usize) -> Vec<Range<usize>> {
+pub(super) fn bad_words(text: &AttrValue, count: usize) -> Vec<Range<usize>> {
     let is_bad = |range: &Range<usize>| {
         text.value
             .get(range.clone())
@@ -203,11 +204,11 @@ fn report_meant(
     cx: &DocumentCx<'_>,
     id: XId,
     name: &str,
-    text: &Text,
-    meant: Meant,
+    text: &AttrValue,
+    meant: MeantValue,
     out: &mut Sink<'_>,
 ) {
-    let Meant { help, value } = meant;
+    let MeantValue { help, value } = meant;
     let what = if text.words().nth(1).is_some() {
         "is not a list of numbers"
     } else {
@@ -234,7 +235,7 @@ fn report(
     cx: &DocumentCx<'_>,
     id: XId,
     name: &str,
-    text: &Text,
+    text: &AttrValue,
     range: Range<usize>,
     out: &mut Sink<'_>,
 ) {
@@ -284,7 +285,7 @@ fn report(
 }
 
 /// Where a word is written that comes from a property, an argument or a parameter, and is a number with a slip.
-fn written_at(cx: &DocumentCx<'_>, text: &Text, range: Range<usize>) -> Option<Origin> {
+fn written_at(cx: &DocumentCx<'_>, text: &AttrValue, range: Range<usize>) -> Option<Origin> {
     const MOST: usize = 64;
     let word = text.value.get(range.clone())?;
     if meant_number(word).is_none() && meant::name_of_property(cx, word).is_none() {

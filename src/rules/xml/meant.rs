@@ -4,10 +4,10 @@ use super::super::schema::ElementSpec;
 use super::walk;
 use expand::{BindingInfo, BindingKind, XId};
 use expr::is_identifier;
-use model::{Text, is_decimal};
+use model::{AttrValue, is_decimal};
 
 /// What a value was meant to be.
-pub(super) struct Meant {
+pub(super) struct MeantValue {
     /// What to know about it.
     pub help: &'static str,
     /// The value to write.
@@ -15,14 +15,18 @@ pub(super) struct Meant {
 }
 
 /// Of an attribute that holds so many numbers; none when it does, or when it cannot be told.
-pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Option<Meant> {
+pub(super) fn of_numbers(
+    cx: &DocumentCx<'_>,
+    text: &AttrValue,
+    count: usize,
+) -> Option<MeantValue> {
     let value = text.value.as_str();
     if holds_numbers(value, count) {
         return None;
     }
     let plain = value.replace(['\u{2212}', '\u{2013}'], "-");
     if plain != value && holds_numbers(&plain, count) {
-        return Some(Meant {
+        return Some(MeantValue {
             help: "write an ASCII minus sign `-`",
             value: plain,
         });
@@ -33,7 +37,7 @@ pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Opti
         .collect::<Vec<_>>()
         .join(" ");
     if count > 1 && spaced != value && holds_numbers(&spaced, count) {
-        return Some(Meant {
+        return Some(MeantValue {
             help: "separate the numbers with spaces, not commas",
             value: spaced,
         });
@@ -44,7 +48,7 @@ pub(super) fn of_numbers(cx: &DocumentCx<'_>, text: &Text, count: usize) -> Opti
         .first()
         .is_some_and(|file| !is_plain_urdf(&file.source.path));
     let bracketed = bracketed(cx, value)?;
-    (bracketed != value && text.is_literal() && is_xacro).then_some(Meant {
+    (bracketed != value && text.is_literal() && is_xacro).then_some(MeantValue {
         help: "write the expression in `${...}`",
         value: bracketed,
     })

@@ -6,7 +6,7 @@ use super::super::schema::ElementSpec;
 use super::super::sink::Sink;
 use super::{meant, walk};
 use expand::{XId, XTree};
-use model::{Text, element_range, tag_start};
+use model::{AttrValue, element_range, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML008",
@@ -78,10 +78,10 @@ fn check_controls(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             for id in inner.chain(Some(part).filter(|&part| is_nameless(tree, part, &PARTS))) {
                 let message = format!("missing attribute `name` in {}", walk::described(cx, id));
                 let kind = tree.get(id).text.as_str();
-                let is_word = |text: &Text| {
+                let is_word = |text: &AttrValue| {
                     tree.elements(id).next().is_none() && !text.value.trim().contains(' ')
                 };
-                match Text::content(tree, id).filter(is_word) {
+                match AttrValue::content(tree, id).filter(is_word) {
                     Some(text) => report_inside(cx, id, (kind, "name", message), &text, out),
                     None => out
                         .report(tag_start(cx.expansion, id), message)
@@ -135,9 +135,9 @@ fn is_second_material(cx: &DocumentCx<'_>, id: XId, spec: &ElementSpec) -> bool 
 }
 
 /// The text of an element that holds nothing but a number.
-fn number_inside(cx: &DocumentCx<'_>, id: XId) -> Option<Text> {
+fn number_inside(cx: &DocumentCx<'_>, id: XId) -> Option<AttrValue> {
     let is_alone = cx.expansion.tree.elements(id).next().is_none();
-    Text::content(&cx.expansion.tree, id).filter(|text| is_alone && text.number().is_some())
+    AttrValue::content(&cx.expansion.tree, id).filter(|text| is_alone && text.number().is_some())
 }
 
 /// The value stands between the tags.
@@ -145,7 +145,7 @@ fn report_inside(
     cx: &DocumentCx<'_>,
     id: XId,
     (name, attribute, message): (&str, &str, String),
-    text: &Text,
+    text: &AttrValue,
     out: &mut Sink<'_>,
 ) {
     let content =

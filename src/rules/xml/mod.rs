@@ -25,7 +25,7 @@ use super::rule::{Category::Xml, Rule, Severity::Error, page};
 
 pub(super) use meant::{attributes as meant_attributes, with_dollars};
 pub use missing_robot_name::missing_robot_name;
-pub use seen::{Numeric, Seen};
+pub use seen::{CheckedElement, Numeric};
 pub(super) use walk::{described, known};
 
 // what expansion finds, without fixes of their own

@@ -4,7 +4,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
 use super::walk;
-use model::{Text, Version};
+use model::{AttrValue, Version};
 
 pub(super) static RULE: Rule = Rule {
     code: "XML018",
@@ -29,7 +29,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             tree.attr(id, attribute.name).is_some() && cx.is_older_than(attribute.since)
         });
         for attribute in newer {
-            let Some(text) = Text::attr(tree, id, attribute.name) else {
+            let Some(text) = AttrValue::attr(tree, id, attribute.name) else {
                 continue;
             };
             let Some(own) = Version::of(tree) else {

@@ -1,10 +1,10 @@
 //! Elements and attributes of a document, as the schema sees them.
 use super::super::schema::ElementSpec;
 use expand::XId;
-use model::Text;
+use model::AttrValue;
 
 /// An element outside of the free zones.
-pub struct Seen {
+pub struct CheckedElement {
     pub id: XId,
     /// What the schema says about it; none: it may not stand there.
     pub spec: Option<&'static ElementSpec>,
@@ -22,5 +22,5 @@ pub struct Numeric {
     /// How many numbers it holds.
     pub count: usize,
     /// Its value.
-    pub text: Text,
+    pub text: AttrValue,
 }

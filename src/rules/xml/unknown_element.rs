@@ -6,11 +6,11 @@ use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, pa
 use super::super::schema::{self, ElementSpec};
 use super::super::sink::Sink;
 use super::missing_element::bare_shape;
-use super::seen::Seen;
+use super::seen::CheckedElement;
 use super::walk;
 use base::{FastMap, TextRange};
 use expand::{FileIdx, XId};
-use model::{Text, tag_start};
+use model::{AttrValue, tag_start};
 
 pub(in super::super) static RULE: Rule = Rule {
     code: "XML006",
@@ -26,7 +26,7 @@ pub(in super::super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let mut bare: FastMap<XId, Option<&str>> = FastMap::default();
-    for &Seen { id, spec, parent } in walk::elements(cx) {
+    for &CheckedElement { id, spec, parent } in walk::elements(cx) {
         let (None, Some(parent)) = (spec, parent) else {
             continue;
         };
@@ -173,13 +173,14 @@ fn is_bare(cx: &DocumentCx<'_>, id: XId) -> bool {
     let tree = &cx.expansion.tree;
     tree.get(id).attrs.is_empty()
         && tree.elements(id).next().is_none()
-        && Text::content(tree, id).is_none_or(|text| text.value.trim().is_empty())
+        && AttrValue::content(tree, id).is_none_or(|text| text.value.trim().is_empty())
 }
 
 /// Whether an element is the pose of SDF and moves nothing.
 fn is_zero_pose(cx: &DocumentCx<'_>, id: XId, name: &str) -> bool {
-    let text = Text::content(&cx.expansion.tree, id).filter(|text| !text.value.trim().is_empty());
-    let is_zero = |text: Text| {
+    let text =
+        AttrValue::content(&cx.expansion.tree, id).filter(|text| !text.value.trim().is_empty());
+    let is_zero = |text: AttrValue| {
         text.numbers::<6>()
             .is_some_and(|numbers| numbers == [0.0; 6])
     };
@@ -189,7 +190,7 @@ fn is_zero_pose(cx: &DocumentCx<'_>, id: XId, name: &str) -> bool {
 /// Whether an element is meant as an `origin` that moves nothing: without it, all is the same.
 fn is_identity(cx: &DocumentCx<'_>, id: XId, meant: &str) -> bool {
     let vectors = ["xyz", "rpy"].into_iter();
-    let mut vectors = vectors.filter_map(|name| Text::attr(&cx.expansion.tree, id, name));
+    let mut vectors = vectors.filter_map(|name| AttrValue::attr(&cx.expansion.tree, id, name));
     meant == "origin" && vectors.all(|text| text.numbers() == Some([0.0; 3]))
 }
 

@@ -3,7 +3,7 @@ use super::super::context::DocumentCx;
 use super::super::place;
 use super::super::rule::{Activation, Category, Check, Rule, Severity, page};
 use super::super::sink::Sink;
-use model::{Text, Version};
+use model::{AttrValue, Version};
 
 pub(super) static RULE: Rule = Rule {
     code: "XML015",
@@ -19,7 +19,7 @@ pub(super) static RULE: Rule = Rule {
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     let Some(robot) = cx.robot else { return };
-    let version = Text::attr(&cx.expansion.tree, robot.element, "version")
+    let version = AttrValue::attr(&cx.expansion.tree, robot.element, "version")
         .filter(|version| version.is_known());
     let Some(version) = version else { return };
     let admitted = &cx.world.config.urdf_version;

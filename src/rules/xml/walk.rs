@@ -2,24 +2,24 @@
 use super::super::context::{DocumentCx, RootKind};
 use super::super::schema::{self, ElementSpec};
 use super::super::vocabulary::{is_forgotten_prefix, is_free_zone};
-use super::super::xml::seen::Seen;
+use super::super::xml::seen::CheckedElement;
 use base::FastSet;
 use expand::{Expansion, Origin, XId, XKind};
-use model::Text;
+use model::AttrValue;
 use workspace::edit_distance;
 use xml::Node;
 
 /// All elements of a robot, or of what a library gives by itself, except what stands inside of unknown
 /// elements and free zones; parents first.
-pub(super) fn elements<'a>(cx: &'a DocumentCx<'_>) -> &'a [Seen] {
+pub(super) fn elements<'a>(cx: &'a DocumentCx<'_>) -> &'a [CheckedElement] {
     cx.seen.get_or_init(|| see(cx))
 }
 
-fn see(cx: &DocumentCx<'_>) -> Vec<Seen> {
+fn see(cx: &DocumentCx<'_>) -> Vec<CheckedElement> {
     let tree = &cx.expansion.tree;
     let root = tree.get(cx.element);
     let is_robot = root.kind == XKind::Container || root.text == schema::robot().name;
-    let mut open = vec![Seen {
+    let mut open = vec![CheckedElement {
         id: cx.element,
         spec: Some(schema::robot()).filter(|_| is_robot),
         parent: None,
@@ -34,7 +34,7 @@ fn see(cx: &DocumentCx<'_>) -> Vec<Seen> {
                 let elsewhere = || schema::urdf_element(name).filter(|_| anywhere);
                 let spec_here = spec.child(name).or_else(elsewhere);
                 (
-                    Seen {
+                    CheckedElement {
                         id,
                         spec: spec_here,
                         parent: Some(spec),
@@ -49,7 +49,7 @@ fn see(cx: &DocumentCx<'_>) -> Vec<Seen> {
             open.extend(children);
             open.get_mut(start..)
                 .into_iter()
-                .for_each(<[Seen]>::reverse);
+                .for_each(<[CheckedElement]>::reverse);
         }
         seen.push(element);
     }
@@ -91,7 +91,7 @@ pub(super) fn owner(cx: &DocumentCx<'_>, element: XId) -> String {
     let named = |id: XId| {
         let node = tree.get(id);
         let is_owner = matches!(node.text.as_str(), "link" | "joint" | "material" | "robot");
-        let name = Text::attr(tree, id, "name").filter(|_| is_owner)?;
+        let name = AttrValue::attr(tree, id, "name").filter(|_| is_owner)?;
         Some(name.name().map_or_else(
             || format!("a {}", node.text),
             |name| format!("{} `{name}`", node.text),

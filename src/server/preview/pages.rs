@@ -3,31 +3,33 @@
 use std::sync::Arc;
 
 use super::{
-    Failure, Location, Root, ShowParams, State, Url, client_names, convert, send_selection,
-    show_root,
+    Location, RequestFailure, RootParam, ServerState, ShowParams, Url, client_names, convert,
+    send_selection, show_root,
 };
 use crate::outbox::ClientRequest;
 use base::CancelFlag;
 use preview::{FromViewer, Hub, Received, RootName};
 
 /// The server for browsers, started when it is needed first.
-pub(super) fn hub(state: &mut State) -> Result<Arc<Hub>, Failure> {
+pub(super) fn hub(state: &mut ServerState) -> Result<Arc<Hub>, RequestFailure> {
     if let Some(hub) = &state.previews.hub {
         return Ok(hub.clone());
     }
     let Some(from_pages) = state.previews.from_pages.clone() else {
-        return Err(Failure::Refused("cannot start the preview here".to_owned()));
+        return Err(RequestFailure::Refused(
+            "cannot start the preview here".to_owned(),
+        ));
     };
     let files = state.previews.views.files().clone();
-    let vfs = state.world.session().vfs.clone();
+    let vfs = state.host.session().vfs.clone();
     let hub = Hub::start(files, vfs, move |received| from_pages(received))
-        .map_err(|error| Failure::Refused(format!("cannot start the preview: {error}")))?;
+        .map_err(|error| RequestFailure::Refused(format!("cannot start the preview: {error}")))?;
     state.previews.hub = Some(hub.clone());
     Ok(hub)
 }
 
 /// A page said something.
-pub fn page_said(state: &mut State, received: Received) {
+pub fn page_said(state: &mut ServerState, received: Received) {
     let id = received.id;
     match received.message {
         FromViewer::Ready => state.previews.due = true,
@@ -50,7 +52,7 @@ pub fn page_said(state: &mut State, received: Received) {
         FromViewer::Root { root, compare } => {
             let named = |name: RootName| {
                 let uri = Url::parse(&name.uri).ok()?;
-                Some(Root {
+                Some(RootParam {
                     uri,
                     args: name.args,
                     preset: name.preset,
@@ -62,7 +64,9 @@ pub fn page_said(state: &mut State, received: Received) {
                 root,
                 compare: compare.and_then(named),
             };
-            if let Err(Failure::Invalid(why)) = show_root(state, params, &CancelFlag::default()) {
+            if let Err(RequestFailure::Invalid(why)) =
+                show_root(state, params, &CancelFlag::default())
+            {
                 state
                     .outbox
                     .log(format!("cannot show this in the preview: {why}"));
@@ -74,7 +78,7 @@ pub fn page_said(state: &mut State, received: Received) {
 }
 
 /// Have the editor show a place.
-fn show_location(state: &State, location: Option<&Location>) {
+fn show_location(state: &ServerState, location: Option<&Location>) {
     let uri = location.and_then(|location| Url::parse(&location.uri).ok());
     let (Some(location), Some(uri)) = (location, uri) else {
         return;
@@ -87,6 +91,6 @@ fn show_location(state: &State, location: Option<&Location>) {
     }
 }
 
-fn point(point: preview::Point) -> lsp_types::Position {
+fn point(point: preview::LinePosition) -> lsp_types::Position {
     lsp_types::Position::new(point.line, point.character)
 }

@@ -17,7 +17,7 @@ use serde_json::json;
 
 use crate::convert;
 use crate::diagnostics::diagnostic;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::places;
 use crate::outbox::ClientRequest;
 use crate::requests::arguments::set_arguments;
@@ -26,7 +26,7 @@ use crate::requests::configure::configured;
 use crate::requests::navigation::{about_files, asked};
 use crate::requests::refactorings::refactor_actions;
 use crate::requests::rename::is_ours;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::{Report, apply};
 use base::limits::{PROOF_EXPANSIONS, QUICK_PROOF_EXPANSIONS};
 use base::{CancelFlag, Span, TextRange};
@@ -67,7 +67,7 @@ pub(crate) struct MadeFor {
 }
 
 /// A finding that the client names.
-struct Named<'a> {
+struct NamedFinding<'a> {
     shown: &'a Diagnostic,
     rule: &'a str,
     range: TextRange,
@@ -76,10 +76,10 @@ struct Named<'a> {
 }
 
 pub fn actions(
-    state: &mut State,
+    state: &mut ServerState,
     params: CodeActionParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CodeActionOrCommand>>, Failure> {
+) -> Result<Option<Vec<CodeActionOrCommand>>, RequestFailure> {
     let (path, source) = state.source(&params.text_document.uri)?;
     let only = params.context.only.as_deref();
     let mut found = Vec::new();
@@ -109,7 +109,7 @@ pub fn actions(
 }
 
 /// An action as the client takes it: one that knows commands only has the server make the edits.
-fn in_its_form(state: &State, action: CodeAction) -> Option<CodeActionOrCommand> {
+fn in_its_form(state: &ServerState, action: CodeAction) -> Option<CodeActionOrCommand> {
     if state.client.actions.literals {
         return Some(CodeActionOrCommand::CodeAction(action));
     }
@@ -128,7 +128,7 @@ fn in_its_form(state: &State, action: CodeAction) -> Option<CodeActionOrCommand>
 }
 
 /// The versions of all open files.
-fn versions(state: &State) -> BTreeMap<Url, Option<i32>> {
+fn versions(state: &ServerState) -> BTreeMap<Url, Option<i32>> {
     state
         .documents
         .values()
@@ -137,9 +137,9 @@ fn versions(state: &State) -> BTreeMap<Url, Option<i32>> {
 }
 
 /// Have the client make edits that it was offered as a command.
-pub fn apply_offered(state: &mut State, offered: MadeFor) -> Result<(), Failure> {
+pub fn apply_offered(state: &mut ServerState, offered: MadeFor) -> Result<(), RequestFailure> {
     if offered.versions != versions(state) {
-        return Err(Failure::Outdated);
+        return Err(RequestFailure::Outdated);
     }
     state
         .outbox
@@ -149,7 +149,7 @@ pub fn apply_offered(state: &mut State, offered: MadeFor) -> Result<(), Failure>
 
 /// A file with tags of xacro gets a name that says so.
 fn renamed_to_xacro(
-    state: &State,
+    state: &ServerState,
     params: &CodeActionParams,
     path: &Path,
     shown: &Diagnostic,
@@ -161,7 +161,7 @@ fn renamed_to_xacro(
     let new = path.with_file_name(format!("{name}.urdf.xacro"));
     if !state.client.edits.renames_files
         || !is_ours(state, path)
-        || state.world.session().vfs.exists(&new)
+        || state.host.session().vfs.exists(&new)
     {
         return None;
     }
@@ -189,12 +189,12 @@ fn renamed_to_xacro(
 /// The fixes of the findings at the range that is asked about: of those that the client names, if it names any of
 /// ours, and else of all.
 fn quick_fixes(
-    state: &mut State,
+    state: &mut ServerState,
     params: &CodeActionParams,
     path: &Path,
     source: &Arc<SourceFile>,
     cancel: &CancelFlag,
-) -> Result<Vec<CodeAction>, Failure> {
+) -> Result<Vec<CodeAction>, RequestFailure> {
     let is_automatic = params.context.trigger_kind == Some(CodeActionTriggerKind::AUTOMATIC);
     let named = params
         .context
@@ -206,10 +206,10 @@ fn quick_fixes(
         return Ok(Vec::new());
     }
     let report = state
-        .world
+        .host
         .report(&[path.to_path_buf()], cancel)
-        .ok_or(Failure::Cancelled)?;
-    let effort = state.world.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
+        .ok_or(RequestFailure::Cancelled)?;
+    let effort = state.host.effort(path, QUICK_PROOF_EXPANSIONS, cancel);
     let mut found: Vec<CodeAction> = Vec::new();
     for (number, diagnostic) in asked_about_in(state, params, &report, path, source) {
         let Some(finding) = report.findings.get(number) else {
@@ -225,10 +225,7 @@ fn quick_fixes(
                 kind: ActionKind::Fix,
                 edits,
             };
-            let proved = state
-                .world
-                .session()
-                .safe_fixes(&report, &[number], &effort);
+            let proved = state.host.session().safe_fixes(&report, &[number], &effort);
             actions.push((action, !proved.settles.is_empty()));
         }
         let more = further_fixes(state, params, path, source, finding, cancel)?;
@@ -253,7 +250,7 @@ fn quick_fixes(
 
 /// The findings that are asked about, by their numbers, and each as the client knows it.
 fn asked_about_in(
-    state: &State,
+    state: &ServerState,
     params: &CodeActionParams,
     report: &Report,
     path: &Path,
@@ -272,21 +269,21 @@ fn asked_about_in(
         // what is shown may be older than the text: it stands for what is there now
         let mut own = report.findings.iter().filter(own);
         let is_current = own.any(|it| it.rule.name == rule && it.span.range == range);
-        Named {
+        NamedFinding {
             shown,
             rule,
             range,
             is_old: !is_current && touch(range, asked),
         }
     });
-    let named: Vec<Named<'_>> = named.take(MOST_FINDINGS).collect();
+    let named: Vec<NamedFinding<'_>> = named.take(MOST_FINDINGS).collect();
     let mut places = places(state);
     let mut found: Vec<(usize, Diagnostic)> = Vec::new();
     let mut seen = BTreeSet::new();
     for (number, finding) in report.findings.iter().enumerate().filter(|(_, it)| own(it)) {
         let (name, range) = (finding.rule.name, finding.span.range);
         let is_here = touch(range, asked);
-        let is_meant = |named: &&Named<'_>| {
+        let is_meant = |named: &&NamedFinding<'_>| {
             named.rule == name && (named.range == range || is_here && named.is_old)
         };
         let diagnostic = match named.iter().find(is_meant) {
@@ -303,13 +300,13 @@ fn asked_about_in(
 
 /// Fixes that need more than the text: other files, what names mean.
 fn further_fixes(
-    state: &mut State,
+    state: &mut ServerState,
     params: &CodeActionParams,
     path: &Path,
     source: &Arc<SourceFile>,
     finding: &Finding,
     cancel: &CancelFlag,
-) -> Result<Vec<Action>, Failure> {
+) -> Result<Vec<Action>, RequestFailure> {
     let range = finding.span.range;
     let mut actions = Vec::new();
     if finding.fix.is_none() {
@@ -321,7 +318,7 @@ fn further_fixes(
         );
     }
     if finding.problem == Some(ProblemKind::UndefinedMacro) {
-        state.world.scan(|| cancel.is_cancelled());
+        state.host.scan(|| cancel.is_cancelled());
         actions.extend(ide::include_macro(source, range, |name| {
             files_with_macro(state, path, name)
         }));
@@ -332,12 +329,12 @@ fn further_fixes(
 
 /// The mesh that a finding names, written again by a command: no edit of text can do that.
 fn mesh_rewritten(
-    state: &mut State,
+    state: &mut ServerState,
     params: &CodeActionParams,
     diagnostic: &Diagnostic,
     rule: &Rule,
     cancel: &CancelFlag,
-) -> Result<Option<CodeAction>, Failure> {
+) -> Result<Option<CodeAction>, RequestFailure> {
     let title = if rule == named::ASCII_STL {
         "Convert mesh to binary STL"
     } else if rule == named::BINARY_STL_SOLID_HEADER {
@@ -348,7 +345,7 @@ fn mesh_rewritten(
     let at = TextDocumentPositionParams::new(params.text_document.clone(), diagnostic.range.start);
     let asked = asked(state, &at, cancel)?;
     let mesh = about_files(state, &asked, ide::file_definition).map(|(_, place)| place.path);
-    let can_write = !state.world.session().vfs.is_in_memory();
+    let can_write = !state.host.session().vfs.is_in_memory();
     let uri = mesh
         .filter(|path| can_write && is_ours(state, path))
         .and_then(|path| state.uri(&path));
@@ -368,11 +365,11 @@ fn mesh_rewritten(
 
 /// Fixes that need to know what names mean.
 fn with_meaning(
-    state: &mut State,
+    state: &mut ServerState,
     params: &CodeActionParams,
     finding: &Finding,
     cancel: &CancelFlag,
-) -> Result<Option<Action>, Failure> {
+) -> Result<Option<Action>, RequestFailure> {
     let is_shadowed = finding.problem == Some(ProblemKind::ShadowedBuiltin);
     if !is_shadowed && finding.problem != Some(ProblemKind::UseBeforeDefinition) {
         return Ok(None);
@@ -394,16 +391,16 @@ fn with_meaning(
 }
 
 /// Known files that define a macro, as an include in the file at `path` names them.
-fn files_with_macro(state: &State, path: &Path, name: &str) -> Vec<MacroFile> {
-    let packages = &state.world.session().packages;
+fn files_with_macro(state: &ServerState, path: &Path, name: &str) -> Vec<MacroFile> {
+    let packages = &state.host.session().packages;
     let files = state
-        .world
+        .host
         .known_files()
         .into_iter()
         .filter(|file| file != path);
     let files = files.filter(|file| {
         state
-            .world
+            .host
             .document(file)
             .is_some_and(|own| defines_macro(&own.document, name))
     });
@@ -432,15 +429,15 @@ fn defines_macro(document: &Document, name: &str) -> bool {
 
 /// All safe fixes of a file that change nothing else and leave its syntax whole.
 fn fix_all(
-    state: &mut State,
+    state: &mut ServerState,
     path: &Path,
     source: &SourceFile,
     cancel: &CancelFlag,
-) -> Result<Option<CodeAction>, Failure> {
+) -> Result<Option<CodeAction>, RequestFailure> {
     let report = state
-        .world
+        .host
         .report(&[path.to_path_buf()], cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     let own = |(_, finding): &(usize, &Finding)| {
         finding
             .fix
@@ -455,8 +452,8 @@ fn fix_all(
         .filter(own)
         .map(|(n, _)| n)
         .collect();
-    let effort = state.world.effort(path, PROOF_EXPANSIONS, cancel);
-    let plan = state.world.session().safe_fixes(&report, &numbers, &effort);
+    let effort = state.host.effort(path, PROOF_EXPANSIONS, cancel);
+    let plan = state.host.session().safe_fixes(&report, &numbers, &effort);
     let Some(edits) = plan.edits.get(&source.id) else {
         return Ok(None);
     };

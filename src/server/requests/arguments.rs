@@ -4,10 +4,10 @@ use lsp_types::{
 };
 use serde_json::json;
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use expand::{Outside, ProblemKind};
 use rules::Finding;
@@ -17,12 +17,12 @@ const MOST_VALUES: usize = 20;
 
 /// The actions, for clients that ask the user for the value.
 pub(super) fn set_arguments(
-    state: &mut State,
+    state: &mut ServerState,
     params: &CodeActionParams,
     finding: &Finding,
     shown: &Diagnostic,
     cancel: &CancelFlag,
-) -> Result<Vec<CodeAction>, Failure> {
+) -> Result<Vec<CodeAction>, RequestFailure> {
     if !state.client.own.lens_commands || !may_be_settled(finding) {
         return Ok(Vec::new());
     }
@@ -78,15 +78,15 @@ fn arguments_of(asked: &Asked, finding: &Finding) -> Vec<String> {
 
 /// The values of an argument in presets and in calls of launch files, then those that it may have by files and comments,
 /// each once. `None` for a file that is seen under no robot.
-fn known_values(state: &mut State, asked: &Asked, name: &str) -> Option<Vec<String>> {
-    let context = state.world.context(&asked.source.path);
+fn known_values(state: &mut ServerState, asked: &Asked, name: &str) -> Option<Vec<String>> {
+    let context = state.host.context(&asked.source.path);
     let root = context.root?;
     let presets = context
         .candidates
         .iter()
         .map(|(choice, _)| choice)
         .filter(|choice| choice.file == root.file);
-    let session = state.world.session();
+    let session = state.host.session();
     let calls = session.launched_roots(&root.file);
     let settings = session.settings(&asked.source.path);
     let around = session.rule_env(&settings.config);

@@ -1,8 +1,8 @@
 //! A position that the client asks about.
 use std::sync::Arc;
 
-use crate::state::State;
-use analysis::Analyzed;
+use crate::state::ServerState;
+use analysis::RootAnalysis;
 use expand::FrameId;
 use ide::{BesideName, Cx, TextNames};
 use vfs::SourceFile;
@@ -10,15 +10,15 @@ use vfs::SourceFile;
 /// A place in a file under its active root.
 pub(crate) struct Asked {
     pub source: Arc<SourceFile>,
-    pub analyzed: Arc<Analyzed>,
+    pub analyzed: Arc<RootAnalysis>,
     /// Bytes from the start of the file.
     pub offset: u32,
     /// The active root of the file, whether its expansion came by the file or not.
-    pub around: Arc<Analyzed>,
+    pub around: Arc<RootAnalysis>,
     /// The names in files beside the robot.
     pub beside: Vec<BesideName>,
-    /// The call that the user picked under this root.
-    pub pinned: Option<FrameId>,
+    /// The call that the user selected under this root.
+    pub selected_frame: Option<FrameId>,
 }
 
 impl Asked {
@@ -37,20 +37,20 @@ impl Asked {
             robot: self.analyzed.robot.as_ref(),
             kinematics: self.analyzed.kinematics.as_ref(),
             beside: &self.beside,
-            pinned: self.pinned,
+            selected_frame: self.selected_frame,
         }
     }
 
     /// What names mean by the texts of the robot.
-    pub fn names(&self, state: &State) -> TextNames {
-        let session = state.world.session();
+    pub fn names(&self, state: &ServerState) -> TextNames {
+        let session = state.host.session();
         let settings = session.settings(&self.source.path);
-        let world = session.rule_env(&settings.config);
-        let around = TextNames::of(&self.around.expansion, world);
+        let rule_env = session.rule_env(&settings.config);
+        let around = TextNames::of(&self.around.expansion, rule_env);
         if around.knows(self.source.id) {
             around
         } else {
-            TextNames::of(&self.analyzed.expansion, world)
+            TextNames::of(&self.analyzed.expansion, rule_env)
         }
     }
 }

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use lsp_types::TextDocumentPositionParams;
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::of_description::is_not_described;
-use crate::state::State;
-use analysis::{Analyzed, Beside, RootChoice};
+use crate::state::ServerState;
+use analysis::{Beside, RootAnalysis, RootConfig};
 use base::CancelFlag;
 use ide::{self, BesideName, BesideSources, Completions, Cx};
 use project::word_at;
@@ -17,14 +17,14 @@ use vfs::SourceFile;
 
 /// The names of the robot in the files beside it.
 pub fn names_beside(
-    state: &mut State,
-    root: &RootChoice,
+    state: &mut ServerState,
+    root: &RootConfig,
     cancel: &CancelFlag,
-) -> Result<Vec<BesideName>, Failure> {
+) -> Result<Vec<BesideName>, RequestFailure> {
     let files = state
-        .world
+        .host
         .beside(&root.file, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     Ok(files
         .iter()
         .flat_map(|file| names_in(state, file))
@@ -32,13 +32,13 @@ pub fn names_beside(
 }
 
 /// The names in a file beside the robot.
-fn names_in(state: &State, beside: &Beside) -> Vec<BesideName> {
+fn names_in(state: &ServerState, beside: &Beside) -> Vec<BesideName> {
     if let Some((analyzed, srdf)) = beside.srdf() {
         return own_cx(analyzed)
             .map(|cx| ide::names_in_srdf(&cx, srdf))
             .unwrap_or_default();
     }
-    let text = state.world.session().vfs.text(&beside.path);
+    let text = state.host.session().vfs.text(&beside.path);
     let names = |settings| {
         Some(ide::names_in_settings(
             beside.file,
@@ -50,7 +50,7 @@ fn names_in(state: &State, beside: &Beside) -> Vec<BesideName> {
 }
 
 /// A file in its own expansion.
-fn own_cx(analyzed: &Analyzed) -> Option<Cx<'_>> {
+fn own_cx(analyzed: &RootAnalysis) -> Option<Cx<'_>> {
     let source = &analyzed.expansion.files.first()?.source;
     let (expansion, robot) = (&analyzed.expansion, analyzed.robot.as_ref());
     Some(Cx {
@@ -59,26 +59,26 @@ fn own_cx(analyzed: &Analyzed) -> Option<Cx<'_>> {
         robot,
         kinematics: analyzed.kinematics.as_ref(),
         beside: &[],
-        pinned: None,
+        selected_frame: None,
     })
 }
 
 /// A position in a file beside a robot, under that robot; none where it is at a name of xacro, or at none at all.
 pub fn asked_beside(
-    state: &mut State,
+    state: &mut ServerState,
     (path, source): (&Path, &Arc<SourceFile>),
     offset: u32,
     cancel: &CancelFlag,
-) -> Result<Option<Asked>, Failure> {
-    let roots = state.world.robots_beside(path);
+) -> Result<Option<Asked>, RequestFailure> {
+    let roots = state.host.robots_beside(path);
     if roots.is_empty() || is_at_xacro_name(path, source, offset) {
         return Ok(None);
     }
     // most places of YAML are at no name: no robot is expanded for them
     let own = state
-        .world
+        .host
         .beside_itself(path, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     let names = own.map(|own| names_in(state, &own)).unwrap_or_default();
     if !names.iter().any(|name| name.place.range.touches(offset)) {
         return Ok(None);
@@ -91,9 +91,9 @@ pub fn asked_beside(
             continue;
         }
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let around = analyzed.clone();
         return Ok(Some(Asked {
             source: source.clone(),
@@ -101,7 +101,7 @@ pub fn asked_beside(
             around,
             offset,
             beside,
-            pinned: None,
+            selected_frame: None,
         }));
     }
     Ok(None)
@@ -118,13 +118,13 @@ fn is_at_xacro_name(path: &Path, source: &SourceFile, offset: u32) -> bool {
 
 /// What can be typed at a place of a YAML file beside robots.
 pub fn completions(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<(Arc<SourceFile>, Completions)>, Failure> {
+) -> Result<Option<(Arc<SourceFile>, Completions)>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Ok(text) = state.world.session().vfs.text(&path) else {
+    let Ok(text) = state.host.session().vfs.text(&path) else {
         return Ok(None);
     };
     let name = convert::file_name(&path);
@@ -135,9 +135,9 @@ pub fn completions(
     let mut beside: Vec<Beside> = Vec::new();
     for robot in &robots {
         let files = state
-            .world
+            .host
             .beside(&robot.root.file, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         beside.extend(files.into_iter().filter(|file| file.path != path));
     }
     let sources = BesideSources {
@@ -157,11 +157,11 @@ pub fn completions(
 
 /// The robots that an SRDF is for, or may be for; none for other files.
 pub fn robots_described(
-    state: &mut State,
+    state: &mut ServerState,
     path: &Path,
     source: &SourceFile,
     cancel: &CancelFlag,
-) -> Vec<Arc<Analyzed>> {
+) -> Vec<Arc<RootAnalysis>> {
     match rules::is_semantic_file(path, &source.document) {
         true => robots_named(state, path, cancel),
         false => Vec::new(),
@@ -169,13 +169,17 @@ pub fn robots_described(
 }
 
 /// The last expansions of the robots whose names may be used in a file beside robots.
-fn robots_named(state: &mut State, path: &Path, cancel: &CancelFlag) -> Vec<Arc<Analyzed>> {
-    let roots = state.world.robots_to_name(path);
+fn robots_named(
+    state: &mut ServerState,
+    path: &Path,
+    cancel: &CancelFlag,
+) -> Vec<Arc<RootAnalysis>> {
+    let roots = state.host.robots_to_name(path);
     roots
         .iter()
         .flat_map(|root| {
             state
-                .world
+                .host
                 .while_typing(root, path, cancel)
                 .into_iter()
                 .next()

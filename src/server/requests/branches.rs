@@ -1,11 +1,11 @@
 //! Names of links, joints and materials in branches that are not taken: seen in the expansion that takes them.
 use std::sync::Arc;
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::beside::names_beside;
-use crate::state::State;
-use analysis::{Analyzed, RootChoice};
+use crate::state::ServerState;
+use analysis::{RootAnalysis, RootConfig};
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, FileId, Span, TextRange};
 use expand::Forced;
@@ -19,7 +19,11 @@ const MOST_BRANCHES: usize = 24;
 const MOST_ROUNDS: usize = 4;
 
 /// A place in the expansion that takes the conditions on the way to it; none when there are no conditions.
-pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Option<Asked>, Failure> {
+pub fn inside(
+    state: &ServerState,
+    asked: &Asked,
+    cancel: &CancelFlag,
+) -> Result<Option<Asked>, RequestFailure> {
     let at = Span {
         file: asked.source.id,
         range: TextRange::new(asked.offset, asked.offset),
@@ -29,9 +33,9 @@ pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Optio
         return Ok(None);
     };
     let analyzed = state
-        .world
+        .host
         .forced(&around.root, forced, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     if !analyzed.includes(&asked.source.path) {
         return Ok(None);
     }
@@ -42,7 +46,7 @@ pub fn inside(state: &State, asked: &Asked, cancel: &CancelFlag) -> Result<Optio
         around: analyzed.clone(),
         analyzed,
         beside,
-        pinned: None,
+        selected_frame: None,
     }))
 }
 
@@ -54,8 +58,8 @@ struct Ways<'a> {
 }
 
 impl<'a> Ways<'a> {
-    fn of(state: &'a State, analyzed: &Analyzed) -> Option<Self> {
-        let session = state.world.session();
+    fn of(state: &'a ServerState, analyzed: &RootAnalysis) -> Option<Self> {
+        let session = state.host.session();
         let settings = session.settings(&analyzed.root.file);
         let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
         let root = analyzed.expansion.files.first()?.source.id;
@@ -100,22 +104,22 @@ impl<'a> Ways<'a> {
 
 /// Add the texts that say the same part of names in all robots that read these texts, in their branches too.
 pub fn in_all_robots(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     (old, new): (&str, &str),
     spans: &mut Vec<Span>,
     cancel: &CancelFlag,
-) -> Result<(), Failure> {
-    let mut tried: Vec<(RootChoice, Vec<Forced>)> = Vec::new();
+) -> Result<(), RequestFailure> {
+    let mut tried: Vec<(RootConfig, Vec<Forced>)> = Vec::new();
     for _ in 0..MOST_ROUNDS {
         let before = spans.len();
         for root in roots(state, asked, spans) {
             let analyzed = state
-                .world
+                .host
                 .analyzed(&root, cancel)
-                .ok_or(Failure::Cancelled)?;
+                .ok_or(RequestFailure::Cancelled)?;
             let beside = names_beside(state, &root, cancel)?;
-            spread(&analyzed, &beside, new, spans).map_err(Failure::Refused)?;
+            spread(&analyzed, &beside, new, spans).map_err(RequestFailure::Refused)?;
             let branches = Ways::of(state, &analyzed).map(|ways| ways.branches(old, spans));
             for forced in branches.unwrap_or_default() {
                 let key = (root.clone(), forced);
@@ -123,9 +127,9 @@ pub fn in_all_robots(
                     continue;
                 }
                 let branch = state
-                    .world
+                    .host
                     .forced(&root, key.1.clone(), cancel)
-                    .ok_or(Failure::Cancelled)?;
+                    .ok_or(RequestFailure::Cancelled)?;
                 tried.push(key);
                 // conditions that exclude each other make robots that nobody means: what stands in the way there counts for nothing
                 let _ = spread(&branch, &[], new, spans);
@@ -139,14 +143,14 @@ pub fn in_all_robots(
 }
 
 /// The robots that read one of the files, the one that was asked about first.
-fn roots(state: &mut State, asked: &Asked, spans: &[Span]) -> Vec<RootChoice> {
+fn roots(state: &mut ServerState, asked: &Asked, spans: &[Span]) -> Vec<RootConfig> {
     let mut files: Vec<FileId> = spans.iter().map(|span| span.file).collect();
     files.sort_unstable();
     files.dedup();
     let mut found = vec![asked.analyzed.root.clone()];
     for file in files {
-        let path = state.world.session().vfs.path(file);
-        for (root, _) in state.world.context(&path).candidates {
+        let path = state.host.session().vfs.path(file);
+        for (root, _) in state.host.context(&path).candidates {
             if !found.contains(&root) {
                 found.push(root);
             }
@@ -158,7 +162,7 @@ fn roots(state: &mut State, asked: &Asked, spans: &[Span]) -> Vec<RootChoice> {
 
 /// Add the texts of one expansion that belong to those.
 fn spread(
-    analyzed: &Analyzed,
+    analyzed: &RootAnalysis,
     beside: &[BesideName],
     new: &str,
     spans: &mut Vec<Span>,
@@ -183,7 +187,7 @@ fn spread(
             robot,
             kinematics,
             beside,
-            pinned: None,
+            selected_frame: None,
         };
         if ide::renameable_part(&cx, span.range.start).is_some_and(|(range, _)| range == span.range)
         {

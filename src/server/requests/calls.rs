@@ -5,33 +5,33 @@ use lsp_types::{
     SymbolKind, TextDocumentIdentifier, TextDocumentPositionParams,
 };
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
-use crate::state::State;
+use crate::state::ServerState;
 use base::{CancelFlag, Span};
-use ide::{self, Caller};
+use ide::{self, CallParticipant};
 
 pub fn prepare_calls(
-    state: &mut State,
+    state: &mut ServerState,
     params: CallHierarchyPrepareParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CallHierarchyItem>>, Failure> {
+) -> Result<Option<Vec<CallHierarchyItem>>, RequestFailure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = ide::macro_at(&asked.cx(), asked.offset);
     Ok(found
-        .and_then(|id| call_item(state, &asked, &Caller::Macro(id)))
+        .and_then(|id| call_item(state, &asked, &CallParticipant::Macro(id)))
         .map(|item| vec![item]))
 }
 
 pub fn incoming_calls(
-    state: &mut State,
+    state: &mut ServerState,
     params: CallHierarchyIncomingCallsParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CallHierarchyIncomingCall>>, Failure> {
+) -> Result<Option<Vec<CallHierarchyIncomingCall>>, RequestFailure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
-    let Some(Caller::Macro(id)) = caller else {
+    let Some(CallParticipant::Macro(id)) = caller else {
         return Ok(Some(Vec::new()));
     };
     let calls = ide::incoming(&asked.cx(), id)
@@ -46,10 +46,10 @@ pub fn incoming_calls(
 }
 
 pub fn outgoing_calls(
-    state: &mut State,
+    state: &mut ServerState,
     params: CallHierarchyOutgoingCallsParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, Failure> {
+) -> Result<Option<Vec<CallHierarchyOutgoingCall>>, RequestFailure> {
     let (asked, caller) = asked_about(state, &params.item, cancel)?;
     let Some(caller) = caller else {
         return Ok(Some(Vec::new()));
@@ -67,10 +67,10 @@ pub fn outgoing_calls(
 
 /// The macro or file that an item stands for, as things are now.
 fn asked_about(
-    state: &mut State,
+    state: &mut ServerState,
     item: &CallHierarchyItem,
     cancel: &CancelFlag,
-) -> Result<(Asked, Option<Caller>), Failure> {
+) -> Result<(Asked, Option<CallParticipant>), RequestFailure> {
     let text_document = TextDocumentIdentifier {
         uri: item.uri.clone(),
     };
@@ -80,28 +80,32 @@ fn asked_about(
     };
     let asked = asked(state, &at, cancel)?;
     let caller = match item.kind {
-        SymbolKind::FILE => Some(Caller::File(asked.source.id)),
-        _ => ide::macro_at(&asked.cx(), asked.offset).map(Caller::Macro),
+        SymbolKind::FILE => Some(CallParticipant::File(asked.source.id)),
+        _ => ide::macro_at(&asked.cx(), asked.offset).map(CallParticipant::Macro),
     };
     Ok((asked, caller))
 }
 
-fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierarchyItem> {
+fn call_item(
+    state: &ServerState,
+    asked: &Asked,
+    caller: &CallParticipant,
+) -> Option<CallHierarchyItem> {
     let cx = asked.cx();
     let target = ide::caller_target(&cx, caller)?;
     let (whole, name) = (
         location(state, target.whole)?,
         location(state, target.name)?,
     );
-    let path = state.world.session().vfs.path(target.whole.file);
+    let path = state.host.session().vfs.path(target.whole.file);
     let file = path.file_name()?.to_string_lossy().into_owned();
     let (name_text, kind, detail) = match caller {
-        Caller::Macro(id) => (
+        CallParticipant::Macro(id) => (
             cx.expansion.index.symbols.get(*id)?.name.to_string(),
             SymbolKind::FUNCTION,
             Some(file),
         ),
-        Caller::File(_) => (file, SymbolKind::FILE, None),
+        CallParticipant::File(_) => (file, SymbolKind::FILE, None),
     };
     Some(CallHierarchyItem {
         name: name_text,
@@ -115,7 +119,7 @@ fn call_item(state: &State, asked: &Asked, caller: &Caller) -> Option<CallHierar
     })
 }
 
-fn ranges(state: &State, spans: Vec<Span>) -> Vec<lsp_types::Range> {
+fn ranges(state: &ServerState, spans: Vec<Span>) -> Vec<lsp_types::Range> {
     spans
         .into_iter()
         .filter_map(|span| Some(location(state, span)?.range))

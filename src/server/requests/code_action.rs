@@ -5,7 +5,7 @@ use lsp_types::{CodeAction, CodeActionKind, Diagnostic, TextEdit, Url, Workspace
 
 use crate::locations::location;
 use crate::requests::rename::{is_ours, workspace_edit};
-use crate::state::State;
+use crate::state::ServerState;
 use ide::{Action, ActionKind};
 use rules::Edit;
 
@@ -22,7 +22,7 @@ pub(crate) fn sentence_case(title: &str) -> String {
 
 /// An action for the client; none when it would change a file that is not the user's.
 pub(crate) fn code_action(
-    state: &State,
+    state: &ServerState,
     action: Action,
     diagnostic: Option<&Diagnostic>,
 ) -> Option<CodeAction> {
@@ -48,10 +48,10 @@ pub(crate) fn refactor(name: &str) -> CodeActionKind {
     CodeActionKind::from(format!("refactor.{name}"))
 }
 
-pub(crate) fn edits_of(state: &State, edits: &[Edit]) -> Option<WorkspaceEdit> {
+pub(crate) fn edits_of(state: &ServerState, edits: &[Edit]) -> Option<WorkspaceEdit> {
     let mut changes: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
     for edit in edits {
-        let path = state.world.session().vfs.path(edit.span.file);
+        let path = state.host.session().vfs.path(edit.span.file);
         let place = location(state, edit.span).filter(|_| is_ours(state, &path))?;
         changes
             .entry(place.uri)

@@ -5,17 +5,17 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::navigation::asked;
 use crate::requests::tokens::start_of;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 
 pub fn colors(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentColorParams,
     cancel: &CancelFlag,
-) -> Result<Vec<ColorInformation>, Failure> {
+) -> Result<Vec<ColorInformation>, RequestFailure> {
     let asked = asked(state, &start_of(params.text_document), cancel)?;
     let information = |color: ide::Color| {
         let [red, green, blue, alpha] = color.rgba.map(|part| part as f32);
@@ -35,12 +35,12 @@ pub fn colors(
         .collect())
 }
 
-/// The text of a color that was picked; none for a color that an expression makes.
+/// The text of a color that was selected; none for a color that an expression makes.
 pub fn color_texts(
-    state: &mut State,
+    state: &mut ServerState,
     params: ColorPresentationParams,
     _: &CancelFlag,
-) -> Result<Vec<ColorPresentation>, Failure> {
+) -> Result<Vec<ColorPresentation>, RequestFailure> {
     let (_, source) = state.source(&params.text_document.uri)?;
     let range = convert::text_range(&source.document, params.range, state.encoding);
     if source.document.slice(range).contains('$') {

@@ -3,7 +3,7 @@ use lsp_types::ExecuteCommandParams;
 use serde_json::Value;
 
 use crate::client::ResolvedCapabilities;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::files::rewrite_mesh;
 use crate::preview::preview_page;
 use crate::requests::actions::apply_offered;
@@ -13,7 +13,7 @@ use crate::requests::expansion::expand;
 use crate::requests::lenses::calls_of;
 use crate::requests::roots::{set_args, set_root, tree};
 use crate::scheduler::Cause;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 
 /// The commands for all clients.
@@ -38,10 +38,10 @@ pub(crate) fn offered(client: &ResolvedCapabilities) -> impl Iterator<Item = &'s
 }
 
 pub fn command(
-    state: &mut State,
+    state: &mut ServerState,
     params: ExecuteCommandParams,
     cancel: &CancelFlag,
-) -> Result<Option<Value>, Failure> {
+) -> Result<Option<Value>, RequestFailure> {
     let argument = params.arguments.into_iter().next().unwrap_or(Value::Null);
     match params.command.as_str() {
         APPLY => apply_offered(state, parsed(argument)?).map(|()| None),
@@ -64,11 +64,13 @@ pub fn command(
         }
         "xacro.preview" => preview_page(state, argument).map(Some),
         "xacro.restartAnalysis" => {
-            state.world.reload();
+            state.host.reload();
             state.schedule(Cause::Restarted);
             Ok(None)
         }
-        other => Err(Failure::Invalid(format!("unknown command `{other}`"))),
+        other => Err(RequestFailure::Invalid(format!(
+            "unknown command `{other}`"
+        ))),
     }
 }
 
@@ -79,12 +81,12 @@ struct Explained {
 }
 
 /// The page of a rule, in Markdown.
-fn explain(rule: &str) -> Result<Value, Failure> {
+fn explain(rule: &str) -> Result<Value, RequestFailure> {
     let known = rules::all().find(|known| known.name == rule || known.code == rule);
-    let known = known.ok_or_else(|| Failure::Invalid(rules::unknown_selector(rule)))?;
+    let known = known.ok_or_else(|| RequestFailure::Invalid(rules::unknown_selector(rule)))?;
     Ok(Value::String(known.docs.to_owned()))
 }
 
-fn parsed<T: serde::de::DeserializeOwned>(argument: Value) -> Result<T, Failure> {
-    serde_json::from_value(argument).map_err(|error| Failure::Invalid(error.to_string()))
+fn parsed<T: serde::de::DeserializeOwned>(argument: Value) -> Result<T, RequestFailure> {
+    serde_json::from_value(argument).map_err(|error| RequestFailure::Invalid(error.to_string()))
 }

@@ -11,41 +11,43 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::beside::robots_described;
 use crate::requests::configuration::is_about_config;
 use crate::requests::formatting::indent;
 use crate::requests::launch::is_about_launch;
 use crate::requests::{beside, configuration, launch};
-use crate::state::State;
-use analysis::{Analyzed, RootChoice, is_settings};
+use crate::state::ServerState;
+use analysis::{RootAnalysis, RootConfig, is_settings};
 use base::{CancelFlag, TextRange};
-use ide::{self, Completion, Completions, ItemKind, Scope, Signature, Sources, Topic};
+use ide::{
+    self, Completion, CompletionScope, CompletionSources, Completions, ItemKind, Signature, Topic,
+};
 use vfs::SourceFile;
 
 /// What comes back when an item is looked at.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Origin {
+struct ResolveData {
     uri: Url,
     topic: Topic,
 }
 
 /// What an answer is taken from, kept alive.
-struct Kept {
+struct CompletionSnapshot {
     source: Arc<SourceFile>,
-    root: RootChoice,
-    analyzed: Vec<Arc<Analyzed>>,
+    root: RootConfig,
+    analyzed: Vec<Arc<RootAnalysis>>,
     roots: Vec<PathBuf>,
     /// Of an SRDF: the robots that it is for.
-    described: Vec<Arc<Analyzed>>,
+    described: Vec<Arc<RootAnalysis>>,
 }
 
 pub fn completion(
-    state: &mut State,
+    state: &mut ServerState,
     params: CompletionParams,
     cancel: &CancelFlag,
-) -> Result<Option<CompletionResponse>, Failure> {
+) -> Result<Option<CompletionResponse>, RequestFailure> {
     let at = params.text_document_position;
     if is_about_launch(state, &at) {
         return launch::completion(state, &at);
@@ -73,9 +75,14 @@ pub fn completion(
     )))
 }
 
-fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> CompletionResponse {
+fn list(
+    state: &ServerState,
+    source: &SourceFile,
+    found: &Completions,
+    uri: &Url,
+) -> CompletionResponse {
     let range = |range: TextRange| convert::range(&source.document, range, state.encoding);
-    let replaced = Replaced {
+    let replaced = ReplacedRanges {
         insert: range(found.insert),
         replace: range(found.replace),
     };
@@ -89,13 +96,17 @@ fn list(state: &State, source: &SourceFile, found: &Completions, uri: &Url) -> C
 }
 
 /// The file with everything that names in it are taken from.
-fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failure> {
+fn kept(
+    state: &mut ServerState,
+    uri: &Url,
+    cancel: &CancelFlag,
+) -> Result<CompletionSnapshot, RequestFailure> {
     let (path, source) = state.source(uri)?;
-    let context = state.world.context(&path);
-    let root = context.root.unwrap_or_else(|| RootChoice::plain(&path));
-    let mut analyzed = state.world.while_typing(&root, &path, cancel);
+    let context = state.host.context(&path);
+    let root = context.root.unwrap_or_else(|| RootConfig::plain(&path));
+    let mut analyzed = state.host.while_typing(&root, &path, cancel);
     if cancel.is_cancelled() {
-        return Err(Failure::Cancelled);
+        return Err(RequestFailure::Cancelled);
     }
     let mut roots: Vec<PathBuf> = context
         .candidates
@@ -107,13 +118,13 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
     if !described.is_empty() {
         // its groups are given in the text that is edited
         let own = state
-            .world
+            .host
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         analyzed.retain(|known| !Arc::ptr_eq(known, &own));
         analyzed.insert(0, own);
     }
-    Ok(Kept {
+    Ok(CompletionSnapshot {
         source,
         root,
         analyzed,
@@ -122,7 +133,11 @@ fn kept(state: &mut State, uri: &Url, cancel: &CancelFlag) -> Result<Kept, Failu
     })
 }
 
-fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> T {
+fn scoped<T>(
+    state: &ServerState,
+    kept: &CompletionSnapshot,
+    work: impl FnOnce(&CompletionScope<'_>) -> T,
+) -> T {
     let expansions: Vec<_> = kept
         .analyzed
         .iter()
@@ -133,14 +148,14 @@ fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> 
         .iter()
         .filter_map(|known| Some((&known.expansion, known.robot.as_ref()?)))
         .collect();
-    let session = state.world.session();
-    work(&Scope::new(Sources {
+    let session = state.host.session();
+    work(&CompletionScope::new(CompletionSources {
         source: &kept.source,
         root: &kept.root.file,
         expansions: &expansions,
         vfs: &session.vfs,
         packages: &session.packages,
-        folders: state.world.folders(),
+        folders: state.host.folders(),
         roots: &kept.roots,
         described: &described,
     }))
@@ -148,7 +163,7 @@ fn scoped<T>(state: &State, kept: &Kept, work: impl FnOnce(&Scope<'_>) -> T) -> 
 
 /// What the items of a list take the place of.
 #[derive(Clone, Copy)]
-struct Replaced {
+struct ReplacedRanges {
     /// What is typed of the word.
     insert: Range,
     /// The whole word.
@@ -156,8 +171,8 @@ struct Replaced {
 }
 
 fn completion_item(
-    state: &State,
-    replaced: Replaced,
+    state: &ServerState,
+    replaced: ReplacedRanges,
     place: usize,
     item: &Completion,
     uri: &Url,
@@ -181,7 +196,7 @@ fn completion_item(
         detail: None,
         description: Some(note),
     });
-    let topic = item.topic.clone().map(|topic| Origin {
+    let topic = item.topic.clone().map(|topic| ResolveData {
         uri: uri.clone(),
         topic,
     });
@@ -201,14 +216,14 @@ fn completion_item(
 /// The item with its documentation. What comes back need not be what was sent: an item whose data says nothing
 /// stays as it is.
 pub fn resolve_completion(
-    state: &mut State,
+    state: &mut ServerState,
     mut item: CompletionItem,
     cancel: &CancelFlag,
-) -> Result<CompletionItem, Failure> {
+) -> Result<CompletionItem, RequestFailure> {
     let origin = item
         .data
         .clone()
-        .and_then(|data| serde_json::from_value::<Origin>(data).ok());
+        .and_then(|data| serde_json::from_value::<ResolveData>(data).ok());
     let Some(origin) = origin.filter(|_| item.documentation.is_none()) else {
         return Ok(item);
     };
@@ -223,10 +238,10 @@ pub fn resolve_completion(
 }
 
 pub fn signature_help(
-    state: &mut State,
+    state: &mut ServerState,
     params: SignatureHelpParams,
     cancel: &CancelFlag,
-) -> Result<Option<SignatureHelp>, Failure> {
+) -> Result<Option<SignatureHelp>, RequestFailure> {
     let at = params.text_document_position_params;
     let kept = kept(state, &at.text_document.uri, cancel)?;
     let offset = convert::offset(&kept.source.document, at.position, state.encoding);
@@ -238,7 +253,7 @@ pub fn signature_help(
     }))
 }
 
-fn signature(state: &State, found: Signature) -> SignatureInformation {
+fn signature(state: &ServerState, found: Signature) -> SignatureInformation {
     let label = &found.label;
     let parameter = |range: &TextRange| ParameterInformation {
         label: match state.client.completion.label_offsets {
@@ -266,10 +281,10 @@ fn utf16_width(text: &str, end: u32) -> u32 {
 }
 
 pub fn on_type(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentOnTypeFormattingParams,
     _: &CancelFlag,
-) -> Result<Option<Vec<TextEdit>>, Failure> {
+) -> Result<Option<Vec<TextEdit>>, RequestFailure> {
     let at = params.text_document_position;
     let (_, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);

@@ -5,27 +5,27 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
-use crate::state::State;
+use crate::failure::RequestFailure;
+use crate::state::ServerState;
 use analysis::{ConfigChoice, ConfigChoiceKind, is_config};
 use base::CancelFlag;
 
 /// Whether a request is about a configuration file.
-pub fn is_about_config(state: &State, at: &TextDocumentPositionParams) -> bool {
+pub fn is_about_config(state: &ServerState, at: &TextDocumentPositionParams) -> bool {
     is_config(&state.path(&at.text_document.uri))
 }
 
 /// What may be written at a place in a configuration file.
 pub fn completion(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<CompletionResponse>, Failure> {
+) -> Result<Option<CompletionResponse>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let found = state.world.config_choices_at(&path, offset, cancel);
+    let found = state.host.config_choices_at(&path, offset, cancel);
     if cancel.is_cancelled() {
-        return Err(Failure::Cancelled);
+        return Err(RequestFailure::Cancelled);
     }
     let Some(found) = found else { return Ok(None) };
     let range = convert::range(&source.document, found.range, state.encoding);
@@ -59,12 +59,12 @@ pub fn completion(
 
 /// What a key says.
 pub fn hover(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
-) -> Result<Option<lsp_types::Hover>, Failure> {
+) -> Result<Option<lsp_types::Hover>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let found = state.world.config_key_at(&path, offset);
+    let found = state.host.config_key_at(&path, offset);
     Ok(found.map(|(range, doc)| lsp_types::Hover {
         range: Some(convert::range(&source.document, range, state.encoding)),
         contents: HoverContents::Markup(state.client.hover.contents(doc.to_owned())),

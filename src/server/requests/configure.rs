@@ -10,18 +10,18 @@ use lsp_types::{
 use crate::convert;
 use crate::requests::code_action::code_action;
 use crate::requests::rename::is_ours;
-use crate::state::State;
+use crate::state::ServerState;
 use base::{Span, TextRange};
 use ide::{Action, ActionKind};
 use rules::{Edit, Finding, Severity};
 use workspace::config::{CONFIG_NAMES, find_config};
 
 /// What is written into a configuration file: the range that is replaced, and by what.
-type Change = Option<(TextRange, String)>;
+type ConfigEdit = Option<(TextRange, String)>;
 
 /// The actions that change what the project's configuration says of the rule of a finding: off, or the next severity below.
 pub(super) fn configured(
-    state: &State,
+    state: &ServerState,
     path: &Path,
     finding: &Finding,
     shown: &Diagnostic,
@@ -52,13 +52,13 @@ fn below(severity: Severity) -> Option<Severity> {
 
 /// The action that makes one change to the configuration that holds for a file.
 fn changed(
-    state: &State,
+    state: &ServerState,
     path: &Path,
     title: String,
-    change: &dyn Fn(&str) -> Change,
+    change: &dyn Fn(&str) -> ConfigEdit,
     shown: &Diagnostic,
 ) -> Option<CodeAction> {
-    let vfs = &state.world.session().vfs;
+    let vfs = &state.host.session().vfs;
     let Some(config) = find_config(vfs, path.parent()?) else {
         return made(state, path, title, change("")?.1, shown);
     };
@@ -77,7 +77,7 @@ fn changed(
 
 /// The same where there is no configuration yet: a file in the workspace folder, for clients that make files.
 fn made(
-    state: &State,
+    state: &ServerState,
     path: &Path,
     title: String,
     text: String,
@@ -112,11 +112,11 @@ fn made(
 }
 
 /// Where a first configuration of a file belongs: the innermost workspace folder that holds it.
-fn new_config(state: &State, path: &Path) -> Option<PathBuf> {
+fn new_config(state: &ServerState, path: &Path) -> Option<PathBuf> {
     if !state.client.edits.creates_files || !is_ours(state, path) {
         return None;
     }
-    let folders = state.world.folders().iter();
+    let folders = state.host.folders().iter();
     let folder = folders
         .filter(|folder| path.starts_with(folder))
         .max_by_key(|folder| folder.components().count())?;

@@ -5,25 +5,25 @@ use serde_json::Value;
 
 use crate::contexts::context_changed;
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
-use crate::root_param::{Root, chosen};
-use crate::state::State;
+use crate::root_param::{RootParam, chosen};
+use crate::state::ServerState;
 use base::CancelFlag;
 
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct ExpandAtParams {
     #[serde(flatten)]
     pub at: TextDocumentPositionParams,
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     /// Which of the ways that lead there, from 0.
     pub instance: Option<usize>,
 }
 
 /// What a place expands to.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct ExpandedPlace {
+pub(crate) struct ExpandedLocation {
     pub kind: &'static str,
     pub title: String,
     pub range: Range,
@@ -40,20 +40,20 @@ pub(crate) struct SetInstanceParams {
 }
 
 pub fn expand_at(
-    state: &mut State,
+    state: &mut ServerState,
     params: ExpandAtParams,
     cancel: &CancelFlag,
-) -> Result<Option<ExpandedPlace>, Failure> {
+) -> Result<Option<ExpandedLocation>, RequestFailure> {
     let mut asked = asked(state, &params.at, cancel)?.on_name();
     if let Some(root) = params.root {
         let root = chosen(state, root)?;
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         asked = Asked {
             analyzed,
-            pinned: None,
+            selected_frame: None,
             ..asked
         };
     }
@@ -63,7 +63,7 @@ pub fn expand_at(
         asked.offset,
         params.instance,
     );
-    Ok(found.map(|found| ExpandedPlace {
+    Ok(found.map(|found| ExpandedLocation {
         kind: found.kind,
         title: found.title,
         range: convert::range(&asked.source.document, found.range, state.encoding),
@@ -73,24 +73,25 @@ pub fn expand_at(
 }
 
 pub fn set_instance(
-    state: &mut State,
+    state: &mut ServerState,
     params: SetInstanceParams,
     cancel: &CancelFlag,
-) -> Result<Value, Failure> {
+) -> Result<Value, RequestFailure> {
     let asked = asked(state, &params.at, cancel)?;
     let root = asked.analyzed.root.file.clone();
     match params.instance {
         None => {
-            state.pins.remove(&root);
+            state.selected_instances.remove(&root);
         }
         Some(index) => {
-            let pin = ide::pin(&asked.cx(), asked.offset, index).map_err(|count| {
-                Failure::Invalid(match count {
-                    0 => "no called macro here".to_owned(),
-                    _ => format!("unknown call {index}: the macro is called {count} times"),
-                })
-            })?;
-            state.pins.insert(root, pin);
+            let selected =
+                ide::select_instance(&asked.cx(), asked.offset, index).map_err(|count| {
+                    RequestFailure::Invalid(match count {
+                        0 => "no called macro here".to_owned(),
+                        _ => format!("unknown call {index}: the macro is called {count} times"),
+                    })
+                })?;
+            state.selected_instances.insert(root, selected);
         }
     }
     context_changed(state, cancel);

@@ -4,22 +4,22 @@ use std::collections::BTreeMap;
 use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::mapping::{map_of, named};
-use crate::root_param::{Root, chosen_or_active};
-use crate::state::State;
-use analysis::World;
+use crate::root_param::{RootParam, chosen_or_active};
+use crate::state::ServerState;
+use analysis::AnalysisHost;
 use base::clock::Instant;
 use base::{CancelFlag, Span};
-use expand::{Expansion, Place, Severity};
+use expand::{Expansion, FileRange, ProblemSeverity};
 use ide::SourceMap;
 
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct ExpandParams {
     pub text_document: TextDocumentIdentifier,
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     #[serde(default)]
     pub args: BTreeMap<String, String>,
     #[serde(default)]
@@ -31,10 +31,10 @@ pub(crate) struct ExpandParams {
 
 /// The expanded document, and what kept it from being complete.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Expanded {
+pub(crate) struct ExpandedDocument {
     pub ok: bool,
     pub urdf: String,
-    pub root: Root,
+    pub root: RootParam,
     /// All arguments with the values they had.
     pub args: BTreeMap<String, String>,
     pub errors: Vec<ExpandError>,
@@ -59,10 +59,10 @@ pub(crate) struct StackEntry {
 }
 
 pub fn expand(
-    state: &mut State,
+    state: &mut ServerState,
     params: ExpandParams,
     cancel: &CancelFlag,
-) -> Result<Expanded, Failure> {
+) -> Result<ExpandedDocument, RequestFailure> {
     let begin = Instant::now();
     let mut root = chosen_or_active(state, &params.text_document, params.root)?;
     for (name, value) in params.args {
@@ -72,11 +72,11 @@ pub fn expand(
     let other = params.texts.is_some();
     let analyzed = match params.texts {
         Some(texts) => earlier(state, texts).analyzed(&root, cancel),
-        None => state.world.analyzed(&root, cancel),
+        None => state.host.analyzed(&root, cancel),
     };
-    let analyzed = analyzed.ok_or(Failure::Cancelled)?;
+    let analyzed = analyzed.ok_or(RequestFailure::Cancelled)?;
     let expansion = &analyzed.expansion;
-    Ok(Expanded {
+    Ok(ExpandedDocument {
         ok: !expansion.has_errors() && expansion.root_error.is_none(),
         urdf: analyzed.written().text.clone(),
         root: named(state, &root)?,
@@ -97,16 +97,16 @@ pub fn expand(
 }
 
 /// The files on the disk, with other texts for some.
-fn earlier(state: &State, texts: BTreeMap<Url, String>) -> World {
-    let mut world = state.world.on_disk();
+fn earlier(state: &ServerState, texts: BTreeMap<Url, String>) -> AnalysisHost {
+    let mut host = state.host.on_disk();
     for (uri, text) in texts {
-        world.set_text(&state.path(&uri), text);
+        host.set_text(&state.path(&uri), text);
     }
-    world
+    host
 }
 
-pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
-    let place = |place: Place| {
+pub fn errors(state: &ServerState, expansion: &Expansion) -> Vec<ExpandError> {
+    let place = |place: FileRange| {
         let file = expansion.files.get(place.file)?.source.id;
         location(
             state,
@@ -119,7 +119,7 @@ pub fn errors(state: &State, expansion: &Expansion) -> Vec<ExpandError> {
     let problems = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == Severity::Error && !p.probed);
+        .filter(|p| p.severity == ProblemSeverity::Error && !p.probed);
     let error = problems.filter_map(|problem| {
         let stack = problem.trace.iter().filter_map(|step| {
             Some(StackEntry {

@@ -6,18 +6,18 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
-use crate::state::State;
+use crate::failure::RequestFailure;
+use crate::state::ServerState;
 use base::{CancelFlag, TextRange};
 use ide::{self, Indent};
 use workspace::config::Format;
 use xml::Document;
 
 pub fn format(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentFormattingParams,
     _: &CancelFlag,
-) -> Result<Option<Vec<TextEdit>>, Failure> {
+) -> Result<Option<Vec<TextEdit>>, RequestFailure> {
     let (path, source) = state.source(&params.text_document.uri)?;
     let edits = ide::format(
         &source.document,
@@ -28,10 +28,10 @@ pub fn format(
 }
 
 pub fn format_range(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentRangeFormattingParams,
     _: &CancelFlag,
-) -> Result<Option<Vec<TextEdit>>, Failure> {
+) -> Result<Option<Vec<TextEdit>>, RequestFailure> {
     let (path, source) = state.source(&params.text_document.uri)?;
     let document = &source.document;
     let range = convert::text_range(document, params.range, state.encoding);
@@ -44,12 +44,12 @@ pub fn format_range(
     Ok(Some(text_edits(state, document, edits)))
 }
 
-fn format_options(state: &State, path: &Path) -> Format {
-    state.world.session().settings(path).config.format.clone()
+fn format_options(state: &ServerState, path: &Path) -> Format {
+    state.host.session().settings(path).config.format.clone()
 }
 
 fn text_edits(
-    state: &State,
+    state: &ServerState,
     document: &Document,
     edits: Vec<(TextRange, String)>,
 ) -> Vec<TextEdit> {

@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::navigation::asked;
 use crate::requests::tokens::start_of;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use ide::{self, HintKind, HintSettings};
 
@@ -24,10 +24,10 @@ struct About {
 }
 
 pub fn hints(
-    state: &mut State,
+    state: &mut ServerState,
     params: InlayHintParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<InlayHint>>, Failure> {
+) -> Result<Option<Vec<InlayHint>>, RequestFailure> {
     let uri = params.text_document.uri.clone();
     let asked = asked(state, &start_of(params.text_document), cancel)?;
     let document = &asked.source.document;
@@ -62,10 +62,10 @@ pub fn hints(
 
 /// The same hint with all there is to say about its value.
 pub fn resolve_hint(
-    state: &mut State,
+    state: &mut ServerState,
     mut hint: InlayHint,
     cancel: &CancelFlag,
-) -> Result<InlayHint, Failure> {
+) -> Result<InlayHint, RequestFailure> {
     let about: Option<About> = hint
         .data
         .clone()

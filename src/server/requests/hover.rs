@@ -2,23 +2,23 @@
 use lsp_types::{HoverContents, HoverParams, TextDocumentPositionParams};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::configuration;
 use crate::requests::configuration::is_about_config;
 use crate::requests::launch::{is_about_launch, launched};
 use crate::requests::navigation::asked_for_name;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use expand::SymbolKind;
 use ide::{self, Cx, Hover};
 use vfs::SourceFile;
 
 pub fn hover(
-    state: &mut State,
+    state: &mut ServerState,
     params: HoverParams,
     cancel: &CancelFlag,
-) -> Result<Option<lsp_types::Hover>, Failure> {
+) -> Result<Option<lsp_types::Hover>, RequestFailure> {
     let at = &params.text_document_position_params;
     if is_about_launch(state, at) {
         let found = launched(state, at, cancel)?;
@@ -52,11 +52,11 @@ pub fn hover(
 
 /// What can be said of a name in a large robot that was edited, without expanding it again.
 fn hover_while_typing(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
-) -> Result<Option<lsp_types::Hover>, Failure> {
+) -> Result<Option<lsp_types::Hover>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
-    let Some(before) = state.world.before_typing(&path) else {
+    let Some(before) = state.host.before_typing(&path) else {
         return Ok(None);
     };
     let cx = Cx {
@@ -65,14 +65,14 @@ fn hover_while_typing(
         robot: before.robot.as_ref(),
         kinematics: before.kinematics.as_ref(),
         beside: &[],
-        pinned: None,
+        selected_frame: None,
     };
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let found = ide::hover_while_typing(&cx, offset, |path| state.world.document(path));
+    let found = ide::hover_while_typing(&cx, offset, |path| state.host.document(path));
     Ok(found.map(|hover| hover_answer(state, &source, hover)))
 }
 
-fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::Hover {
+fn hover_answer(state: &ServerState, source: &SourceFile, hover: Hover) -> lsp_types::Hover {
     lsp_types::Hover {
         range: Some(convert::range(
             &source.document,
@@ -84,8 +84,8 @@ fn hover_answer(state: &State, source: &SourceFile, hover: Hover) -> lsp_types::
 }
 
 /// What there is to say about an offset of a file.
-pub fn hover_at(state: &State, asked: &Asked, offset: u32) -> Option<Hover> {
-    let session = state.world.session();
+pub fn hover_at(state: &ServerState, asked: &Asked, offset: u32) -> Option<Hover> {
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
     let around = session.rule_env(&settings.config);
     let hover = ide::hover(&asked.cx(), around, || asked.names(state), offset)?;
@@ -98,7 +98,7 @@ const MOST_VALUES: usize = 5;
 const MOST_LINES: usize = 25;
 
 /// A hover on an argument, with the values that launch files give to it.
-fn with_launch_values(state: &State, asked: &Asked, offset: u32, mut hover: Hover) -> Hover {
+fn with_launch_values(state: &ServerState, asked: &Asked, offset: u32, mut hover: Hover) -> Hover {
     let cx = asked.cx();
     let argument = cx
         .symbol_at(offset)
@@ -108,7 +108,7 @@ fn with_launch_values(state: &State, asked: &Asked, offset: u32, mut hover: Hove
         return hover;
     };
     let values = state
-        .world
+        .host
         .session()
         .launch_values(&root.source.path, &argument.name);
     let left = MOST_LINES

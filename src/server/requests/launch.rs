@@ -8,50 +8,50 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::root_param::active_root;
-use crate::state::State;
+use crate::state::ServerState;
 use analysis::is_launch;
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
-use ide::{Cx, Target, definition_of};
+use ide::{Cx, NavigationTarget, definition_of};
 use vfs::SourceFile;
 
 /// The name of an argument in a launch file.
-pub struct Launched {
+pub struct LaunchArgumentName {
     /// The launch file.
     pub source: Arc<SourceFile>,
     /// Where the name stands in it.
     pub range: TextRange,
     /// The declaration in the robot.
-    pub target: Target,
+    pub target: NavigationTarget,
     /// The same as a place in the robot.
     pub asked: Asked,
 }
 
 /// Whether a request is about a launch file.
-pub fn is_about_launch(state: &State, at: &TextDocumentPositionParams) -> bool {
+pub fn is_about_launch(state: &ServerState, at: &TextDocumentPositionParams) -> bool {
     is_launch(&state.path(&at.text_document.uri))
 }
 
 /// The argument whose name stands at a place in a launch file, where a robot declares it.
 pub fn launched(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<Launched>, Failure> {
+) -> Result<Option<LaunchArgumentName>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(name) = state.world.session().launch_name_at(&path, offset) else {
+    let Some(name) = state.host.session().launch_name_at(&path, offset) else {
         return Ok(None);
     };
     for robot in &name.robots {
         let root = active_root(state, robot);
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let Some(first) = analyzed
             .expansion
             .files
@@ -66,22 +66,22 @@ pub fn launched(
             analyzed,
             offset: 0,
             beside: Vec::new(),
-            pinned: None,
+            selected_frame: None,
         };
         let Some(target) = declaration(&asked.cx(), &name.name) else {
             continue;
         };
         let path = state
-            .world
+            .host
             .session()
             .vfs
             .path(target.name.file)
             .to_path_buf();
-        let Some(declaring) = state.world.document(&path) else {
+        let Some(declaring) = state.host.document(&path) else {
             continue;
         };
         (asked.source, asked.offset) = (declaring, target.name.range.start);
-        return Ok(Some(Launched {
+        return Ok(Some(LaunchArgumentName {
             source,
             range: name.span.range,
             target,
@@ -92,7 +92,7 @@ pub fn launched(
 }
 
 /// Where a robot declares an argument.
-fn declaration(cx: &Cx<'_>, name: &str) -> Option<Target> {
+fn declaration(cx: &Cx<'_>, name: &str) -> Option<NavigationTarget> {
     let mut symbols = cx.expansion.index.symbols.iter();
     let (id, _) =
         symbols.find(|(_, given)| given.kind == SymbolKind::Argument && given.name == name)?;
@@ -100,7 +100,7 @@ fn declaration(cx: &Cx<'_>, name: &str) -> Option<Target> {
 }
 
 /// Where launch files spell the argument at a place, with the robots that share its declaration.
-pub fn in_launch_files(state: &mut State, asked: &Asked) -> (Vec<Span>, Vec<PathBuf>) {
+pub fn in_launch_files(state: &mut ServerState, asked: &Asked) -> (Vec<Span>, Vec<PathBuf>) {
     let cx = asked.cx();
     let definition = cx
         .symbol_at(asked.offset)
@@ -111,24 +111,24 @@ pub fn in_launch_files(state: &mut State, asked: &Asked) -> (Vec<Span>, Vec<Path
     let Some(target) = definition_of(&cx, id) else {
         return Default::default();
     };
-    let path = state.world.session().vfs.path(target.name.file);
-    let candidates = state.world.context(&path).candidates.into_iter();
+    let path = state.host.session().vfs.path(target.name.file);
+    let candidates = state.host.context(&path).candidates.into_iter();
     let mut robots: Vec<PathBuf> = candidates.map(|(root, _)| root.file).collect();
     robots.dedup();
     (
-        state.world.session().launch_places(&robots, &argument.name),
+        state.host.session().launch_places(&robots, &argument.name),
         robots,
     )
 }
 
 /// The arguments that may be given at a place in a launch file.
 pub fn completion(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
-) -> Result<Option<CompletionResponse>, Failure> {
+) -> Result<Option<CompletionResponse>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
-    let Some(found) = state.world.session().launch_choices_at(&path, offset) else {
+    let Some(found) = state.host.session().launch_choices_at(&path, offset) else {
         return Ok(None);
     };
     let range = convert::range(&source.document, found.range, state.encoding);

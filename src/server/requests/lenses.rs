@@ -9,12 +9,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::asked::Asked;
 use crate::requests::navigation::asked;
 use crate::requests::tokens::start_of;
-use crate::state::State;
+use crate::state::ServerState;
 use base::{CancelFlag, TextRange};
 
 /// The macro whose calls a lens counts.
@@ -24,21 +24,21 @@ pub(crate) struct CallsOf {
     position: lsp_types::Position,
     /// Which macro it was when the lens was made: text above it may have moved it since.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    of: Option<Named>,
+    of: Option<NamedMacro>,
 }
 
 /// A macro of a file: its name, and how many of that name stand in front of it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Named {
+struct NamedMacro {
     name: String,
     before: usize,
 }
 
 pub fn lenses(
-    state: &mut State,
+    state: &mut ServerState,
     params: CodeLensParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<CodeLens>>, Failure> {
+) -> Result<Option<Vec<CodeLens>>, RequestFailure> {
     if !state.client.shows_lenses() {
         return Ok(None);
     }
@@ -98,7 +98,7 @@ fn shown_arguments(asked: &Asked) -> Vec<(&str, &str)> {
 }
 
 fn root_lenses(
-    state: &State,
+    state: &ServerState,
     document: &TextDocumentIdentifier,
     arguments: &[(&str, &str)],
     range: lsp_types::Range,
@@ -137,10 +137,10 @@ fn shown(value: &str) -> String {
 
 /// The lens with the number of calls.
 pub fn resolve_lens(
-    state: &mut State,
+    state: &mut ServerState,
     mut lens: CodeLens,
     cancel: &CancelFlag,
-) -> Result<CodeLens, Failure> {
+) -> Result<CodeLens, RequestFailure> {
     let calls: Option<CallsOf> = lens
         .data
         .clone()
@@ -159,7 +159,11 @@ pub fn resolve_lens(
 }
 
 /// The same macro at the place where it stands now.
-fn where_now(state: &mut State, calls: CallsOf, cancel: &CancelFlag) -> Result<CallsOf, Failure> {
+fn where_now(
+    state: &mut ServerState,
+    calls: CallsOf,
+    cancel: &CancelFlag,
+) -> Result<CallsOf, RequestFailure> {
     let Some(of) = calls.of else { return Ok(calls) };
     let asked = asked(
         state,
@@ -169,7 +173,7 @@ fn where_now(state: &mut State, calls: CallsOf, cancel: &CancelFlag) -> Result<C
         cancel,
     )?;
     let found = macros(&asked).find(|(known, _)| *known == of);
-    let (_, name) = found.ok_or(Failure::Outdated)?;
+    let (_, name) = found.ok_or(RequestFailure::Outdated)?;
     let position = convert::position(&asked.source.document, name.start, state.encoding);
     Ok(CallsOf {
         uri: calls.uri,
@@ -180,10 +184,10 @@ fn where_now(state: &mut State, calls: CallsOf, cancel: &CancelFlag) -> Result<C
 
 /// The calls of a macro, and the roots they were looked for in.
 pub fn calls_of(
-    state: &mut State,
+    state: &mut ServerState,
     of: &CallsOf,
     cancel: &CancelFlag,
-) -> Result<(String, Vec<Location>), Failure> {
+) -> Result<(String, Vec<Location>), RequestFailure> {
     let text_document = TextDocumentIdentifier {
         uri: of.uri.clone(),
     };
@@ -200,7 +204,7 @@ pub fn calls_of(
         .into_iter()
         .filter_map(|span| location(state, span))
         .collect();
-    let candidates = state.world.context(&asked.source.path).candidates;
+    let candidates = state.host.context(&asked.source.path).candidates;
     // of several roots, only the active one is counted
     let root = match candidates.len() {
         0 | 1 => "1 root".to_owned(),
@@ -210,7 +214,7 @@ pub fn calls_of(
 }
 
 /// The macros of a file, and where their names stand.
-fn macros(asked: &Asked) -> impl Iterator<Item = (Named, TextRange)> {
+fn macros(asked: &Asked) -> impl Iterator<Item = (NamedMacro, TextRange)> {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     ide::macros_of(&asked.cx())
         .into_iter()
@@ -218,7 +222,7 @@ fn macros(asked: &Asked) -> impl Iterator<Item = (Named, TextRange)> {
             let name = asked.source.document.slice(range);
             let count = seen.entry(name.clone()).or_default();
             let before = std::mem::replace(count, *count + 1);
-            (Named { name, before }, range)
+            (NamedMacro { name, before }, range)
         })
 }
 

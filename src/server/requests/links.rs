@@ -2,20 +2,20 @@
 use lsp_types::{DocumentLink, DocumentLinkParams};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::navigation::asked;
 use crate::requests::tokens::start_of;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use ide::{self, FileName, FileTarget};
 
 pub fn links(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentLinkParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<DocumentLink>>, Failure> {
+) -> Result<Option<Vec<DocumentLink>>, RequestFailure> {
     let asked = asked(state, &start_of(params.text_document), cancel)?;
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
     let names = ide::file_names(&asked.cx(), session.rule_env(&settings.config));
     let link = |FileName { range, target, .. }: FileName| {

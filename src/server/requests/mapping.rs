@@ -6,14 +6,14 @@ use lsp_types::{
 };
 use serde::{Deserialize, Serialize};
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
-use crate::root_param::{Root, chosen_or_active};
-use crate::state::State;
-use analysis::{Analyzed, RootChoice};
+use crate::root_param::{RootParam, chosen_or_active};
+use crate::state::ServerState;
+use analysis::{RootAnalysis, RootConfig};
 use base::{CancelFlag, TextRange};
 use expand::{FrameId, FrameKind, MapKind, Origin};
-use ide::{self, Lines, SourceMap};
+use ide::{self, SourceMap, TextLines};
 
 #[derive(Clone, Debug, Deserialize)]
 pub(crate) struct ToSourceParams {
@@ -24,7 +24,7 @@ pub(crate) struct ToSourceParams {
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Sources {
+pub(crate) struct SourceLocations {
     /// The origin first, then outwards.
     pub locations: Vec<SourceLocation>,
 }
@@ -40,31 +40,31 @@ pub(crate) struct SourceLocation {
 pub(crate) struct ToExpandedParams {
     #[serde(flatten)]
     pub at: TextDocumentPositionParams,
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
 }
 
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Instances {
-    pub root: Root,
-    pub instances: Vec<Instance>,
+    pub root: RootParam,
+    pub instances: Vec<InstanceRange>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Instance {
+pub(crate) struct InstanceRange {
     /// In the expanded text.
     pub range: Range,
     pub label: String,
 }
 
 pub fn sources_of(
-    state: &mut State,
+    state: &mut ServerState,
     params: ToSourceParams,
     cancel: &CancelFlag,
-) -> Result<Sources, Failure> {
+) -> Result<SourceLocations, RequestFailure> {
     let document = TextDocumentIdentifier { uri: params.root };
     let (_, analyzed) = shown_under(state, &document, None, cancel)?;
     let written = analyzed.written();
-    let lines = Lines::of(&written.text, state.encoding);
+    let lines = TextLines::of(&written.text, state.encoding);
     let offset = lines.offset(params.position.line, params.position.character);
     let mut locations = Vec::new();
     let expansion = &analyzed.expansion;
@@ -84,12 +84,12 @@ pub fn sources_of(
             locations.extend(mapped(state, &analyzed, call, role));
         }
     }
-    Ok(Sources { locations })
+    Ok(SourceLocations { locations })
 }
 
 fn mapped(
-    state: &State,
-    analyzed: &Analyzed,
+    state: &ServerState,
+    analyzed: &RootAnalysis,
     origin: Origin,
     role: &'static str,
 ) -> Option<SourceLocation> {
@@ -106,15 +106,15 @@ fn mapped(
 }
 
 pub fn instances_of(
-    state: &mut State,
+    state: &mut ServerState,
     params: ToExpandedParams,
     cancel: &CancelFlag,
-) -> Result<Instances, Failure> {
+) -> Result<Instances, RequestFailure> {
     let (root, analyzed) = shown_under(state, &params.at.text_document, params.root, cancel)?;
     let (path, source) = state.source(&params.at.text_document.uri)?;
     let offset = crate::convert::offset(&source.document, params.at.position, state.encoding);
     let written = analyzed.written();
-    let lines = Lines::of(&written.text, state.encoding);
+    let lines = TextLines::of(&written.text, state.encoding);
     let file = analyzed
         .expansion
         .files
@@ -122,7 +122,7 @@ pub fn instances_of(
     let found = file
         .map(|file| ide::instances(&analyzed.expansion, written, file, offset))
         .unwrap_or_default();
-    let instance = |(out, frame): (TextRange, FrameId)| Instance {
+    let instance = |(out, frame): (TextRange, FrameId)| InstanceRange {
         range: expanded_range(&lines, out),
         label: label(state, &analyzed, frame),
     };
@@ -133,7 +133,7 @@ pub fn instances_of(
 }
 
 /// A call in a few words: `unit @ robot.urdf.xacro:7`.
-pub fn label(state: &State, analyzed: &Analyzed, frame: FrameId) -> String {
+pub fn label(state: &ServerState, analyzed: &RootAnalysis, frame: FrameId) -> String {
     let Some(frame) = analyzed.expansion.frames.get(frame) else {
         return String::new();
     };
@@ -159,11 +159,11 @@ pub fn label(state: &State, analyzed: &Analyzed, frame: FrameId) -> String {
 }
 
 /// A root as the protocol names it.
-pub fn named(state: &State, root: &RootChoice) -> Result<Root, Failure> {
+pub fn named(state: &ServerState, root: &RootConfig) -> Result<RootParam, RequestFailure> {
     let uri = state
         .uri(&root.file)
-        .ok_or_else(|| Failure::Invalid("the root has no name".to_owned()))?;
-    Ok(Root {
+        .ok_or_else(|| RequestFailure::Invalid("the root has no name".to_owned()))?;
+    Ok(RootParam {
         uri,
         args: root.args.iter().cloned().collect(),
         preset: root.preset.clone(),
@@ -172,21 +172,21 @@ pub fn named(state: &State, root: &RootChoice) -> Result<Root, Failure> {
 
 /// The root that a request names or that the file is shown under, expanded.
 pub fn shown_under(
-    state: &mut State,
+    state: &mut ServerState,
     document: &TextDocumentIdentifier,
-    root: Option<Root>,
+    root: Option<RootParam>,
     cancel: &CancelFlag,
-) -> Result<(RootChoice, Arc<Analyzed>), Failure> {
+) -> Result<(RootConfig, Arc<RootAnalysis>), RequestFailure> {
     let root = chosen_or_active(state, document, root)?;
     let analyzed = state
-        .world
+        .host
         .analyzed(&root, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     Ok((root, analyzed))
 }
 
 /// The source map of an expansion, its files named by URI.
-pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
+pub fn map_of(state: &ServerState, analyzed: &RootAnalysis) -> SourceMap {
     let name = |file: &expand::FileUse| {
         state
             .uri(&file.source.path)
@@ -200,14 +200,14 @@ pub fn map_of(state: &State, analyzed: &Analyzed) -> SourceMap {
     )
 }
 
-pub(crate) fn expanded_range(lines: &Lines<'_>, range: TextRange) -> Range {
+pub(crate) fn expanded_range(lines: &TextLines<'_>, range: TextRange) -> Range {
     Range::new(
         expanded_position(lines, range.start),
         expanded_position(lines, range.end),
     )
 }
 
-fn expanded_position(lines: &Lines<'_>, offset: u32) -> Position {
+fn expanded_position(lines: &TextLines<'_>, offset: u32) -> Position {
     let [line, column] = lines.position(offset);
     Position::new(line, column)
 }

@@ -5,7 +5,7 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::asked::Asked;
 use crate::requests::beside::{asked_beside, names_beside};
@@ -13,53 +13,54 @@ use crate::requests::branches::inside;
 use crate::requests::launch::{is_about_launch, launched};
 use crate::requests::of_description::is_not_described;
 use crate::root_param::active_root;
-use crate::state::State;
-use analysis::RootChoice;
+use crate::state::ServerState;
+use analysis::RootConfig;
 use base::{CancelFlag, Span, TextRange};
-use ide::{Cx, FilePlace, Target};
+use ide::{Cx, FileLocation, NavigationTarget};
 use xml::Document;
 
 /// A position of a request, under the active root of its file; a file that no root reaches is expanded by
 /// itself.
 pub fn asked(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Asked, Failure> {
+) -> Result<Asked, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let root = active_root(state, &path);
     let mut analyzed = state
-        .world
+        .host
         .analyzed(&root, cancel)
-        .ok_or(Failure::Cancelled)?;
+        .ok_or(RequestFailure::Cancelled)?;
     let around = analyzed.clone();
     if !analyzed.includes(&path) {
         // the root reaches the file on paper only: a condition keeps it out
         analyzed = state
-            .world
-            .analyzed(&RootChoice::plain(&path), cancel)
-            .ok_or(Failure::Cancelled)?;
+            .host
+            .analyzed(&RootConfig::plain(&path), cancel)
+            .ok_or(RequestFailure::Cancelled)?;
     }
-    let pin = state.pins.get(&analyzed.root.file);
-    let pinned = pin.and_then(|pin| ide::pinned(&analyzed.expansion, pin));
+    let selected = state.selected_instances.get(&analyzed.root.file);
+    let selected_frame =
+        selected.and_then(|selected| ide::selected_frame(&analyzed.expansion, selected));
     Ok(Asked {
         source,
         analyzed,
         around,
         offset,
         beside: Vec::new(),
-        pinned,
+        selected_frame,
     })
 }
 
 /// The same with the names in files beside the robot, for who asks what a name is; also in such a file. None in files that
 /// describe no robot, at what is no name of one.
 pub fn asked_for_name(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<Asked>, Failure> {
+) -> Result<Option<Asked>, RequestFailure> {
     let (path, source) = state.source(&at.text_document.uri)?;
     let offset = convert::offset(&source.document, at.position, state.encoding);
     let found = asked_beside(state, (&path, &source), offset, cancel)?;
@@ -72,10 +73,10 @@ pub fn asked_for_name(
 }
 
 pub fn definition(
-    state: &mut State,
+    state: &mut ServerState,
     params: GotoDefinitionParams,
     cancel: &CancelFlag,
-) -> Result<Option<GotoDefinitionResponse>, Failure> {
+) -> Result<Option<GotoDefinitionResponse>, RequestFailure> {
     let at = &params.text_document_position_params;
     if is_about_launch(state, at) {
         let found = launched(state, at, cancel)?;
@@ -139,10 +140,10 @@ pub fn definition(
 }
 
 pub fn declaration(
-    state: &mut State,
+    state: &mut ServerState,
     params: GotoDefinitionParams,
     cancel: &CancelFlag,
-) -> Result<Option<GotoDefinitionResponse>, Failure> {
+) -> Result<Option<GotoDefinitionResponse>, RequestFailure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = ide::declaration(&asked.cx(), asked.offset);
     let Some((origin, target)) = found else {
@@ -158,10 +159,10 @@ pub fn declaration(
 }
 
 pub fn type_definition(
-    state: &mut State,
+    state: &mut ServerState,
     params: GotoDefinitionParams,
     cancel: &CancelFlag,
-) -> Result<Option<GotoDefinitionResponse>, Failure> {
+) -> Result<Option<GotoDefinitionResponse>, RequestFailure> {
     let asked = asked(state, &params.text_document_position_params, cancel)?;
     let found = about_files(state, &asked, ide::type_definition);
     let links = state.client.links.type_definition;
@@ -170,10 +171,10 @@ pub fn type_definition(
 
 /// What a macro makes, in the expanded text; none for a client that could not open it.
 pub fn implementation(
-    state: &mut State,
+    state: &mut ServerState,
     params: GotoDefinitionParams,
     cancel: &CancelFlag,
-) -> Result<Option<GotoDefinitionResponse>, Failure> {
+) -> Result<Option<GotoDefinitionResponse>, RequestFailure> {
     if !state.client.own.expanded_documents {
         return Ok(None);
     }
@@ -186,7 +187,7 @@ pub fn implementation(
         return Ok(None);
     };
     let origin = convert::range(&asked.source.document, origin, state.encoding);
-    let lines = ide::Lines::of(&written.text, state.encoding);
+    let lines = ide::TextLines::of(&written.text, state.encoding);
     let links = found.into_iter().map(|range| {
         let range = crate::requests::mapping::expanded_range(&lines, range);
         LocationLink {
@@ -203,7 +204,7 @@ pub fn implementation(
 }
 
 /// The name of the expanded text of a root.
-fn expanded_uri(state: &State, root: &RootChoice) -> Option<Url> {
+fn expanded_uri(state: &ServerState, root: &RootConfig) -> Option<Url> {
     let stem = root.file.file_name()?.to_string_lossy().into_owned();
     let stem = stem.split('.').next().unwrap_or("").to_owned();
     let mut uri = Url::parse(&format!("xacro-expanded:/{stem}.urdf")).ok()?;
@@ -214,11 +215,11 @@ fn expanded_uri(state: &State, root: &RootChoice) -> Option<Url> {
 
 /// What an answer about files says of a place.
 pub fn about_files<T>(
-    state: &State,
+    state: &ServerState,
     asked: &Asked,
     answer: impl Fn(&Cx<'_>, rules::RuleEnv<'_>, u32) -> Option<T>,
 ) -> Option<T> {
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
     answer(
         &asked.cx(),
@@ -228,14 +229,14 @@ pub fn about_files<T>(
 }
 
 fn file_target(
-    state: &State,
+    state: &ServerState,
     asked: &Asked,
     origin: TextRange,
-    place: &FilePlace,
+    place: &FileLocation,
     links: bool,
 ) -> Option<GotoDefinitionResponse> {
     let origin = convert::range(&asked.source.document, origin, state.encoding);
-    let file = state.world.session().vfs.file_id(&place.path);
+    let file = state.host.session().vfs.file_id(&place.path);
     let range = match place.range == TextRange::default() || !ide::is_text(&place.path) {
         true => Range::default(),
         false => {
@@ -259,9 +260,9 @@ fn file_target(
 }
 
 fn places_of(
-    state: &State,
+    state: &ServerState,
     origin: Range,
-    targets: &[Target],
+    targets: &[NavigationTarget],
     links: bool,
 ) -> Option<GotoDefinitionResponse> {
     let found = targets
@@ -270,7 +271,7 @@ fn places_of(
     links_or_places(found.collect(), links)
 }
 
-fn link(state: &State, origin: Range, target: &Target) -> Option<LocationLink> {
+fn link(state: &ServerState, origin: Range, target: &NavigationTarget) -> Option<LocationLink> {
     let name = location(state, target.name)?;
     Some(LocationLink {
         origin_selection_range: Some(origin),
@@ -281,10 +282,10 @@ fn link(state: &State, origin: Range, target: &Target) -> Option<LocationLink> {
 }
 
 pub fn highlights(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentHighlightParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<DocumentHighlight>>, Failure> {
+) -> Result<Option<Vec<DocumentHighlight>>, RequestFailure> {
     let at = &params.text_document_position_params;
     let Some(asked) = asked_for_name(state, at, cancel)? else {
         return Ok(None);
@@ -318,7 +319,7 @@ pub fn highlights(
 }
 
 fn highlight(
-    state: &State,
+    state: &ServerState,
     document: &Document,
     range: TextRange,
     kind: DocumentHighlightKind,

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use lsp_types::*;
 
-use crate::failure::Failure;
-use crate::state::State;
+use crate::failure::RequestFailure;
+use crate::state::ServerState;
 use analysis::{is_config, is_launch, is_settings};
 use base::CancelFlag;
 
@@ -53,8 +53,8 @@ pub fn is_not_described(path: &Path) -> bool {
 
 /// What answers a request by `work`, unless it is about YAML, a launch file or a configuration.
 pub fn of_description<P: OfDocument, R: Default>(
-    work: fn(&mut State, P, &CancelFlag) -> Result<R, Failure>,
-) -> impl FnOnce(&mut State, P, &CancelFlag) -> Result<R, Failure> {
+    work: fn(&mut ServerState, P, &CancelFlag) -> Result<R, RequestFailure>,
+) -> impl FnOnce(&mut ServerState, P, &CancelFlag) -> Result<R, RequestFailure> {
     move |state, params, cancel| match is_not_described(&state.path(params.uri())) {
         true => Ok(R::default()),
         false => work(state, params, cancel),

@@ -12,22 +12,22 @@ use lsp_types::{
 };
 
 use crate::diagnostics::found;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::publishing::fingerprint;
 use crate::scanning::scan_first;
 use crate::scheduler::Cause;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 
 pub fn pull_diagnostics(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentDiagnosticParams,
     cancel: &CancelFlag,
-) -> Result<DocumentDiagnosticReportResult, Failure> {
+) -> Result<DocumentDiagnosticReportResult, RequestFailure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     scan_first(state);
     let mut found =
-        found(state, Some(&path), &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
+        found(state, Some(&path), &Cause::Requested, cancel).ok_or(RequestFailure::Cancelled)?;
     let items = found.remove(&path).unwrap_or_default();
     let id = result_id(&items);
     let report = if params.previous_result_id.as_deref() == Some(&id) {
@@ -50,11 +50,12 @@ pub fn pull_diagnostics(
 }
 
 pub fn pull_workspace(
-    state: &mut State,
+    state: &mut ServerState,
     params: WorkspaceDiagnosticParams,
     cancel: &CancelFlag,
-) -> Result<WorkspaceDiagnosticReportResult, Failure> {
-    let mut found = found(state, None, &Cause::Requested, cancel).ok_or(Failure::Cancelled)?;
+) -> Result<WorkspaceDiagnosticReportResult, RequestFailure> {
+    let mut found =
+        found(state, None, &Cause::Requested, cancel).ok_or(RequestFailure::Cancelled)?;
     let known = params.previous_result_ids.into_iter();
     let known: BTreeMap<PathBuf, String> =
         known.map(|id| (state.path(&id.uri), id.value)).collect();
@@ -79,7 +80,7 @@ pub fn pull_workspace(
 
 /// What there is to say of a file, or that it is what was said before.
 fn report_of(
-    state: &State,
+    state: &ServerState,
     path: &Path,
     items: Vec<Diagnostic>,
     before: Option<&String>,

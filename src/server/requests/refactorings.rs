@@ -1,6 +1,6 @@
-//! Refactorings: what is offered at a place, and the edits of what was picked.
+//! Refactorings: what is offered at a place, and the edits of what was selected.
 //!
-//! A client that asks for edits when an action is picked gets none before. They are worked out for the text as it is
+//! A client that asks for edits when an action is selected gets none before. They are worked out for the text as it is
 //! then; when that is another one, the client is told to ask again.
 use std::path::Path;
 
@@ -12,13 +12,13 @@ use lsp_types::{
 use serde::{Deserialize, Serialize};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::asked::Asked;
 use crate::requests::code_action::{code_action, kind, sentence_case};
 use crate::requests::navigation::asked;
 use crate::requests::rename::is_ours;
 use crate::scanning::scan_all;
-use crate::state::State;
+use crate::state::ServerState;
 use base::limits::QUICK_PROOF_EXPANSIONS;
 use base::{CancelFlag, TextRange};
 use facts::{MentionKind, facts};
@@ -31,7 +31,7 @@ const SMALL: usize = 5_000;
 
 /// Where an action was offered, so that its edits can be made later.
 #[derive(Clone, Debug, Deserialize, Serialize)]
-struct Offered {
+struct OfferedAction {
     uri: Url,
     range: Range,
     /// The version of the text; none when the file was not open.
@@ -51,18 +51,18 @@ enum Inline {
 
 /// The refactorings at a place, with their edits unless the client asks for these later.
 pub fn refactor_actions(
-    state: &mut State,
+    state: &mut ServerState,
     params: &CodeActionParams,
     inlines: bool,
     cancel: &CancelFlag,
-) -> Result<Vec<CodeAction>, Failure> {
+) -> Result<Vec<CodeAction>, RequestFailure> {
     let (uri, range) = (&params.text_document.uri, params.range);
     let later = state.client.actions.resolves;
     let version = state
         .documents
         .get(&state.path(uri))
         .and_then(|open| open.version);
-    let data = serde_json::to_value(Offered {
+    let data = serde_json::to_value(OfferedAction {
         uri: uri.clone(),
         range,
         version,
@@ -86,12 +86,12 @@ pub fn refactor_actions(
 
 /// Those that change text, those that make files, and those that cannot be made, with the reason.
 fn all_refactorings(
-    state: &mut State,
+    state: &mut ServerState,
     uri: &Url,
     range: Range,
     inline: Inline,
     cancel: &CancelFlag,
-) -> Result<Vec<CodeAction>, Failure> {
+) -> Result<Vec<CodeAction>, RequestFailure> {
     let (path, source) = state.source(uri)?;
     let selection = convert::text_range(&source.document, range, state.encoding);
     let document = lsp_types::TextDocumentIdentifier { uri: uri.clone() };
@@ -117,12 +117,12 @@ fn all_refactorings(
 /// The text of a macro in the place of its call. That it leaves the robot the same has to be tried out: where it
 /// does not, it cannot be made.
 fn inlined_macro(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     offset: u32,
     inline: Inline,
     cancel: &CancelFlag,
-) -> Result<Option<CodeAction>, Failure> {
+) -> Result<Option<CodeAction>, RequestFailure> {
     let is_tried = match inline {
         Inline::No => false,
         Inline::InSmallRobots => asked.analyzed.expansion.tree.len() < SMALL,
@@ -145,15 +145,15 @@ fn inlined_macro(
 
 /// The same action with its edits.
 pub fn resolve_action(
-    state: &mut State,
+    state: &mut ServerState,
     action: CodeAction,
     cancel: &CancelFlag,
-) -> Result<CodeAction, Failure> {
+) -> Result<CodeAction, RequestFailure> {
     let offered = action
         .data
         .clone()
-        .and_then(|data| serde_json::from_value::<Offered>(data).ok());
-    let Some(Offered {
+        .and_then(|data| serde_json::from_value::<OfferedAction>(data).ok());
+    let Some(OfferedAction {
         uri,
         range,
         version,
@@ -167,7 +167,7 @@ pub fn resolve_action(
         .and_then(|open| open.version)
         != version
     {
-        return Err(Failure::Outdated);
+        return Err(RequestFailure::Outdated);
     }
     let inlines = action.kind.as_ref() == Some(&kind(ActionKind::Inline));
     let inline = if inlines { Inline::Yes } else { Inline::No };
@@ -177,7 +177,7 @@ pub fn resolve_action(
         .into_iter()
         .find(same)
         .and_then(|known| known.edit)
-        .ok_or(Failure::Outdated)?;
+        .ok_or(RequestFailure::Outdated)?;
     Ok(CodeAction {
         edit: Some(edit),
         ..action
@@ -186,61 +186,62 @@ pub fn resolve_action(
 
 /// Whether every robot is the same with the edits of an action, which are all in the file that was asked about.
 fn expansion_unchanged(
-    state: &State,
+    state: &ServerState,
     asked: &Asked,
     action: &Action,
     cancel: &CancelFlag,
-) -> Result<bool, Failure> {
+) -> Result<bool, RequestFailure> {
     let edits = action
         .edits
         .iter()
         .map(|edit| (edit.span.range, edit.content.clone()))
         .collect();
     let effort = state
-        .world
+        .host
         .effort(&asked.source.path, QUICK_PROOF_EXPANSIONS, cancel);
     let is_same = state
-        .world
+        .host
         .session()
         .expansion_unchanged(&asked.source.path, edits, &effort);
     if cancel.is_cancelled() {
-        Err(Failure::Cancelled)
+        Err(RequestFailure::Cancelled)
     } else {
         Ok(is_same)
     }
 }
 
 /// What cannot be made, for clients that show it.
-fn refused(state: &State, asked: &Asked, selection: TextRange) -> Option<CodeAction> {
+fn refused(state: &ServerState, asked: &Asked, selection: TextRange) -> Option<CodeAction> {
     if !state.client.actions.shows_disabled || !asked.source.document.errors().is_empty() {
         return None;
     }
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
-    let world = session.rule_env(&settings.config);
-    let ide::Refused { title, reason } = ide::of_mesh(&asked.cx(), world, selection.start).err()?;
+    let rule_env = session.rule_env(&settings.config);
+    let ide::Refused { title, reason } =
+        ide::of_mesh(&asked.cx(), rule_env, selection.start).err()?;
     Some(disabled(sentence_case(&title), ActionKind::Rewrite, reason))
 }
 
 fn refactorings(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     selection: TextRange,
     cancel: &CancelFlag,
-) -> Result<Vec<Action>, Failure> {
-    let session = state.world.session();
+) -> Result<Vec<Action>, RequestFailure> {
+    let session = state.host.session();
     let settings = session.settings(&asked.source.path);
-    let world = session.rule_env(&settings.config);
-    let mut actions = ide::refactorings(&asked.cx(), world, selection);
+    let rule_env = session.rule_env(&settings.config);
+    let mut actions = ide::refactorings(&asked.cx(), rule_env, selection);
     if let Some((_, name)) = ide::inlinable(&asked.cx(), selection.start) {
         // files of other robots may read the property
         scan_all(state, cancel)?;
         let mut others = state
-            .world
+            .host
             .known_files()
             .into_iter()
             .filter(|file| !asked.analyzed.includes(file))
-            .filter_map(|file| state.world.document(&file));
+            .filter_map(|file| state.host.document(&file));
         if others.any(|other| mentions(&other.document, &name)) {
             actions.retain(|action| action.kind != ActionKind::Inline);
         }
@@ -250,7 +251,7 @@ fn refactorings(
 
 /// Elements moved to a file of their own, for clients that make files.
 fn moved_to_file(
-    state: &State,
+    state: &ServerState,
     path: &Path,
     source: &SourceFile,
     selection: TextRange,
@@ -259,7 +260,7 @@ fn moved_to_file(
         return None;
     }
     let folder = path.parent()?;
-    let vfs = &state.world.session().vfs;
+    let vfs = &state.host.session().vfs;
     let (action, file) =
         ide::move_to_file(source, selection, |name| vfs.exists(&folder.join(name)))?;
     let uri = convert::file_uri(&folder.join(&file.name))?;

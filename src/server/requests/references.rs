@@ -3,27 +3,27 @@ use std::path::Path;
 
 use lsp_types::{Location, ReferenceParams};
 
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::places;
 use crate::requests::asked::Asked;
 use crate::requests::branches::inside;
 use crate::requests::launch::{in_launch_files, launched};
 use crate::requests::navigation::asked_for_name;
 use crate::scanning::scan_all;
-use crate::state::State;
-use analysis::Analyzed;
+use crate::state::ServerState;
+use analysis::RootAnalysis;
 use base::limits::RENAME_ROBOTS;
 use base::{CancelFlag, Span, TextRange};
 use expand::Read;
-use ide::{self, Cx, NameUse, RobotThing, TextNames};
+use ide::{self, Cx, NameOccurrence, RobotThing, TextNames};
 use vfs::SourceFile;
-use yaml::{Kind, Node};
+use yaml::{YamlKind, YamlNode};
 
 pub fn references(
-    state: &mut State,
+    state: &mut ServerState,
     params: ReferenceParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<Location>>, Failure> {
+) -> Result<Option<Vec<Location>>, RequestFailure> {
     // a robot that nobody has seen yet may use the name too
     scan_all(state, cancel)?;
     let at = &params.text_document_position;
@@ -68,12 +68,12 @@ pub fn references(
 
 /// The other robots that read the text which gives a name; their uses are added.
 fn sharing(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
-    uses: &mut Vec<NameUse>,
+    uses: &mut Vec<NameOccurrence>,
     thing: Option<&RobotThing>,
     cancel: &CancelFlag,
-) -> Result<Vec<std::sync::Arc<Analyzed>>, Failure> {
+) -> Result<Vec<std::sync::Arc<RootAnalysis>>, RequestFailure> {
     let given: Vec<Span> = uses
         .iter()
         .filter(|used| used.is_definition)
@@ -81,8 +81,8 @@ fn sharing(
         .collect();
     let mut roots = Vec::new();
     for span in &given {
-        let path = state.world.session().vfs.path(span.file);
-        for (root, _) in state.world.context(&path).candidates {
+        let path = state.host.session().vfs.path(span.file);
+        for (root, _) in state.host.context(&path).candidates {
             if root != asked.analyzed.root && !roots.contains(&root) {
                 roots.push(root);
             }
@@ -91,9 +91,9 @@ fn sharing(
     let mut robots = Vec::new();
     for root in roots.into_iter().take(RENAME_ROBOTS) {
         let analyzed = state
-            .world
+            .host
             .analyzed(&root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let found = in_robot(state, &analyzed, &given, thing);
         if !found.is_empty() {
             robots.push(analyzed);
@@ -108,8 +108,8 @@ fn sharing(
 }
 
 /// The values of the YAML files that a robot reads which are the name.
-fn in_yaml(state: &State, robot: &Analyzed, thing: &RobotThing) -> Vec<Span> {
-    let vfs = &state.world.session().vfs;
+fn in_yaml(state: &ServerState, robot: &RootAnalysis, thing: &RobotThing) -> Vec<Span> {
+    let vfs = &state.host.session().vfs;
     let mut found = Vec::new();
     for read in robot.expansion.record.iter() {
         let Read::File(path, _) = read else { continue };
@@ -137,13 +137,13 @@ fn is_yaml(path: &Path) -> bool {
 
 /// The uses of a name in another robot, when the text that gives it gives it there too.
 fn in_robot(
-    state: &State,
-    analyzed: &Analyzed,
+    state: &ServerState,
+    analyzed: &RootAnalysis,
     given: &[Span],
     thing: Option<&RobotThing>,
-) -> Vec<NameUse> {
+) -> Vec<NameOccurrence> {
     let expansion = &analyzed.expansion;
-    let session = state.world.session();
+    let session = state.host.session();
     let settings = session.settings(&analyzed.root.file);
     let names = TextNames::of(expansion, session.rule_env(&settings.config));
     let source = |span: &Span| -> Option<&SourceFile> {
@@ -162,7 +162,7 @@ fn in_robot(
             robot,
             kinematics,
             beside: &[],
-            pinned: None,
+            selected_frame: None,
         };
         let found = match thing {
             Some(thing) => ide::uses_of(&cx, thing),
@@ -179,11 +179,11 @@ fn in_robot(
 }
 
 /// The places of the texts of a YAML value that are a name; keys are none.
-fn values(node: &Node, name: &str, found: &mut Vec<TextRange>) {
+fn values(node: &YamlNode, name: &str, found: &mut Vec<TextRange>) {
     match &node.kind {
-        Kind::Str(text) if *text == name => found.push(node.range),
-        Kind::List(items) => items.iter().for_each(|item| values(item, name, found)),
-        Kind::Map(entries) => entries
+        YamlKind::Str(text) if *text == name => found.push(node.range),
+        YamlKind::List(items) => items.iter().for_each(|item| values(item, name, found)),
+        YamlKind::Map(entries) => entries
             .iter()
             .for_each(|(_, value)| values(value, name, found)),
         _ => {}

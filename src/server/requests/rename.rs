@@ -9,15 +9,15 @@ use lsp_types::{
 };
 
 use crate::convert::{self, file_name};
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::asked::Asked;
 use crate::requests::branches::{in_all_robots, inside};
 use crate::requests::launch::{in_launch_files, launched};
 use crate::requests::navigation::asked_for_name;
 use crate::scanning::scan_all;
-use crate::state::State;
-use analysis::{NewName, Obstacle, RootChoice};
+use crate::state::ServerState;
+use analysis::{NewName, Obstacle, RootConfig};
 use base::limits::{QUICK_PROOF_EXPANSIONS, RENAME_ROBOTS};
 use base::{CancelFlag, Span, TextRange};
 use expand::SymbolKind;
@@ -26,10 +26,10 @@ use workspace::config::{argument_places, files_named};
 use workspace::is_built;
 
 pub fn prepare_rename(
-    state: &mut State,
+    state: &mut ServerState,
     params: TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<PrepareRenameResponse>, Failure> {
+) -> Result<Option<PrepareRenameResponse>, RequestFailure> {
     if let Some(found) = launched(state, &params, cancel)? {
         let range = convert::range(&found.source.document, found.range, state.encoding);
         let placeholder = found.source.document.slice(found.range);
@@ -45,7 +45,7 @@ pub fn prepare_rename(
         ide::renameable(&asked.cx(), &asked.names(state), asked.offset)
     else {
         let unseen = ide::unseen_name(&asked.cx(), asked.offset);
-        return unseen.map_or(Ok(None), |reason| Err(Failure::Refused(reason)));
+        return unseen.map_or(Ok(None), |reason| Err(RequestFailure::Refused(reason)));
     };
     let range = convert::range(&asked.source.document, range, state.encoding);
     Ok(Some(PrepareRenameResponse::RangeWithPlaceholder {
@@ -55,10 +55,10 @@ pub fn prepare_rename(
 }
 
 pub fn rename(
-    state: &mut State,
+    state: &mut ServerState,
     params: RenameParams,
     cancel: &CancelFlag,
-) -> Result<Option<WorkspaceEdit>, Failure> {
+) -> Result<Option<WorkspaceEdit>, RequestFailure> {
     scan_all(state, cancel)?;
     let Some(asked) = asked_to_rename(state, &params.text_document_position, cancel)? else {
         return Ok(None);
@@ -66,7 +66,7 @@ pub fn rename(
     let new = params.new_name.as_str();
     let names = asked.names(state);
     let mut spans =
-        ide::rename(&asked.cx(), &names, asked.offset, new).map_err(Failure::Refused)?;
+        ide::rename(&asked.cx(), &names, asked.offset, new).map_err(RequestFailure::Refused)?;
     let kind = ide::kind_at(&asked.cx(), &names, asked.offset);
     let old = ide::renameable(&asked.cx(), &names, asked.offset)
         .map(|(_, old)| old)
@@ -89,7 +89,7 @@ pub fn rename(
     spans.dedup();
     let mut edits: BTreeMap<Url, Vec<TextEdit>> = BTreeMap::new();
     for span in spans {
-        let path = state.world.session().vfs.path(span.file);
+        let path = state.host.session().vfs.path(span.file);
         admit_edit(state, &path)?;
         if let Some(place) = location(state, span) {
             edits
@@ -103,10 +103,10 @@ pub fn rename(
 
 /// A place with a name; where nothing evaluated it, in the expansion that takes the branch around it.
 fn asked_to_rename(
-    state: &mut State,
+    state: &mut ServerState,
     at: &TextDocumentPositionParams,
     cancel: &CancelFlag,
-) -> Result<Option<Asked>, Failure> {
+) -> Result<Option<Asked>, RequestFailure> {
     if let Some(found) = launched(state, at, cancel)? {
         return Ok(Some(found.asked));
     }
@@ -121,14 +121,14 @@ fn asked_to_rename(
 
 /// Whether robots stay what they are but for the name.
 fn admit_new_name(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     name: NewName<'_>,
     new: &str,
     spans: &[Span],
     cancel: &CancelFlag,
-) -> Result<(), Failure> {
-    let vfs = state.world.session().vfs.clone();
+) -> Result<(), RequestFailure> {
+    let vfs = state.host.session().vfs.clone();
     let mut replaced: BTreeMap<PathBuf, Vec<(TextRange, String)>> = BTreeMap::new();
     for span in spans {
         let path = vfs.path(span.file).to_path_buf();
@@ -140,7 +140,7 @@ fn admit_new_name(
     let mut roots = vec![asked.analyzed.root.clone()];
     for path in replaced.keys() {
         let further = state
-            .world
+            .host
             .context(path)
             .candidates
             .into_iter()
@@ -154,14 +154,14 @@ fn admit_new_name(
     roots.truncate(QUICK_PROOF_EXPANSIONS);
     let replaced = replaced.into_iter().collect();
     let changed = state
-        .world
+        .host
         .session()
         .changed_robot(replaced, &roots, name, cancel);
     if cancel.is_cancelled() {
-        return Err(Failure::Cancelled);
+        return Err(RequestFailure::Cancelled);
     }
     changed.map_or(Ok(()), |obstacle| {
-        Err(Failure::Refused(refusal(new, &obstacle)))
+        Err(RequestFailure::Refused(refusal(new, &obstacle)))
     })
 }
 
@@ -186,19 +186,19 @@ fn refusal(new: &str, obstacle: &Obstacle) -> String {
 
 /// Whether a file may be changed with the user's consent, which for files outside of the workspace the client has
 /// to ask for.
-fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
+fn admit_edit(state: &ServerState, path: &Path) -> Result<(), RequestFailure> {
     if is_ours(state, path) {
         return Ok(());
     }
     let shown = vfs::slashed(path);
-    if state.world.session().is_installed(path) || path.iter().any(is_built) {
-        return Err(Failure::Refused(format!(
+    if state.host.session().is_installed(path) || path.iter().any(is_built) {
+        return Err(RequestFailure::Refused(format!(
             "`{shown}` is in an install folder and is not changed"
         )));
     }
     match state.client.edits.annotations {
         true => Ok(()),
-        false => Err(Failure::Refused(format!(
+        false => Err(RequestFailure::Refused(format!(
             "`{shown}` is not in the workspace and is not changed"
         ))),
     }
@@ -206,7 +206,7 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
 
 /// Where configuration files, and comments that name a root, give the argument at a place a value, for robots that
 /// read it.
-fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
+fn in_presets(state: &mut ServerState, asked: &Asked) -> Vec<Span> {
     let cx = asked.cx();
     let definition = cx.symbol_at(asked.offset).map(|(id, _)| id);
     let argument = definition.and_then(|id| Some((id, cx.expansion.index.symbols.get(id)?)));
@@ -216,15 +216,15 @@ fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
     let Some(target) = ide::definition_of(&cx, id) else {
         return Vec::new();
     };
-    let path = state.world.session().vfs.path(target.name.file);
+    let path = state.host.session().vfs.path(target.name.file);
     let roots: Vec<PathBuf> = state
-        .world
+        .host
         .context(&path)
         .candidates
         .into_iter()
         .map(|(r, _)| r.file)
         .collect();
-    let session = state.world.session();
+    let session = state.host.session();
     let configs: BTreeSet<PathBuf> = roots
         .iter()
         .flat_map(|root| session.settings(root).config.files.clone())
@@ -244,8 +244,8 @@ fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
         let places = argument_places(&text.text, &argument.name, reads);
         found.extend(places.into_iter().map(|range| Span { file: id, range }));
     }
-    let known = state.world.known_files().into_iter();
-    let comments = known.filter_map(|file| state.world.commented_argument(&file, &argument.name));
+    let known = state.host.known_files().into_iter();
+    let comments = known.filter_map(|file| state.host.commented_argument(&file, &argument.name));
     found.extend(
         comments
             .filter(|(root, _)| roots.contains(root))
@@ -255,14 +255,18 @@ fn in_presets(state: &mut State, asked: &Asked) -> Vec<Span> {
 }
 
 /// Where launch files spell the argument at a place.
-fn in_calls(state: &mut State, asked: &Asked, old: &str) -> Result<Vec<Span>, Failure> {
+fn in_calls(
+    state: &mut ServerState,
+    asked: &Asked,
+    old: &str,
+) -> Result<Vec<Span>, RequestFailure> {
     let (places, robots) = in_launch_files(state, asked);
-    let session = state.world.session();
+    let session = state.host.session();
     for &place in &places {
         if let Some(other) = session.gives_to_another(place, &robots, old) {
             let caller = file_name(&session.vfs.path(place.file));
             let other = file_name(&other);
-            return Err(Failure::Refused(format!(
+            return Err(RequestFailure::Refused(format!(
                 "`{caller}` passes `{old}` to `{other}` as well"
             )));
         }
@@ -272,18 +276,18 @@ fn in_calls(state: &mut State, asked: &Asked, old: &str) -> Result<Vec<Span>, Fa
 
 /// The same name in the other robots that read the files to be changed.
 fn in_other_robots(
-    state: &mut State,
+    state: &mut ServerState,
     asked: &Asked,
     spans: &mut Vec<Span>,
     cancel: &CancelFlag,
-) -> Result<(), Failure> {
-    let vfs = state.world.session().vfs.clone();
+) -> Result<(), RequestFailure> {
+    let vfs = state.host.session().vfs.clone();
     let Some(first) = spans.first().copied() else {
         return Ok(());
     };
     let document = vfs
         .document(&vfs.path(first.file))
-        .map_err(|_| Failure::Cancelled)?;
+        .map_err(|_| RequestFailure::Cancelled)?;
     let name = document.document.slice(first.range);
     // what one robot adds may concern those that were looked at before
     loop {
@@ -293,10 +297,10 @@ fn in_other_robots(
             unseen_root(state, spans, &seen).filter(|_| seen.len() < RENAME_ROBOTS)
         {
             let analyzed = state
-                .world
+                .host
                 .analyzed(&root, cancel)
-                .ok_or(Failure::Cancelled)?;
-            let session = state.world.session();
+                .ok_or(RequestFailure::Cancelled)?;
+            let session = state.host.session();
             let settings = session.settings(&root.file);
             let names = TextNames::of(&analyzed.expansion, session.rule_env(&settings.config));
             let cx = Cx {
@@ -313,12 +317,12 @@ fn in_other_robots(
 }
 
 /// A robot that reads one of the files and was not looked at.
-fn unseen_root(state: &mut State, spans: &[Span], seen: &[RootChoice]) -> Option<RootChoice> {
+fn unseen_root(state: &mut ServerState, spans: &[Span], seen: &[RootConfig]) -> Option<RootConfig> {
     let files: BTreeSet<_> = spans.iter().map(|span| span.file).collect();
     files.into_iter().find_map(|file| {
-        let path = state.world.session().vfs.path(file);
+        let path = state.host.session().vfs.path(file);
         let mut roots = state
-            .world
+            .host
             .context(&path)
             .candidates
             .into_iter()
@@ -328,9 +332,9 @@ fn unseen_root(state: &mut State, spans: &[Span], seen: &[RootChoice]) -> Option
 }
 
 /// Files that may be changed: open ones, and those of the workspace that no tool has built.
-pub fn is_ours(state: &State, path: &Path) -> bool {
+pub fn is_ours(state: &ServerState, path: &Path) -> bool {
     let inside = state
-        .world
+        .host
         .folders()
         .iter()
         .filter_map(|folder| path.strip_prefix(folder).ok());
@@ -338,7 +342,7 @@ pub fn is_ours(state: &State, path: &Path) -> bool {
 }
 
 /// Edits that say of files which the user does not see that they are changed too, where the client shows that.
-fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
+fn annotated(state: &ServerState, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
     let mut edit = workspace_edit(state, edits);
     let Some(DocumentChanges::Edits(documents)) = &mut edit.document_changes else {
         return edit;
@@ -379,7 +383,7 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
 }
 
 /// Edits with the versions they were made for, where the client takes that.
-pub fn workspace_edit(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
+pub fn workspace_edit(state: &ServerState, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdit {
     if !state.client.edits.versions {
         let changes: HashMap<Url, Vec<TextEdit>> = edits.into_iter().collect();
         return WorkspaceEdit {

@@ -5,14 +5,14 @@ use lsp_types::{Location, TextDocumentIdentifier, Url};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::contexts::{Seen, context_changed, seen_as};
-use crate::failure::Failure;
+use crate::contexts::{ShownContext, context_changed, seen_as};
+use crate::failure::RequestFailure;
 use crate::locations::location;
 use crate::requests::expansion::{ExpandError, errors};
 use crate::requests::mapping::{named, shown_under};
-use crate::root_param::{Root, active_root, chosen};
-use crate::state::State;
-use analysis::{Analyzed, RootChoice};
+use crate::root_param::{RootParam, active_root, chosen};
+use crate::state::ServerState;
+use analysis::{RootAnalysis, RootConfig};
 use base::CancelFlag;
 use expand::Origin;
 
@@ -23,28 +23,28 @@ pub(crate) struct RootsParams {
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Roots {
-    pub active: Option<Root>,
+pub(crate) struct FileRoots {
+    pub active: Option<RootParam>,
     /// What the file is seen as, for a status line: as `xacro/contextChanged` says it.
     pub text: String,
-    /// The call of a macro of the file that was picked, such as `leg @ robot.urdf.xacro:41`.
+    /// The call of a macro of the file that was selected, such as `leg @ robot.urdf.xacro:41`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub instance: Option<String>,
     pub reason: &'static str,
-    pub candidates: Vec<Candidate>,
-    pub args: Vec<Argument>,
+    pub candidates: Vec<CandidateRoot>,
+    pub args: Vec<RootArgument>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Candidate {
+pub(crate) struct CandidateRoot {
     #[serde(flatten)]
-    pub root: Root,
+    pub root: RootParam,
     pub distance: u32,
 }
 
 /// An argument of the active root and its value there.
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Argument {
+pub(crate) struct RootArgument {
     pub name: String,
     pub value: String,
     /// The text of its `default`.
@@ -58,7 +58,7 @@ pub(crate) struct Argument {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct SetRootParams {
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     pub text_document: Option<TextDocumentIdentifier>,
 }
 
@@ -73,12 +73,12 @@ pub(crate) struct SetArgsParams {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) struct TreeParams {
-    pub root: Option<Root>,
+    pub root: Option<RootParam>,
     pub text_document: Option<TextDocumentIdentifier>,
 }
 
 #[derive(Clone, Debug, Serialize)]
-pub(crate) struct Tree {
+pub(crate) struct RobotTree {
     pub nodes: Vec<TreeNode>,
     /// The files that name its links and joints.
     pub beside: Vec<FileBeside>,
@@ -108,23 +108,23 @@ pub(crate) struct TreeNode {
 }
 
 pub fn roots(
-    state: &mut State,
+    state: &mut ServerState,
     params: RootsParams,
     cancel: &CancelFlag,
-) -> Result<Roots, Failure> {
+) -> Result<FileRoots, RequestFailure> {
     let (path, _) = state.source(&params.text_document.uri)?;
-    let context = state.world.context(&path);
+    let context = state.host.context(&path);
     let mut args = Vec::new();
     if let Some(root) = &context.root {
         let analyzed = state
-            .world
+            .host
             .analyzed(root, cancel)
-            .ok_or(Failure::Cancelled)?;
+            .ok_or(RequestFailure::Cancelled)?;
         let known = analyzed.declared_arguments().into_iter();
         args.extend(known.map(|(name, value)| {
             let declared = ide::declared_argument(&analyzed.expansion, name);
             let (default, doc) = declared.unwrap_or_default();
-            Argument {
+            RootArgument {
                 name: name.to_string(),
                 value: value.to_string(),
                 default,
@@ -132,15 +132,15 @@ pub fn roots(
             }
         }));
     }
-    let Seen { text, instance } = seen_as(state, &path, &context, cancel);
+    let ShownContext { text, instance } = seen_as(state, &path, &context, cancel);
     let candidates = with_calls(state, &context.candidates);
     let candidates = candidates.iter().filter_map(|(root, distance)| {
-        Some(Candidate {
+        Some(CandidateRoot {
             root: named(state, root).ok()?,
             distance: *distance,
         })
     });
-    Ok(Roots {
+    Ok(FileRoots {
         active: context
             .root
             .as_ref()
@@ -154,12 +154,12 @@ pub fn roots(
 }
 
 /// Roots, those without arguments followed by the calls of launch files.
-fn with_calls(state: &State, candidates: &[(RootChoice, u32)]) -> Vec<(RootChoice, u32)> {
-    let session = state.world.session();
-    let mut found: Vec<(RootChoice, u32)> = Vec::new();
+fn with_calls(state: &ServerState, candidates: &[(RootConfig, u32)]) -> Vec<(RootConfig, u32)> {
+    let session = state.host.session();
+    let mut found: Vec<(RootConfig, u32)> = Vec::new();
     for (root, distance) in candidates {
         found.push((root.clone(), *distance));
-        if root == &RootChoice::plain(&root.file) {
+        if root == &RootConfig::plain(&root.file) {
             found.extend(
                 session
                     .launched_roots(&root.file)
@@ -172,17 +172,17 @@ fn with_calls(state: &State, candidates: &[(RootChoice, u32)]) -> Vec<(RootChoic
 }
 
 pub fn set_root(
-    state: &mut State,
+    state: &mut ServerState,
     params: SetRootParams,
     cancel: &CancelFlag,
-) -> Result<Value, Failure> {
+) -> Result<Value, RequestFailure> {
     let root = params.root.map(|root| chosen(state, root)).transpose()?;
     match &params.text_document {
         Some(document) => {
             let path = state.path(&document.uri);
-            state.world.pick(&path, root);
+            state.host.select(&path, root);
         }
-        None => state.world.pick_all(root),
+        None => state.host.select_all(root),
     }
     context_changed(state, cancel);
     Ok(Value::Null)
@@ -191,10 +191,10 @@ pub fn set_root(
 /// Run the active root of a file with other values of some arguments for as long as the server lives; none:
 /// back to those of the configuration. Answers with what holds then.
 pub fn set_args(
-    state: &mut State,
+    state: &mut ServerState,
     params: SetArgsParams,
     cancel: &CancelFlag,
-) -> Result<Roots, Failure> {
+) -> Result<FileRoots, RequestFailure> {
     let (path, _) = state.source(&params.text_document.uri)?;
     if let Some(args) = params.args {
         let mut root = active_root(state, &path);
@@ -205,12 +205,12 @@ pub fn set_args(
         // all files of the robot are seen with these values
         for open in state.documents.keys().chain([&path]) {
             if state
-                .world
+                .host
                 .context(open)
                 .root
                 .is_some_and(|other| other.file == file)
             {
-                state.world.pick(open, (!taken_back).then(|| root.clone()));
+                state.host.select(open, (!taken_back).then(|| root.clone()));
             }
         }
         context_changed(state, cancel);
@@ -221,18 +221,22 @@ pub fn set_args(
     roots(state, RootsParams { text_document }, cancel)
 }
 
-pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Result<Tree, Failure> {
+pub fn tree(
+    state: &mut ServerState,
+    params: TreeParams,
+    cancel: &CancelFlag,
+) -> Result<RobotTree, RequestFailure> {
     let asked = params.root.as_ref().map(|root| TextDocumentIdentifier {
         uri: root.uri.clone(),
     });
     let Some(document) = params.text_document.or(asked) else {
-        return Err(Failure::Invalid(
+        return Err(RequestFailure::Invalid(
             "missing parameter: pass `root` or `textDocument`".to_owned(),
         ));
     };
     let (_, analyzed) = shown_under(state, &document, params.root, cancel)?;
     let beside = state
-        .world
+        .host
         .session()
         .files_beside(&analyzed.root.file)
         .into_iter();
@@ -244,7 +248,7 @@ pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Resul
             })
         })
         .collect();
-    Ok(Tree {
+    Ok(RobotTree {
         nodes: nodes(state, &analyzed),
         beside,
         problems: errors(state, &analyzed.expansion),
@@ -252,7 +256,7 @@ pub fn tree(state: &mut State, params: TreeParams, cancel: &CancelFlag) -> Resul
 }
 
 /// The links of a robot, each with its joint, roots first.
-fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
+fn nodes(state: &ServerState, analyzed: &RootAnalysis) -> Vec<TreeNode> {
     let (Some(robot), Some(kinematics)) = (&analyzed.robot, &analyzed.kinematics) else {
         return Vec::new();
     };
@@ -270,7 +274,7 @@ fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
             continue;
         }
         let joint = kinematics
-            .up(index)
+            .parent_joints(index)
             .first()
             .and_then(|&joint| robot.joints.get(joint));
         let parent = joint.and_then(|joint| joint.parent.as_ref());
@@ -283,13 +287,17 @@ fn nodes(state: &State, analyzed: &Analyzed) -> Vec<TreeNode> {
             location,
             mass: link.inertial.as_ref().and_then(|inertial| inertial.mass()),
         }));
-        let below = kinematics.down(index).iter().rev();
+        let below = kinematics.child_joints(index).iter().rev();
         open.extend(below.filter_map(|&joint| Some(kinematics.ends(joint)?.1)));
     }
     nodes
 }
 
-fn origin_location(state: &State, analyzed: &Analyzed, origin: Origin) -> Option<Location> {
+fn origin_location(
+    state: &ServerState,
+    analyzed: &RootAnalysis,
+    origin: Origin,
+) -> Option<Location> {
     let place = analyzed.expansion.place(origin)?;
     let file = analyzed.expansion.files.get(place.file)?.source.id;
     location(

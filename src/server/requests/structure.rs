@@ -6,8 +6,8 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
-use crate::state::State;
+use crate::failure::RequestFailure;
+use crate::state::ServerState;
 use base::CancelFlag;
 use base::limits::SYMBOLS;
 use ide::{self, FoldKind, Outline, OutlineKind};
@@ -17,10 +17,10 @@ use xml::Document;
 const NAME: &str = "[^\\s<>/=\"']+";
 
 pub fn symbols(
-    state: &mut State,
+    state: &mut ServerState,
     params: DocumentSymbolParams,
     _: &CancelFlag,
-) -> Result<Option<DocumentSymbolResponse>, Failure> {
+) -> Result<Option<DocumentSymbolResponse>, RequestFailure> {
     let (_, source) = state.source(&params.text_document.uri)?;
     let mut symbols = ide::outline(&source.document);
     symbols.truncate(SYMBOLS);
@@ -43,7 +43,7 @@ pub fn symbols(
 }
 
 #[allow(deprecated)] // the protocol's struct has a deprecated field
-fn document_symbol(state: &State, document: &Document, symbol: Outline) -> DocumentSymbol {
+fn document_symbol(state: &ServerState, document: &Document, symbol: Outline) -> DocumentSymbol {
     let children = symbol
         .children
         .into_iter()
@@ -62,10 +62,10 @@ fn document_symbol(state: &State, document: &Document, symbol: Outline) -> Docum
 }
 
 pub fn folding(
-    state: &mut State,
+    state: &mut ServerState,
     params: FoldingRangeParams,
     _: &CancelFlag,
-) -> Result<Option<Vec<FoldingRange>>, Failure> {
+) -> Result<Option<Vec<FoldingRange>>, RequestFailure> {
     let (_, source) = state.source(&params.text_document.uri)?;
     let fold = |fold: ide::Fold| FoldingRange {
         start_line: fold.start,
@@ -84,10 +84,10 @@ pub fn folding(
 }
 
 pub fn selections(
-    state: &mut State,
+    state: &mut ServerState,
     params: SelectionRangeParams,
     _: &CancelFlag,
-) -> Result<Option<Vec<SelectionRange>>, Failure> {
+) -> Result<Option<Vec<SelectionRange>>, RequestFailure> {
     let (_, source) = state.source(&params.text_document.uri)?;
     let document = &source.document;
     let selection = |position| {
@@ -109,10 +109,10 @@ pub fn selections(
 }
 
 pub fn linked_editing(
-    state: &mut State,
+    state: &mut ServerState,
     params: LinkedEditingRangeParams,
     _: &CancelFlag,
-) -> Result<Option<LinkedEditingRanges>, Failure> {
+) -> Result<Option<LinkedEditingRanges>, RequestFailure> {
     let at = params.text_document_position_params;
     let (_, source) = state.source(&at.text_document.uri)?;
     let document = &source.document;

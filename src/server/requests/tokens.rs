@@ -10,11 +10,11 @@ use lsp_types::{
 };
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::requests::navigation::asked;
-use crate::state::State;
+use crate::state::ServerState;
 use base::{CancelFlag, Encoding, TextRange};
-use ide::{self, Token, TokenKind};
+use ide::{self, HighlightToken, TokenKind};
 
 /// The kinds in the order of their numbers.
 const KINDS: &[(TokenKind, SemanticTokenType)] = &[
@@ -56,10 +56,10 @@ pub(crate) fn offered() -> SemanticTokensOptions {
 }
 
 pub fn tokens(
-    state: &mut State,
+    state: &mut ServerState,
     params: SemanticTokensParams,
     cancel: &CancelFlag,
-) -> Result<Option<SemanticTokensResult>, Failure> {
+) -> Result<Option<SemanticTokensResult>, RequestFailure> {
     let (path, data) = token_data(state, params.text_document, cancel)?;
     let result_id = Some(remember(state, &path, &data));
     Ok(Some(SemanticTokensResult::Tokens(SemanticTokens {
@@ -69,10 +69,10 @@ pub fn tokens(
 }
 
 pub fn tokens_delta(
-    state: &mut State,
+    state: &mut ServerState,
     params: SemanticTokensDeltaParams,
     cancel: &CancelFlag,
-) -> Result<Option<SemanticTokensFullDeltaResult>, Failure> {
+) -> Result<Option<SemanticTokensFullDeltaResult>, RequestFailure> {
     let (path, data) = token_data(state, params.text_document, cancel)?;
     let known = state.sent.tokens.get(&path);
     let known = known.filter(|sent| sent.number.to_string() == params.previous_result_id);
@@ -87,10 +87,10 @@ pub fn tokens_delta(
 }
 
 pub fn tokens_range(
-    state: &mut State,
+    state: &mut ServerState,
     params: SemanticTokensRangeParams,
     cancel: &CancelFlag,
-) -> Result<Option<SemanticTokensRangeResult>, Failure> {
+) -> Result<Option<SemanticTokensRangeResult>, RequestFailure> {
     let (_, source) = state.source(&params.text_document.uri)?;
     let range = convert::text_range(&source.document, params.range, state.encoding);
     let asked = asked(state, &start_of(params.text_document), cancel)?;
@@ -104,10 +104,10 @@ pub fn tokens_range(
 }
 
 fn token_data(
-    state: &mut State,
+    state: &mut ServerState,
     document: TextDocumentIdentifier,
     cancel: &CancelFlag,
-) -> Result<(PathBuf, Vec<SemanticToken>), Failure> {
+) -> Result<(PathBuf, Vec<SemanticToken>), RequestFailure> {
     let asked = asked(state, &start_of(document), cancel)?;
     let tokens = ide::tokens(&asked.cx());
     let data = encoded(&asked.source.document.text(), &tokens, state.encoding);
@@ -115,7 +115,7 @@ fn token_data(
 }
 
 /// Keep what is sent; its name.
-fn remember(state: &mut State, path: &Path, data: &[SemanticToken]) -> String {
+fn remember(state: &mut ServerState, path: &Path, data: &[SemanticToken]) -> String {
     // files that are closed are not asked about again
     let documents = &state.documents;
     state
@@ -137,7 +137,7 @@ pub(crate) fn start_of(text_document: TextDocumentIdentifier) -> TextDocumentPos
 }
 
 /// Pieces as the protocol has them: line by line, each relative to the one in front.
-fn encoded(text: &str, tokens: &[Token], encoding: Encoding) -> Vec<SemanticToken> {
+fn encoded(text: &str, tokens: &[HighlightToken], encoding: Encoding) -> Vec<SemanticToken> {
     let mut out = Vec::new();
     let (mut line, mut line_start, mut next_line) = (0, 0, line_end(text, 0));
     let (mut last_line, mut last_col) = (0, 0);

@@ -2,27 +2,27 @@
 use lsp_types::{Location, SymbolInformation, SymbolKind, WorkspaceSymbolParams};
 
 use crate::convert;
-use crate::failure::Failure;
+use crate::failure::RequestFailure;
 use crate::scanning::scan_all;
-use crate::state::State;
+use crate::state::ServerState;
 use base::CancelFlag;
 use base::limits::WORKSPACE_SYMBOLS;
 use facts::FactKind;
 
 #[allow(deprecated)] // the protocol's struct has a deprecated field
 pub fn workspace_symbols(
-    state: &mut State,
+    state: &mut ServerState,
     params: WorkspaceSymbolParams,
     cancel: &CancelFlag,
-) -> Result<Option<Vec<SymbolInformation>>, Failure> {
+) -> Result<Option<Vec<SymbolInformation>>, RequestFailure> {
     // what was not looked at yet belongs to the answer too
     scan_all(state, cancel)?;
     let mut found: Vec<(u32, SymbolInformation)> = Vec::new();
-    for path in state.world.known_files() {
+    for path in state.host.known_files() {
         if cancel.is_cancelled() {
-            return Err(Failure::Cancelled);
+            return Err(RequestFailure::Cancelled);
         }
-        let (Some(source), Some(uri)) = (state.world.document(&path), state.uri(&path)) else {
+        let (Some(source), Some(uri)) = (state.host.document(&path), state.uri(&path)) else {
             continue;
         };
         let container = path
@@ -49,19 +49,19 @@ pub fn workspace_symbols(
 
 /// The packages in the folders of the workspace.
 #[allow(deprecated)]
-fn packages(state: &State, query: &str) -> Vec<(u32, SymbolInformation)> {
-    let folders = state.world.folders();
+fn packages(state: &ServerState, query: &str) -> Vec<(u32, SymbolInformation)> {
+    let folders = state.host.folders();
     let Some(first) = folders.first() else {
         return Vec::new();
     };
     let entries = state
-        .world
+        .host
         .session()
         .packages
         .all(&first.join("package.xml"))
         .into_iter();
     let own = entries.filter(|entry| folders.iter().any(|folder| entry.path.starts_with(folder)));
-    let symbol = |entry: workspace::Entry| {
+    let symbol = |entry: workspace::PackageEntry| {
         let cost = ide::fit(query, &entry.name)?;
         let uri = state.uri(&entry.path.join("package.xml"))?;
         let symbol = SymbolInformation {

@@ -1,9 +1,9 @@
 //! Single questions about files in memory.
 
-use super::{State, with};
+use super::{ExportState, with};
 
 /// What the functions are about.
-pub(super) type Held = crate::Bench;
+pub(super) type HostState = crate::Bench;
 
 /// Answer the question in the input; the length of the answer.
 #[unsafe(no_mangle)]
@@ -17,8 +17,8 @@ extern "C" fn mesh() -> usize {
     answer(|bench, id| bench.mesh(id))
 }
 
-fn answer(work: impl FnOnce(&mut Held, &str) -> Result<Vec<u8>, String>) -> usize {
-    with(|state: &mut State| {
+fn answer(work: impl FnOnce(&mut HostState, &str) -> Result<Vec<u8>, String>) -> usize {
+    with(|state: &mut ExportState| {
         let question = state.text();
         let answer = work(&mut state.held, &question);
         state.answer(answer)

@@ -11,12 +11,12 @@ use super::with;
 use crate::bench::FOLDER;
 
 /// What the functions are about.
-pub(super) struct Held {
+pub(super) struct HostState {
     vfs: Arc<Vfs>,
     server: Embedded,
 }
 
-impl Default for Held {
+impl Default for HostState {
     fn default() -> Self {
         let cwd = PathBuf::from(FOLDER);
         let limit = Config::default().limits.file_bytes();
@@ -30,7 +30,7 @@ impl Default for Held {
     }
 }
 
-impl Held {
+impl HostState {
     /// Put a file there, or take it away.
     pub(super) fn put(&mut self, path: &str, bytes: Option<Vec<u8>>) {
         self.vfs.put(Path::new(path), bytes);

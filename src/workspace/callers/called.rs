@@ -10,21 +10,23 @@ use super::choices::{Excluded, excluded};
 use super::uses::{Uses, search};
 use super::{Callers, GivenArg};
 use crate::Packages;
-use crate::launch::{self, Call, Context, LaunchFile, calls_in, forget_defaults, included};
+use crate::launch::{
+    self, LaunchCall, LaunchContext, LaunchFile, calls_in, forget_defaults, included,
+};
 use std::sync::Arc;
 
 /// A call, and the description that it names.
 #[derive(Clone, Debug)]
 pub struct RobotCall {
     /// What the launch file says.
-    pub call: Call,
+    pub call: LaunchCall,
     /// The description, whether or not it is there; none where the name or the package is not known, and where the build
     /// makes it from a template.
     pub target: Option<PathBuf>,
 }
 
 /// What the launch files below a folder say.
-pub(super) struct Called {
+pub(super) struct LaunchCalls {
     pub calls: Arc<Vec<RobotCall>>,
     /// The values that choices rule out.
     pub excluded: Arc<Vec<Excluded>>,
@@ -45,7 +47,7 @@ impl Callers {
     }
 
     /// What the launch files below a folder say.
-    pub(super) fn called_below(&self, top: &Path, packages: &Packages) -> Arc<Called> {
+    pub(super) fn called_below(&self, top: &Path, packages: &Packages) -> Arc<LaunchCalls> {
         let uses = self
             .below
             .get(top.to_owned(), || Arc::new(search(&packages.vfs, top)));
@@ -73,19 +75,25 @@ impl Callers {
 }
 
 /// The calls of all launch files, and of those again that others include with further arguments.
-fn all(uses: &Uses, packages: &Packages) -> Called {
+fn all(uses: &Uses, packages: &Packages) -> LaunchCalls {
     let read = |path: &PathBuf| launch::read(path, &packages.vfs.text(path).ok()?.text);
     let files: Vec<LaunchFile> = uses.scripts.iter().filter_map(read).collect();
     let by_path: FastMap<&Path, &LaunchFile> = files
         .iter()
         .map(|file| (file.path.as_path(), file))
         .collect();
-    let mut found: Vec<Call> = Vec::new();
+    let mut found: Vec<LaunchCall> = Vec::new();
     for file in &files {
-        found.extend(calls_in(file, &Context::default()));
+        found.extend(calls_in(file, &LaunchContext::default()));
     }
     for file in &files {
-        through(file, &Context::default(), &by_path, packages, &mut found);
+        through(
+            file,
+            &LaunchContext::default(),
+            &by_path,
+            packages,
+            &mut found,
+        );
     }
     found.truncate(CALLER_CALLS);
     found.sort_by(|a, b| {
@@ -95,7 +103,7 @@ fn all(uses: &Uses, packages: &Packages) -> Called {
         target: target(&call, packages),
         call,
     });
-    Called {
+    LaunchCalls {
         calls: Arc::new(calls.collect()),
         excluded: Arc::new(excluded(&files, &by_path, packages)),
     }
@@ -104,15 +112,15 @@ fn all(uses: &Uses, packages: &Packages) -> Called {
 /// The calls of the files that a launch file includes.
 fn through(
     file: &LaunchFile,
-    context: &Context,
+    context: &LaunchContext,
     by_path: &FastMap<&Path, &LaunchFile>,
     packages: &Packages,
-    found: &mut Vec<Call>,
+    found: &mut Vec<LaunchCall>,
 ) {
     if context.through.len() >= LAUNCH_INCLUDES || found.len() > CALLER_CALLS {
         return;
     }
-    let included: Vec<(Option<&LaunchFile>, Context)> = included(file, context)
+    let included: Vec<(Option<&LaunchFile>, LaunchContext)> = included(file, context)
         .into_iter()
         .map(|(name, context)| {
             let path = name.path(packages, &file.path);
@@ -150,7 +158,7 @@ fn through(
 }
 
 /// The description that a call names, as it is in the source tree; none for one that the build makes from a template.
-pub(super) fn target(call: &Call, packages: &Packages) -> Option<PathBuf> {
+pub(super) fn target(call: &LaunchCall, packages: &Packages) -> Option<PathBuf> {
     let path = call.file.path(packages, &call.caller)?;
     match packages
         .built(&path)

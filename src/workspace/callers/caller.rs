@@ -12,7 +12,7 @@ use base::FastMap;
 pub struct Caller {
     pub(super) path: PathBuf,
     /// The names of the description files, each with the folders that are written in front of it.
-    pub(super) descriptions: FastMap<String, Vec<Written>>,
+    pub(super) descriptions: FastMap<String, Vec<NamePrefix>>,
     /// What further names end with, whose beginnings are computed.
     pub(super) endings: Vec<String>,
     /// Whether whoever calls it names the description.
@@ -35,13 +35,13 @@ pub struct Caller {
 
 /// What is written in front of the name of a description.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Written {
+pub(super) struct NamePrefix {
     /// The package, where the text says it.
     pub(super) package: Option<String>,
     pub(super) folders: PathBuf,
 }
 
-impl Written {
+impl NamePrefix {
     /// How well a file fits: its package first, then its folders, and then whether these are all that it has in its package.
     pub(super) fn fit(&self, file: &Path, packages: &Packages) -> (bool, usize, bool) {
         let folder = file.parent().unwrap_or(file);

@@ -9,7 +9,9 @@ use super::Callers;
 use super::called::target;
 use crate::Packages;
 use crate::config::Axes;
-use crate::launch::{self, Call, Context, LaunchFile, Word, calls_in, values_given};
+use crate::launch::{
+    self, CommandWord, LaunchCall, LaunchContext, LaunchFile, calls_in, values_given,
+};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -55,10 +57,10 @@ impl Callers {
                     if calls > CALLER_CALLS {
                         return axes;
                     }
-                    let value = (declared.name.clone(), Word::plain(choice));
-                    let context = Context {
+                    let value = (declared.name.clone(), CommandWord::plain(choice));
+                    let context = LaunchContext {
                         values: vec![value],
-                        ..Context::default()
+                        ..LaunchContext::default()
                     };
                     add_chosen(&mut axes, &launch_file, &declared.name, &context, |call| {
                         target(call, packages).as_deref() == Some(file)
@@ -120,13 +122,13 @@ fn add_chosen(
     axes: &mut Axes,
     launch_file: &LaunchFile,
     name: &str,
-    context: &Context,
-    is_meant: impl Fn(&Call) -> bool,
+    context: &LaunchContext,
+    is_meant: impl Fn(&LaunchCall) -> bool,
 ) {
     const OTHER: &str = "\u{fffd}";
-    let other = Context {
-        values: vec![(name.to_owned(), Word::plain(OTHER))],
-        ..Context::default()
+    let other = LaunchContext {
+        values: vec![(name.to_owned(), CommandWord::plain(OTHER))],
+        ..LaunchContext::default()
     };
     let others = calls_in(launch_file, &other);
     for call in calls_in(launch_file, context)

@@ -44,10 +44,10 @@ const COMMON: [&str; 10] = [
 ];
 
 /// The folders of the repositories of others below a folder.
-pub(super) type Copies = Vec<PathBuf>;
+pub(super) type CopiedFolders = Vec<PathBuf>;
 
 /// A package, as far as it matters whose it is.
-struct Member {
+struct PackageIdentity {
     name: String,
     folder: PathBuf,
     /// The folder of the repository that it was copied with.
@@ -151,7 +151,12 @@ impl Callers {
 
     /// The texts that lead to a file of a copy, but for includes; none when something that runs names its package, or not all
     /// texts are known.
-    fn users(&self, file: &Path, copies: &Copies, packages: &Packages) -> Option<Vec<PathBuf>> {
+    fn users(
+        &self,
+        file: &Path,
+        copies: &CopiedFolders,
+        packages: &Packages,
+    ) -> Option<Vec<PathBuf>> {
         let mentions = self
             .mentions(file, packages)
             .filter(|mentions| mentions.is_whole)?;
@@ -179,7 +184,7 @@ impl Callers {
     }
 
     /// The copies in the sources around a file.
-    fn copies(&self, file: &Path, packages: &Packages) -> Arc<Copies> {
+    fn copies(&self, file: &Path, packages: &Packages) -> Arc<CopiedFolders> {
         let Some(top) = packages.sources_around(file) else {
             return Arc::default();
         };
@@ -204,7 +209,7 @@ fn is_of_tests(file: &Path, packages: &Packages) -> bool {
 }
 
 /// The folder of the copy that a file lies in.
-fn around<'c>(copies: &'c Copies, file: &Path) -> Option<&'c Path> {
+fn around<'c>(copies: &'c CopiedFolders, file: &Path) -> Option<&'c Path> {
     copies
         .iter()
         .map(PathBuf::as_path)
@@ -218,11 +223,11 @@ fn copied_below(
     top: &Path,
     packages: &Packages,
     uses: impl FnOnce() -> Option<Arc<Uses>>,
-) -> Copies {
+) -> CopiedFolders {
     let member = |(name, folder): (String, PathBuf)| {
         let manifest = packages.vfs.text(&folder.join(MANIFEST));
         let manifest = manifest.as_ref().map_or("", |file| &*file.text);
-        Member {
+        PackageIdentity {
             name,
             copied: copied_with(top, &folder, &packages.vfs),
             folder,
@@ -234,9 +239,9 @@ fn copied_below(
                 .collect(),
         }
     };
-    let mut members: Vec<Member> = packages.below(top).into_iter().map(member).collect();
+    let mut members: Vec<PackageIdentity> = packages.below(top).into_iter().map(member).collect();
     if members.iter().all(|one| one.copied.is_none()) {
-        return Copies::new();
+        return CopiedFolders::new();
     }
     // whoever shares people or names with packages of this repository is no other
     while let Some(folder) = related(&members) {
@@ -245,7 +250,7 @@ fn copied_below(
             .filter(|one| one.copied.as_ref() == Some(&folder));
         own.for_each(|one| one.copied = None);
     }
-    let has_drafts = members.iter().any(Member::is_own_draft);
+    let has_drafts = members.iter().any(PackageIdentity::is_own_draft);
     // a repository that is published as a whole may hold what is released, and what is not yet
     let is_published = !has_drafts && has_mark(&packages.vfs, top);
     let copied = members.iter().filter_map(|one| one.copied.clone());
@@ -267,10 +272,14 @@ fn copied_below(
         })
     };
     let is_workspace = !folders.is_empty() && (has_drafts || uses().is_some_and(has_robots));
-    if is_workspace { folders } else { Copies::new() }
+    if is_workspace {
+        folders
+    } else {
+        CopiedFolders::new()
+    }
 }
 
-impl Member {
+impl PackageIdentity {
     fn is_own_draft(&self) -> bool {
         self.is_draft && self.copied.is_none()
     }
@@ -306,8 +315,8 @@ fn has_mark(vfs: &Vfs, folder: &Path) -> bool {
 
 /// A copy one of whose packages shares people or the first word of its name with one of this repository, or one that it needs: with
 /// the drafts, where there are some.
-fn related(members: &[Member]) -> Option<PathBuf> {
-    let has_drafts = members.iter().any(Member::is_own_draft);
+fn related(members: &[PackageIdentity]) -> Option<PathBuf> {
+    let has_drafts = members.iter().any(PackageIdentity::is_own_draft);
     let own = members
         .iter()
         .filter(|one| one.copied.is_none() && (one.is_draft || !has_drafts));
@@ -319,7 +328,7 @@ fn related(members: &[Member]) -> Option<PathBuf> {
         .filter_map(|one| family(&one.name))
         .chain(needed)
         .collect();
-    let is_related = |one: &&Member| {
+    let is_related = |one: &&PackageIdentity| {
         one.people.iter().any(|person| known.contains(person))
             || family(&one.name).is_some_and(|family| families.contains(family))
     };

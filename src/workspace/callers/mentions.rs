@@ -27,7 +27,7 @@ const STARTERS: [&str; 3] = ["spawner", "load_controller", "switch_controller"];
 
 /// What the texts below a folder say, comments left out.
 #[derive(Default)]
-pub(super) struct Mentions {
+pub(super) struct TextMentions {
     /// The texts that hold the name of a file, each with the package that is written in front of it.
     files: FastMap<String, Vec<(PathBuf, Option<String>)>>,
     /// The texts that hold the name of a package, but for descriptions and what is built.
@@ -68,7 +68,7 @@ impl Callers {
             let own = own.as_ref().map(|package| package.name.as_str());
             package.is_none() || own.is_none() || package == own
         };
-        let is_it = |mentions: Arc<Mentions>| {
+        let is_it = |mentions: Arc<TextMentions>| {
             !mentions.is_whole || mentions.with_packages(file).any(is_its)
         };
         self.mentions(file, packages).is_none_or(is_it)
@@ -81,7 +81,7 @@ impl Callers {
             return false;
         }
         let is_it =
-            |mentions: Arc<Mentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
+            |mentions: Arc<TextMentions>| mentions.is_whole && mentions.runs && !mentions.simulates;
         self.mentions(file, packages).is_some_and(is_it)
     }
 
@@ -119,16 +119,15 @@ impl Callers {
     }
 
     /// What the texts in the sources around a file say.
-    pub(super) fn mentions(&self, file: &Path, packages: &Packages) -> Option<Arc<Mentions>> {
+    pub(super) fn mentions(&self, file: &Path, packages: &Packages) -> Option<Arc<TextMentions>> {
         let top = packages.sources_around(file)?;
-        Some(
-            self.mentions
-                .get(top.clone(), || Arc::new(Mentions::below(&top, packages))),
-        )
+        Some(self.mentions.get(top.clone(), || {
+            Arc::new(TextMentions::below(&top, packages))
+        }))
     }
 }
 
-impl Mentions {
+impl TextMentions {
     fn below(top: &Path, packages: &Packages) -> Self {
         let mut found = Self::default();
         let names: FastSet<String> = packages

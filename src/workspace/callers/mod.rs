@@ -30,17 +30,17 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Packages;
-use super::cache::Cache;
+use super::cache::AnswerCache;
 use file_names::name_of;
 use uses::{Uses, search};
 
 /// The callers below some folders, found when somebody asks for them.
 #[derive(Default)]
 pub struct Callers {
-    below: Cache<PathBuf, Arc<Uses>>,
-    called: Cache<PathBuf, Arc<called::Called>>,
-    copies: Cache<PathBuf, Arc<copied::Copies>>,
-    mentions: Cache<PathBuf, Arc<mentions::Mentions>>,
+    below: AnswerCache<PathBuf, Arc<Uses>>,
+    called: AnswerCache<PathBuf, Arc<called::LaunchCalls>>,
+    copies: AnswerCache<PathBuf, Arc<copied::CopiedFolders>>,
+    mentions: AnswerCache<PathBuf, Arc<mentions::TextMentions>>,
 }
 
 impl Callers {

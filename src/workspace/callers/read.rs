@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use super::caller::{Caller, GivenArg, Written};
+use super::caller::{Caller, GivenArg, NamePrefix};
 use super::config;
 use super::era::era;
 use super::file_names::is_description;
@@ -127,8 +127,8 @@ fn without_line_comment(line: &str) -> &str {
 
 /// The names of descriptions in a text, each with the folders that are written in front of it. What is only installed or
 /// included is not called.
-pub(super) fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<Written>> {
-    let mut found: FastMap<String, Vec<Written>> = FastMap::default();
+pub(super) fn descriptions(name: &str, text: &str) -> FastMap<String, Vec<NamePrefix>> {
+    let mut found: FastMap<String, Vec<NamePrefix>> = FastMap::default();
     for ending in [".xacro", ".urdf", ".URDF"] {
         for (at, _) in text.match_indices(ending) {
             let (before, after) = text.split_at(at + ending.len());
@@ -167,7 +167,7 @@ pub(super) fn package_of(lead: &str) -> Option<String> {
 
 /// The folders that are written in front of a name, as far as they are: `urdf/old` of `$(find arm)/urdf/old/arm.urdf` and
 /// of `join(share, 'urdf', 'old', 'arm.urdf')`; and the package in front of them.
-fn folders_before(lead: &str) -> Written {
+fn folders_before(lead: &str) -> NamePrefix {
     let mut names = Vec::new();
     let mut rest = lead;
     while let Some(before) = rest.strip_suffix('/').or_else(|| before_joined(rest)) {
@@ -178,7 +178,7 @@ fn folders_before(lead: &str) -> Written {
         names.push(name);
         rest = before.strip_suffix(name).unwrap_or("");
     }
-    Written {
+    NamePrefix {
         package: package_before(rest).map(str::to_owned),
         folders: names.into_iter().rev().collect(),
     }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::caller::{Caller, Written};
+use super::caller::{Caller, NamePrefix};
 use super::file_names::{self, name_of};
 use super::walk::walk;
 use super::{config, read};
@@ -41,7 +41,7 @@ impl Uses {
         };
         let own = || packages.containing(file).map(|package| package.name);
         // a text that says another package means no file of this one
-        let may_be = |written: &&Written| {
+        let may_be = |written: &&NamePrefix| {
             let said = written.package.as_ref();
             said.is_none_or(|said| own().is_none_or(|own| own == *said))
         };

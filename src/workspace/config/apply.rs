@@ -5,10 +5,10 @@
 use std::path::PathBuf;
 
 use super::choice::Choice;
-use super::keys::Key;
-use super::settings::Table;
-use super::value::{Entry, Value, ValueKind};
-use super::{Config, ConfigWarning, Mention, MentionKind, Place};
+use super::keys::ConfigKey;
+use super::settings::ConfigTable;
+use super::value::{ConfigEntry, ConfigValue, ValueKind};
+use super::{Config, ConfigLocation, ConfigMention, ConfigMentionKind, ConfigWarning};
 use crate::nearest;
 use base::{TextRange, count_line_ends, last_line_start};
 
@@ -20,7 +20,7 @@ pub(super) struct Applier {
     /// Whether unknown keys are somebody else's.
     pub(super) passes_unknown: bool,
     pub(super) warnings: Vec<ConfigWarning>,
-    mentions: Vec<Mention>,
+    mentions: Vec<ConfigMention>,
 }
 
 impl Applier {
@@ -36,12 +36,12 @@ impl Applier {
         }
     }
 
-    pub(super) fn place(&self, range: TextRange) -> Place {
+    pub(super) fn place(&self, range: TextRange) -> ConfigLocation {
         let before = self.text.get(..range.start as usize).unwrap_or("");
         let line_start = last_line_start(before).unwrap_or(0);
         let column = before.get(line_start..).unwrap_or("").chars().count();
         let column = u32::try_from(column).unwrap_or(u32::MAX - 1) + 1;
-        Place {
+        ConfigLocation {
             path: self.path.clone(),
             range,
             line: count_line_ends(before) + 1,
@@ -61,7 +61,7 @@ impl Applier {
     }
 
     /// Apply all entries to `config`.
-    pub(super) fn config(&mut self, config: &mut Config, entries: &[Entry]) {
+    pub(super) fn config(&mut self, config: &mut Config, entries: &[ConfigEntry]) {
         for entry in self.known(entries, Config::KEYS, "") {
             config.apply(entry, self);
         }
@@ -69,7 +69,7 @@ impl Applier {
     }
 
     /// A list of names, which are noted.
-    pub(super) fn named(&mut self, entry: &Entry, kind: MentionKind) -> Vec<String> {
+    pub(super) fn named(&mut self, entry: &ConfigEntry, kind: ConfigMentionKind) -> Vec<String> {
         let mut names = Vec::new();
         for value in self.values(entry) {
             if let ValueKind::Text(text) = &value.kind {
@@ -83,9 +83,9 @@ impl Applier {
     }
 
     /// Note a name for whoever knows which exist.
-    pub(super) fn mention(&mut self, text: &str, range: TextRange, kind: MentionKind) {
+    pub(super) fn mention(&mut self, text: &str, range: TextRange, kind: ConfigMentionKind) {
         let place = self.place(range);
-        self.mentions.push(Mention {
+        self.mentions.push(ConfigMention {
             kind,
             text: text.to_owned(),
             place,
@@ -97,11 +97,11 @@ impl Applier {
     /// The entries with a known key; the others give a warning.
     pub(super) fn known<'e>(
         &mut self,
-        entries: &'e [Entry],
-        keys: &[Key],
+        entries: &'e [ConfigEntry],
+        keys: &[ConfigKey],
         table: &str,
-    ) -> Vec<&'e Entry> {
-        let (known, unknown): (Vec<&Entry>, Vec<&Entry>) = entries
+    ) -> Vec<&'e ConfigEntry> {
+        let (known, unknown): (Vec<&ConfigEntry>, Vec<&ConfigEntry>) = entries
             .iter()
             .partition(|entry| keys.iter().any(|key| key.name == entry.key));
         let unknown = if self.passes_unknown {
@@ -125,7 +125,7 @@ impl Applier {
         known
     }
 
-    pub(super) fn wrong(&mut self, key: &str, value: &Value, wanted: &str) {
+    pub(super) fn wrong(&mut self, key: &str, value: &ConfigValue, wanted: &str) {
         self.warn(
             value.range,
             format!("`{key}` must be {wanted}, not {}", value.what()),
@@ -134,7 +134,7 @@ impl Applier {
     }
 
     /// The text of a string.
-    pub(super) fn text<'e>(&mut self, entry: &'e Entry) -> Option<&'e str> {
+    pub(super) fn text<'e>(&mut self, entry: &'e ConfigEntry) -> Option<&'e str> {
         if let ValueKind::Text(text) = &entry.value.kind {
             return Some(text);
         }
@@ -142,7 +142,7 @@ impl Applier {
         None
     }
 
-    pub(super) fn values<'e>(&mut self, entry: &'e Entry) -> &'e [Value] {
+    pub(super) fn values<'e>(&mut self, entry: &'e ConfigEntry) -> &'e [ConfigValue] {
         if let ValueKind::List(items) = &entry.value.kind {
             return items;
         }
@@ -150,7 +150,7 @@ impl Applier {
         &[]
     }
 
-    pub(super) fn texts(&mut self, entry: &Entry) -> Vec<String> {
+    pub(super) fn texts(&mut self, entry: &ConfigEntry) -> Vec<String> {
         let mut texts = Vec::new();
         for value in self.values(entry) {
             match &value.kind {
@@ -161,7 +161,7 @@ impl Applier {
         texts
     }
 
-    pub(super) fn flag(&mut self, entry: &Entry) -> Option<bool> {
+    pub(super) fn flag(&mut self, entry: &ConfigEntry) -> Option<bool> {
         if let ValueKind::Bool(value) = entry.value.kind {
             return Some(value);
         }
@@ -169,7 +169,7 @@ impl Applier {
         None
     }
 
-    pub(super) fn table<'e>(&mut self, entry: &'e Entry) -> &'e [Entry] {
+    pub(super) fn table<'e>(&mut self, entry: &'e ConfigEntry) -> &'e [ConfigEntry] {
         if let ValueKind::Table(entries) = &entry.value.kind {
             return entries;
         }
@@ -178,7 +178,7 @@ impl Applier {
     }
 
     /// A whole number within the bounds of its key.
-    pub(super) fn count(&mut self, entry: &Entry, key: &Key) -> Option<u64> {
+    pub(super) fn count(&mut self, entry: &ConfigEntry, key: &ConfigKey) -> Option<u64> {
         let ValueKind::Int(value) = entry.value.kind else {
             self.wrong(&entry.key, &entry.value, "an integer");
             return None;
@@ -205,7 +205,7 @@ impl Applier {
     pub(super) fn word(
         &mut self,
         key: &str,
-        value: &Value,
+        value: &ConfigValue,
         words: &[&'static str],
     ) -> Option<&'static str> {
         let ValueKind::Text(text) = &value.kind else {
@@ -222,7 +222,7 @@ impl Applier {
     }
 
     /// What one of a few words stands for.
-    pub(super) fn choice<T: Choice>(&mut self, key: &str, value: &Value) -> Option<T> {
+    pub(super) fn choice<T: Choice>(&mut self, key: &str, value: &ConfigValue) -> Option<T> {
         self.word(key, value, T::NAMES).and_then(T::named)
     }
 }

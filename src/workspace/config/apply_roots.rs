@@ -1,19 +1,19 @@
 //! `[[roots]]`: entry files, the arguments they are run with, and what is expected of them.
 
-use super::Place;
+use super::ConfigLocation;
 use super::apply::Applier;
 use super::expect::{Expectation, ExpectedJoint};
 use super::keys::{CHOICES, EXPECT, JOINT, ROOTS};
-use super::roots::{Args, Axes, Root};
-use super::value::{Entry, Value, ValueKind};
+use super::roots::{Axes, Root, XacroArgs};
+use super::value::{ConfigEntry, ConfigValue, ValueKind};
 use base::TextRange;
 use base::limits::MATRIX_RUNS;
 
 /// Arguments with the places of their names.
-type Given = Vec<(String, Place)>;
+type LocatedArgs = Vec<(String, ConfigLocation)>;
 
 impl Applier {
-    pub(super) fn roots(&mut self, entry: &Entry) -> Vec<Root> {
+    pub(super) fn roots(&mut self, entry: &ConfigEntry) -> Vec<Root> {
         let mut roots = Vec::new();
         for value in self.values(entry) {
             match &value.kind {
@@ -24,7 +24,7 @@ impl Applier {
         roots
     }
 
-    fn root(&mut self, fields: &[Entry], range: TextRange) -> Option<Root> {
+    fn root(&mut self, fields: &[ConfigEntry], range: TextRange) -> Option<Root> {
         let mut root = Root::new(self.folder.clone(), self.place(range));
         let mut file = None;
         let mut args_at = range;
@@ -76,8 +76,8 @@ impl Applier {
     }
 
     /// Arguments as they would be typed after `name:=`.
-    fn args(&mut self, entry: &Entry, given: &mut Given) -> Args {
-        let mut args = Args::new();
+    fn args(&mut self, entry: &ConfigEntry, given: &mut LocatedArgs) -> XacroArgs {
+        let mut args = XacroArgs::new();
         for field in self.table(entry) {
             let Some(value) = argument(&field.value) else {
                 self.wrong(&field.key, &field.value, "a string, number or boolean");
@@ -90,12 +90,12 @@ impl Applier {
     }
 
     /// The same; each may have several values.
-    fn axes(&mut self, entry: &Entry, given: &mut Given) -> Axes {
+    fn axes(&mut self, entry: &ConfigEntry, given: &mut LocatedArgs) -> Axes {
         let fields = self.table(entry);
         self.axes_of(fields, given)
     }
 
-    fn axes_of(&mut self, fields: &[Entry], given: &mut Given) -> Axes {
+    fn axes_of(&mut self, fields: &[ConfigEntry], given: &mut LocatedArgs) -> Axes {
         const WANTED: &str = "a string, number or boolean, or a list of these";
         let mut axes = Axes::new();
         for field in fields {
@@ -124,7 +124,7 @@ impl Applier {
         axes
     }
 
-    fn excluded(&mut self, entry: &Entry, given: &mut Given) -> Vec<Axes> {
+    fn excluded(&mut self, entry: &ConfigEntry, given: &mut LocatedArgs) -> Vec<Axes> {
         let mut excluded = Vec::new();
         for value in self.values(entry) {
             match &value.kind {
@@ -139,7 +139,7 @@ impl Applier {
 
     // Expectations.
 
-    fn expectations(&mut self, entry: &Entry, given: &mut Given) -> Vec<Expectation> {
+    fn expectations(&mut self, entry: &ConfigEntry, given: &mut LocatedArgs) -> Vec<Expectation> {
         let mut expectations = Vec::new();
         for value in self.values(entry) {
             match &value.kind {
@@ -152,7 +152,12 @@ impl Applier {
         expectations
     }
 
-    fn expectation(&mut self, fields: &[Entry], value: &Value, given: &mut Given) -> Expectation {
+    fn expectation(
+        &mut self,
+        fields: &[ConfigEntry],
+        value: &ConfigValue,
+        given: &mut LocatedArgs,
+    ) -> Expectation {
         let mut expected = Expectation::new(self.place(value.range), value.json());
         for field in self.known(fields, EXPECT, "expect") {
             match field.key.as_str() {
@@ -181,7 +186,7 @@ impl Applier {
         expected
     }
 
-    fn joints(&mut self, entry: &Entry) -> Vec<(String, ExpectedJoint)> {
+    fn joints(&mut self, entry: &ConfigEntry) -> Vec<(String, ExpectedJoint)> {
         let mut joints = Vec::new();
         for field in self.table(entry) {
             let fields = self.table(field);
@@ -205,7 +210,7 @@ impl Applier {
     }
 
     /// Lists of at least two links.
-    fn chains(&mut self, entry: &Entry) -> Vec<Vec<String>> {
+    fn chains(&mut self, entry: &ConfigEntry) -> Vec<Vec<String>> {
         let mut chains = Vec::new();
         for value in self.values(entry) {
             let names = match &value.kind {
@@ -220,14 +225,14 @@ impl Applier {
         chains
     }
 
-    fn lists(&mut self, entry: &Entry) -> Vec<(String, Vec<String>)> {
+    fn lists(&mut self, entry: &ConfigEntry) -> Vec<(String, Vec<String>)> {
         let fields = self.table(entry).iter();
         fields
             .map(|field| (field.key.clone(), self.texts(field)))
             .collect()
     }
 
-    fn number(&mut self, entry: &Entry) -> Option<f64> {
+    fn number(&mut self, entry: &ConfigEntry) -> Option<f64> {
         let number = match entry.value.kind {
             ValueKind::Int(Some(value)) => Some(value as f64),
             ValueKind::Float(value, _) => Some(value),
@@ -240,7 +245,7 @@ impl Applier {
         number
     }
 
-    fn tolerance(&mut self, entry: &Entry) -> Option<f64> {
+    fn tolerance(&mut self, entry: &ConfigEntry) -> Option<f64> {
         let number = self.number(entry)?;
         if number < 0.0 {
             self.warn(
@@ -252,7 +257,7 @@ impl Applier {
         (number >= 0.0).then_some(number)
     }
 
-    fn whole(&mut self, entry: &Entry) -> Option<usize> {
+    fn whole(&mut self, entry: &ConfigEntry) -> Option<usize> {
         let ValueKind::Int(value) = entry.value.kind else {
             self.wrong(&entry.key, &entry.value, "an integer");
             return None;
@@ -270,7 +275,7 @@ impl Applier {
 }
 
 /// An argument as it would be typed after `name:=`.
-fn argument(value: &Value) -> Option<String> {
+fn argument(value: &ConfigValue) -> Option<String> {
     match &value.kind {
         ValueKind::Text(text) => Some(text.clone()),
         ValueKind::Int(Some(value)) => Some(value.to_string()),
@@ -280,7 +285,7 @@ fn argument(value: &Value) -> Option<String> {
     }
 }
 
-fn text(value: &Value) -> Option<String> {
+fn text(value: &ConfigValue) -> Option<String> {
     match &value.kind {
         ValueKind::Text(text) => Some(text.clone()),
         _ => None,

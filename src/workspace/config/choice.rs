@@ -1,6 +1,6 @@
 //! Settings that are one of a few words.
 
-use super::super::packages::Target;
+use super::super::packages::RosVersion;
 
 /// A setting that is one of a few words.
 pub(super) trait Choice: Copy + PartialEq + 'static {
@@ -49,7 +49,7 @@ pub enum Profile {
 /// The severity a rule is set to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[allow(missing_docs)]
-pub enum Level {
+pub enum RuleLevel {
     Off,
     Hint,
     Info,
@@ -66,14 +66,14 @@ pub enum AttributeLayout {
     Auto,
 }
 
-choices!(Target { "ros2" => Ros2, "ros1" => Ros1 });
+choices!(RosVersion { "ros2" => Ros2, "ros1" => Ros1 });
 choices!(Profile {
     "ros-industrial" => RosIndustrial,
     "mobile" => Mobile,
     "gazebo" => Gazebo,
     "pedantic" => Pedantic,
 });
-choices!(Level {
+choices!(RuleLevel {
     "error" => Error,
     "warning" => Warning,
     "info" => Info,
@@ -94,7 +94,7 @@ impl Profile {
     }
 }
 
-impl Level {
+impl RuleLevel {
     /// Its name.
     pub fn name(self) -> &'static str {
         self.word()
@@ -103,18 +103,18 @@ impl Level {
 
 #[cfg(test)]
 mod tests {
-    use super::{Level, Profile};
+    use super::{Profile, RuleLevel};
 
     #[test]
     fn names() {
         let levels = [
-            Level::Off,
-            Level::Hint,
-            Level::Info,
-            Level::Warning,
-            Level::Error,
+            RuleLevel::Off,
+            RuleLevel::Hint,
+            RuleLevel::Info,
+            RuleLevel::Warning,
+            RuleLevel::Error,
         ];
-        let names = levels.map(Level::name);
+        let names = levels.map(RuleLevel::name);
         assert_eq!(names, ["off", "hint", "info", "warning", "error"]);
         assert_eq!(Profile::named("gazebo"), Some(Profile::Gazebo));
         assert_eq!(Profile::RosIndustrial.name(), "ros-industrial");

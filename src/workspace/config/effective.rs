@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::Config;
-use super::keys::{Key, Type};
-use super::settings::Table;
-use super::value::{Entry, ValueKind};
+use super::keys::{ConfigKey, KeyType};
+use super::settings::ConfigTable;
+use super::value::{ConfigEntry, ValueKind};
 
 /// One key of the configuration.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Setting {
+pub struct EffectiveSetting {
     /// The key; of a key in a table, both with a dot between.
     pub key: String,
     /// Its value; null: not set, and without a default.
@@ -22,11 +22,11 @@ pub struct Setting {
 
 impl Config {
     /// All keys in the order of the documentation, without those of the thresholds that are not set.
-    pub fn settings(&self) -> Vec<Setting> {
+    pub fn settings(&self) -> Vec<EffectiveSetting> {
         let mut settings = Vec::new();
         for (key, value) in self.values() {
             match key.of {
-                Type::Keys(keys) => settings.extend(keys.iter().map(|inner| {
+                KeyType::Keys(keys) => settings.extend(keys.iter().map(|inner| {
                     let name = format!("{}.{}", key.name, inner.name);
                     self.setting(name, value.get(inner.name).cloned().unwrap_or_default())
                 })),
@@ -36,9 +36,9 @@ impl Config {
         settings
     }
 
-    fn setting(&self, key: String, value: Value) -> Setting {
+    fn setting(&self, key: String, value: Value) -> EffectiveSetting {
         let origins = self.origins.get(&key).cloned().unwrap_or_default();
-        Setting {
+        EffectiveSetting {
             key,
             value,
             origins,
@@ -46,9 +46,10 @@ impl Config {
     }
 
     /// Remember that a file sets these keys.
-    pub(super) fn note_origins(&mut self, entries: &[Entry], path: &Path) {
+    pub(super) fn note_origins(&mut self, entries: &[ConfigEntry], path: &Path) {
         for entry in entries {
-            let is_table = |key: &Key| key.name == entry.key && matches!(key.of, Type::Keys(_));
+            let is_table =
+                |key: &ConfigKey| key.name == entry.key && matches!(key.of, KeyType::Keys(_));
             let inner = Self::KEYS.iter().any(is_table);
             match &entry.value.kind {
                 ValueKind::Table(fields) if inner => {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::Place;
+use super::ConfigLocation;
 use super::roots::Axes;
 
 /// Tolerance of numbers for which none is given: kg, radians, meters, N m, N, rad/s or m/s.
@@ -12,7 +12,7 @@ pub(super) const TOLERANCE: f64 = 0.001;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expectation {
     /// Where the entry is.
-    pub place: Place,
+    pub place: ConfigLocation,
     /// Its name.
     pub name: Option<String>,
     /// It applies to robots whose arguments have these values.
@@ -53,7 +53,7 @@ pub struct Expectation {
 
 impl Expectation {
     /// An entry that expects nothing.
-    pub(super) fn new(place: Place, written: Value) -> Self {
+    pub(super) fn new(place: ConfigLocation, written: Value) -> Self {
         Self {
             place,
             name: None,

@@ -1,9 +1,9 @@
 //! Files of the configuration: which one counts, and what they take over from each other.
 
-use super::settings::Table;
+use super::settings::ConfigTable;
 use super::tests::load;
-use super::{Config, Level, Loaded, find_config, schema};
-use crate::Target;
+use super::{Config, LoadedConfig, RuleLevel, find_config, schema};
+use crate::RosVersion;
 use vfs::testing::Tree;
 
 #[test]
@@ -19,7 +19,8 @@ fn files_extend_each_other() {
         "extend = '../base/lint.toml'\nselect = ['C']\nignore = ['D']\npackage-path = ['q']\n\
          thresholds = { y = 2 }\n[[roots]]\nfile = 'near.xacro'\n",
     );
-    let Loaded { config, warnings } = Config::for_file(tree.vfs(), &tree.path("ws/src/a/b.xacro"));
+    let LoadedConfig { config, warnings } =
+        Config::for_file(tree.vfs(), &tree.path("ws/src/a/b.xacro"));
     assert!(warnings.is_empty());
     assert_eq!(
         config.files,
@@ -28,7 +29,7 @@ fn files_extend_each_other() {
             tree.path("ws/../base/lint.toml")
         ]
     );
-    assert_eq!(config.target, Target::Ros1);
+    assert_eq!(config.target, RosVersion::Ros1);
     assert_eq!(config.select, Some(vec!["C".to_owned()]));
     assert_eq!(config.ignore, ["B", "D"]);
     assert_eq!(config.urdf_version, ["2"]);
@@ -46,7 +47,7 @@ fn circles_end() {
     let tree = Tree::new();
     tree.write("a.toml", "extend = 'b.toml'\nignore = ['A']");
     tree.write("b.toml", "extend = 'a.toml'\nignore = ['B']");
-    let Loaded { config, warnings } = Config::load(tree.vfs(), &tree.path("a.toml")).unwrap();
+    let LoadedConfig { config, warnings } = Config::load(tree.vfs(), &tree.path("a.toml")).unwrap();
     assert_eq!(config.ignore, ["B", "A"]);
     assert_eq!(warnings.len(), 1);
     for number in 0..30 {
@@ -55,7 +56,7 @@ fn circles_end() {
             &format!("extend = 'c{}.toml'", number + 1),
         );
     }
-    let Loaded { warnings, .. } = Config::load(tree.vfs(), &tree.path("c0.toml")).unwrap();
+    let LoadedConfig { warnings, .. } = Config::load(tree.vfs(), &tree.path("c0.toml")).unwrap();
     assert_eq!(warnings.len(), 1);
 }
 
@@ -112,12 +113,12 @@ fn settings_of_an_editor_win() {
     assert_eq!(warnings, ["`ignore` must be a list, not an integer"]);
     assert_eq!(
         (config.target, config.use_environment),
-        (Target::Ros2, false)
+        (RosVersion::Ros2, false)
     );
     assert_eq!(config.package_path, [tree.path("../other")]);
     assert_eq!(
         (config.severity["unused-property"], config.severity["a"]),
-        (Level::Off, Level::Error)
+        (RuleLevel::Off, RuleLevel::Error)
     );
     assert_eq!(
         (config.format.line_width, config.format.self_close),

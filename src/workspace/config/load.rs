@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::apply::Applier;
-use super::value::{Entry, Value, ValueKind, from_settings, from_toml};
+use super::value::{ConfigEntry, ConfigValue, ValueKind, from_settings, from_toml};
 use super::{Config, ConfigWarning};
 use base::TextRange;
 use base::limits::CONFIG_CHAIN;
@@ -14,7 +14,7 @@ pub const CONFIG_NAMES: [&str; 2] = ["xacro-lint.toml", ".xacro-lint.toml"];
 
 /// A configuration and what in it has no effect.
 #[derive(Clone, Debug, Default)]
-pub struct Loaded {
+pub struct LoadedConfig {
     /// The settings.
     pub config: Config,
     /// What is wrong in the files.
@@ -41,7 +41,7 @@ pub fn find_config(vfs: &Vfs, folder: &Path) -> Option<PathBuf> {
 
 impl Config {
     /// The configuration for `file`: the nearest one upward, else the defaults.
-    pub fn for_file(vfs: &Vfs, file: &Path) -> Loaded {
+    pub fn for_file(vfs: &Vfs, file: &Path) -> LoadedConfig {
         let found = file.parent().and_then(|folder| find_config(vfs, folder));
         found
             .and_then(|path| Self::load(vfs, &path).ok())
@@ -52,8 +52,8 @@ impl Config {
     ///
     /// # Errors
     /// When the file itself cannot be read. One that it extends gives a warning only.
-    pub fn load(vfs: &Vfs, path: &Path) -> Result<Loaded, LoadError> {
-        let mut loaded = Loaded::default();
+    pub fn load(vfs: &Vfs, path: &Path) -> Result<LoadedConfig, LoadError> {
+        let mut loaded = LoadedConfig::default();
         let path = vfs.absolute(path);
         let home = vfs.canonical(path.parent().unwrap_or(Path::new("")));
         load_over(vfs, &path, &home, &mut Vec::new(), &mut loaded)?;
@@ -86,7 +86,7 @@ pub fn argument_places(text: &str, name: &str, admits: impl Fn(&str) -> bool) ->
     let (entries, _) = from_toml(text);
     let mut found = Vec::new();
     for root in tables(&entries, "roots") {
-        let is_file = |entry: &&Entry| entry.key == "file";
+        let is_file = |entry: &&ConfigEntry| entry.key == "file";
         let file = root.iter().find(is_file).map(|entry| &entry.value.kind);
         if matches!(file, Some(ValueKind::Text(file)) if admits(file)) {
             let presets = root.iter().filter(|entry| entry.key == "presets");
@@ -116,7 +116,7 @@ pub fn argument_places(text: &str, name: &str, admits: impl Fn(&str) -> bool) ->
     found
 }
 
-fn fields(value: &Value) -> &[Entry] {
+fn fields(value: &ConfigValue) -> &[ConfigEntry] {
     match &value.kind {
         ValueKind::Table(fields) => fields,
         _ => &[],
@@ -124,7 +124,7 @@ fn fields(value: &Value) -> &[Entry] {
 }
 
 /// The tables of a list.
-fn tables<'a>(entries: &'a [Entry], key: &str) -> Vec<&'a [Entry]> {
+fn tables<'a>(entries: &'a [ConfigEntry], key: &str) -> Vec<&'a [ConfigEntry]> {
     let listed = entries
         .iter()
         .filter(|entry| entry.key == key)
@@ -177,7 +177,7 @@ pub fn unknown_settings(settings: &serde_json::Value) -> Vec<String> {
 }
 
 /// The two keys that have another name in editors.
-fn rename(entries: &mut Vec<Entry>) {
+fn rename(entries: &mut Vec<ConfigEntry>) {
     let mut rules = Vec::new();
     for entry in entries.iter_mut() {
         if entry.key == "package-paths" {
@@ -199,7 +199,7 @@ fn load_over(
     path: &Path,
     home: &Path,
     chain: &mut Vec<PathBuf>,
-    loaded: &mut Loaded,
+    loaded: &mut LoadedConfig,
 ) -> Result<(), LoadError> {
     let file = vfs.text(path)?;
     let folder = path.parent().unwrap_or(Path::new("")).to_owned();

@@ -7,30 +7,30 @@ use serde_json::{Map, Value as Json, json};
 
 use super::apply::Applier;
 use super::choice::Choice;
-use super::keys::Key;
+use super::keys::ConfigKey;
 use super::pattern::Pattern;
-use super::roots::{Args, Axes, Root};
-use super::value::{Entry, ValueKind};
-use super::{Level, MentionKind};
+use super::roots::{Axes, Root, XacroArgs};
+use super::value::{ConfigEntry, ValueKind};
+use super::{ConfigMentionKind, RuleLevel};
 
 /// What a key does with its setting, of type `T`.
 pub(super) trait Merge<T> {
     /// Take the value of an entry over; what does not fit is a warning.
-    fn merge(setting: &mut T, entry: &Entry, key: &Key, applier: &mut Applier);
+    fn merge(setting: &mut T, entry: &ConfigEntry, key: &ConfigKey, applier: &mut Applier);
 
     /// The setting as JSON; null: not set, and without a default.
     fn json(setting: &T) -> Json;
 }
 
 /// A value that is read as a whole.
-pub(super) trait Whole: Sized {
-    fn read(entry: &Entry, key: &Key, applier: &mut Applier) -> Option<Self>;
+pub(super) trait WholeValue: Sized {
+    fn read(entry: &ConfigEntry, key: &ConfigKey, applier: &mut Applier) -> Option<Self>;
 
     fn json(&self) -> Json;
 }
 
-impl Whole for bool {
-    fn read(entry: &Entry, _: &Key, applier: &mut Applier) -> Option<Self> {
+impl WholeValue for bool {
+    fn read(entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) -> Option<Self> {
         applier.flag(entry)
     }
 
@@ -39,8 +39,8 @@ impl Whole for bool {
     }
 }
 
-impl Whole for u64 {
-    fn read(entry: &Entry, key: &Key, applier: &mut Applier) -> Option<Self> {
+impl WholeValue for u64 {
+    fn read(entry: &ConfigEntry, key: &ConfigKey, applier: &mut Applier) -> Option<Self> {
         applier.count(entry, key)
     }
 
@@ -49,8 +49,8 @@ impl Whole for u64 {
     }
 }
 
-impl Whole for u32 {
-    fn read(entry: &Entry, key: &Key, applier: &mut Applier) -> Option<Self> {
+impl WholeValue for u32 {
+    fn read(entry: &ConfigEntry, key: &ConfigKey, applier: &mut Applier) -> Option<Self> {
         let count = applier.count(entry, key)?;
         Some(Self::try_from(count).unwrap_or(Self::MAX))
     }
@@ -60,8 +60,8 @@ impl Whole for u32 {
     }
 }
 
-impl Whole for Vec<String> {
-    fn read(entry: &Entry, _: &Key, applier: &mut Applier) -> Option<Self> {
+impl WholeValue for Vec<String> {
+    fn read(entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) -> Option<Self> {
         let texts = applier.texts(entry);
         matches!(entry.value.kind, ValueKind::List(_)).then_some(texts)
     }
@@ -71,8 +71,8 @@ impl Whole for Vec<String> {
     }
 }
 
-impl<T: Choice> Whole for T {
-    fn read(entry: &Entry, _: &Key, applier: &mut Applier) -> Option<Self> {
+impl<T: Choice> WholeValue for T {
+    fn read(entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) -> Option<Self> {
         applier.choice(&entry.key, &entry.value)
     }
 
@@ -84,8 +84,8 @@ impl<T: Choice> Whole for T {
 /// The value replaces the one before.
 pub(super) struct Replace;
 
-impl<T: Whole> Merge<T> for Replace {
-    fn merge(setting: &mut T, entry: &Entry, key: &Key, applier: &mut Applier) {
+impl<T: WholeValue> Merge<T> for Replace {
+    fn merge(setting: &mut T, entry: &ConfigEntry, key: &ConfigKey, applier: &mut Applier) {
         if let Some(value) = T::read(entry, key, applier) {
             *setting = value;
         }
@@ -100,7 +100,12 @@ impl<T: Whole> Merge<T> for Replace {
 pub(super) struct ReaderVersion;
 
 impl Merge<Option<String>> for ReaderVersion {
-    fn merge(setting: &mut Option<String>, entry: &Entry, key: &Key, applier: &mut Applier) {
+    fn merge(
+        setting: &mut Option<String>,
+        entry: &ConfigEntry,
+        key: &ConfigKey,
+        applier: &mut Applier,
+    ) {
         let text = applier.text(entry);
         *setting = text.filter(|text| is_version(text)).map(str::to_owned);
         if let Some(text) = text.filter(|text| !is_version(text)) {
@@ -125,7 +130,7 @@ fn is_version(text: &str) -> bool {
 pub(super) struct Add;
 
 impl Merge<Vec<String>> for Add {
-    fn merge(setting: &mut Vec<String>, entry: &Entry, _: &Key, applier: &mut Applier) {
+    fn merge(setting: &mut Vec<String>, entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) {
         setting.extend(applier.texts(entry));
     }
 
@@ -138,7 +143,12 @@ impl Merge<Vec<String>> for Add {
 pub(super) struct AddWords;
 
 impl Merge<Vec<String>> for AddWords {
-    fn merge(setting: &mut Vec<String>, entry: &Entry, key: &Key, applier: &mut Applier) {
+    fn merge(
+        setting: &mut Vec<String>,
+        entry: &ConfigEntry,
+        key: &ConfigKey,
+        applier: &mut Applier,
+    ) {
         for value in applier.values(entry) {
             let word = applier.word(&entry.key, value, key.words());
             let word = word.map(str::to_owned);
@@ -152,7 +162,7 @@ impl Merge<Vec<String>> for AddWords {
 }
 
 impl<T: Choice> Merge<Vec<T>> for AddWords {
-    fn merge(setting: &mut Vec<T>, entry: &Entry, _: &Key, applier: &mut Applier) {
+    fn merge(setting: &mut Vec<T>, entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) {
         for value in applier.values(entry) {
             let choice = applier.choice(&entry.key, value);
             setting.extend(choice.filter(|choice| !setting.contains(choice)));
@@ -168,8 +178,13 @@ impl<T: Choice> Merge<Vec<T>> for AddWords {
 pub(super) struct ReplaceRules;
 
 impl Merge<Option<Vec<String>>> for ReplaceRules {
-    fn merge(setting: &mut Option<Vec<String>>, entry: &Entry, _: &Key, applier: &mut Applier) {
-        *setting = Some(applier.named(entry, MentionKind::Rule));
+    fn merge(
+        setting: &mut Option<Vec<String>>,
+        entry: &ConfigEntry,
+        _: &ConfigKey,
+        applier: &mut Applier,
+    ) {
+        *setting = Some(applier.named(entry, ConfigMentionKind::Rule));
     }
 
     fn json(setting: &Option<Vec<String>>) -> Json {
@@ -181,8 +196,8 @@ impl Merge<Option<Vec<String>>> for ReplaceRules {
 pub(super) struct AddRules;
 
 impl Merge<Vec<String>> for AddRules {
-    fn merge(setting: &mut Vec<String>, entry: &Entry, _: &Key, applier: &mut Applier) {
-        setting.extend(applier.named(entry, MentionKind::Rule));
+    fn merge(setting: &mut Vec<String>, entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) {
+        setting.extend(applier.named(entry, ConfigMentionKind::Rule));
     }
 
     fn json(setting: &Vec<String>) -> Json {
@@ -193,17 +208,22 @@ impl Merge<Vec<String>> for AddRules {
 /// Severities by rule; the entry of a rule replaces the one before.
 pub(super) struct BySeverity;
 
-impl Merge<BTreeMap<String, Level>> for BySeverity {
-    fn merge(setting: &mut BTreeMap<String, Level>, entry: &Entry, _: &Key, applier: &mut Applier) {
+impl Merge<BTreeMap<String, RuleLevel>> for BySeverity {
+    fn merge(
+        setting: &mut BTreeMap<String, RuleLevel>,
+        entry: &ConfigEntry,
+        _: &ConfigKey,
+        applier: &mut Applier,
+    ) {
         for field in applier.table(entry) {
-            applier.mention(&field.key, field.key_range, MentionKind::Rule);
+            applier.mention(&field.key, field.key_range, ConfigMentionKind::Rule);
             if let Some(level) = applier.choice(&field.key, &field.value) {
                 setting.insert(field.key.clone(), level);
             }
         }
     }
 
-    fn json(setting: &BTreeMap<String, Level>) -> Json {
+    fn json(setting: &BTreeMap<String, RuleLevel>) -> Json {
         let levels = setting.iter();
         object(levels.map(|(rule, level)| (rule.clone(), json!(level.word()))))
     }
@@ -215,12 +235,12 @@ pub(super) struct AddIgnores;
 impl Merge<Vec<(Pattern, Vec<String>)>> for AddIgnores {
     fn merge(
         setting: &mut Vec<(Pattern, Vec<String>)>,
-        entry: &Entry,
-        _: &Key,
+        entry: &ConfigEntry,
+        _: &ConfigKey,
         applier: &mut Applier,
     ) {
         for field in applier.table(entry) {
-            let rules = applier.named(field, MentionKind::Rule);
+            let rules = applier.named(field, ConfigMentionKind::Rule);
             setting.push((Pattern::new(&field.key, &applier.folder), rules));
         }
     }
@@ -235,7 +255,12 @@ impl Merge<Vec<(Pattern, Vec<String>)>> for AddIgnores {
 pub(super) struct AddGlobs;
 
 impl Merge<Vec<Pattern>> for AddGlobs {
-    fn merge(setting: &mut Vec<Pattern>, entry: &Entry, _: &Key, applier: &mut Applier) {
+    fn merge(
+        setting: &mut Vec<Pattern>,
+        entry: &ConfigEntry,
+        _: &ConfigKey,
+        applier: &mut Applier,
+    ) {
         let globs = applier.texts(entry);
         setting.extend(globs.iter().map(|text| Pattern::new(text, &applier.folder)));
     }
@@ -249,8 +274,13 @@ impl Merge<Vec<Pattern>> for AddGlobs {
 pub(super) struct PutFolders;
 
 impl Merge<Vec<PathBuf>> for PutFolders {
-    fn merge(setting: &mut Vec<PathBuf>, entry: &Entry, _: &Key, applier: &mut Applier) {
-        let folders = applier.named(entry, MentionKind::Folder);
+    fn merge(
+        setting: &mut Vec<PathBuf>,
+        entry: &ConfigEntry,
+        _: &ConfigKey,
+        applier: &mut Applier,
+    ) {
+        let folders = applier.named(entry, ConfigMentionKind::Folder);
         let folders: Vec<PathBuf> = folders
             .into_iter()
             .map(|folder| applier.folder.join(folder))
@@ -267,9 +297,14 @@ impl Merge<Vec<PathBuf>> for PutFolders {
 pub(super) struct Thresholds;
 
 impl Merge<BTreeMap<String, f64>> for Thresholds {
-    fn merge(setting: &mut BTreeMap<String, f64>, entry: &Entry, _: &Key, applier: &mut Applier) {
+    fn merge(
+        setting: &mut BTreeMap<String, f64>,
+        entry: &ConfigEntry,
+        _: &ConfigKey,
+        applier: &mut Applier,
+    ) {
         for field in applier.table(entry) {
-            applier.mention(&field.key, field.key_range, MentionKind::Threshold);
+            applier.mention(&field.key, field.key_range, ConfigMentionKind::Threshold);
             match field.value.kind {
                 ValueKind::Int(Some(value)) => {
                     setting.insert(field.key.clone(), value as f64);
@@ -292,7 +327,7 @@ impl Merge<BTreeMap<String, f64>> for Thresholds {
 pub(super) struct PutRoots;
 
 impl Merge<Vec<Root>> for PutRoots {
-    fn merge(setting: &mut Vec<Root>, entry: &Entry, _: &Key, applier: &mut Applier) {
+    fn merge(setting: &mut Vec<Root>, entry: &ConfigEntry, _: &ConfigKey, applier: &mut Applier) {
         let roots = applier.roots(entry);
         setting.splice(0..0, roots);
     }
@@ -311,7 +346,7 @@ fn shown(path: &Path) -> Json {
 }
 
 fn root(root: &Root) -> Json {
-    let args = |args: &Args| {
+    let args = |args: &XacroArgs| {
         object(
             args.iter()
                 .map(|(name, value)| (name.clone(), json!(value))),

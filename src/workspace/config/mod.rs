@@ -6,6 +6,7 @@
 mod apply;
 mod apply_roots;
 mod choice;
+mod cursor;
 mod effective;
 mod expect;
 #[cfg(test)]
@@ -14,7 +15,6 @@ mod keys;
 mod load;
 mod merge;
 mod pattern;
-mod place;
 mod roots;
 mod schema;
 mod settings;
@@ -26,23 +26,23 @@ mod wanted;
 use std::fmt;
 use std::path::PathBuf;
 
-pub use choice::{AttributeLayout, Level, Profile};
-pub use effective::Setting;
+pub use choice::{AttributeLayout, Profile, RuleLevel};
+pub use cursor::{ConfigCursor, ConfigCursorKind, is_bare, place_at};
+pub use effective::EffectiveSetting;
 pub use expect::{Expectation, ExpectedJoint};
 pub use keys::CONSUMERS;
-pub use load::{CONFIG_NAMES, Loaded, argument_places, find_config, unknown_settings};
+pub use load::{CONFIG_NAMES, LoadedConfig, argument_places, find_config, unknown_settings};
 pub use pattern::Pattern;
-pub use place::{ConfigPlace, PlaceKind, is_bare, place_at};
-pub use roots::{Args, Axes, Root, Variant, files_named};
+pub use roots::{Axes, Root, Variant, XacroArgs, files_named};
 pub use schema::schema;
 pub use settings::{Config, Format, Limits};
-pub use wanted::{Wanted, doc, wanted};
+pub use wanted::{ExpectedValue, doc, wanted};
 
 use base::TextRange;
 
 /// A place in a configuration file, or in the settings of an editor.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct ConfigLocation {
     /// The file; empty for editor settings.
     pub path: PathBuf,
     /// Bytes of the file.
@@ -55,18 +55,18 @@ pub struct Place {
 
 /// A name whose meaning is outside of the configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mention {
+pub struct ConfigMention {
     /// What it names.
-    pub kind: MentionKind,
+    pub kind: ConfigMentionKind,
     /// The name, as it is written.
     pub text: String,
     /// Where it stands.
-    pub place: Place,
+    pub place: ConfigLocation,
 }
 
 /// What a name in a configuration names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MentionKind {
+pub enum ConfigMentionKind {
     /// Rules, by code, prefix or name.
     Rule,
     /// A threshold of a rule.
@@ -79,7 +79,7 @@ pub enum MentionKind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConfigWarning {
     /// Where it stands.
-    pub place: Place,
+    pub place: ConfigLocation,
     /// What is wrong.
     pub message: String,
     /// What may have been meant.
@@ -88,7 +88,7 @@ pub struct ConfigWarning {
 
 impl fmt::Display for ConfigWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Place {
+        let ConfigLocation {
             path, line, column, ..
         } = &self.place;
         if !path.as_os_str().is_empty() {

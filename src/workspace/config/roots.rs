@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Place;
+use super::ConfigLocation;
 use super::expect::Expectation;
 use super::pattern::{Pattern, is_pattern};
 use base::limits::MATRIX_RUNS;
 use vfs::Vfs;
 
 /// Names and values of xacro arguments, in order.
-pub type Args = Vec<(String, String)>;
+pub type XacroArgs = Vec<(String, String)>;
 
 /// Names of xacro arguments, each with the values it takes, in order.
 pub type Axes = Vec<(String, Vec<String>)>;
@@ -28,13 +28,13 @@ pub struct Root {
     /// Whether arguments also take the values that launch files declare as choices.
     pub launch_choices: bool,
     /// Named sets of arguments, in order.
-    pub presets: Vec<(String, Args)>,
+    pub presets: Vec<(String, XacroArgs)>,
     /// What is expected of the robots.
     pub expect: Vec<Expectation>,
     /// Where the entry stands.
-    pub place: Place,
+    pub place: ConfigLocation,
     /// Where arguments are given, with their names: those of every run, and those of the presets.
-    pub given: Vec<(String, Place)>,
+    pub given: Vec<(String, ConfigLocation)>,
 }
 
 /// One run of a root.
@@ -43,7 +43,7 @@ pub struct Variant {
     /// The name of the preset; `None` for the run with the plain arguments.
     pub preset: Option<String>,
     /// All arguments.
-    pub args: Args,
+    pub args: XacroArgs,
 }
 
 impl Variant {
@@ -73,7 +73,7 @@ pub fn files_named(name: &str, folder: &Path, vfs: &Vfs) -> Vec<PathBuf> {
 
 impl Root {
     /// An entry without arguments.
-    pub(super) fn new(folder: PathBuf, place: Place) -> Self {
+    pub(super) fn new(folder: PathBuf, place: ConfigLocation) -> Self {
         Self {
             file: String::new(),
             folder,
@@ -100,7 +100,7 @@ impl Root {
             .sets(choices)
             .into_iter()
             .flat_map(|(preset, args, axes)| {
-                let with = move |mut combined: Args| {
+                let with = move |mut combined: XacroArgs| {
                     combined.extend(args.iter().cloned());
                     Variant {
                         preset: preset.clone(),
@@ -126,14 +126,14 @@ impl Root {
     }
 
     /// Sets of runs: the preset, its arguments, and all others with their values.
-    fn sets(&self, choices: &Axes) -> Vec<(Option<String>, Args, Axes)> {
+    fn sets(&self, choices: &Axes) -> Vec<(Option<String>, XacroArgs, Axes)> {
         let mut axes = self.args.clone();
         let is_new = |(name, values): &&(String, Vec<String>)| {
             !values.is_empty() && self.args.iter().all(|(own, _)| own != name)
         };
         axes.extend(choices.iter().filter(is_new).cloned());
         let plain = self.presets.is_empty() || !axes.is_empty();
-        let plain = plain.then(|| (None, Args::new(), axes.clone()));
+        let plain = plain.then(|| (None, XacroArgs::new(), axes.clone()));
         let presets = self.presets.iter().map(|(name, args)| {
             let mut others = axes.clone();
             others.retain(|(arg, _)| args.iter().all(|(own, _)| own != arg));
@@ -144,13 +144,13 @@ impl Root {
 }
 
 /// The first combinations of values; the last argument changes fastest.
-fn products(axes: Axes) -> impl Iterator<Item = Args> {
+fn products(axes: Axes) -> impl Iterator<Item = XacroArgs> {
     let total = axes.iter().fold(1, |count: usize, (_, values)| {
         count.saturating_mul(values.len())
     });
     (0..total.min(MATRIX_RUNS)).map(move |number| {
         let mut rest = number;
-        let mut args: Args = Vec::with_capacity(axes.len());
+        let mut args: XacroArgs = Vec::with_capacity(axes.len());
         for (name, values) in axes.iter().rev() {
             let value = values
                 .get(rest % values.len().max(1))

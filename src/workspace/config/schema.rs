@@ -3,8 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use super::Config;
-use super::keys::{Key, Type};
-use super::settings::Table;
+use super::keys::{ConfigKey, KeyType};
+use super::settings::ConfigTable;
 
 /// A JSON schema (draft 7) that completes and checks `xacro-lint.toml` in editors.
 pub fn schema() -> Value {
@@ -19,7 +19,7 @@ pub fn schema() -> Value {
     schema
 }
 
-fn table(keys: &[Key]) -> Value {
+fn table(keys: &[ConfigKey]) -> Value {
     let properties: Map<String, Value> = keys
         .iter()
         .map(|key| {
@@ -33,27 +33,27 @@ fn table(keys: &[Key]) -> Value {
     json!({ "type": "object", "additionalProperties": false, "properties": properties })
 }
 
-fn type_schema(of: Type) -> Value {
+fn type_schema(of: KeyType) -> Value {
     match of {
-        Type::Text => json!({ "type": "string" }),
-        Type::Choice(choices) => json!({ "type": "string", "enum": choices }),
-        Type::Texts => json!({ "type": "array", "items": { "type": "string" } }),
-        Type::Choices(choices) => {
+        KeyType::Text => json!({ "type": "string" }),
+        KeyType::Choice(choices) => json!({ "type": "string", "enum": choices }),
+        KeyType::Texts => json!({ "type": "array", "items": { "type": "string" } }),
+        KeyType::Choices(choices) => {
             json!({ "type": "array", "items": { "type": "string", "enum": choices } })
         }
-        Type::Bool => json!({ "type": "boolean" }),
-        Type::Count(u64::MAX) => json!({ "type": "integer", "minimum": 1 }),
-        Type::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
-        Type::Keys(keys) => table(keys),
-        Type::Tables(keys) => json!({ "type": "array", "items": table(keys) }),
-        Type::Map(of) => json!({ "type": "object", "additionalProperties": type_schema(*of) }),
-        Type::Number => json!({ "type": "number" }),
-        Type::Argument => json!({ "type": ["string", "number", "boolean"] }),
-        Type::Arguments => {
-            let one = type_schema(Type::Argument);
+        KeyType::Bool => json!({ "type": "boolean" }),
+        KeyType::Count(u64::MAX) => json!({ "type": "integer", "minimum": 1 }),
+        KeyType::Count(most) => json!({ "type": "integer", "minimum": 1, "maximum": most }),
+        KeyType::Keys(keys) => table(keys),
+        KeyType::Tables(keys) => json!({ "type": "array", "items": table(keys) }),
+        KeyType::Map(of) => json!({ "type": "object", "additionalProperties": type_schema(*of) }),
+        KeyType::Number => json!({ "type": "number" }),
+        KeyType::Argument => json!({ "type": ["string", "number", "boolean"] }),
+        KeyType::Arguments => {
+            let one = type_schema(KeyType::Argument);
             json!({ "anyOf": [one, { "type": "array", "items": one }] })
         }
-        Type::List(of) => json!({ "type": "array", "items": type_schema(*of) }),
-        Type::Whole => json!({ "type": "integer", "minimum": 0 }),
+        KeyType::List(of) => json!({ "type": "array", "items": type_schema(*of) }),
+        KeyType::Whole => json!({ "type": "integer", "minimum": 0 }),
     }
 }

@@ -6,38 +6,38 @@ use std::path::PathBuf;
 
 use serde_json::Value as Json;
 
-use super::super::packages::Target;
-use super::Mention;
+use super::super::packages::RosVersion;
+use super::ConfigMention;
 use super::apply::Applier;
-use super::choice::{AttributeLayout, Choice, Level, Profile};
-use super::keys::{CONSUMERS, Key, ROOTS, Type, key};
+use super::choice::{AttributeLayout, Choice, Profile, RuleLevel};
+use super::keys::{CONSUMERS, ConfigKey, KeyType, ROOTS, key};
 use super::merge::{
     Add, AddGlobs, AddIgnores, AddRules, AddWords, BySeverity, Merge, PutFolders, PutRoots,
     ReaderVersion, Replace, ReplaceRules, Thresholds,
 };
 use super::pattern::Pattern;
 use super::roots::Root;
-use super::value::Entry;
+use super::value::ConfigEntry;
 use base::limits;
 use base::limits::FILE_MB_MOST;
 
 /// A table of settings.
-pub(super) trait Table: Sized {
+pub(super) trait ConfigTable: Sized {
     /// Its keys, in the order of the documentation.
-    const KEYS: &'static [Key];
+    const KEYS: &'static [ConfigKey];
 
     /// Take the value of one entry over.
-    fn apply(&mut self, entry: &Entry, applier: &mut Applier);
+    fn apply(&mut self, entry: &ConfigEntry, applier: &mut Applier);
 
     /// The settings by key, in the same order.
-    fn values(&self) -> Vec<(&'static Key, Json)>;
+    fn values(&self) -> Vec<(&'static ConfigKey, Json)>;
 }
 
 /// A table in the configuration: its entries replace those before, one by one.
 pub(super) struct Inner;
 
-impl<T: Table> Merge<T> for Inner {
-    fn merge(setting: &mut T, entry: &Entry, key: &Key, applier: &mut Applier) {
+impl<T: ConfigTable> Merge<T> for Inner {
+    fn merge(setting: &mut T, entry: &ConfigEntry, key: &ConfigKey, applier: &mut Applier) {
         let fields = applier.table(entry);
         for field in applier.known(fields, T::KEYS, key.name) {
             setting.apply(field, applier);
@@ -78,13 +78,13 @@ macro_rules! settings {
             }
         }
 
-        impl Table for $name {
-            const KEYS: &'static [Key] = &[
+        impl ConfigTable for $name {
+            const KEYS: &'static [ConfigKey] = &[
                 $(key($other, $other_of, $other_help),)*
                 $(key($key, $of, $help),)*
             ];
 
-            fn apply(&mut self, entry: &Entry, applier: &mut Applier) {
+            fn apply(&mut self, entry: &ConfigEntry, applier: &mut Applier) {
                 let Some(key) = Self::KEYS.iter().find(|key| key.name == entry.key) else {
                     return;
                 };
@@ -94,7 +94,7 @@ macro_rules! settings {
                 }
             }
 
-            fn values(&self) -> Vec<(&'static Key, Json)> {
+            fn values(&self) -> Vec<(&'static ConfigKey, Json)> {
                 let values = [$(($key, <$how as Merge<$type>>::json(&self.$field))),*];
                 let keyed = values.into_iter().filter_map(|(name, value)| {
                     Some((Self::KEYS.iter().find(|key| key.name == name)?, value))
@@ -109,53 +109,53 @@ settings! {
     /// All settings, with their defaults filled in.
     #[derive(Clone, Debug)]
     pub struct Config {
-        "target": Type::Choice(Target::NAMES) => target: Target = Target::Ros2, Replace,
+        "target": KeyType::Choice(RosVersion::NAMES) => target: RosVersion = RosVersion::Ros2, Replace,
             "Dialect of xacro and package conventions; default `ros2`.";
-        "urdf-version": Type::Texts => urdf_version: Vec<String> = vec!["1.0".to_owned()], Replace,
+        "urdf-version": KeyType::Texts => urdf_version: Vec<String> = vec!["1.0".to_owned()], Replace,
             "Supported URDF versions; default `1.0`.";
-        "consumers": Type::Choices(CONSUMERS) => consumers: Vec<String> = Vec::new(), AddWords,
+        "consumers": KeyType::Choices(CONSUMERS) => consumers: Vec<String> = Vec::new(), AddWords,
             "Programs that have to load the robots.";
-        "oldest-reader": Type::Text => oldest_reader: Option<String> = None, ReaderVersion,
+        "oldest-reader": KeyType::Text => oldest_reader: Option<String> = None, ReaderVersion,
             "Oldest version of urdfdom that has to load the robots, such as `3.0`; default: the newest.";
-        "profile": Type::Choices(Profile::NAMES) => profiles: Vec<Profile> = Vec::new(), AddWords,
+        "profile": KeyType::Choices(Profile::NAMES) => profiles: Vec<Profile> = Vec::new(), AddWords,
             "Profiles whose rules are enabled.";
-        "select": Type::Texts => select: Option<Vec<String>> = None, ReplaceRules,
+        "select": KeyType::Texts => select: Option<Vec<String>> = None, ReplaceRules,
             "Run only these rules (codes, code prefixes or names).";
-        "extend-select": Type::Texts => extend_select: Vec<String> = Vec::new(), AddRules,
+        "extend-select": KeyType::Texts => extend_select: Vec<String> = Vec::new(), AddRules,
             "Run these rules in addition (codes, code prefixes or names).";
-        "ignore": Type::Texts => ignore: Vec<String> = Vec::new(), AddRules,
+        "ignore": KeyType::Texts => ignore: Vec<String> = Vec::new(), AddRules,
             "Do not run these rules (codes, code prefixes or names).";
-        "severity": Type::Map(&Type::Choice(Level::NAMES)) => severity: BTreeMap<String, Level> = BTreeMap::new(), BySeverity,
+        "severity": KeyType::Map(&KeyType::Choice(RuleLevel::NAMES)) => severity: BTreeMap<String, RuleLevel> = BTreeMap::new(), BySeverity,
             "Severity per rule.";
-        "per-file-ignores": Type::Map(&Type::Texts) => per_file_ignores: Vec<(Pattern, Vec<String>)> = Vec::new(), AddIgnores,
+        "per-file-ignores": KeyType::Map(&KeyType::Texts) => per_file_ignores: Vec<(Pattern, Vec<String>)> = Vec::new(), AddIgnores,
             "Rules not to run, per file glob.";
-        "exclude": Type::Texts => exclude: Vec<Pattern> = Vec::new(), AddGlobs,
+        "exclude": KeyType::Texts => exclude: Vec<Pattern> = Vec::new(), AddGlobs,
             "Globs of files and folders to exclude from checks.";
-        "package-path": Type::Texts => package_path: Vec<PathBuf> = Vec::new(), PutFolders,
+        "package-path": KeyType::Texts => package_path: Vec<PathBuf> = Vec::new(), PutFolders,
             "Folders to search for packages first.";
-        "use-environment": Type::Bool => use_environment: bool = true, Replace,
+        "use-environment": KeyType::Bool => use_environment: bool = true, Replace,
             "Use AMENT_PREFIX_PATH, COLCON_PREFIX_PATH and ROS_PACKAGE_PATH; default true.";
-        "thresholds": Type::Map(&Type::Number) => thresholds: BTreeMap<String, f64> = BTreeMap::new(), Thresholds,
+        "thresholds": KeyType::Map(&KeyType::Number) => thresholds: BTreeMap<String, f64> = BTreeMap::new(), Thresholds,
             "Thresholds of rules; the unit is in the name.";
-        "allow-elements": Type::Texts => allow_elements: Vec<String> = Vec::new(), Add,
+        "allow-elements": KeyType::Texts => allow_elements: Vec<String> = Vec::new(), Add,
             "Additional known elements.";
-        "allow-attributes": Type::Texts => allow_attributes: Vec<String> = Vec::new(), Add,
+        "allow-attributes": KeyType::Texts => allow_attributes: Vec<String> = Vec::new(), Add,
             "Additional known attributes.";
-        "roots": Type::Tables(ROOTS) => roots: Vec<Root> = Vec::new(), PutRoots,
+        "roots": KeyType::Tables(ROOTS) => roots: Vec<Root> = Vec::new(), PutRoots,
             "Root files and their arguments.";
-        "format": Type::Keys(Format::KEYS) => format: Format = Format::default(), Inner,
+        "format": KeyType::Keys(Format::KEYS) => format: Format = Format::default(), Inner,
             "Formatting.";
-        "limits": Type::Keys(Limits::KEYS) => limits: Limits = Limits::default(), Inner,
+        "limits": KeyType::Keys(Limits::KEYS) => limits: Limits = Limits::default(), Inner,
             "Limits for one expansion.";
     }
     read elsewhere {
-        "extend": Type::Text, "Configuration file to extend; settings in this file take precedence.";
+        "extend": KeyType::Text, "Configuration file to extend; settings in this file take precedence.";
     }
     besides {
         /// The files it was read from, the nearest first; none when all are defaults.
         files: Vec<PathBuf>,
         /// The names of rules and thresholds in the file, for whoever knows which exist.
-        mentions: Vec<Mention>,
+        mentions: Vec<ConfigMention>,
         /// By key: the files that set it, the nearest last.
         origins: BTreeMap<String, Vec<PathBuf>>,
     }
@@ -165,11 +165,11 @@ settings! {
     /// How files are formatted.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct Format {
-        "line-width": Type::Count(10_000) => line_width: u32 = 120, Replace,
+        "line-width": KeyType::Count(10_000) => line_width: u32 = 120, Replace,
             "Maximum line length for wrapping; default 120.";
-        "attributes": Type::Choice(AttributeLayout::NAMES) => attributes: AttributeLayout = AttributeLayout::Keep, Replace,
+        "attributes": KeyType::Choice(AttributeLayout::NAMES) => attributes: AttributeLayout = AttributeLayout::Keep, Replace,
             "Keep (`keep`) or re-wrap (`auto`) line breaks between attributes.";
-        "self-close": Type::Bool => self_close: bool = false, Replace,
+        "self-close": KeyType::Bool => self_close: bool = false, Replace,
             "Write `<a></a>` as `<a/>`; default false.";
     }
     read elsewhere {}
@@ -180,17 +180,17 @@ settings! {
     /// Budgets of one expansion.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct Limits {
-        "eval-steps": Type::Count(u64::MAX) => eval_steps: u64 = limits::EVAL_STEPS, Replace,
+        "eval-steps": KeyType::Count(u64::MAX) => eval_steps: u64 = limits::EVAL_STEPS, Replace,
             "Maximum number of steps to evaluate one expression; default 1000000.";
-        "expand-nodes": Type::Count(u64::MAX) => expand_nodes: u64 = limits::EXPAND_NODES, Replace,
+        "expand-nodes": KeyType::Count(u64::MAX) => expand_nodes: u64 = limits::EXPAND_NODES, Replace,
             "Maximum number of nodes of the expanded robot; default 500000.";
-        "expand-ms": Type::Count(u64::MAX) => expand_ms: u64 = limits::EXPAND_MS, Replace,
+        "expand-ms": KeyType::Count(u64::MAX) => expand_ms: u64 = limits::EXPAND_MS, Replace,
             "Maximum time for one expansion in milliseconds; default 5000.";
-        "file-mb": Type::Count(FILE_MB_MOST) => file_mb: u64 = limits::FILE_MB, Replace,
+        "file-mb": KeyType::Count(FILE_MB_MOST) => file_mb: u64 = limits::FILE_MB, Replace,
             "Maximum file size in megabytes; default 20.";
-        "macro-depth": Type::Count(10_000) => macro_depth: u32 = limits::MACRO_DEPTH, Replace,
+        "macro-depth": KeyType::Count(10_000) => macro_depth: u32 = limits::MACRO_DEPTH, Replace,
             "Maximum nesting depth of macro calls; default 1000.";
-        "include-depth": Type::Count(10_000) => include_depth: u32 = limits::INCLUDE_DEPTH, Replace,
+        "include-depth": KeyType::Count(10_000) => include_depth: u32 = limits::INCLUDE_DEPTH, Replace,
             "Maximum nesting depth of includes; default 500.";
     }
     read elsewhere {}

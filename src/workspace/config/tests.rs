@@ -1,14 +1,14 @@
 use std::path::PathBuf;
 
-use super::{AttributeLayout, Config, Level, Limits, Loaded, MentionKind, Profile};
-use crate::Target;
+use super::{AttributeLayout, Config, ConfigMentionKind, Limits, LoadedConfig, Profile, RuleLevel};
+use crate::RosVersion;
 use vfs::testing::Tree;
 
 /// The configuration of `text`, and its warnings without the folder.
 pub(super) fn load(text: &str) -> (Tree, Config, Vec<String>) {
     let tree = Tree::new();
     tree.write("xacro-lint.toml", text);
-    let Loaded { config, warnings } =
+    let LoadedConfig { config, warnings } =
         Config::load(tree.vfs(), &tree.path("xacro-lint.toml")).unwrap();
     let prefix = format!("{}/", tree.root().display());
     let warnings = warnings
@@ -83,7 +83,7 @@ include-depth = 6
     );
     assert_eq!(warnings, [""; 0]);
     assert_eq!(config.files, [tree.path("xacro-lint.toml")]);
-    assert_eq!(config.target, Target::Ros1);
+    assert_eq!(config.target, RosVersion::Ros1);
     assert_eq!(config.urdf_version, ["1.0", "1.1"]);
     assert_eq!(config.profiles, [Profile::Mobile, Profile::Pedantic]);
     assert_eq!(
@@ -104,8 +104,8 @@ include-depth = 6
         ),
         ("my_sensor", "my_unit")
     );
-    assert_eq!(config.severity["GEO007"], Level::Off);
-    assert_eq!(config.severity["unused-property"], Level::Hint);
+    assert_eq!(config.severity["GEO007"], RuleLevel::Off);
+    assert_eq!(config.severity["unused-property"], RuleLevel::Hint);
     assert!(
         config.per_file_ignores[0]
             .0
@@ -158,7 +158,7 @@ include-depth = 6
         config
             .mentions
             .iter()
-            .filter(|mention| mention.kind == MentionKind::Threshold)
+            .filter(|mention| mention.kind == ConfigMentionKind::Threshold)
             .count(),
         2
     );
@@ -516,5 +516,8 @@ fn a_syntax_error_does_not_lose_the_rest() {
             .all(|warning| warning.starts_with("xacro-lint.toml:")),
         "{warnings:?}"
     );
-    assert_eq!((config.target, config.limits.file_mb), (Target::Ros1, 7));
+    assert_eq!(
+        (config.target, config.limits.file_mb),
+        (RosVersion::Ros1, 7)
+    );
 }

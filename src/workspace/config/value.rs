@@ -7,7 +7,7 @@ use base::TextRange;
 
 /// A value and where it stands.
 #[derive(Clone, Debug)]
-pub(super) struct Value {
+pub(super) struct ConfigValue {
     pub(super) kind: ValueKind,
     pub(super) range: TextRange,
 }
@@ -21,21 +21,21 @@ pub(super) enum ValueKind {
     /// A number and its text.
     Float(f64, String),
     Bool(bool),
-    List(Vec<Value>),
-    Table(Vec<Entry>),
+    List(Vec<ConfigValue>),
+    Table(Vec<ConfigEntry>),
     /// A date, or the `null` of JSON.
     Other(&'static str),
 }
 
 /// A key and its value.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
+pub(super) struct ConfigEntry {
     pub(super) key: String,
     pub(super) key_range: TextRange,
-    pub(super) value: Value,
+    pub(super) value: ConfigValue,
 }
 
-impl Value {
+impl ConfigValue {
     /// What it is, with article.
     pub(super) fn what(&self) -> &'static str {
         match self.kind {
@@ -50,7 +50,7 @@ impl Value {
     }
 }
 
-impl Value {
+impl ConfigValue {
     /// The value as JSON has it.
     pub(super) fn json(&self) -> serde_json::Value {
         match &self.kind {
@@ -76,7 +76,7 @@ fn text_range(range: std::ops::Range<usize>) -> TextRange {
 }
 
 /// The table of a TOML text and what is wrong with it.
-pub(super) fn from_toml(text: &str) -> (Vec<Entry>, Vec<(String, TextRange)>) {
+pub(super) fn from_toml(text: &str) -> (Vec<ConfigEntry>, Vec<(String, TextRange)>) {
     let (table, errors) = DeTable::parse_recoverable(text);
     let errors = errors.iter().map(|error| {
         let range = error.span().map(text_range).unwrap_or_default();
@@ -89,10 +89,10 @@ pub(super) fn from_toml(text: &str) -> (Vec<Entry>, Vec<(String, TextRange)>) {
 }
 
 /// The entries of a table, in order of the text.
-fn entries(table: &DeTable<'_>) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = table
+fn entries(table: &DeTable<'_>) -> Vec<ConfigEntry> {
+    let mut entries: Vec<ConfigEntry> = table
         .iter()
-        .map(|(key, value)| Entry {
+        .map(|(key, value)| ConfigEntry {
             key: key.get_ref().to_string(),
             key_range: text_range(key.span()),
             value: toml_value(value),
@@ -102,7 +102,7 @@ fn entries(table: &DeTable<'_>) -> Vec<Entry> {
     entries
 }
 
-fn toml_value(value: &Spanned<DeValue<'_>>) -> Value {
+fn toml_value(value: &Spanned<DeValue<'_>>) -> ConfigValue {
     let kind = match value.get_ref() {
         DeValue::String(text) => ValueKind::Text(text.to_string()),
         DeValue::Integer(digits) => {
@@ -117,7 +117,7 @@ fn toml_value(value: &Spanned<DeValue<'_>>) -> Value {
         DeValue::Array(items) => ValueKind::List(items.iter().map(toml_value).collect()),
         DeValue::Table(table) => ValueKind::Table(entries(table)),
     };
-    Value {
+    ConfigValue {
         kind,
         range: text_range(value.span()),
     }
@@ -125,7 +125,7 @@ fn toml_value(value: &Spanned<DeValue<'_>>) -> Value {
 
 /// The settings of an editor in the form of the file: `format.lineWidth` and `{format: {lineWidth}}`
 /// become `line-width` in the table `format`. Keys below `free` are names of the user and stay.
-pub(super) fn from_settings(settings: &serde_json::Value, free: &[&str]) -> Vec<Entry> {
+pub(super) fn from_settings(settings: &serde_json::Value, free: &[&str]) -> Vec<ConfigEntry> {
     let mut entries = Vec::new();
     for (key, value) in settings.as_object().into_iter().flatten() {
         let mut parts = key.split('.').map(kebab_case);
@@ -134,7 +134,7 @@ pub(super) fn from_settings(settings: &serde_json::Value, free: &[&str]) -> Vec<
         let is_free = free.contains(&first.as_str());
         let mut value = json_value(value, is_free);
         for key in rest.into_iter().rev() {
-            value = Value {
+            value = ConfigValue {
                 kind: ValueKind::Table(vec![entry(key, value)]),
                 range: TextRange::default(),
             };
@@ -144,8 +144,8 @@ pub(super) fn from_settings(settings: &serde_json::Value, free: &[&str]) -> Vec<
     entries
 }
 
-fn entry(key: String, value: Value) -> Entry {
-    Entry {
+fn entry(key: String, value: ConfigValue) -> ConfigEntry {
+    ConfigEntry {
         key,
         key_range: TextRange::default(),
         value,
@@ -153,7 +153,7 @@ fn entry(key: String, value: Value) -> Entry {
 }
 
 /// Add an entry; the tables of equal keys become one.
-fn insert(entries: &mut Vec<Entry>, new: Entry) {
+fn insert(entries: &mut Vec<ConfigEntry>, new: ConfigEntry) {
     let same = entries.iter_mut().find(|entry| entry.key == new.key);
     match (same.map(|entry| &mut entry.value.kind), new.value.kind) {
         (Some(ValueKind::Table(old)), ValueKind::Table(more)) => {
@@ -162,14 +162,14 @@ fn insert(entries: &mut Vec<Entry>, new: Entry) {
             }
         }
         (Some(old), kind) => *old = kind,
-        (None, kind) => entries.push(Entry {
-            value: Value { kind, ..new.value },
+        (None, kind) => entries.push(ConfigEntry {
+            value: ConfigValue { kind, ..new.value },
             ..new
         }),
     }
 }
 
-fn json_value(value: &serde_json::Value, keep_keys: bool) -> Value {
+fn json_value(value: &serde_json::Value, keep_keys: bool) -> ConfigValue {
     use serde_json::Value as Json;
     let kind = match value {
         Json::Null => ValueKind::Other("null"),
@@ -200,7 +200,7 @@ fn json_value(value: &serde_json::Value, keep_keys: bool) -> Value {
             ValueKind::Table(fields.collect())
         }
     };
-    Value {
+    ConfigValue {
         kind,
         range: TextRange::default(),
     }

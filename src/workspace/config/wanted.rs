@@ -1,13 +1,13 @@
 //! What the table of keys has for a place in a configuration file.
 
 use super::Config;
-use super::keys::{Key, Type};
-use super::place::{ConfigPlace, PlaceKind};
-use super::settings::Table;
+use super::cursor::{ConfigCursor, ConfigCursorKind};
+use super::keys::{ConfigKey, KeyType};
+use super::settings::ConfigTable;
 
 /// What may stand at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Wanted {
+pub enum ExpectedValue {
     /// One of these keys, each with what it says.
     Keys(Vec<(&'static str, &'static str)>),
     /// One of these strings.
@@ -19,34 +19,38 @@ pub enum Wanted {
 }
 
 /// What may stand at a place; `None` where nothing may.
-pub fn wanted(place: &ConfigPlace) -> Option<Wanted> {
+pub fn wanted(place: &ConfigCursor) -> Option<ExpectedValue> {
     let of = type_at(&place.path)?;
     match place.kind {
-        PlaceKind::Key | PlaceKind::Header { .. } => {
+        ConfigCursorKind::Key | ConfigCursorKind::Header { .. } => {
             let keys = match of {
-                Type::Keys(keys) | Type::Tables(keys) => keys,
-                Type::Map(_) => return Some(Wanted::Free),
-                Type::List(Type::Map(_)) => return Some(Wanted::Free),
+                KeyType::Keys(keys) | KeyType::Tables(keys) => keys,
+                KeyType::Map(_) => return Some(ExpectedValue::Free),
+                KeyType::List(KeyType::Map(_)) => return Some(ExpectedValue::Free),
                 _ => return None,
             };
-            let is_header = |key: &&Key| match place.kind {
-                PlaceKind::Header { is_list } => has_header(key.of, is_list),
+            let is_header = |key: &&ConfigKey| match place.kind {
+                ConfigCursorKind::Header { is_list } => has_header(key.of, is_list),
                 _ => true,
             };
-            Some(Wanted::Keys(
+            Some(ExpectedValue::Keys(
                 keys.iter()
                     .filter(is_header)
                     .map(|key| (key.name, key.doc))
                     .collect(),
             ))
         }
-        PlaceKind::Value { in_list } => match (of, in_list) {
-            (Type::Choice(words), false) | (Type::Choices(words), true) => {
-                Some(Wanted::Words(words))
+        ConfigCursorKind::Value { in_list } => match (of, in_list) {
+            (KeyType::Choice(words), false) | (KeyType::Choices(words), true) => {
+                Some(ExpectedValue::Words(words))
             }
-            (Type::Bool, false) => Some(Wanted::Bool),
-            (Type::Text | Type::Argument | Type::Arguments, false) => Some(Wanted::Free),
-            (Type::Texts | Type::Arguments | Type::List(Type::Texts), true) => Some(Wanted::Free),
+            (KeyType::Bool, false) => Some(ExpectedValue::Bool),
+            (KeyType::Text | KeyType::Argument | KeyType::Arguments, false) => {
+                Some(ExpectedValue::Free)
+            }
+            (KeyType::Texts | KeyType::Arguments | KeyType::List(KeyType::Texts), true) => {
+                Some(ExpectedValue::Free)
+            }
             _ => None,
         },
     }
@@ -56,32 +60,32 @@ pub fn wanted(place: &ConfigPlace) -> Option<Wanted> {
 pub fn doc(path: &[String]) -> Option<&'static str> {
     let (name, above) = path.split_last()?;
     let keys = match type_at(above)? {
-        Type::Keys(keys) | Type::Tables(keys) => keys,
+        KeyType::Keys(keys) | KeyType::Tables(keys) => keys,
         _ => return None,
     };
     Some(keys.iter().find(|key| key.name == name)?.doc)
 }
 
 /// Whether a key has a table with this kind of header.
-fn has_header(of: Type, is_list: bool) -> bool {
+fn has_header(of: KeyType, is_list: bool) -> bool {
     match of {
         // the header of a list of tables leads on to the tables in these
-        Type::Tables(_) => true,
-        Type::Keys(_) | Type::Map(_) => !is_list,
-        Type::List(of) => is_list && matches!(of, Type::Map(_)),
+        KeyType::Tables(_) => true,
+        KeyType::Keys(_) | KeyType::Map(_) => !is_list,
+        KeyType::List(of) => is_list && matches!(of, KeyType::Map(_)),
         _ => false,
     }
 }
 
 /// The type of what keys lead to.
-fn type_at(path: &[String]) -> Option<Type> {
+fn type_at(path: &[String]) -> Option<KeyType> {
     path.iter()
-        .try_fold(Type::Keys(Config::KEYS), |of, name| match of {
-            Type::Keys(keys) | Type::Tables(keys) => {
+        .try_fold(KeyType::Keys(Config::KEYS), |of, name| match of {
+            KeyType::Keys(keys) | KeyType::Tables(keys) => {
                 Some(keys.iter().find(|key| key.name == name)?.of)
             }
-            Type::Map(of) => Some(*of),
-            Type::List(Type::Map(of)) => Some(**of),
+            KeyType::Map(of) => Some(*of),
+            KeyType::List(KeyType::Map(of)) => Some(**of),
             _ => None,
         })
 }

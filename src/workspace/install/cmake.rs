@@ -3,8 +3,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::commands::{Argument, Command, commands};
-use super::{Build, Source, stem, tidy};
+use super::commands::{CMakeArgument, CMakeCommand, commands};
+use super::{Build, InstallSource, stem, tidy};
 use base::FastMap;
 use base::limits::{BUILD_BYTES, BUILD_DEPTH, GLOB_ENTRIES};
 use vfs::Vfs;
@@ -40,7 +40,7 @@ const KEYWORDS: [&str; 18] = [
 /// Read the build file of a folder into `build`.
 pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
     let (left, entries) = (BUILD_BYTES, GLOB_ENTRIES);
-    let mut reader = Reader {
+    let mut reader = CMakeReader {
         vfs,
         build,
         variables: FastMap::default(),
@@ -79,9 +79,9 @@ pub(super) fn project(text: &str) -> Option<String> {
 }
 
 /// An argument with its variables replaced; none when one of them is not known.
-type Word = Option<String>;
+type CMakeWord = Option<String>;
 
-struct Reader<'a> {
+struct CMakeReader<'a> {
     vfs: &'a Vfs,
     build: &'a mut Build,
     variables: FastMap<String, String>,
@@ -93,12 +93,12 @@ struct Reader<'a> {
 
 /// The file that is read.
 #[derive(Clone, Copy)]
-struct Here<'a> {
+struct CMakeFile<'a> {
     folder: &'a Path,
     depth: u32,
 }
 
-impl Reader<'_> {
+impl CMakeReader<'_> {
     fn set(&mut self, name: &str, value: String) {
         self.variables.insert(name.to_owned(), value);
     }
@@ -112,7 +112,7 @@ impl Reader<'_> {
         self.set("CMAKE_CURRENT_SOURCE_DIR", text(folder));
         self.set("CMAKE_CURRENT_LIST_DIR", text(folder));
         self.set("CMAKE_CURRENT_BINARY_DIR", text(&build_folder(folder)));
-        self.file(&folder.join(CMAKE_LISTS), Here { folder, depth });
+        self.file(&folder.join(CMAKE_LISTS), CMakeFile { folder, depth });
         if let (Some(source), Some(build)) = outer {
             self.set("CMAKE_CURRENT_LIST_DIR", source.clone());
             self.set("CMAKE_CURRENT_SOURCE_DIR", source);
@@ -120,7 +120,7 @@ impl Reader<'_> {
         }
     }
 
-    fn add(&mut self, to: PathBuf, source: Source) {
+    fn add(&mut self, to: PathBuf, source: InstallSource) {
         /// Of so many bytes of arguments, one rule: what is installed is searched once for each missing file.
         const PRICE: u32 = 20;
         if self.left >= PRICE {
@@ -133,7 +133,7 @@ impl Reader<'_> {
         self.variables.get("CMAKE_CURRENT_BINARY_DIR").cloned()
     }
 
-    fn file(&mut self, path: &Path, here: Here<'_>) {
+    fn file(&mut self, path: &Path, here: CMakeFile<'_>) {
         if here.depth > BUILD_DEPTH || self.build.files.len() > BUILD_DEPTH as usize * 10 {
             return;
         }
@@ -143,7 +143,7 @@ impl Reader<'_> {
         }
     }
 
-    fn run(&mut self, commands: &[Command], here: Here<'_>) {
+    fn run(&mut self, commands: &[CMakeCommand], here: CMakeFile<'_>) {
         let mut rest = commands;
         while let Some((command, behind)) = rest.split_first() {
             rest = match command.name.as_str() {
@@ -163,9 +163,9 @@ impl Reader<'_> {
         }
     }
 
-    fn repeat(&mut self, command: &Command, body: &[Command], here: Here<'_>) {
+    fn repeat(&mut self, command: &CMakeCommand, body: &[CMakeCommand], here: CMakeFile<'_>) {
         let words = self.words(&command.arguments);
-        let here = Here {
+        let here = CMakeFile {
             depth: here.depth + 1,
             ..here
         };
@@ -191,14 +191,14 @@ impl Reader<'_> {
         }
     }
 
-    fn once(&mut self, name: &str, item: &str, body: &[Command], here: Here<'_>) {
+    fn once(&mut self, name: &str, item: &str, body: &[CMakeCommand], here: CMakeFile<'_>) {
         if self.left > 0 {
             self.set(name, item.to_owned());
             self.run(body, here);
         }
     }
 
-    fn command(&mut self, command: &Command, here: Here<'_>) {
+    fn command(&mut self, command: &CMakeCommand, here: CMakeFile<'_>) {
         if self.left == 0 {
             return;
         }
@@ -232,7 +232,7 @@ impl Reader<'_> {
                     let path = tidy(&here.folder.join(file));
                     self.file(
                         &path,
-                        Here {
+                        CMakeFile {
                             depth: here.depth + 1,
                             ..here
                         },
@@ -248,7 +248,7 @@ impl Reader<'_> {
     }
 
     /// Remember the files that a command names which may make them: it installs and tests nothing.
-    fn names(&mut self, command: &Command) {
+    fn names(&mut self, command: &CMakeCommand) {
         if ["install", "configure_file", "test"]
             .iter()
             .any(|word| command.name.contains(word))
@@ -262,7 +262,7 @@ impl Reader<'_> {
         self.build.named.extend(files.filter_map(stem));
     }
 
-    fn project(&mut self, words: &[Word]) {
+    fn project(&mut self, words: &[CMakeWord]) {
         let Some(Some(name)) = words.first() else {
             return;
         };
@@ -278,11 +278,12 @@ impl Reader<'_> {
         self.set("CATKIN_PACKAGE_SHARE_DESTINATION", format!("share/{name}"));
     }
 
-    fn assign(&mut self, words: &[Word]) {
+    fn assign(&mut self, words: &[CMakeWord]) {
         let Some((Some(name), values)) = words.split_first() else {
             return;
         };
-        let is_value = |word: &&Word| !matches!(word.as_deref(), Some("CACHE" | "PARENT_SCOPE"));
+        let is_value =
+            |word: &&CMakeWord| !matches!(word.as_deref(), Some("CACHE" | "PARENT_SCOPE"));
         let values: Option<Vec<String>> = values.iter().take_while(is_value).cloned().collect();
         match values {
             Some(values) => self.set(name, values.join(";")),
@@ -290,7 +291,7 @@ impl Reader<'_> {
         }
     }
 
-    fn append(&mut self, words: &[Word]) {
+    fn append(&mut self, words: &[CMakeWord]) {
         let [Some(mode), Some(name), values @ ..] = words else {
             return;
         };
@@ -303,7 +304,7 @@ impl Reader<'_> {
         }
     }
 
-    fn file_command(&mut self, words: &[Word], here: Here<'_>) {
+    fn file_command(&mut self, words: &[CMakeWord], here: CMakeFile<'_>) {
         match words {
             [Some(mode), rest @ ..] if mode == "COPY" || mode == "INSTALL" => {
                 self.placed(rest, here, false)
@@ -316,7 +317,7 @@ impl Reader<'_> {
         }
     }
 
-    fn globbed(&mut self, words: &[Word], here: Here<'_>) -> Vec<String> {
+    fn globbed(&mut self, words: &[CMakeWord], here: CMakeFile<'_>) -> Vec<String> {
         let mut words = words.iter().flatten();
         let (mut found, mut base) = (Vec::new(), None);
         while let Some(word) = words.next() {
@@ -342,16 +343,19 @@ impl Reader<'_> {
     }
 
     /// `configure_file(template target)`
-    fn configured(&mut self, words: &[Word], here: Here<'_>) {
+    fn configured(&mut self, words: &[CMakeWord], here: CMakeFile<'_>) {
         let [Some(template), Some(target), ..] = words else {
             return;
         };
         let target = in_tree(&build_folder(here.folder), target);
-        self.add(target, Source::Template(in_tree(here.folder, template)));
+        self.add(
+            target,
+            InstallSource::Template(in_tree(here.folder, template)),
+        );
     }
 
     /// `xacro_add_files([TARGET t] a.urdf.xacro [OUTPUT name] [INSTALL [DESTINATION folder]])`
-    fn expanded(&mut self, words: &[Word], here: Here<'_>) {
+    fn expanded(&mut self, words: &[CMakeWord], here: CMakeFile<'_>) {
         let (mut sources, mut output, mut destination, mut is_installed) =
             (Vec::new(), None, None, false);
         let mut words = words.iter().flatten().map(String::as_str).peekable();
@@ -374,7 +378,10 @@ impl Reader<'_> {
                 output.unwrap_or_else(|| source.strip_suffix(".xacro").unwrap_or(source)),
             );
             let made = tidy(&build_folder(here.folder).join(&output));
-            self.add(made.clone(), Source::Template(in_tree(here.folder, source)));
+            self.add(
+                made.clone(),
+                InstallSource::Template(in_tree(here.folder, source)),
+            );
             let Some(project) = self.variables.get("PROJECT_NAME").filter(|_| is_installed) else {
                 continue;
             };
@@ -385,13 +392,13 @@ impl Reader<'_> {
             let to = Path::new("share").join(project).join(folder);
             self.add(
                 tidy(&to.join(output.file_name().unwrap_or_default())),
-                Source::Path(made),
+                InstallSource::Path(made),
             );
         }
     }
 
     /// `a b/ DESTINATION d`
-    fn placed(&mut self, words: &[Word], here: Here<'_>, is_install: bool) {
+    fn placed(&mut self, words: &[CMakeWord], here: CMakeFile<'_>, is_install: bool) {
         let Some(Some(destination)) = after(words, "DESTINATION") else {
             self.build.is_opaque |= after(words, "DESTINATION").is_some();
             return;
@@ -402,7 +409,7 @@ impl Reader<'_> {
         };
         let renamed = after(words, "RENAME").cloned().flatten();
         let is_source =
-            |word: &&Word| !word.as_deref().is_some_and(|word| KEYWORDS.contains(&word));
+            |word: &&CMakeWord| !word.as_deref().is_some_and(|word| KEYWORDS.contains(&word));
         for word in words.iter().take_while(is_source) {
             let Some(source) = word else {
                 self.build.is_opaque = true;
@@ -414,12 +421,12 @@ impl Reader<'_> {
                 Some(name) if !source.ends_with('/') && source != "." => to.join(name),
                 _ => to.clone(),
             };
-            self.add(to, Source::Path(path));
+            self.add(to, InstallSource::Path(path));
         }
     }
 
     /// `ament_auto_package(INSTALL_TO_SHARE a b)`
-    fn auto_package(&mut self, words: &[Word], here: Here<'_>) {
+    fn auto_package(&mut self, words: &[CMakeWord], here: CMakeFile<'_>) {
         let Some(project) = self.variables.get("PROJECT_NAME").cloned() else {
             return;
         };
@@ -437,11 +444,11 @@ impl Reader<'_> {
             let to = path
                 .file_name()
                 .map_or_else(|| to.clone(), |name| to.join(name));
-            self.add(to, Source::Path(path));
+            self.add(to, InstallSource::Path(path));
         }
     }
 
-    fn words(&mut self, arguments: &[Argument]) -> Vec<Word> {
+    fn words(&mut self, arguments: &[CMakeArgument]) -> Vec<CMakeWord> {
         let mut words = Vec::new();
         for argument in arguments {
             let word = self.replaced(&argument.text);
@@ -460,7 +467,7 @@ impl Reader<'_> {
     }
 
     /// The text with its variables replaced, the innermost first.
-    fn replaced(&self, text: &str) -> Word {
+    fn replaced(&self, text: &str) -> CMakeWord {
         let mut text = text.to_owned();
         while let Some(start) = text.rfind("${") {
             let end = start + text.get(start..)?.find('}')?;
@@ -475,7 +482,7 @@ impl Reader<'_> {
 }
 
 /// The word behind a keyword.
-fn after<'w>(words: &'w [Word], keyword: &str) -> Option<&'w Word> {
+fn after<'w>(words: &'w [CMakeWord], keyword: &str) -> Option<&'w CMakeWord> {
     let at = words
         .iter()
         .position(|word| word.as_deref() == Some(keyword))?;
@@ -483,7 +490,11 @@ fn after<'w>(words: &'w [Word], keyword: &str) -> Option<&'w Word> {
 }
 
 /// The commands up to the end of a block, and those behind it.
-fn block<'c>(commands: &'c [Command], start: &str, end: &str) -> (&'c [Command], &'c [Command]) {
+fn block<'c>(
+    commands: &'c [CMakeCommand],
+    start: &str,
+    end: &str,
+) -> (&'c [CMakeCommand], &'c [CMakeCommand]) {
     let mut depth = 0_u32;
     for (at, command) in commands.iter().enumerate() {
         if command.name == start {

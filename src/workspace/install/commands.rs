@@ -2,22 +2,22 @@
 
 /// A command: its name in small letters, and its arguments.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Command {
+pub(super) struct CMakeCommand {
     pub(super) name: String,
-    pub(super) arguments: Vec<Argument>,
+    pub(super) arguments: Vec<CMakeArgument>,
 }
 
 /// An argument before its variables are replaced.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Argument {
+pub(super) struct CMakeArgument {
     pub(super) text: String,
     /// Whether it is one argument whatever its value: in quotes or brackets.
     pub(super) is_quoted: bool,
 }
 
 /// The commands of a file in order. What is no command is passed over.
-pub(super) fn commands(text: &str) -> Vec<Command> {
-    let mut reader = Reader { rest: text };
+pub(super) fn commands(text: &str) -> Vec<CMakeCommand> {
+    let mut reader = CommandReader { rest: text };
     let mut found = Vec::new();
     while !reader.rest.is_empty() {
         reader.skip_blanks();
@@ -30,7 +30,7 @@ pub(super) fn commands(text: &str) -> Vec<Command> {
         if reader.rest.starts_with('(') {
             reader.skip_char();
             let arguments = reader.arguments();
-            found.push(Command {
+            found.push(CMakeCommand {
                 name: name.to_lowercase(),
                 arguments,
             });
@@ -39,11 +39,11 @@ pub(super) fn commands(text: &str) -> Vec<Command> {
     found
 }
 
-struct Reader<'t> {
+struct CommandReader<'t> {
     rest: &'t str,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> CommandReader<'t> {
     fn skip_char(&mut self) {
         let mut chars = self.rest.chars();
         chars.next();
@@ -72,7 +72,7 @@ impl<'t> Reader<'t> {
     }
 
     /// The arguments up to the closing parenthesis.
-    fn arguments(&mut self) -> Vec<Argument> {
+    fn arguments(&mut self) -> Vec<CMakeArgument> {
         let mut found = Vec::new();
         let mut depth = 0_u32;
         loop {
@@ -89,21 +89,21 @@ impl<'t> Reader<'t> {
                     depth = if next == '(' { depth + 1 } else { depth - 1 };
                     self.skip_char();
                 }
-                '"' => found.push(Argument {
+                '"' => found.push(CMakeArgument {
                     text: self.quoted(),
                     is_quoted: true,
                 }),
                 '[' => match self.bracket() {
-                    Some(text) => found.push(Argument {
+                    Some(text) => found.push(CMakeArgument {
                         text,
                         is_quoted: true,
                     }),
-                    None => found.push(Argument {
+                    None => found.push(CMakeArgument {
                         text: self.plain(),
                         is_quoted: false,
                     }),
                 },
-                _ => found.push(Argument {
+                _ => found.push(CMakeArgument {
                     text: self.plain(),
                     is_quoted: false,
                 }),

@@ -47,12 +47,12 @@ pub struct Build {
     pub(crate) named: FastSet<String>,
     /// Places of the installed package (`share/...`), of the folder of the build and of the sources, each with what
     /// is put there.
-    rules: Vec<(PathBuf, Source)>,
+    rules: Vec<(PathBuf, InstallSource)>,
 }
 
 /// Where something comes from.
 #[derive(Debug)]
-enum Source {
+enum InstallSource {
     /// A file or folder.
     Path(PathBuf),
     /// The files that a pattern matches, without their folders.
@@ -173,7 +173,7 @@ impl Packages {
 }
 
 impl Build {
-    fn add(&mut self, to: PathBuf, source: Source) {
+    fn add(&mut self, to: PathBuf, source: InstallSource) {
         self.rules.push((to, source));
     }
 
@@ -209,9 +209,9 @@ impl Build {
             .find_map(|(rest, source)| self.taken(vfs, source, rest, depth))
     }
 
-    fn taken(&self, vfs: &Vfs, source: &Source, rest: &Path, depth: u32) -> Option<Built> {
+    fn taken(&self, vfs: &Vfs, source: &InstallSource, rest: &Path, depth: u32) -> Option<Built> {
         match source {
-            Source::Path(path) => {
+            InstallSource::Path(path) => {
                 let path = match rest.as_os_str().is_empty() {
                     true => path.clone(),
                     false => path.join(rest),
@@ -229,7 +229,7 @@ impl Build {
                 });
                 template.or_else(|| self.find(vfs, &path, depth + 1))
             }
-            Source::Files(pattern) => {
+            InstallSource::Files(pattern) => {
                 let name = rest
                     .file_name()
                     .filter(|_| rest.components().count() == 1)?;
@@ -245,13 +245,13 @@ impl Build {
                     is_template: false,
                 })
             }
-            Source::Template(path) if rest.as_os_str().is_empty() && vfs.is_file(path) => {
+            InstallSource::Template(path) if rest.as_os_str().is_empty() && vfs.is_file(path) => {
                 Some(Built {
                     path: path.clone(),
                     is_template: true,
                 })
             }
-            Source::Template(_) => None,
+            InstallSource::Template(_) => None,
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::cell::Cell;
 use std::path::Path;
 
-use super::{Build, Source, tidy};
+use super::{Build, InstallSource, tidy};
 use base::FastMap;
 use base::limits::{BUILD_BYTES, BUILD_DEPTH};
 use vfs::Vfs;
@@ -27,9 +27,9 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
             let path = tidy(&folder.join(&file));
             let to = tidy(Path::new(&destination));
             if vfs::has_magic(&file) {
-                build.add(to, Source::Files(path));
+                build.add(to, InstallSource::Files(path));
             } else if let Some(name) = path.file_name() {
-                build.add(to.join(name), Source::Path(path.clone()));
+                build.add(to.join(name), InstallSource::Path(path.clone()));
             }
         }
     }
@@ -38,11 +38,11 @@ pub(super) fn read(vfs: &Vfs, folder: &Path, build: &mut Build) {
 /// Destinations below `share` with their files, and whether these are all; names of files may be patterns.
 fn data_files(text: &str) -> (Vec<(String, Vec<String>)>, bool) {
     let tokens = tokens(text);
-    let mut names: FastMap<&str, Value> = FastMap::default();
+    let mut names: FastMap<&str, SetupPyValue> = FastMap::default();
     let mut found = Vec::new();
     let (mut is_all, left) = (true, Cell::new(BUILD_BYTES as usize));
     for at in 0..tokens.len() {
-        let mut reader = Reader {
+        let mut reader = SetupPyReader {
             tokens: &tokens,
             at,
             names: &names,
@@ -50,22 +50,23 @@ fn data_files(text: &str) -> (Vec<(String, Vec<String>)>, bool) {
             depth: 0,
         };
         match (tokens.get(at), tokens.get(at + 1)) {
-            (Some(Token::Name(name)), Some(Token::Sign('='))) => {
+            (Some(SetupPyToken::Name(name)), Some(SetupPyToken::Sign('='))) => {
                 reader.at += 2;
                 if let Some(value) = reader.value() {
                     names.insert(name, value);
                 }
             }
-            (Some(Token::Sign('(' | '[')), _) => {
+            (Some(SetupPyToken::Sign('(' | '[')), _) => {
                 reader.at += 1;
-                let Some(Value::Text(to)) = reader.value().filter(|_| !reader.is_at(')')) else {
+                let Some(SetupPyValue::Text(to)) = reader.value().filter(|_| !reader.is_at(')'))
+                else {
                     continue;
                 };
                 if !(to.starts_with("share/") && reader.skip(',')) {
                     continue;
                 }
                 match reader.value() {
-                    Some(Value::List(files)) => found.push((to, files)),
+                    Some(SetupPyValue::List(files)) => found.push((to, files)),
                     _ => is_all = false,
                 }
             }
@@ -76,7 +77,7 @@ fn data_files(text: &str) -> (Vec<(String, Vec<String>)>, bool) {
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Token<'t> {
+enum SetupPyToken<'t> {
     Name(&'t str),
     Text(String),
     Sign(char),
@@ -84,12 +85,12 @@ enum Token<'t> {
 
 /// A value that the text gives.
 #[derive(Clone, Debug)]
-enum Value {
+enum SetupPyValue {
     Text(String),
     List(Vec<String>),
 }
 
-fn tokens(text: &str) -> Vec<Token<'_>> {
+fn tokens(text: &str) -> Vec<SetupPyToken<'_>> {
     let mut found = Vec::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
@@ -106,35 +107,35 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
             };
             let (mark, body) = rest.split_at(quote);
             let (inner, after) = body.split_once(mark).unwrap_or((body, ""));
-            found.push(Token::Text(inner.to_owned()));
+            found.push(SetupPyToken::Text(inner.to_owned()));
             rest = after;
         } else if first.is_alphanumeric() || first == '_' {
             let end = rest
                 .find(|c: char| !c.is_alphanumeric() && c != '_')
                 .unwrap_or(rest.len());
             let (name, after) = rest.split_at(end);
-            found.push(Token::Name(name));
+            found.push(SetupPyToken::Name(name));
             rest = after;
         } else {
-            found.extend((!first.is_whitespace()).then_some(Token::Sign(first)));
+            found.extend((!first.is_whitespace()).then_some(SetupPyToken::Sign(first)));
             rest = behind;
         }
     }
     found
 }
 
-struct Reader<'r, 't> {
-    tokens: &'r [Token<'t>],
+struct SetupPyReader<'r, 't> {
+    tokens: &'r [SetupPyToken<'t>],
     at: usize,
-    names: &'r FastMap<&'t str, Value>,
+    names: &'r FastMap<&'t str, SetupPyValue>,
     /// How much more is put together, in bytes.
     left: &'r Cell<usize>,
     depth: u32,
 }
 
-impl<'t> Reader<'_, 't> {
+impl<'t> SetupPyReader<'_, 't> {
     fn is_at(&self, sign: char) -> bool {
-        self.tokens.get(self.at) == Some(&Token::Sign(sign))
+        self.tokens.get(self.at) == Some(&SetupPyToken::Sign(sign))
     }
 
     fn skip(&mut self, sign: char) -> bool {
@@ -144,56 +145,58 @@ impl<'t> Reader<'_, 't> {
     }
 
     /// Values joined by `+`.
-    fn value(&mut self) -> Option<Value> {
+    fn value(&mut self) -> Option<SetupPyValue> {
         let mut value = self.part()?;
         while self.skip('+') {
             value = match (value, self.part()?) {
-                (Value::Text(a), Value::Text(b)) => Value::Text(a + &b),
-                (Value::List(a), Value::List(b)) => Value::List([a, b].concat()),
+                (SetupPyValue::Text(a), SetupPyValue::Text(b)) => SetupPyValue::Text(a + &b),
+                (SetupPyValue::List(a), SetupPyValue::List(b)) => {
+                    SetupPyValue::List([a, b].concat())
+                }
                 _ => return None,
             };
         }
         let size = match &value {
-            Value::Text(text) => text.len(),
-            Value::List(items) => items.iter().map(String::len).sum::<usize>() + items.len(),
+            SetupPyValue::Text(text) => text.len(),
+            SetupPyValue::List(items) => items.iter().map(String::len).sum::<usize>() + items.len(),
         };
         self.left.set(self.left.get().checked_sub(size)?);
         Some(value)
     }
 
-    fn part(&mut self) -> Option<Value> {
+    fn part(&mut self) -> Option<SetupPyValue> {
         let token = self.tokens.get(self.at)?;
         self.at += 1;
         match token {
-            Token::Text(text) => {
+            SetupPyToken::Text(text) => {
                 let mut text = text.clone();
-                while let Some(Token::Text(more)) = self.tokens.get(self.at) {
+                while let Some(SetupPyToken::Text(more)) = self.tokens.get(self.at) {
                     text.push_str(more);
                     self.at += 1;
                 }
-                Some(Value::Text(text))
+                Some(SetupPyValue::Text(text))
             }
-            Token::Sign('[') => {
+            SetupPyToken::Sign('[') => {
                 let items = self.items(']')?;
-                Some(Value::List(items))
+                Some(SetupPyValue::List(items))
             }
-            Token::Name(name) => self.named(name),
-            Token::Sign(_) => None,
+            SetupPyToken::Name(name) => self.named(name),
+            SetupPyToken::Sign(_) => None,
         }
     }
 
     /// A variable, a text with variables in it, or a call.
-    fn named(&mut self, first: &'t str) -> Option<Value> {
-        if let (true, Some(Token::Text(text))) =
+    fn named(&mut self, first: &'t str) -> Option<SetupPyValue> {
+        if let (true, Some(SetupPyToken::Text(text))) =
             (first.eq_ignore_ascii_case("f"), self.tokens.get(self.at))
         {
             self.at += 1;
-            return self.formatted(text).map(Value::Text);
+            return self.formatted(text).map(SetupPyValue::Text);
         }
         let mut name = first;
         while self.is_at('.') {
             self.at += 1;
-            let Some(Token::Name(member)) = self.tokens.get(self.at) else {
+            let Some(SetupPyToken::Name(member)) = self.tokens.get(self.at) else {
                 return None;
             };
             name = member;
@@ -204,10 +207,10 @@ impl<'t> Reader<'_, 't> {
         }
         let mut arguments = self.items(')')?;
         match name {
-            "join" => Some(Value::Text(arguments.join("/"))),
+            "join" => Some(SetupPyValue::Text(arguments.join("/"))),
             "glob" => {
                 arguments.truncate(1);
-                Some(Value::List(arguments))
+                Some(SetupPyValue::List(arguments))
             }
             _ => None,
         }
@@ -221,14 +224,14 @@ impl<'t> Reader<'_, 't> {
         }
         let mut items = Vec::new();
         while !self.skip(close) {
-            if let (Some(Token::Name(_)), Some(Token::Sign('='))) =
+            if let (Some(SetupPyToken::Name(_)), Some(SetupPyToken::Sign('='))) =
                 (self.tokens.get(self.at), self.tokens.get(self.at + 1))
             {
                 self.at += 3;
             } else {
                 match self.value()? {
-                    Value::Text(text) => items.push(text),
-                    Value::List(_) => return None,
+                    SetupPyValue::Text(text) => items.push(text),
+                    SetupPyValue::List(_) => return None,
                 }
             }
             if !self.skip(',') && !self.is_at(close) {
@@ -244,7 +247,7 @@ impl<'t> Reader<'_, 't> {
         let mut rest = text;
         while let Some((before, behind)) = rest.split_once('{') {
             let (name, after) = behind.split_once('}')?;
-            let Value::Text(value) = self.names.get(name.trim())? else {
+            let SetupPyValue::Text(value) = self.names.get(name.trim())? else {
                 return None;
             };
             out.push_str(before);

@@ -1,17 +1,17 @@
 //! Command lines: split as a shell does, and what they say when they call xacro.
 
-use super::resolve::{Argument, Bit, Word};
+use super::resolve::{Bit, CallArgument, CommandWord};
 
 /// What a command line says.
-pub(super) struct Found {
-    pub file: Word,
-    pub args: Vec<Argument>,
+pub(super) struct ParsedCommand {
+    pub file: CommandWord,
+    pub args: Vec<CallArgument>,
     pub open: bool,
 }
 
 /// The words of a command line; none when quotes are left open.
-pub(super) fn split(line: &Word) -> Option<Vec<Word>> {
-    let mut split = Splitter::default();
+pub(super) fn split(line: &CommandWord) -> Option<Vec<CommandWord>> {
+    let mut split = WordSplitter::default();
     for bit in &line.0 {
         match bit {
             Bit::Text(text, at) => {
@@ -30,9 +30,9 @@ pub(super) fn split(line: &Word) -> Option<Vec<Word>> {
 }
 
 #[derive(Default)]
-struct Splitter {
-    words: Vec<Word>,
-    word: Word,
+struct WordSplitter {
+    words: Vec<CommandWord>,
+    word: CommandWord,
     text: String,
     /// Whether a word has begun: empty quotes are a word.
     is_open: bool,
@@ -40,7 +40,7 @@ struct Splitter {
     is_escaped: bool,
 }
 
-impl Splitter {
+impl WordSplitter {
     fn take(&mut self, c: char, at: Option<base::TextRange>) {
         if self.is_escaped {
             self.is_escaped = false;
@@ -79,7 +79,7 @@ impl Splitter {
         }
     }
 
-    fn finish(mut self) -> Option<Vec<Word>> {
+    fn finish(mut self) -> Option<Vec<CommandWord>> {
         self.end(None);
         (self.quote.is_none() && !self.is_escaped).then_some(self.words)
     }
@@ -89,7 +89,7 @@ impl Splitter {
 const WITH_VALUE: [&str; 4] = ["-o", "--output", "--root-dir", "--verbosity"];
 
 /// What the words of a command say when it calls xacro.
-pub(super) fn of_words(words: Vec<Word>) -> Option<Found> {
+pub(super) fn of_words(words: Vec<CommandWord>) -> Option<ParsedCommand> {
     let mut words = words.into_iter().peekable();
     let mut program = words.next()?.shown();
     if matches!(
@@ -97,7 +97,7 @@ pub(super) fn of_words(words: Vec<Word>) -> Option<Found> {
         "rosrun" | "ros2" | "python3" | "python" | "sudo"
     ) {
         let mut is_xacro = false;
-        while let Some(word) = words.peek().map(Word::shown) {
+        while let Some(word) = words.peek().map(CommandWord::shown) {
             if !matches!(
                 word.as_str(),
                 "run" | "xacro" | "xacro.py" | "--prefix" | "-m"
@@ -129,7 +129,7 @@ pub(super) fn of_words(words: Vec<Word>) -> Option<Found> {
         } else if let Some((name, range, value)) = assignment(&word) {
             match name {
                 Some(name) if name.starts_with('_') => {}
-                Some(name) => args.push(Argument { name, range, value }),
+                Some(name) => args.push(CallArgument { name, range, value }),
                 None => open = true,
             }
         } else if file.is_none() {
@@ -138,7 +138,7 @@ pub(super) fn of_words(words: Vec<Word>) -> Option<Found> {
             open = true;
         }
     }
-    Some(Found {
+    Some(ParsedCommand {
         file: file?,
         args,
         open,
@@ -157,10 +157,10 @@ fn ends_command(word: &str) -> bool {
     ) || word.starts_with('>')
 }
 
-type Assignment = (Option<String>, Option<base::TextRange>, Word);
+type Assignment = (Option<String>, Option<base::TextRange>, CommandWord);
 
 /// `name:=value`; the name is none where it is computed.
-fn assignment(word: &Word) -> Option<Assignment> {
+fn assignment(word: &CommandWord) -> Option<Assignment> {
     let mut before = String::new();
     let mut is_known = true;
     for (number, bit) in word.0.iter().enumerate() {
@@ -186,7 +186,7 @@ fn assignment(word: &Word) -> Option<Assignment> {
         return Some((
             is_name.then(|| before.trim().to_owned()),
             *at,
-            Word(first.into_iter().chain(rest).collect()),
+            CommandWord(first.into_iter().chain(rest).collect()),
         ));
     }
     None

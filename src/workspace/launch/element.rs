@@ -2,7 +2,7 @@
 
 use base::TextRange;
 
-use super::text::{Piece, Text};
+use super::text::{Text, TextPiece};
 
 /// Substitutions inside of substitutions that are followed.
 const MOST_NESTED: usize = 8;
@@ -73,7 +73,7 @@ fn substitution(
     let mut inner = |text: &str| nested(text, at, folder, commands, depth + 1);
     match kind {
         "arg" | "var" => match inner(unquoted(rest)).literal() {
-            Some(name) => Text(vec![Piece::Argument(name)]),
+            Some(name) => Text(vec![TextPiece::Argument(name)]),
             None => Text::opaque(),
         },
         "find" | "find-pkg-share" => Text::share(inner(unquoted(rest))),

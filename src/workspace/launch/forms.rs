@@ -6,9 +6,9 @@
 
 use std::path::Path;
 
-use super::{Call, Why, Word, calls, read};
+use super::{CommandWord, LaunchCall, Why, calls, read};
 
-fn word(word: &Word) -> String {
+fn word(word: &CommandWord) -> String {
     match word.why() {
         None => word.shown(),
         Some(Why::Computed) => word.shown(),
@@ -17,7 +17,7 @@ fn word(word: &Word) -> String {
     }
 }
 
-fn shown(call: &Call) -> String {
+fn shown(call: &LaunchCall) -> String {
     let mut text = word(&call.file);
     for arg in &call.args {
         text.push_str(&format!(" {}={}", arg.name, word(&arg.value)));

@@ -20,8 +20,8 @@ use std::path::{Path, PathBuf};
 
 use base::TextRange;
 
-pub use resolve::{Argument, Call, Why, Word, calls};
-pub(crate) use resolve::{Context, calls_in, forget_defaults, included, values_given};
+pub use resolve::{CallArgument, CommandWord, LaunchCall, Why, calls};
+pub(crate) use resolve::{LaunchContext, calls_in, forget_defaults, included, values_given};
 use text::Text;
 
 /// What a launch file says.
@@ -30,13 +30,13 @@ pub struct LaunchFile {
     /// The file.
     pub path: PathBuf,
     /// Arguments that it declares, in order.
-    pub declared: Vec<Declared>,
+    pub declared: Vec<DeclaredArgument>,
     /// Defaults that are written where arguments are read.
     pub defaults: Vec<(String, Text)>,
     /// Commands that may call xacro.
-    pub commands: Vec<Command>,
+    pub commands: Vec<LaunchCommand>,
     /// Launch files that it includes.
-    pub includes: Vec<Include>,
+    pub includes: Vec<LaunchInclude>,
     /// Arguments that it sets while it runs.
     pub set: Vec<String>,
     /// Whether the files it includes see its arguments, as in ROS 2.
@@ -71,7 +71,7 @@ impl LaunchFile {
 
 /// An argument of a launch file.
 #[derive(Clone, Debug)]
-pub struct Declared {
+pub struct DeclaredArgument {
     /// Its name.
     pub name: String,
     /// Its default; none when whoever starts the file has to give it.
@@ -86,18 +86,18 @@ pub struct Declared {
 
 /// Something that may call xacro.
 #[derive(Clone, Debug)]
-pub struct Command {
+pub struct LaunchCommand {
     /// Where it stands.
     pub range: TextRange,
     /// What is called.
-    pub what: What,
+    pub what: CommandForm,
     /// Arguments of the launch file that a condition around it reads: they need not have their defaults here.
     pub assumed: Vec<String>,
 }
 
 /// A command in one of its forms.
 #[derive(Clone, Debug)]
-pub enum What {
+pub enum CommandForm {
     /// One text, which is split as a shell does.
     Line(Text),
     /// A list of words, which is not split again.
@@ -107,7 +107,7 @@ pub enum What {
         /// The description.
         file: Text,
         /// Its arguments.
-        mappings: Vec<Given>,
+        mappings: Vec<UnresolvedArgument>,
         /// Whether there may be further ones.
         open: bool,
     },
@@ -115,7 +115,7 @@ pub enum What {
 
 /// An argument of a robot that a program gives.
 #[derive(Clone, Debug)]
-pub struct Given {
+pub struct UnresolvedArgument {
     /// Its name.
     pub name: String,
     /// Where the name stands.
@@ -126,7 +126,7 @@ pub struct Given {
 
 /// Another launch file that is included.
 #[derive(Clone, Debug)]
-pub struct Include {
+pub struct LaunchInclude {
     /// Its path, as far as the text spells it.
     pub file: Text,
     /// The arguments it is given.

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use base::limits::{LAUNCH_CALLS, LAUNCH_TEXT};
 use base::{FastMap, TextRange};
 
-use super::command::{self, Found};
-use super::text::{Piece, Text};
-use super::{Command, Declared, Include, LaunchFile, What};
+use super::command::{self, ParsedCommand};
+use super::text::{Text, TextPiece};
+use super::{CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude};
 use crate::Packages;
 
 /// Defaults inside of defaults that are followed.
@@ -15,7 +15,7 @@ const MOST_DEFAULTS: usize = 8;
 
 /// A call of a robot.
 #[derive(Clone, Debug)]
-pub struct Call {
+pub struct LaunchCall {
     /// The file that calls.
     pub caller: PathBuf,
     /// The launch file that includes this one with other arguments, outermost first.
@@ -23,27 +23,27 @@ pub struct Call {
     /// Where the call stands.
     pub range: TextRange,
     /// The description.
-    pub file: Word,
+    pub file: CommandWord,
     /// The arguments, in order.
-    pub args: Vec<Argument>,
+    pub args: Vec<CallArgument>,
     /// Whether there may be further arguments.
     pub open: bool,
 }
 
 /// An argument that a call gives.
 #[derive(Clone, Debug)]
-pub struct Argument {
+pub struct CallArgument {
     /// Its name.
     pub name: String,
     /// Text that holds its name, where it is written: the name is the first `name:=` or quoted name in it.
     pub range: Option<TextRange>,
     /// Its value.
-    pub value: Word,
+    pub value: CommandWord,
 }
 
 /// A word of a command.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Word(pub(super) Vec<Bit>);
+pub struct CommandWord(pub(super) Vec<Bit>);
 
 /// A part of a word.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -66,24 +66,24 @@ pub enum Why {
 
 /// What a launch file is given from outside.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Context {
-    pub values: Vec<(String, Word)>,
+pub(crate) struct LaunchContext {
+    pub values: Vec<(String, CommandWord)>,
     pub through: Vec<PathBuf>,
 }
 
 /// The calls that a file makes when it is started by itself.
-pub fn calls(file: &LaunchFile) -> Vec<Call> {
-    calls_in(file, &Context::default())
+pub fn calls(file: &LaunchFile) -> Vec<LaunchCall> {
+    calls_in(file, &LaunchContext::default())
 }
 
-pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
-    let mut found: Vec<Call> = Vec::new();
+pub(crate) fn calls_in(file: &LaunchFile, context: &LaunchContext) -> Vec<LaunchCall> {
+    let mut found: Vec<LaunchCall> = Vec::new();
     for command in &file.commands {
         let resolver = Resolver::new(file, context, &command.assumed);
         let Some(called) = resolver.called(command) else {
             continue;
         };
-        let call = Call {
+        let call = LaunchCall {
             caller: file.path.clone(),
             through: context.through.clone(),
             range: command.range,
@@ -103,15 +103,18 @@ pub(crate) fn calls_in(file: &LaunchFile, context: &Context) -> Vec<Call> {
 }
 
 /// The files that a launch file includes, each with what it is given.
-pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Context)> {
-    let passed: Vec<Vec<(String, Word)>> = file
+pub(crate) fn included(
+    file: &LaunchFile,
+    context: &LaunchContext,
+) -> Vec<(CommandWord, LaunchContext)> {
+    let passed: Vec<Vec<(String, CommandWord)>> = file
         .includes
         .iter()
         .map(|one| passed(file, context, one))
         .collect();
-    let given = |(number, include): (usize, &Include)| {
+    let given = |(number, include): (usize, &LaunchInclude)| {
         let resolver = Resolver::new(file, context, &include.assumed);
-        let mut values: Vec<(String, Word)> = Vec::new();
+        let mut values: Vec<(String, CommandWord)> = Vec::new();
         if file.shares {
             let own = file.declared.iter().map(|declared| declared.name.clone());
             let own = own.chain(context.values.iter().map(|(name, _)| name.clone()));
@@ -137,13 +140,20 @@ pub(crate) fn included(file: &LaunchFile, context: &Context) -> Vec<(Word, Conte
             .cloned()
             .chain([file.path.clone()])
             .collect();
-        (resolver.word(&include.file), Context { values, through })
+        (
+            resolver.word(&include.file),
+            LaunchContext { values, through },
+        )
     };
     file.includes.iter().enumerate().map(given).collect()
 }
 
 /// The arguments that an include gives.
-fn passed(file: &LaunchFile, context: &Context, include: &Include) -> Vec<(String, Word)> {
+fn passed(
+    file: &LaunchFile,
+    context: &LaunchContext,
+    include: &LaunchInclude,
+) -> Vec<(String, CommandWord)> {
     let resolver = Resolver::new(file, context, &include.assumed);
     include
         .args
@@ -154,19 +164,22 @@ fn passed(file: &LaunchFile, context: &Context, include: &Include) -> Vec<(Strin
 
 /// What one include is given stays set for those behind it in ROS 2, unless a group is around it: which of the values they
 /// see is not known.
-fn forget<'p>(values: &mut Vec<(String, Word)>, others: impl Iterator<Item = &'p (String, Word)>) {
+fn forget<'p>(
+    values: &mut Vec<(String, CommandWord)>,
+    others: impl Iterator<Item = &'p (String, CommandWord)>,
+) {
     for (name, other) in others {
         match values.iter_mut().find(|(known, _)| known == name) {
             Some((_, value)) if value == other => {}
-            Some((_, value)) => *value = Word(vec![Bit::Opaque(Why::Computed)]),
-            None => values.push((name.clone(), Word(vec![Bit::Opaque(Why::Computed)]))),
+            Some((_, value)) => *value = CommandWord(vec![Bit::Opaque(Why::Computed)]),
+            None => values.push((name.clone(), CommandWord(vec![Bit::Opaque(Why::Computed)]))),
         }
     }
 }
 
 /// The same of defaults: that of the file which is included first holds for those behind it.
 pub(crate) fn forget_defaults<'f>(
-    context: &mut Context,
+    context: &mut LaunchContext,
     file: &LaunchFile,
     others: impl Iterator<Item = &'f LaunchFile>,
 ) {
@@ -180,17 +193,18 @@ pub(crate) fn forget_defaults<'f>(
             };
             let (first, second) = (default_of(own, file), default_of(declared, other));
             if first.is_none() || first != second {
-                context
-                    .values
-                    .push((own.name.clone(), Word(vec![Bit::Opaque(Why::Computed)])));
+                context.values.push((
+                    own.name.clone(),
+                    CommandWord(vec![Bit::Opaque(Why::Computed)]),
+                ));
             }
         }
     }
 }
 
 /// The default of an argument by itself, where it is known.
-fn default_of(declared: &Declared, file: &LaunchFile) -> Option<String> {
-    let none = Context::default();
+fn default_of(declared: &DeclaredArgument, file: &LaunchFile) -> Option<String> {
+    let none = LaunchContext::default();
     Resolver::new(file, &none, &[])
         .word(declared.default.as_ref()?)
         .literal()
@@ -199,7 +213,7 @@ fn default_of(declared: &Declared, file: &LaunchFile) -> Option<String> {
 /// A value that a launch file gives to an argument.
 pub(crate) struct GivenValue {
     /// The launch file whose argument it is; none for its own.
-    pub to: Option<Word>,
+    pub to: Option<CommandWord>,
     pub name: String,
     pub value: String,
     /// What gives it.
@@ -208,7 +222,7 @@ pub(crate) struct GivenValue {
 
 /// The values that a launch file gives to its own arguments by their defaults, and to those of the files that it includes.
 pub(crate) fn values_given(file: &LaunchFile) -> Vec<GivenValue> {
-    let context = Context::default();
+    let context = LaunchContext::default();
     let own = Resolver::new(file, &context, &[]);
     let defaults = file.declared.iter().filter_map(|declared| {
         let value = own.word(declared.default.as_ref()?).literal()?;
@@ -236,7 +250,7 @@ pub(crate) fn values_given(file: &LaunchFile) -> Vec<GivenValue> {
     defaults.chain(included).collect()
 }
 
-impl Call {
+impl LaunchCall {
     /// Whether another call gives the same robot the same.
     pub fn is_same(&self, other: &Self) -> bool {
         let args = |call: &Self| -> Vec<(String, String)> {
@@ -259,7 +273,7 @@ impl Call {
     }
 }
 
-impl Argument {
+impl CallArgument {
     /// Whether nobody who starts the launch file can give another value: it stands in the call at `range`, or is computed.
     pub fn is_fixed(&self, range: TextRange) -> bool {
         self.value.0.iter().all(|bit| match bit {
@@ -271,7 +285,7 @@ impl Argument {
     }
 }
 
-impl Word {
+impl CommandWord {
     fn push(&mut self, bit: Bit) {
         self.0.push(bit);
     }
@@ -364,7 +378,7 @@ impl Word {
     /// The package in front, and the text behind it.
     pub fn in_package(&self) -> Option<(&str, String)> {
         match self.0.split_first()? {
-            (Bit::Share(name), rest) => Some((name, Word(rest.to_vec()).shown())),
+            (Bit::Share(name), rest) => Some((name, CommandWord(rest.to_vec()).shown())),
             _ => None,
         }
     }
@@ -408,7 +422,7 @@ impl Word {
 /// What the pieces of one command stand for.
 struct Resolver<'a> {
     file: &'a LaunchFile,
-    context: &'a Context,
+    context: &'a LaunchContext,
     assumed: &'a [String],
     declared: FastMap<&'a str, Option<&'a Text>>,
     /// Arguments whose values the file decides while it runs, or declares in two ways.
@@ -416,7 +430,7 @@ struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    fn new(file: &'a LaunchFile, context: &'a Context, assumed: &'a [String]) -> Self {
+    fn new(file: &'a LaunchFile, context: &'a LaunchContext, assumed: &'a [String]) -> Self {
         let mut declared: FastMap<&str, Option<&Text>> = FastMap::default();
         let mut unclear: Vec<&str> = Vec::new();
         for argument in &file.declared {
@@ -449,24 +463,24 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn word(&self, text: &Text) -> Word {
-        let mut word = Word::default();
+    fn word(&self, text: &Text) -> CommandWord {
+        let mut word = CommandWord::default();
         self.resolve(text, 0, &mut word);
         word
     }
 
-    fn resolve(&self, text: &Text, depth: usize, word: &mut Word) {
+    fn resolve(&self, text: &Text, depth: usize, word: &mut CommandWord) {
         for piece in &text.0 {
             if word.plain_len() > LAUNCH_TEXT || word.0.len() > 1_000 {
                 word.push(Bit::Opaque(Why::Computed));
                 return;
             }
             match piece {
-                Piece::Plain(text, at) => word.push(Bit::Text(text.clone(), *at)),
-                Piece::Opaque => word.push(Bit::Opaque(Why::Computed)),
-                Piece::Argument(name) => self.argument(name, depth, word),
-                Piece::Share(package) => {
-                    let mut inner = Word::default();
+                TextPiece::Plain(text, at) => word.push(Bit::Text(text.clone(), *at)),
+                TextPiece::Opaque => word.push(Bit::Opaque(Why::Computed)),
+                TextPiece::Argument(name) => self.argument(name, depth, word),
+                TextPiece::Share(package) => {
+                    let mut inner = CommandWord::default();
                     self.resolve(package, depth + 1, &mut inner);
                     word.push(match inner.why().cloned() {
                         Some(why) => Bit::Opaque(why),
@@ -485,7 +499,7 @@ impl<'a> Resolver<'a> {
             .any(|own| own.name == name && own.is_fixed)
     }
 
-    fn argument(&self, name: &str, depth: usize, word: &mut Word) {
+    fn argument(&self, name: &str, depth: usize, word: &mut CommandWord) {
         if self.assumed.iter().any(|assumed| assumed == name) {
             return word.push(Bit::Opaque(Why::Decided(name.to_owned())));
         }
@@ -503,7 +517,7 @@ impl<'a> Resolver<'a> {
             .filter(|_| !self.unclear.contains(&name))
         {
             Some(Some(default)) if depth < MOST_DEFAULTS => {
-                let mut inner = Word::default();
+                let mut inner = CommandWord::default();
                 self.resolve(default, depth + 1, &mut inner);
                 // where a default stands says nothing of what it is used for
                 word.0.extend(inner.0.into_iter().map(|bit| match bit {
@@ -516,23 +530,23 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    fn called(&self, command: &Command) -> Option<Found> {
+    fn called(&self, command: &LaunchCommand) -> Option<ParsedCommand> {
         match &command.what {
-            What::Line(line) => command::of_words(command::split(&self.word(line))?),
-            What::Words(words) => {
+            CommandForm::Line(line) => command::of_words(command::split(&self.word(line))?),
+            CommandForm::Words(words) => {
                 command::of_words(words.iter().map(|word| self.word(word)).collect())
             }
-            What::Process {
+            CommandForm::Process {
                 file,
                 mappings,
                 open,
             } => {
-                let args = mappings.iter().map(|given| Argument {
+                let args = mappings.iter().map(|given| CallArgument {
                     name: given.name.clone(),
                     range: given.range,
                     value: self.word(&given.value),
                 });
-                Some(Found {
+                Some(ParsedCommand {
                     file: self.word(file),
                     args: args.collect(),
                     open: *open,

@@ -5,8 +5,8 @@ use std::path::Path;
 use base::TextRange;
 use base::limits::LAUNCH_CALLS;
 
-use super::text::{Piece, Text};
-use super::{Command, LaunchFile, What};
+use super::text::{Text, TextPiece};
+use super::{CommandForm, LaunchCommand, LaunchFile};
 
 /// A shell script.
 pub(super) fn script(path: &Path, text: &str) -> LaunchFile {
@@ -44,9 +44,9 @@ fn commands(text: &str, file: &mut LaunchFile) {
                 (start + line.trim_end().len()) as u32,
             );
             let command = line_of(range.slice(text), range);
-            file.commands.push(Command {
+            file.commands.push(LaunchCommand {
                 range,
-                what: What::Line(command),
+                what: CommandForm::Line(command),
                 assumed: Vec::new(),
             });
         }
@@ -119,7 +119,7 @@ fn line_of(line: &str, range: TextRange) -> Text {
             '#' if quote.is_none() && plain.ends_with(' ') => break,
             '$' if quote != Some('\'') => {
                 text.push(Text::plain(std::mem::take(&mut plain), at));
-                text.push(Text(vec![Piece::Opaque]));
+                text.push(Text(vec![TextPiece::Opaque]));
                 let len = variable(line.get(here + 1..).unwrap_or(""));
                 while chars.peek().is_some_and(|(next, _)| *next < here + 1 + len) {
                     chars.next();
@@ -148,13 +148,13 @@ fn line_of(line: &str, range: TextRange) -> Text {
 /// A command that a program hands to a shell: its variables are not known.
 pub(super) fn in_text(line: Text) -> Text {
     let pieces = line.0.into_iter().map(|piece| match piece {
-        Piece::Plain(text, at) if text.contains(['$', '`', ';', '|', '&', '*', '>']) => {
+        TextPiece::Plain(text, at) if text.contains(['$', '`', ';', '|', '&', '*', '>']) => {
             let range = at.unwrap_or_default();
             let pieces = line_of(&text, range)
                 .0
                 .into_iter()
                 .map(|piece| match piece {
-                    Piece::Plain(text, _) => Piece::Plain(text, at),
+                    TextPiece::Plain(text, _) => TextPiece::Plain(text, at),
                     other => other,
                 });
             Text(pieces.collect())

@@ -5,11 +5,11 @@ use base::limits::{LAUNCH_PIECES, LAUNCH_TEXT};
 
 /// A text in pieces.
 #[derive(Clone, Debug, Default)]
-pub struct Text(pub Vec<Piece>);
+pub struct Text(pub Vec<TextPiece>);
 
 /// A piece of a text.
 #[derive(Clone, Debug)]
-pub enum Piece {
+pub enum TextPiece {
     /// Text, and where it is written; a copy that was changed has no range.
     Plain(String, Option<TextRange>),
     /// The share folder of the package of that name.
@@ -20,13 +20,12 @@ pub enum Piece {
     Opaque,
 }
 
-impl PartialEq for Piece {
+impl PartialEq for TextPiece {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (Piece::Plain(a, _), Piece::Plain(b, _)) | (Piece::Argument(a), Piece::Argument(b)) => {
-                a == b
-            }
-            (Piece::Share(a), Piece::Share(b)) => a == b,
+            (TextPiece::Plain(a, _), TextPiece::Plain(b, _))
+            | (TextPiece::Argument(a), TextPiece::Argument(b)) => a == b,
+            (TextPiece::Share(a), TextPiece::Share(b)) => a == b,
             // two values that are not known may differ
             _ => false,
         }
@@ -42,17 +41,17 @@ impl PartialEq for Text {
 impl Text {
     /// Text that stands in the file.
     pub fn plain(text: impl Into<String>, at: Option<TextRange>) -> Self {
-        Self(vec![Piece::Plain(text.into(), at)])
+        Self(vec![TextPiece::Plain(text.into(), at)])
     }
 
     /// A value that is computed.
     pub fn opaque() -> Self {
-        Self(vec![Piece::Opaque])
+        Self(vec![TextPiece::Opaque])
     }
 
     /// The value of an argument of the launch file.
     pub fn argument(name: &str) -> Self {
-        Self(vec![Piece::Argument(name.to_owned())])
+        Self(vec![TextPiece::Argument(name.to_owned())])
     }
 
     /// The share folder of a package.
@@ -60,14 +59,14 @@ impl Text {
         if package.depth() > 4 {
             Self::opaque()
         } else {
-            Self(vec![Piece::Share(package)])
+            Self(vec![TextPiece::Share(package)])
         }
     }
 
     /// The text, where all of it is written down.
     pub fn literal(&self) -> Option<String> {
-        let plain = |piece: &Piece| match piece {
-            Piece::Plain(text, _) => Some(text.clone()),
+        let plain = |piece: &TextPiece| match piece {
+            TextPiece::Plain(text, _) => Some(text.clone()),
             _ => None,
         };
         self.0.iter().map(plain).collect()
@@ -76,7 +75,7 @@ impl Text {
     /// Add a text behind this one; what grows beyond the limits is not known.
     pub fn push(&mut self, mut other: Text) {
         let ends = (self.0.last(), other.0.first());
-        if let (Some(Piece::Opaque), Some(Piece::Opaque)) = ends {
+        if let (Some(TextPiece::Opaque), Some(TextPiece::Opaque)) = ends {
             self.0.pop();
         }
         self.0.append(&mut other.0);
@@ -97,10 +96,10 @@ impl Text {
         let mut path = Self::default();
         for step in steps {
             let is_absolute =
-                matches!(step.0.first(), Some(Piece::Plain(text, _)) if text.starts_with('/'));
+                matches!(step.0.first(), Some(TextPiece::Plain(text, _)) if text.starts_with('/'));
             let ends_folder =
-                matches!(path.0.last(), Some(Piece::Plain(text, _)) if text.ends_with('/'));
-            if is_absolute || matches!(step.0.first(), Some(Piece::Share(_))) {
+                matches!(path.0.last(), Some(TextPiece::Plain(text, _)) if text.ends_with('/'));
+            if is_absolute || matches!(step.0.first(), Some(TextPiece::Share(_))) {
                 path = Self::default();
             } else if !path.0.is_empty() && !ends_folder {
                 path.push(Self::plain("/", None));
@@ -113,7 +112,7 @@ impl Text {
     /// The text without the places where it is written.
     pub fn without_places(self) -> Self {
         let place = |piece| match piece {
-            Piece::Plain(text, _) => Piece::Plain(text, None),
+            TextPiece::Plain(text, _) => TextPiece::Plain(text, None),
             other => other,
         };
         Self(self.0.into_iter().map(place).collect())
@@ -121,17 +120,17 @@ impl Text {
 
     /// The bytes that are held.
     pub fn len(&self) -> usize {
-        let len = |piece: &Piece| match piece {
-            Piece::Plain(text, _) | Piece::Argument(text) => text.len(),
-            Piece::Share(text) => text.len() + 1,
-            Piece::Opaque => 1,
+        let len = |piece: &TextPiece| match piece {
+            TextPiece::Plain(text, _) | TextPiece::Argument(text) => text.len(),
+            TextPiece::Share(text) => text.len() + 1,
+            TextPiece::Opaque => 1,
         };
         self.0.iter().map(len).sum()
     }
 
     fn depth(&self) -> usize {
-        let depth = |piece: &Piece| {
-            if let Piece::Share(inner) = piece {
+        let depth = |piece: &TextPiece| {
+            if let TextPiece::Share(inner) = piece {
                 inner.depth() + 1
             } else {
                 0
@@ -144,10 +143,12 @@ impl Text {
     pub fn arguments(&self, add: &mut impl FnMut(&str)) {
         for piece in &self.0 {
             match piece {
-                Piece::Argument(name) => add(name),
-                Piece::Share(inner) if inner.0.iter().any(|p| !matches!(p, Piece::Share(_))) => {
+                TextPiece::Argument(name) => add(name),
+                TextPiece::Share(inner)
+                    if inner.0.iter().any(|p| !matches!(p, TextPiece::Share(_))) =>
+                {
                     for piece in &inner.0 {
-                        if let Piece::Argument(name) = piece {
+                        if let TextPiece::Argument(name) = piece {
                             add(name);
                         }
                     }

@@ -8,7 +8,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use super::element;
 use super::text::Text;
-use super::{Command, Declared, Include, LaunchFile, What};
+use super::{CommandForm, DeclaredArgument, LaunchCommand, LaunchFile, LaunchInclude};
 
 /// What a launch file calls; nothing of text that is no XML.
 pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
@@ -27,7 +27,7 @@ pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
     let old = ["$(find ", "$(arg ", "<rosparam"];
     file.shares = !old.iter().any(|word| text.contains(word)) || text.contains("$(var ");
     let folder = vfs::slashed(path.parent().unwrap_or(path));
-    let mut reader = Reader {
+    let mut reader = LaunchXmlReader {
         file,
         folder,
         assumed: Vec::new(),
@@ -36,14 +36,14 @@ pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
     reader.file
 }
 
-struct Reader {
+struct LaunchXmlReader {
     file: LaunchFile,
     folder: String,
     /// Arguments that the conditions around read.
     assumed: Vec<String>,
 }
 
-impl Reader {
+impl LaunchXmlReader {
     fn children(&mut self, node: Node<'_, '_>, depth: usize) {
         for child in node.children().filter(Node::is_element) {
             let assumed = self.assumed.len();
@@ -94,9 +94,9 @@ impl Reader {
     fn command(&mut self, range: TextRange, line: Text) {
         if self.file.commands.len() < LAUNCH_CALLS {
             let assumed = self.assumed.clone();
-            self.file.commands.push(Command {
+            self.file.commands.push(LaunchCommand {
                 range,
-                what: What::Line(line),
+                what: CommandForm::Line(line),
                 assumed,
             });
         }
@@ -122,7 +122,7 @@ impl Reader {
             .filter(|child| child.has_tag_name("choice"))
             .filter_map(|child| child.attribute("value").map(str::to_owned))
             .collect();
-        let declared = Declared {
+        let declared = DeclaredArgument {
             name: name.to_owned(),
             default,
             choices: (!choices.is_empty()).then_some(choices),
@@ -173,7 +173,7 @@ impl Reader {
             args.extend(own);
         }
         let (range, assumed) = (range(node.range()), self.assumed.clone());
-        self.file.includes.push(Include {
+        self.file.includes.push(LaunchInclude {
             file,
             args,
             open: false,

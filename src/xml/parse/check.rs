@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use super::Parser;
+use super::ItemParser;
 use crate::decode::{Reference, decode, references};
 use crate::entities::Entities;
 use crate::error::{Condition, Namespace, SyntaxError, SyntaxErrorKind as Kind, expat};
@@ -15,7 +15,7 @@ const FEW: usize = 12;
 const XML_URI: &str = "http://www.w3.org/XML/1998/namespace";
 const XMLNS_URI: &str = "http://www.w3.org/2000/xmlns/";
 
-impl<'t> Parser<'t> {
+impl<'t> ItemParser<'t> {
     /// Check the tag at `tag` with the attributes from `first` on. `name_end` is the end of its name if it
     /// has a prefix.
     pub(super) fn check_tag(&mut self, tag: usize, name_end: usize, first: usize) {

@@ -1,20 +1,20 @@
 //! The main loop: everything between the tags of the root.
 
-use super::{Parser, Stop};
+use super::{ContentEnd, ItemParser};
 use crate::chars::name_char;
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::NodeKind;
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// Read up to the end of one top-level element, the root's end tag, or the end of the text.
-    pub(super) fn content(&mut self) -> Stop {
+    pub(super) fn content(&mut self) -> ContentEnd {
         loop {
             let stop = match self.peek() {
                 None => {
                     let end = self.pos;
                     self.cut_item();
                     self.close_unclosed(0, None, (expat::NO_ELEMENT, end));
-                    return Stop::End;
+                    return ContentEnd::End;
                 }
                 Some(b'<') => self.markup(),
                 Some(_) => {
@@ -28,7 +28,7 @@ impl Parser<'_> {
         }
     }
 
-    fn markup(&mut self) -> Option<Stop> {
+    fn markup(&mut self) -> Option<ContentEnd> {
         match self.bytes.get(self.pos + 1) {
             Some(b'/') => self.end_tag(),
             Some(b'!') => {

@@ -3,7 +3,7 @@
 use crate::chars::is_space;
 
 /// A `name="value"` of the declaration: name, its offset, value, its offset.
-type Pair<'t> = (&'t str, usize, &'t str, usize);
+type PseudoAttribute<'t> = (&'t str, usize, &'t str, usize);
 
 /// Check what stands between `<?xml`, which ends at `at`, and the end of `text`. Gives whether the document
 /// is declared to be standalone; the error is the offset where expat stops.
@@ -36,7 +36,7 @@ pub(super) fn check_declaration(text: &str, at: usize) -> Result<bool, usize> {
 }
 
 /// The next pair and the offset behind it; no pair at the end.
-fn pair(text: &str, start: usize) -> Result<(Option<Pair<'_>>, usize), usize> {
+fn pair(text: &str, start: usize) -> Result<(Option<PseudoAttribute<'_>>, usize), usize> {
     let bytes = text.as_bytes();
     let name = skip_space(bytes, start);
     if name == text.len() {

@@ -1,7 +1,7 @@
 //! The DOCTYPE with its internal subset: checked in full, kept only as far as general entities go.
 
-use super::token::Token;
-use super::{ExpatError, Parser};
+use super::token::DoctypeToken;
+use super::{ExpatError, ItemParser};
 use crate::decode::{Reference, decode, read_reference};
 use crate::entities::{Entities, Entity};
 use crate::error::{SyntaxErrorKind as Kind, expat};
@@ -14,7 +14,7 @@ const ATTRIBUTE_TYPES: [&str; 8] = [
     "CDATA", "ID", "IDREF", "IDREFS", "ENTITY", "ENTITIES", "NMTOKEN", "NMTOKENS",
 ];
 
-impl<'t> Parser<'t> {
+impl<'t> ItemParser<'t> {
     /// Read a DOCTYPE.
     pub(super) fn doctype(&mut self, entities: &mut Entities) {
         let start = self.pos;
@@ -61,7 +61,7 @@ impl<'t> Parser<'t> {
     }
 
     /// The next token of a declaration, its start, its text. Moves behind it.
-    fn next_token(&mut self) -> Checked<(Token, usize, &'t str)> {
+    fn next_token(&mut self) -> Checked<(DoctypeToken, usize, &'t str)> {
         self.skip_space();
         let start = self.pos;
         if self.starts_with(b"<!--") || self.starts_with(b"<?") {
@@ -71,15 +71,15 @@ impl<'t> Parser<'t> {
         self.look(end + 1);
         self.pos = end;
         match token {
-            Token::End => {
+            DoctypeToken::End => {
                 self.hit_end = true;
                 Err((expat::NO_ELEMENT, start))
             }
-            Token::Unfinished => {
+            DoctypeToken::Unfinished => {
                 self.hit_end = true;
                 Err((expat::UNCLOSED_TOKEN, start))
             }
-            Token::Invalid(at) => {
+            DoctypeToken::Invalid(at) => {
                 self.look(at + 1);
                 Err((expat::INVALID, at))
             }
@@ -87,7 +87,7 @@ impl<'t> Parser<'t> {
         }
     }
 
-    fn expect(&mut self, wanted: &[Token]) -> Checked<(Token, usize, &'t str)> {
+    fn expect(&mut self, wanted: &[DoctypeToken]) -> Checked<(DoctypeToken, usize, &'t str)> {
         let found = self.next_token()?;
         if wanted.contains(&found.0) {
             Ok(found)
@@ -98,20 +98,20 @@ impl<'t> Parser<'t> {
 
     /// The `>` of a declaration.
     fn declaration_close(&mut self) -> Checked {
-        self.expect(&[Token::Punctuation(b'>')]).map(drop)
+        self.expect(&[DoctypeToken::Punctuation(b'>')]).map(drop)
     }
 
     fn doctype_grammar(&mut self, entities: &mut Entities) -> Checked {
-        self.expect(&[Token::Name, Token::PrefixedName])?;
+        self.expect(&[DoctypeToken::Name, DoctypeToken::PrefixedName])?;
         let mut found = self.next_token()?;
-        if found.0 == Token::Name {
+        if found.0 == DoctypeToken::Name {
             self.external_id(found)?;
             entities.incomplete = !entities.standalone;
             found = self.next_token()?;
         }
         match found.0 {
-            Token::Punctuation(b'>') => Ok(()),
-            Token::Punctuation(b'[') => {
+            DoctypeToken::Punctuation(b'>') => Ok(()),
+            DoctypeToken::Punctuation(b'[') => {
                 self.subset(entities)?;
                 self.declaration_close()
             }
@@ -120,16 +120,16 @@ impl<'t> Parser<'t> {
     }
 
     /// `SYSTEM "…"` or `PUBLIC "…" "…"`; the keyword has been read.
-    fn external_id(&mut self, keyword: (Token, usize, &str)) -> Checked {
+    fn external_id(&mut self, keyword: (DoctypeToken, usize, &str)) -> Checked {
         match keyword.2 {
             "PUBLIC" => {
-                let (_, start, text) = self.expect(&[Token::Literal])?;
+                let (_, start, text) = self.expect(&[DoctypeToken::Literal])?;
                 check_public_id(start, text)?;
             }
             "SYSTEM" => {}
             _ => return Err((expat::SYNTAX, keyword.1)),
         }
-        self.expect(&[Token::Literal]).map(drop)
+        self.expect(&[DoctypeToken::Literal]).map(drop)
     }
 
     fn subset(&mut self, entities: &mut Entities) -> Checked {
@@ -143,26 +143,26 @@ impl<'t> Parser<'t> {
             }
             let (token, start, text) = self.next_token()?;
             match (token, text) {
-                (Token::Punctuation(b']'), _) => return Ok(()),
-                (Token::ParameterReference, _) => {
+                (DoctypeToken::Punctuation(b']'), _) => return Ok(()),
+                (DoctypeToken::ParameterReference, _) => {
                     entities.incomplete = !entities.standalone;
                     counts = entities.standalone;
                 }
-                (Token::DeclarationOpen, "<!ENTITY") => {
+                (DoctypeToken::DeclarationOpen, "<!ENTITY") => {
                     let declared = self.entity(counts)?;
                     if let Some((name, entity)) = declared.filter(|_| counts) {
                         entities.declare(name, entity);
                     }
                 }
-                (Token::DeclarationOpen, "<!ATTLIST") => {
+                (DoctypeToken::DeclarationOpen, "<!ATTLIST") => {
                     for (element, attribute, is_tokenized) in self.attribute_list()? {
                         if counts {
                             entities.declare_attribute(element, attribute, is_tokenized);
                         }
                     }
                 }
-                (Token::DeclarationOpen, "<!ELEMENT") => self.element_type()?,
-                (Token::DeclarationOpen, "<!NOTATION") => self.notation()?,
+                (DoctypeToken::DeclarationOpen, "<!ELEMENT") => self.element_type()?,
+                (DoctypeToken::DeclarationOpen, "<!NOTATION") => self.notation()?,
                 _ => return Err((expat::SYNTAX, start)),
             }
         }
@@ -187,14 +187,14 @@ impl<'t> Parser<'t> {
     }
 
     fn entity(&mut self, counts: bool) -> Checked<Option<(&'t str, Entity)>> {
-        let mut found = self.expect(&[Token::Name, Token::Percent])?;
-        let general = found.0 == Token::Name;
+        let mut found = self.expect(&[DoctypeToken::Name, DoctypeToken::Percent])?;
+        let general = found.0 == DoctypeToken::Name;
         if !general {
-            found = self.expect(&[Token::Name])?;
+            found = self.expect(&[DoctypeToken::Name])?;
         }
         let name = found.2;
-        found = self.expect(&[Token::Name, Token::Literal])?;
-        if found.0 == Token::Literal {
+        found = self.expect(&[DoctypeToken::Name, DoctypeToken::Literal])?;
+        if found.0 == DoctypeToken::Literal {
             let value = if counts {
                 self.entity_value(found.1 + 1)?
             } else {
@@ -207,9 +207,9 @@ impl<'t> Parser<'t> {
         let mut kind = Entity::External;
         let end = self.next_token()?;
         match end {
-            (Token::Punctuation(b'>'), ..) => return Ok(general.then_some((name, kind))),
-            (Token::Name, _, "NDATA") if general => {
-                self.expect(&[Token::Name])?;
+            (DoctypeToken::Punctuation(b'>'), ..) => return Ok(general.then_some((name, kind))),
+            (DoctypeToken::Name, _, "NDATA") if general => {
+                self.expect(&[DoctypeToken::Name])?;
                 kind = Entity::Unparsed;
             }
             _ => return Err(unexpected(end)),
@@ -227,7 +227,7 @@ impl<'t> Parser<'t> {
                 b'%' => {
                     let (token, stop) = self.token(start + at);
                     return Err(match token {
-                        Token::ParameterReference if stop <= end => {
+                        DoctypeToken::ParameterReference if stop <= end => {
                             (expat::PARAMETER_REFERENCE, start + at)
                         }
                         _ if stop >= end => (expat::INVALID, start + at),
@@ -253,23 +253,24 @@ impl<'t> Parser<'t> {
 
     /// The attributes of an `ATTLIST`: element, attribute, and whether its type is other than `CDATA`.
     fn attribute_list(&mut self) -> Checked<Vec<(&'t str, &'t str, bool)>> {
-        let names = [Token::Name, Token::PrefixedName];
+        let names = [DoctypeToken::Name, DoctypeToken::PrefixedName];
         let element = self.expect(&names)?.2;
         let mut attributes = Vec::new();
         loop {
             let found = self.next_token()?;
             match found.0 {
-                Token::Punctuation(b'>') => return Ok(attributes),
-                Token::Name | Token::PrefixedName => {}
+                DoctypeToken::Punctuation(b'>') => return Ok(attributes),
+                DoctypeToken::Name | DoctypeToken::PrefixedName => {}
                 _ => return Err(unexpected(found)),
             }
             attributes.push((element, found.2, self.attribute_type()?));
-            let (token, start, text) = self.expect(&[Token::PoundName, Token::Literal])?;
+            let (token, start, text) =
+                self.expect(&[DoctypeToken::PoundName, DoctypeToken::Literal])?;
             match (token, text) {
-                (Token::Literal, _) => self.default_value(start)?,
+                (DoctypeToken::Literal, _) => self.default_value(start)?,
                 (_, "#IMPLIED" | "#REQUIRED") => {}
                 (_, "#FIXED") => {
-                    let (_, start, _) = self.expect(&[Token::Literal])?;
+                    let (_, start, _) = self.expect(&[DoctypeToken::Literal])?;
                     self.default_value(start)?;
                 }
                 _ => return Err((expat::SYNTAX, start)),
@@ -279,12 +280,12 @@ impl<'t> Parser<'t> {
 
     /// The type of an attribute; gives whether it is other than `CDATA`.
     fn attribute_type(&mut self) -> Checked<bool> {
-        let open = Token::Punctuation(b'(');
-        let (token, start, text) = self.expect(&[Token::Name, open])?;
-        let notation = token == Token::Name && text == "NOTATION";
+        let open = DoctypeToken::Punctuation(b'(');
+        let (token, start, text) = self.expect(&[DoctypeToken::Name, open])?;
+        let notation = token == DoctypeToken::Name && text == "NOTATION";
         if notation {
             self.expect(&[open])?;
-        } else if token == Token::Name {
+        } else if token == DoctypeToken::Name {
             let is_known = ATTRIBUTE_TYPES.contains(&text);
             return if is_known {
                 Ok(text != "CDATA")
@@ -292,17 +293,21 @@ impl<'t> Parser<'t> {
                 Err((expat::SYNTAX, start))
             };
         }
-        let values: &[Token] = if notation {
-            &[Token::Name]
+        let values: &[DoctypeToken] = if notation {
+            &[DoctypeToken::Name]
         } else {
-            &[Token::Name, Token::PrefixedName, Token::NameToken]
+            &[
+                DoctypeToken::Name,
+                DoctypeToken::PrefixedName,
+                DoctypeToken::NameToken,
+            ]
         };
         loop {
             self.expect(values)?;
             if self
-                .expect(&[Token::CloseParen, Token::Punctuation(b'|')])?
+                .expect(&[DoctypeToken::CloseParen, DoctypeToken::Punctuation(b'|')])?
                 .0
-                == Token::CloseParen
+                == DoctypeToken::CloseParen
             {
                 return Ok(true);
             }
@@ -323,9 +328,10 @@ impl<'t> Parser<'t> {
     }
 
     fn element_type(&mut self) -> Checked {
-        self.expect(&[Token::Name, Token::PrefixedName])?;
-        let (token, start, text) = self.expect(&[Token::Name, Token::Punctuation(b'(')])?;
-        if token == Token::Name {
+        self.expect(&[DoctypeToken::Name, DoctypeToken::PrefixedName])?;
+        let (token, start, text) =
+            self.expect(&[DoctypeToken::Name, DoctypeToken::Punctuation(b'(')])?;
+        if token == DoctypeToken::Name {
             return if matches!(text, "EMPTY" | "ANY") {
                 self.declaration_close()
             } else {
@@ -344,26 +350,28 @@ impl<'t> Parser<'t> {
         loop {
             let found = self.next_token()?;
             match found.0 {
-                Token::PoundName if first && found.2 == "#PCDATA" => return self.mixed_content(),
-                Token::Punctuation(b'(') => {
+                DoctypeToken::PoundName if first && found.2 == "#PCDATA" => {
+                    return self.mixed_content();
+                }
+                DoctypeToken::Punctuation(b'(') => {
                     groups.push(0);
                     first = false;
                     continue;
                 }
-                Token::Name | Token::PrefixedName | Token::RepeatedName => {}
+                DoctypeToken::Name | DoctypeToken::PrefixedName | DoctypeToken::RepeatedName => {}
                 _ => return Err(unexpected(found)),
             }
             first = false;
             loop {
                 let found = self.next_token()?;
                 match (found.0, groups.last_mut()) {
-                    (Token::CloseParen | Token::RepeatedParen, _) => {
+                    (DoctypeToken::CloseParen | DoctypeToken::RepeatedParen, _) => {
                         groups.pop();
                         if groups.is_empty() {
                             return Ok(());
                         }
                     }
-                    (Token::Punctuation(b @ (b',' | b'|')), Some(connector)) => {
+                    (DoctypeToken::Punctuation(b @ (b',' | b'|')), Some(connector)) => {
                         if *connector != 0 && *connector != b {
                             return Err(unexpected(found));
                         }
@@ -382,27 +390,27 @@ impl<'t> Parser<'t> {
         loop {
             let found = self.next_token()?;
             match found.0 {
-                Token::CloseParen if !names => return Ok(()),
-                Token::RepeatedParen if found.2 == ")*" => return Ok(()),
-                Token::Punctuation(b'|') => names = true,
+                DoctypeToken::CloseParen if !names => return Ok(()),
+                DoctypeToken::RepeatedParen if found.2 == ")*" => return Ok(()),
+                DoctypeToken::Punctuation(b'|') => names = true,
                 _ => return Err(unexpected(found)),
             }
-            self.expect(&[Token::Name, Token::PrefixedName])?;
+            self.expect(&[DoctypeToken::Name, DoctypeToken::PrefixedName])?;
         }
     }
 
     fn notation(&mut self) -> Checked {
-        self.expect(&[Token::Name])?;
-        let (_, start, text) = self.expect(&[Token::Name])?;
+        self.expect(&[DoctypeToken::Name])?;
+        let (_, start, text) = self.expect(&[DoctypeToken::Name])?;
         match text {
             "SYSTEM" => {
-                self.expect(&[Token::Literal])?;
+                self.expect(&[DoctypeToken::Literal])?;
             }
             "PUBLIC" => {
-                let (_, start, text) = self.expect(&[Token::Literal])?;
+                let (_, start, text) = self.expect(&[DoctypeToken::Literal])?;
                 check_public_id(start, text)?;
-                let end = self.expect(&[Token::Literal, Token::Punctuation(b'>')])?;
-                if end.0 != Token::Literal {
+                let end = self.expect(&[DoctypeToken::Literal, DoctypeToken::Punctuation(b'>')])?;
+                if end.0 != DoctypeToken::Literal {
                     return Ok(());
                 }
             }
@@ -413,9 +421,9 @@ impl<'t> Parser<'t> {
 }
 
 /// What expat says to a token that has no place where it stands.
-fn unexpected((token, start, _): (Token, usize, &str)) -> ExpatError {
+fn unexpected((token, start, _): (DoctypeToken, usize, &str)) -> ExpatError {
     match token {
-        Token::ParameterReference => (expat::PARAMETER_REFERENCE, start),
+        DoctypeToken::ParameterReference => (expat::PARAMETER_REFERENCE, start),
         _ => (expat::SYNTAX, start),
     }
 }

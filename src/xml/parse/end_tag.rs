@@ -1,6 +1,6 @@
 //! End tags, and elements that end without one.
 
-use super::{ExpatError, Parser, Stop};
+use super::{ContentEnd, ExpatError, ItemParser};
 use crate::chars::{name_char, skip_ascii_name};
 use crate::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::node::{NodeId, NodeKind};
@@ -10,7 +10,7 @@ const MAX_LOOK: usize = 64;
 /// Unclosed elements reported where one end tag closes many.
 const MAX_UNCLOSED: usize = 8;
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     pub(super) fn name_of(&self, id: NodeId) -> &str {
         let Some(node) = self.nodes.get(id) else {
             return "";
@@ -20,7 +20,7 @@ impl Parser<'_> {
     }
 
     /// Read an end tag.
-    pub(super) fn end_tag(&mut self) -> Option<Stop> {
+    pub(super) fn end_tag(&mut self) -> Option<ContentEnd> {
         let start = self.pos;
         let (name_end, expat_error) = self.scan_end_tag();
         let complete = self.bytes.get(self.pos - 1) == Some(&b'>');
@@ -39,7 +39,7 @@ impl Parser<'_> {
             self.close_unclosed(depth, Some((start, tag_end)), mismatch);
             self.pos = tag_end;
             self.close(Some(start));
-            return self.open.is_empty().then_some(Stop::Element);
+            return self.open.is_empty().then_some(ContentEnd::Element);
         }
         self.needs_root_name = true;
         self.look(self.pos + 1);
@@ -47,7 +47,7 @@ impl Parser<'_> {
             let tag_end = std::mem::replace(&mut self.pos, start);
             self.cut_item();
             self.close_unclosed(0, Some((start, tag_end)), mismatch);
-            return Some(Stop::RootEnd);
+            return Some(ContentEnd::RootEnd);
         }
         self.report_end_tag(start, expat_error);
         if self.closes_innermost(start, name, complete) {
@@ -55,7 +55,7 @@ impl Parser<'_> {
                 self.report_renamed(start, name_end, mismatch);
             }
             self.close(Some(start));
-            return self.open.is_empty().then_some(Stop::Element);
+            return self.open.is_empty().then_some(ContentEnd::Element);
         }
         self.push_node(NodeKind::Junk, start, 0);
         let message =

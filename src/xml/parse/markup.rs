@@ -1,38 +1,38 @@
 //! Comments, CDATA sections, instructions, and what else begins with `<!`.
 
-use super::{ExpatError, Parser};
+use super::{ExpatError, ItemParser};
 use crate::chars::{first_illegal, is_space, name_char};
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::{CLOSED, NodeKind};
 
 /// Markup with delimiters and free text between.
-struct Shape {
+struct DelimitedMarkup {
     kind: NodeKind,
     open: usize,
     close: &'static str,
     what: &'static str,
 }
 
-const COMMENT: Shape = Shape {
+const COMMENT: DelimitedMarkup = DelimitedMarkup {
     kind: NodeKind::Comment,
     open: 4,
     close: "-->",
     what: "comment",
 };
-const CDATA: Shape = Shape {
+const CDATA: DelimitedMarkup = DelimitedMarkup {
     kind: NodeKind::CData,
     open: 9,
     close: "]]>",
     what: "CDATA section",
 };
-const INSTRUCTION: Shape = Shape {
+const INSTRUCTION: DelimitedMarkup = DelimitedMarkup {
     kind: NodeKind::Pi,
     open: 2,
     close: "?>",
     what: "instruction",
 };
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// Read what begins with `<!` inside the root.
     pub(super) fn bang(&mut self) {
         self.min_offset = Some(0);
@@ -140,7 +140,7 @@ impl Parser<'_> {
     }
 
     /// Markup whose end is nowhere: it ends before the next line that begins with markup.
-    fn unclosed_markup(&mut self, shape: &Shape, start: usize, first_error: usize) {
+    fn unclosed_markup(&mut self, shape: &DelimitedMarkup, start: usize, first_error: usize) {
         self.hit_end = true;
         let (inner, end) = (start + shape.open, self.bytes.len());
         let expat_error = match self.next_illegal(inner) {
@@ -174,7 +174,7 @@ impl Parser<'_> {
     /// will be found again, as something else.
     fn resume_at(
         &mut self,
-        shape: &Shape,
+        shape: &DelimitedMarkup,
         start: usize,
         next: (usize, usize),
         expat_error: ExpatError,
@@ -192,7 +192,12 @@ impl Parser<'_> {
         self.mark_divergence();
     }
 
-    fn report_unclosed_markup(&mut self, shape: &Shape, start: usize, expat_error: ExpatError) {
+    fn report_unclosed_markup(
+        &mut self,
+        shape: &DelimitedMarkup,
+        start: usize,
+        expat_error: ExpatError,
+    ) {
         let (what, close) = (shape.what, shape.close);
         let line = self
             .slice(start + shape.open, self.pos)

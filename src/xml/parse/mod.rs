@@ -17,11 +17,11 @@ mod value;
 use std::collections::HashMap;
 
 use super::error::{Condition, ItemError, SyntaxError, SyntaxErrorKind};
-use super::item::{EntityUse, Extra, Item};
+use super::item::{EntityUse, Item, ItemDetails};
 use super::node::{AttrData, NONE, NodeData, NodeId, NodeKind};
 use base::limits::ITEM_ERRORS;
 use base::{IdVec, TextRange, count_line_ends};
-use names::Scopes;
+use names::NamespaceScopes;
 
 pub(super) use prolog::{Footer, Header, RootState};
 
@@ -30,7 +30,7 @@ type ExpatError = (&'static str, usize);
 
 /// What ended a run of content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stop {
+enum ContentEnd {
     /// An element is complete: so is the item.
     Element,
     /// The root's end tag stands at the current position.
@@ -39,8 +39,8 @@ enum Stop {
     End,
 }
 
-/// What [`Parser::step`] found.
-pub(super) enum Step {
+/// What [`ItemParser::step`] found.
+pub(super) enum ParseStep {
     /// An item; there is more.
     Item(Item),
     /// The rest of the file.
@@ -48,7 +48,7 @@ pub(super) enum Step {
 }
 
 /// Reads items from a window of text that starts on an item boundary.
-pub(super) struct Parser<'t> {
+pub(super) struct ItemParser<'t> {
     text: &'t str,
     bytes: &'t [u8],
     /// Whether the text ends where the file ends.
@@ -82,10 +82,10 @@ pub(super) struct Parser<'t> {
     /// The open elements.
     open: Vec<NodeId>,
     entity_uses: HashMap<(&'t str, bool), u32>,
-    scopes: Scopes<'t>,
+    scopes: NamespaceScopes<'t>,
 }
 
-impl<'t> Parser<'t> {
+impl<'t> ItemParser<'t> {
     pub(super) fn new(text: &'t str, root_name: &'t str, is_final: bool) -> Self {
         let bytes = text.as_bytes();
         Self {
@@ -110,7 +110,7 @@ impl<'t> Parser<'t> {
             errors: Vec::new(),
             open: Vec::new(),
             entity_uses: HashMap::new(),
-            scopes: Scopes::default(),
+            scopes: NamespaceScopes::default(),
         }
     }
 
@@ -120,13 +120,15 @@ impl<'t> Parser<'t> {
     }
 
     /// Read the next item. It is worthless when [`needs_more_input`](Self::needs_more_input) says so.
-    pub(super) fn step(&mut self) -> Step {
+    pub(super) fn step(&mut self) -> ParseStep {
         self.begin_item();
         let stop = self.content();
-        if stop == Stop::Element || self.nodes.iter().any(|node| node.kind == NodeKind::Element) {
-            return Step::Item(self.finish_item());
+        if stop == ContentEnd::Element
+            || self.nodes.iter().any(|node| node.kind == NodeKind::Element)
+        {
+            return ParseStep::Item(self.finish_item());
         }
-        Step::Footer(self.footer(stop))
+        ParseStep::Footer(self.footer(stop))
     }
 
     /// Whether the last item would need text beyond the window.
@@ -160,7 +162,7 @@ impl<'t> Parser<'t> {
             && self.entity_uses.is_empty()
             && !self.needs_root_name
             && lookahead as usize == text.len();
-        let extra = (!plain).then(|| Extra {
+        let extra = (!plain).then(|| ItemDetails {
             errors: self.errors.drain(..).collect(),
             entity_uses: self.take_entity_uses(),
             lookahead: if lookahead as usize == text.len() {

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::Parser;
+use super::ItemParser;
 use crate::chars::{is_space, name_char, skip_ascii_name};
 use base::FastMap;
 
@@ -14,7 +14,7 @@ pub(super) struct QName {
     pub(super) bad: Option<usize>,
 }
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// Read a qualified name at `start`: `name` or `prefix:name`. A name with a mistake goes on to the next
     /// character that certainly is not part of it.
     pub(super) fn qname(&self, start: usize) -> QName {
@@ -72,8 +72,8 @@ impl Parser<'_> {
 
 /// The namespace declarations in force inside an item.
 #[derive(Default)]
-pub(super) struct Scopes<'t> {
-    bindings: Vec<Binding<'t>>,
+pub(super) struct NamespaceScopes<'t> {
+    bindings: Vec<NamespaceBinding<'t>>,
     current: FastMap<&'t str, usize>,
     /// Prefixes used without a declaration inside the item.
     outer: HashSet<&'t str>,
@@ -81,7 +81,7 @@ pub(super) struct Scopes<'t> {
     last_outer: Option<&'t str>,
 }
 
-struct Binding<'t> {
+struct NamespaceBinding<'t> {
     prefix: &'t str,
     uri: String,
     /// How many elements were open at the declaration.
@@ -90,7 +90,7 @@ struct Binding<'t> {
     hidden: Option<usize>,
 }
 
-impl<'t> Scopes<'t> {
+impl<'t> NamespaceScopes<'t> {
     pub(super) fn clear(&mut self) {
         self.bindings.clear();
         self.current.clear();
@@ -118,7 +118,7 @@ impl<'t> Scopes<'t> {
 
     pub(super) fn bind(&mut self, prefix: &'t str, uri: String, depth: usize) {
         let hidden = self.current.insert(prefix, self.bindings.len());
-        self.bindings.push(Binding {
+        self.bindings.push(NamespaceBinding {
             prefix,
             uri,
             depth,

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::declaration::check_declaration;
-use super::token::Token;
-use super::{ExpatError, Parser, Stop};
+use super::token::DoctypeToken;
+use super::{ContentEnd, ExpatError, ItemParser};
 use crate::chars::name_char;
 use crate::decode::decode;
 use crate::entities::Entities;
@@ -44,7 +44,7 @@ pub(crate) struct Header {
     pub(crate) namespaces: FastMap<Box<str>, Box<str>>,
 }
 
-impl<'t> Parser<'t> {
+impl<'t> ItemParser<'t> {
     /// Read everything up to and including the root's start tag.
     pub(crate) fn header(&mut self) -> Header {
         self.begin_item();
@@ -221,16 +221,16 @@ impl<'t> Parser<'t> {
         let (token, end) = self.token(start);
         self.look(end + 1);
         match token {
-            Token::Invalid(at) => {
+            DoctypeToken::Invalid(at) => {
                 self.look(at + 1);
                 (expat::INVALID, at)
             }
-            Token::Unfinished => {
+            DoctypeToken::Unfinished => {
                 self.hit_end = true;
                 (expat::UNCLOSED_TOKEN, start)
             }
-            Token::TagOpen if unexpected == expat::SYNTAX => (expat::INVALID, start + 1),
-            Token::ParameterReference if unexpected == expat::SYNTAX => {
+            DoctypeToken::TagOpen if unexpected == expat::SYNTAX => (expat::INVALID, start + 1),
+            DoctypeToken::ParameterReference if unexpected == expat::SYNTAX => {
                 (expat::PARAMETER_REFERENCE, start)
             }
             _ => (unexpected, start),
@@ -241,15 +241,15 @@ impl<'t> Parser<'t> {
     fn at_doctype(&self) -> bool {
         let (token, end) = self.token(self.pos);
         !self.has_doctype
-            && token == Token::DeclarationOpen
+            && token == DoctypeToken::DeclarationOpen
             && self.slice(self.pos, end) == "<!DOCTYPE"
     }
 
     /// The current item has no element: it is the footer. Read the rest of the file.
-    pub(super) fn footer(&mut self, stop: Stop) -> Footer {
+    pub(super) fn footer(&mut self, stop: ContentEnd) -> Footer {
         let inner = self.nodes.len() as u32;
         let mut root_end = None;
-        if stop == Stop::RootEnd {
+        if stop == ContentEnd::RootEnd {
             let start = self.pos;
             let (_, expat_error) = self.scan_end_tag();
             self.report_end_tag(start, expat_error);

@@ -1,7 +1,7 @@
 //! Guesses about what an author in the middle of typing means. None of them applies to sound text.
 #![allow(clippy::indexing_slicing)] // ids of open elements
 
-use super::Parser;
+use super::ItemParser;
 use crate::chars::{is_space, name_char};
 use crate::node::NodeKind;
 use base::Id;
@@ -12,7 +12,7 @@ const MAX_CUT: usize = 4;
 /// Columns an indentation may have, and bytes one line is looked at.
 const MAX_LINE: usize = 1024;
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// The first `<` from `from` on, before `to`, that begins a line and looks like markup.
     pub(super) fn next_line_markup(&self, from: usize, to: usize) -> Option<usize> {
         let text = self.bytes.get(from..to)?;

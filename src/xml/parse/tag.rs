@@ -1,15 +1,15 @@
 //! Start tags and their attributes.
 #![allow(clippy::indexing_slicing)] // ids and attribute numbers this parser made itself
 
-use super::{ExpatError, Parser, Stop};
+use super::{ContentEnd, ExpatError, ItemParser};
 use crate::chars::is_space;
 use crate::error::{SyntaxErrorKind as Kind, expat};
 use crate::node::{AttrData, HAS_EQUALS, NO_CONTENT, NodeKind, PREFIXED, SELF_CLOSING};
 use base::Id;
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// Read a start tag.
-    pub(super) fn start_tag(&mut self) -> Option<Stop> {
+    pub(super) fn start_tag(&mut self) -> Option<ContentEnd> {
         let start = self.pos;
         let name = self.qname(start + 1);
         self.min_offset = Some(0);
@@ -38,7 +38,7 @@ impl Parser<'_> {
             return None;
         }
         self.scopes.leave(self.open.len());
-        self.open.is_empty().then_some(Stop::Element)
+        self.open.is_empty().then_some(ContentEnd::Element)
     }
 
     /// A name whose grammar breaks at `at`.

@@ -1,13 +1,13 @@
 //! Character data and references.
 
-use super::Parser;
+use super::ItemParser;
 use crate::chars::{first_illegal, stops_text};
 use crate::decode::{Reference, read_reference};
 use crate::entities::predefined;
 use crate::error::{Condition, SyntaxError, SyntaxErrorKind as Kind, expat};
 use crate::node::{HAS_DOLLAR, NEEDS_DECODING, NodeKind};
 
-impl<'t> Parser<'t> {
+impl<'t> ItemParser<'t> {
     /// Character data and references up to the next `<`.
     pub(super) fn text_run(&mut self) {
         let start = self.pos;

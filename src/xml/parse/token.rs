@@ -1,12 +1,12 @@
 //! The tokens of declarations, which are also what expat makes of text outside the root.
 
-use super::Parser;
+use super::ItemParser;
 use crate::chars::{is_legal, is_space, name_char};
 
 /// A token of a DOCTYPE.
 #[allow(clippy::enum_variant_names)] // "name token" is the term of the XML specification
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Token {
+pub(super) enum DoctypeToken {
     Name,
     PrefixedName,
     /// A name token that is no name, such as `1a` or `a:`.
@@ -41,119 +41,129 @@ pub(super) enum Token {
     Invalid(usize),
 }
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// The token at `at` and the offset behind it. White space, comments and instructions are the caller's.
-    pub(super) fn token(&self, at: usize) -> (Token, usize) {
+    pub(super) fn token(&self, at: usize) -> (DoctypeToken, usize) {
         let Some(&b) = self.bytes.get(at) else {
-            return (Token::End, at);
+            return (DoctypeToken::End, at);
         };
         match b {
             b'"' | b'\'' => self.literal(at, b),
             b'<' => self.opening(at),
-            b'%' => self.named(at, Token::ParameterReference),
-            b'#' => self.named(at, Token::PoundName),
-            b']' if self.bytes.get(at + 1..) == Some(b"]") => (Token::Unfinished, at + 2),
-            b']' if self.bytes.get(at..at + 3) == Some(b"]]>") => (Token::SectionClose, at + 3),
-            b'(' | b'[' | b']' | b',' | b'|' | b'>' => (Token::Punctuation(b), at + 1),
+            b'%' => self.named(at, DoctypeToken::ParameterReference),
+            b'#' => self.named(at, DoctypeToken::PoundName),
+            b']' if self.bytes.get(at + 1..) == Some(b"]") => (DoctypeToken::Unfinished, at + 2),
+            b']' if self.bytes.get(at..at + 3) == Some(b"]]>") => {
+                (DoctypeToken::SectionClose, at + 3)
+            }
+            b'(' | b'[' | b']' | b',' | b'|' | b'>' => (DoctypeToken::Punctuation(b), at + 1),
             b')' => self.close_paren(at),
             _ => self.name_token(at),
         }
     }
 
-    fn literal(&self, at: usize, quote: u8) -> (Token, usize) {
+    fn literal(&self, at: usize, quote: u8) -> (DoctypeToken, usize) {
         for (n, c) in self.text.get(at + 1..).unwrap_or("").char_indices() {
             let here = at + 1 + n;
             if c == quote as char {
                 return match self.bytes.get(here + 1) {
-                    None => (Token::Literal, here + 1),
-                    Some(&b) if is_space(b) || b">%[".contains(&b) => (Token::Literal, here + 1),
-                    Some(_) => (Token::Invalid(here + 1), here + 1),
+                    None => (DoctypeToken::Literal, here + 1),
+                    Some(&b) if is_space(b) || b">%[".contains(&b) => {
+                        (DoctypeToken::Literal, here + 1)
+                    }
+                    Some(_) => (DoctypeToken::Invalid(here + 1), here + 1),
                 };
             }
             if !is_legal(c) {
-                return (Token::Invalid(here), here);
+                return (DoctypeToken::Invalid(here), here);
             }
         }
-        (Token::Unfinished, self.bytes.len())
+        (DoctypeToken::Unfinished, self.bytes.len())
     }
 
-    fn opening(&self, at: usize) -> (Token, usize) {
+    fn opening(&self, at: usize) -> (DoctypeToken, usize) {
         match self.bytes.get(at + 1) {
-            None => (Token::Unfinished, at + 1),
+            None => (DoctypeToken::Unfinished, at + 1),
             Some(b'!') => self.declaration_open(at),
             // Beyond ASCII expat looks no closer here.
-            Some(&b) if b >= 0x80 || name_char(self.text, at + 1, true) > 0 => (Token::TagOpen, at),
-            Some(_) => (Token::Invalid(at + 1), at + 1),
+            Some(&b) if b >= 0x80 || name_char(self.text, at + 1, true) > 0 => {
+                (DoctypeToken::TagOpen, at)
+            }
+            Some(_) => (DoctypeToken::Invalid(at + 1), at + 1),
         }
     }
 
-    fn declaration_open(&self, at: usize) -> (Token, usize) {
+    fn declaration_open(&self, at: usize) -> (DoctypeToken, usize) {
         let mut end = at + 2;
         match self.bytes.get(end) {
-            None => return (Token::Unfinished, end),
-            Some(b'[') => return (Token::SectionOpen, end + 1),
+            None => return (DoctypeToken::Unfinished, end),
+            Some(b'[') => return (DoctypeToken::SectionOpen, end + 1),
             Some(&b) if is_letter(b) => {}
             // `<!-` of something that is no comment.
             Some(b'-') => {
                 return match self.bytes.get(end + 1) {
-                    None => (Token::Unfinished, end + 1),
-                    Some(_) => (Token::Invalid(end + 1), end + 1),
+                    None => (DoctypeToken::Unfinished, end + 1),
+                    Some(_) => (DoctypeToken::Invalid(end + 1), end + 1),
                 };
             }
-            Some(_) => return (Token::Invalid(end), end),
+            Some(_) => return (DoctypeToken::Invalid(end), end),
         }
         while self.bytes.get(end).is_some_and(|&b| is_letter(b)) {
             end += 1;
         }
         match (self.bytes.get(end), self.bytes.get(end + 1)) {
-            (None, _) => (Token::Unfinished, end),
-            (Some(b'%'), None) => (Token::Unfinished, end),
-            (Some(b'%'), Some(&b)) if is_space(b) || b == b'%' => (Token::Invalid(end), end),
-            (Some(b'%'), _) => (Token::DeclarationOpen, end),
-            (Some(&b), _) if is_space(b) => (Token::DeclarationOpen, end),
-            _ => (Token::Invalid(end), end),
+            (None, _) => (DoctypeToken::Unfinished, end),
+            (Some(b'%'), None) => (DoctypeToken::Unfinished, end),
+            (Some(b'%'), Some(&b)) if is_space(b) || b == b'%' => (DoctypeToken::Invalid(end), end),
+            (Some(b'%'), _) => (DoctypeToken::DeclarationOpen, end),
+            (Some(&b), _) if is_space(b) => (DoctypeToken::DeclarationOpen, end),
+            _ => (DoctypeToken::Invalid(end), end),
         }
     }
 
     /// `%name;` or `#name`, or a plain `%`.
-    fn named(&self, at: usize, kind: Token) -> (Token, usize) {
-        let percent = kind == Token::ParameterReference;
+    fn named(&self, at: usize, kind: DoctypeToken) -> (DoctypeToken, usize) {
+        let percent = kind == DoctypeToken::ParameterReference;
         let mut end = at + 1;
         match self.bytes.get(end) {
-            None => return (Token::Unfinished, end),
-            Some(&b) if percent && (is_space(b) || b == b'%') => return (Token::Percent, end),
-            Some(_) if name_char(self.text, end, true) == 0 => return (Token::Invalid(end), end),
+            None => return (DoctypeToken::Unfinished, end),
+            Some(&b) if percent && (is_space(b) || b == b'%') => {
+                return (DoctypeToken::Percent, end);
+            }
+            Some(_) if name_char(self.text, end, true) == 0 => {
+                return (DoctypeToken::Invalid(end), end);
+            }
             Some(_) => end = crate::chars::skip_name(self.text, end),
         }
         match self.bytes.get(end) {
             Some(b';') if percent => (kind, end + 1),
             Some(&b) if !percent && (is_space(b) || b")>%|".contains(&b)) => (kind, end),
-            None if percent => (Token::Unfinished, end),
+            None if percent => (DoctypeToken::Unfinished, end),
             None => (kind, end),
-            Some(_) => (Token::Invalid(end), end),
+            Some(_) => (DoctypeToken::Invalid(end), end),
         }
     }
 
-    fn close_paren(&self, at: usize) -> (Token, usize) {
+    fn close_paren(&self, at: usize) -> (DoctypeToken, usize) {
         match self.bytes.get(at + 1) {
-            None => (Token::CloseParen, at + 1),
-            Some(b'*' | b'?' | b'+') => (Token::RepeatedParen, at + 2),
-            Some(&b) if is_space(b) || b">,|)".contains(&b) => (Token::CloseParen, at + 1),
-            Some(_) => (Token::Invalid(at + 1), at + 1),
+            None => (DoctypeToken::CloseParen, at + 1),
+            Some(b'*' | b'?' | b'+') => (DoctypeToken::RepeatedParen, at + 2),
+            Some(&b) if is_space(b) || b">,|)".contains(&b) => (DoctypeToken::CloseParen, at + 1),
+            Some(_) => (DoctypeToken::Invalid(at + 1), at + 1),
         }
     }
 
-    fn name_token(&self, at: usize) -> (Token, usize) {
+    fn name_token(&self, at: usize) -> (DoctypeToken, usize) {
         let colon = self.bytes.get(at) == Some(&b':');
         let mut token = if name_char(self.text, at, true) > 0 {
-            Token::Name
+            DoctypeToken::Name
         } else {
-            Token::NameToken
+            DoctypeToken::NameToken
         };
         let mut end = at;
         loop {
             match name_char(self.text, end, false) {
-                0 if end == at && !colon => return (Token::Invalid(at), at),
+                0 if end == at && !colon => return (DoctypeToken::Invalid(at), at),
                 0 => {}
                 n => {
                     end += n;
@@ -168,16 +178,20 @@ impl Parser<'_> {
                         continue;
                     }
                     token = match token {
-                        Token::Name if end >= self.bytes.len() => return (Token::Unfinished, end),
-                        Token::Name if name_char(self.text, end, false) > 0 => Token::PrefixedName,
-                        _ => Token::NameToken,
+                        DoctypeToken::Name if end >= self.bytes.len() => {
+                            return (DoctypeToken::Unfinished, end);
+                        }
+                        DoctypeToken::Name if name_char(self.text, end, false) > 0 => {
+                            DoctypeToken::PrefixedName
+                        }
+                        _ => DoctypeToken::NameToken,
                     };
                 }
-                Some(b'+' | b'*' | b'?') if token != Token::NameToken => {
-                    return (Token::RepeatedName, end + 1);
+                Some(b'+' | b'*' | b'?') if token != DoctypeToken::NameToken => {
+                    return (DoctypeToken::RepeatedName, end + 1);
                 }
                 Some(&b) if is_space(b) || b">),|[%".contains(&b) => return (token, end),
-                Some(_) => return (Token::Invalid(end), end),
+                Some(_) => return (DoctypeToken::Invalid(end), end),
             }
         }
     }

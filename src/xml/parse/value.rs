@@ -1,6 +1,6 @@
 //! Attribute values.
 
-use super::{ExpatError, Parser};
+use super::{ExpatError, ItemParser};
 use crate::chars::{is_space, name_char, stops_value};
 use crate::decode::{Reference, read_reference};
 use crate::error::{SyntaxErrorKind as Kind, expat};
@@ -9,7 +9,7 @@ use crate::node::{HAS_DOLLAR, NEEDS_DECODING, QUOTED};
 /// Bytes one line is looked at for a closing quote.
 const MAX_LINE: usize = 1024;
 
-impl Parser<'_> {
+impl ItemParser<'_> {
     /// Read a value in quotes; the position is on the opening one. Gives whether it is sound.
     pub(super) fn quoted_value(&mut self, name: (usize, usize), quote: u8, mut flags: u8) -> bool {
         let start = self.pos + 1;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use xacro_lsp::model::Mesh;
 use xacro_lsp::vfs::Vfs;
 use xacro_lsp::workspace::config::Config;
-use xacro_lsp::yaml::{self, Kind, Node};
+use xacro_lsp::yaml::{self, YamlKind, YamlNode};
 
 use super::launch_requests::config_places;
 
@@ -27,7 +27,7 @@ pub fn yaml(data: &[u8]) {
     }
 }
 
-fn places(root: &Node, text: &str) {
+fn places(root: &YamlNode, text: &str) {
     let mut open = vec![root];
     while let Some(node) = open.pop() {
         assert!(
@@ -41,10 +41,10 @@ fn places(root: &Node, text: &str) {
             node.range
         );
         match &node.kind {
-            Kind::Map(items) | Kind::Pairs(items) => {
+            YamlKind::Map(items) | YamlKind::Pairs(items) => {
                 open.extend(items.iter().flat_map(|(key, value)| [key, value]));
             }
-            Kind::List(items) | Kind::Set(items) => open.extend(items),
+            YamlKind::List(items) | YamlKind::Set(items) => open.extend(items),
             _ => {}
         }
     }

@@ -4,7 +4,7 @@ use ecow::EcoString;
 use xacro_lsp::base::TextRange;
 use xacro_lsp::expr::{
     self, Budget, Code, ErrorKind, EvalError, ExprErrorKind, Host, HostFn, Lookup, Parsed, ScopeId,
-    Template, Token, Value, display,
+    Template, TemplateToken, Value, display,
 };
 
 /// A host with a few properties that notes the first name that is missing.
@@ -85,16 +85,16 @@ fn pieces(template: &Template, text: &str) {
         );
         at = Some(range.end);
         match token {
-            Token::Expr {
+            TemplateToken::Expr {
                 inner,
                 code: Code::Static(found),
                 ..
             } => parsed(found, inner.slice(text)),
-            Token::Expr {
+            TemplateToken::Expr {
                 code: Code::Dynamic(nested),
                 ..
             } => pieces(nested, text),
-            Token::Subst {
+            TemplateToken::Subst {
                 nested: Some(nested),
                 ..
             } => pieces(nested, text),

@@ -34,6 +34,6 @@ pub fn launch(data: &[u8]) {
         }
         assert!(call.known() <= call.args.len());
     }
-    let shown = |calls: &[xacro_lsp::workspace::launch::Call]| format!("{calls:?}");
+    let shown = |calls: &[xacro_lsp::workspace::launch::LaunchCall]| format!("{calls:?}");
     assert_eq!(shown(&found), shown(&find()));
 }

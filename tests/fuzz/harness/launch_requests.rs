@@ -5,10 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use xacro_lsp::analysis::{RootChoice, World};
+use xacro_lsp::analysis::{AnalysisHost, RootConfig};
 use xacro_lsp::base::{CancelFlag, TextRange};
 use xacro_lsp::vfs::Environment;
-use xacro_lsp::workspace::config::{PlaceKind, doc, place_at, wanted};
+use xacro_lsp::workspace::config::{ConfigCursorKind, doc, place_at, wanted};
 
 use super::choice_and_text;
 
@@ -63,8 +63,8 @@ pub fn launch_requests(data: &[u8]) {
         cwd: folder.to_owned(),
         ..Environment::default()
     };
-    let mut world = World::new(env, vec![folder.to_owned()]);
-    world.set_text(&path, text.clone());
+    let mut host = AnalysisHost::new(env, vec![folder.to_owned()]);
+    host.set_text(&path, text.clone());
     let lies_within = |range: TextRange| {
         assert!(
             text.get(range.start as usize..range.end as usize).is_some(),
@@ -72,7 +72,7 @@ pub fn launch_requests(data: &[u8]) {
         );
     };
     for offset in places(&text, choice) {
-        let session = world.session();
+        let session = host.session();
         if let Some(name) = session.launch_name_at(&path, offset) {
             lies_within(name.span.range);
             assert_eq!(name.span.range.slice(&text), name.name, "{text:?}");
@@ -87,7 +87,7 @@ pub fn launch_requests(data: &[u8]) {
         }
     }
     for name in ["side", "n", "sim"] {
-        let session = world.session();
+        let session = host.session();
         session.launch_values(&robot, name);
         for place in session.launch_places(std::slice::from_ref(&robot), name) {
             let own = *session.vfs.path(place.file) == *path;
@@ -97,9 +97,9 @@ pub fn launch_requests(data: &[u8]) {
             );
         }
     }
-    let roots: Vec<RootChoice> = world.session().launched_roots(&robot);
+    let roots: Vec<RootConfig> = host.session().launched_roots(&robot);
     assert!(roots.len() <= xacro_lsp::base::limits::CALL_RUNS);
-    let report = world
+    let report = host
         .report(&[robot, path.clone()], &CancelFlag::default())
         .expect("nobody cancels");
     for finding in &report.findings {
@@ -130,7 +130,7 @@ pub fn config_places(text: &str) {
             "{place:?} of {text:?}"
         );
         let mut path = place.path.clone();
-        if !matches!(place.kind, PlaceKind::Value { .. }) {
+        if !matches!(place.kind, ConfigCursorKind::Value { .. }) {
             path.push(range.slice(text).to_owned());
         }
         wanted(&place);

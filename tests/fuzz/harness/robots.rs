@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use xacro_lsp::analysis::{CheckOptions, FixOptions, Session, Setup};
-use xacro_lsp::expand::{Limits, Request, World, expand, write_mapped};
+use xacro_lsp::expand::{ExpansionLimits, Request, Sources, expand, write_mapped};
 use xacro_lsp::rules::{Safety, Severity};
 use xacro_lsp::vfs::{Environment, Vfs};
 use xacro_lsp::workspace::Packages;
@@ -42,7 +42,7 @@ pub fn expander(data: &[u8]) {
     // what a file may include is itself
     vfs.set_buffer(Path::new(PART), Some(text.clone()));
     let packages = Packages::new(vfs.clone(), &env, Default::default());
-    let limits = Limits {
+    let limits = ExpansionLimits {
         eval_steps: 50_000,
         output_bytes: 4 << 20,
         expand_nodes: 5_000,
@@ -58,7 +58,7 @@ pub fn expander(data: &[u8]) {
         ..Request::default()
     };
     let expansion = expand(
-        World {
+        Sources {
             vfs: &vfs,
             packages: &packages,
             env: &env,

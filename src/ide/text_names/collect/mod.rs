@@ -6,8 +6,11 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::files::Files;
-use super::{Class, Given, GivenId, Guard, Reading, Scope, ScopeId, TextNames, UsedId};
+use super::files::IncludedFiles;
+use super::{
+    Class, Guard, Reading, TextDefinition, TextDefinitionId, TextNames, TextScope, TextScopeId,
+    UsedId,
+};
 use base::{FastMap, FastSet, FileId, IdVec, Span, TextRange};
 use expand::{Expansion, SymbolKind, UseKind, parse_params};
 use facts::{FactsOf, facts_of, is_keyword};
@@ -21,13 +24,13 @@ const MOST_DEEP: u32 = 100;
 impl TextNames {
     /// The names of the robot that was expanded, with those in its branches that were not.
     pub fn of(expansion: &Expansion, world: RuleEnv<'_>) -> Self {
-        let files = Files::new(expansion, world);
+        let files = IncludedFiles::new(expansion, world);
         let mut names = Self {
-            scopes: IdVec::from(vec![Scope::Top]),
+            scopes: IdVec::from(vec![TextScope::Top]),
             ..Self::default()
         };
         if let Some(root) = files.root() {
-            let mut reader = Reader {
+            let mut reader = NameCollector {
                 names: &mut names,
                 files: &files,
                 seen: FastMap::default(),
@@ -37,8 +40,8 @@ impl TextNames {
                 known_uses: FastMap::default(),
                 order: 0,
             };
-            let at = At {
-                scope: ScopeId::TOP,
+            let at = NodeScope {
+                scope: TextScopeId::TOP,
                 guard: Guard::default(),
                 is_sure: true,
                 is_in_body: false,
@@ -65,13 +68,13 @@ impl TextNames {
             .used
             .iter_ids()
             .filter(|(_, used)| used.class == Class::Macro && !used.is_end);
-        let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
-        let mut calls_of: FastMap<GivenId, Vec<UsedId>> = FastMap::default();
+        let mut entered: FastMap<TextScope, Vec<TextScopeId>> = FastMap::default();
+        let mut calls_of: FastMap<TextDefinitionId, Vec<UsedId>> = FastMap::default();
         for (call, used) in calls {
             for of in self.macros(&used.called(), &used.scopes) {
                 calls_of.entry(of).or_default().push(call);
                 entered
-                    .entry(Scope::Callers(of))
+                    .entry(TextScope::Callers(of))
                     .or_default()
                     .extend(&used.scopes);
                 // a macro of a namespace sees that, and not who calls it
@@ -81,17 +84,17 @@ impl TextNames {
                 } else {
                     own
                 };
-                entered.entry(Scope::Body(of)).or_default().extend(seen);
+                entered.entry(TextScope::Body(of)).or_default().extend(seen);
             }
         }
         self.calls_of = calls_of;
         self.set_times();
         self.set_entered(entered);
-        let mut entered: FastMap<Scope, Vec<ScopeId>> = FastMap::default();
+        let mut entered: FastMap<TextScope, Vec<TextScopeId>> = FastMap::default();
         for used in self.used.iter().filter(|used| used.kind == UseKind::Insert) {
             for of in self.candidates(used, None) {
                 entered
-                    .entry(Scope::Body(of))
+                    .entry(TextScope::Body(of))
                     .or_default()
                     .extend(&used.scopes);
             }
@@ -99,7 +102,7 @@ impl TextNames {
         self.set_entered(entered);
     }
 
-    fn set_entered(&mut self, mut entered: FastMap<Scope, Vec<ScopeId>>) {
+    fn set_entered(&mut self, mut entered: FastMap<TextScope, Vec<TextScopeId>>) {
         for (id, scope) in self.scopes.iter_ids() {
             if let Some(mut from) = entered.remove(scope) {
                 from.sort_unstable();
@@ -110,17 +113,17 @@ impl TextNames {
     }
 }
 
-struct Reader<'a> {
+struct NameCollector<'a> {
     names: &'a mut TextNames,
-    files: &'a Files<'a>,
+    files: &'a IncludedFiles<'a>,
     /// Files with the scopes that they were read in, and the condition around that.
-    seen: FastMap<(FileId, ScopeId), Guard>,
+    seen: FastMap<(FileId, TextScopeId), Guard>,
     /// Files that several conditions bring in.
     several: FastSet<FileId>,
     /// Where each file is read.
     readings: FastMap<FileId, Vec<Reading>>,
     /// Definitions by place.
-    known: FastMap<Span, GivenId>,
+    known: FastMap<Span, TextDefinitionId>,
     /// Uses by place.
     known_uses: FastMap<Span, UsedId>,
     order: u32,
@@ -128,8 +131,8 @@ struct Reader<'a> {
 
 /// Where a node stands.
 #[derive(Clone, Copy)]
-struct At {
-    scope: ScopeId,
+struct NodeScope {
+    scope: TextScopeId,
     /// The innermost condition around it.
     guard: Guard,
     /// Whether it is evaluated whenever the conditions around it are taken.
@@ -138,17 +141,17 @@ struct At {
 }
 
 /// An element around the current node: its end, and what holds inside.
-type Open = (u32, At);
+type OpenElement = (u32, NodeScope);
 
 /// The part of a document that is read.
-struct Part<'a> {
+struct ReadSection<'a> {
     source: &'a Arc<SourceFile>,
     base: u32,
     facts: &'a FactsOf<'a>,
     depth: u32,
 }
 
-impl Part<'_> {
+impl ReadSection<'_> {
     fn span(&self, range: TextRange) -> Span {
         Span {
             file: self.source.id,
@@ -157,8 +160,8 @@ impl Part<'_> {
     }
 }
 
-impl Reader<'_> {
-    fn file(&mut self, source: &Arc<SourceFile>, at: At, depth: u32) {
+impl NameCollector<'_> {
+    fn file(&mut self, source: &Arc<SourceFile>, at: NodeScope, depth: u32) {
         let key = (source.id, at.scope);
         let reading = Reading {
             scope: at.scope,
@@ -180,7 +183,7 @@ impl Reader<'_> {
         for (base, item) in source.document.parts() {
             if item.text().contains("xacro:") || item.text().contains('$') {
                 let facts = facts_of(item);
-                let part = Part {
+                let part = ReadSection {
                     source,
                     base,
                     facts: &facts,
@@ -191,9 +194,9 @@ impl Reader<'_> {
         }
     }
 
-    fn item(&mut self, part: &Part<'_>, item: &Item, outer: At) {
+    fn item(&mut self, part: &ReadSection<'_>, item: &Item, outer: NodeScope) {
         let mut sites = part.facts.sites().iter().peekable();
-        let mut open: Vec<Open> = Vec::new();
+        let mut open: Vec<OpenElement> = Vec::new();
         for node in item.all_nodes() {
             let range = node.range();
             while open.last().is_some_and(|(end, _)| *end <= range.start) {
@@ -216,11 +219,16 @@ impl Reader<'_> {
     }
 
     /// Read an element; answers with what holds inside of it when that is something else.
-    fn element(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
+    fn element(
+        &mut self,
+        part: &ReadSection<'_>,
+        node: Node<'_>,
+        at: NodeScope,
+    ) -> Option<NodeScope> {
         match node.name() {
             "xacro:if" | "xacro:unless" => {
                 let guard = self.guard(at.guard);
-                return Some(At { guard, ..at });
+                return Some(NodeScope { guard, ..at });
             }
             "xacro:property" => return self.property(part, node, at),
             "xacro:macro" => return self.macro_definition(part, node, at),
@@ -230,8 +238,8 @@ impl Reader<'_> {
                     node,
                     SymbolKind::Argument,
                     named(node, "name")?,
-                    At {
-                        scope: ScopeId::TOP,
+                    NodeScope {
+                        scope: TextScopeId::TOP,
                         ..at
                     },
                 );
@@ -274,7 +282,12 @@ impl Reader<'_> {
         None
     }
 
-    fn property(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
+    fn property(
+        &mut self,
+        part: &ReadSection<'_>,
+        node: Node<'_>,
+        at: NodeScope,
+    ) -> Option<NodeScope> {
         let name = named(node, "name")?;
         if node
             .attr("remove")
@@ -292,32 +305,40 @@ impl Reader<'_> {
         let is_sure = at.is_sure && node.attr("default").is_none();
         let scope = node.attr("scope").map_or("", |scope| scope.raw());
         let own = match scope {
-            "global" => At {
-                scope: ScopeId::TOP,
+            "global" => NodeScope {
+                scope: TextScopeId::TOP,
                 is_sure: is_sure && !at.is_in_body,
                 ..at
             },
-            _ => At { is_sure, ..at },
+            _ => NodeScope { is_sure, ..at },
         };
         let id = self.give(part, node, kind, name, own);
         if let Some(given) = self.names.given.get_mut(id) {
             given.handed_out = scope == "parent";
         }
-        (!has_value).then(|| At {
-            scope: self.scope(Scope::Body(id)),
+        (!has_value).then(|| NodeScope {
+            scope: self.scope(TextScope::Body(id)),
             is_sure: true,
             is_in_body: true,
             ..at
         })
     }
 
-    fn macro_definition(&mut self, part: &Part<'_>, node: Node<'_>, at: At) -> Option<At> {
+    fn macro_definition(
+        &mut self,
+        part: &ReadSection<'_>,
+        node: Node<'_>,
+        at: NodeScope,
+    ) -> Option<NodeScope> {
         let (name, range) = named(node, "name")?;
         let bare: EcoString = name.trim_start_matches("xacro:").into();
         let range = TextRange::new(range.end - bare.len() as u32, range.end);
         let of = self.give(part, node, SymbolKind::Macro, (bare, range), at);
-        let (body, callers) = (self.scope(Scope::Body(of)), self.scope(Scope::Callers(of)));
-        let inside = At {
+        let (body, callers) = (
+            self.scope(TextScope::Body(of)),
+            self.scope(TextScope::Callers(of)),
+        );
+        let inside = NodeScope {
             scope: body,
             is_sure: true,
             is_in_body: true,
@@ -331,11 +352,11 @@ impl Reader<'_> {
 
     fn params(
         &mut self,
-        part: &Part<'_>,
+        part: &ReadSection<'_>,
         attr: Attr<'_>,
-        of: GivenId,
-        inside: At,
-        callers: ScopeId,
+        of: TextDefinitionId,
+        inside: NodeScope,
+        callers: TextScopeId,
     ) {
         let entities = Entities::default();
         let text = attr.value(&entities);
@@ -350,7 +371,7 @@ impl Reader<'_> {
                 SymbolKind::Parameter
             };
             let span = part.span(range);
-            let id = self.add(Given {
+            let id = self.add(TextDefinition {
                 kind,
                 name: name.clone(),
                 span,
@@ -365,7 +386,7 @@ impl Reader<'_> {
             });
             debug_assert!(self.names.given.get(id).is_some());
             if param.forward {
-                let at = At {
+                let at = NodeScope {
                     scope: callers,
                     ..inside
                 };
@@ -374,7 +395,7 @@ impl Reader<'_> {
         }
     }
 
-    fn include(&mut self, part: &Part<'_>, node: Node<'_>, at: At) {
+    fn include(&mut self, part: &ReadSection<'_>, node: Node<'_>, at: NodeScope) {
         let Some(filename) = node.attr("filename") else {
             return;
         };
@@ -387,7 +408,7 @@ impl Reader<'_> {
                 } else {
                     ecow::eco_format!("{outer}.{name}")
                 };
-                self.scope(Scope::Namespace(path, at.scope))
+                self.scope(TextScope::Namespace(path, at.scope))
             }
             None => at.scope,
         };
@@ -396,18 +417,18 @@ impl Reader<'_> {
         let filename = filename.value(&Entities::default()).into_owned();
         let read = self.files.of(part.source, tag, &filename);
         for file in &read {
-            self.included(file, tag, At { scope, ..at }, part.depth);
+            self.included(file, tag, NodeScope { scope, ..at }, part.depth);
         }
         // other arguments would read these instead: as if each had a condition around it
         for file in self.files.alternatives(part.source, &filename) {
             if !read.iter().any(|read| read.id == file.id) {
                 let guard = self.guard(at.guard);
-                self.included(&file, tag, At { scope, guard, ..at }, part.depth);
+                self.included(&file, tag, NodeScope { scope, guard, ..at }, part.depth);
             }
         }
     }
 
-    fn included(&mut self, file: &Arc<SourceFile>, tag: Span, at: At, depth: u32) {
+    fn included(&mut self, file: &Arc<SourceFile>, tag: Span, at: NodeScope, depth: u32) {
         self.names.included_at.entry(file.id).or_default().push(tag);
         self.file(file, at, depth + 1);
     }

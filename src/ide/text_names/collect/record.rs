@@ -2,22 +2,22 @@
 
 use ecow::EcoString;
 
-use super::super::{Class, Given, GivenId, Scope, ScopeId, Used};
-use super::{At, Part, Reader};
+use super::super::{Class, TextDefinition, TextDefinitionId, TextScope, TextScopeId, TextUse};
+use super::{NameCollector, NodeScope, ReadSection};
 use base::TextRange;
 use expand::{SymbolKind, UseKind};
 use facts::{MentionKind, Site};
 use xml::Node;
 
-impl Reader<'_> {
+impl NameCollector<'_> {
     /// A call: the names in its tag, and the parameters that it gives.
     pub(super) fn call(
         &mut self,
-        part: &Part<'_>,
+        part: &ReadSection<'_>,
         node: Node<'_>,
         called: &str,
         range: TextRange,
-        at: At,
+        at: NodeScope,
     ) {
         self.tag(part, called, range, at);
         let given = node.attrs().filter(|attr| {
@@ -30,7 +30,13 @@ impl Reader<'_> {
     }
 
     /// The name of a macro, with the namespaces in front of it.
-    pub(super) fn tag(&mut self, part: &Part<'_>, called: &str, range: TextRange, at: At) {
+    pub(super) fn tag(
+        &mut self,
+        part: &ReadSection<'_>,
+        called: &str,
+        range: TextRange,
+        at: NodeScope,
+    ) {
         let (path, last) = called.rsplit_once('.').unwrap_or(("", called));
         let own = TextRange::new(range.end - last.len() as u32, range.end);
         self.uses(
@@ -65,25 +71,25 @@ impl Reader<'_> {
     /// The names in an attribute of an element.
     pub(super) fn site(
         &mut self,
-        part: &Part<'_>,
+        part: &ReadSection<'_>,
         node: Node<'_>,
         site: &Site,
-        at: At,
-        inside: Option<At>,
+        at: NodeScope,
+        inside: Option<NodeScope>,
     ) {
         match node.name() {
             // neither is evaluated
             "xacro:macro" | "xacro:insert_block" if is_value(node, "name", site) => {}
             "xacro:macro" if is_value(node, "params", site) => {
                 let of = inside.and_then(|inside| match self.names.scopes.get(inside.scope) {
-                    Some(Scope::Body(of)) => Some(*of),
+                    Some(TextScope::Body(of)) => Some(*of),
                     _ => None,
                 });
-                let callers = of.map_or(at.scope, |of| self.scope(Scope::Callers(of)));
+                let callers = of.map_or(at.scope, |of| self.scope(TextScope::Callers(of)));
                 self.mentions(
                     part,
                     site,
-                    At {
+                    NodeScope {
                         scope: callers,
                         ..at
                     },
@@ -103,10 +109,10 @@ impl Reader<'_> {
 
     pub(super) fn mentions(
         &mut self,
-        part: &Part<'_>,
+        part: &ReadSection<'_>,
         site: &Site,
-        at: At,
-        lazy_in: Option<GivenId>,
+        at: NodeScope,
+        lazy_in: Option<TextDefinitionId>,
     ) {
         let mut path = String::new();
         let first = self.names.used.len();
@@ -134,7 +140,7 @@ impl Reader<'_> {
             .for_each(|used| used.lazy_in = lazy_in);
     }
 
-    pub(super) fn scope(&mut self, scope: Scope) -> ScopeId {
+    pub(super) fn scope(&mut self, scope: TextScope) -> TextScopeId {
         let scopes = &mut self.names.scopes;
         let known = scopes.position(|known| *known == scope);
         known.unwrap_or_else(|| scopes.push(scope))
@@ -142,13 +148,13 @@ impl Reader<'_> {
 
     pub(super) fn give(
         &mut self,
-        part: &Part<'_>,
+        part: &ReadSection<'_>,
         node: Node<'_>,
         kind: SymbolKind,
         (name, range): (EcoString, TextRange),
-        at: At,
-    ) -> GivenId {
-        self.add(Given {
+        at: NodeScope,
+    ) -> TextDefinitionId {
+        self.add(TextDefinition {
             kind,
             name,
             span: part.span(range),
@@ -164,7 +170,7 @@ impl Reader<'_> {
     }
 
     /// Add a definition, or the scopes of one that is known.
-    pub(super) fn add(&mut self, given: Given) -> GivenId {
+    pub(super) fn add(&mut self, given: TextDefinition) -> TextDefinitionId {
         self.order += 1;
         let next = self.names.given.next_id();
         let id = *self.known.entry(given.span).or_insert(next);
@@ -184,11 +190,11 @@ impl Reader<'_> {
 
     pub(super) fn uses(
         &mut self,
-        part: &Part<'_>,
+        part: &ReadSection<'_>,
         kind: UseKind,
         class: Class,
         (name, range): (EcoString, TextRange),
-        at: At,
+        at: NodeScope,
         of: &str,
     ) {
         self.order += 1;
@@ -203,7 +209,7 @@ impl Reader<'_> {
                 }
             }
             None => {
-                self.names.used.push(Used {
+                self.names.used.push(TextUse {
                     kind,
                     class,
                     name,
@@ -226,7 +232,7 @@ fn is_value(node: Node<'_>, name: &str, site: &Site) -> bool {
         .is_some_and(|attr| attr.value_range() == site.range)
 }
 
-fn add_scopes(known: &mut Vec<ScopeId>, more: &[ScopeId]) {
+fn add_scopes(known: &mut Vec<TextScopeId>, more: &[TextScopeId]) {
     for scope in more {
         if !known.contains(scope) {
             known.push(*scope);

@@ -2,18 +2,18 @@
 
 use base::TextRange;
 
-use super::statements::{Keyword, Statement};
-use super::value::Value;
-use super::{Function, Reader};
+use super::statements::{PythonKeyword, Statement};
+use super::value::PythonValue;
+use super::{PythonFunction, PythonReader};
 
-impl<'s> Reader<'s> {
+impl<'s> PythonReader<'s> {
     pub(super) fn statement(&mut self, statement: &'s Statement) {
         match statement.keyword {
-            Some(Keyword::Def) => self.define(statement),
-            Some(Keyword::Import) => self.import(statement),
-            Some(Keyword::From) => self.import_from(statement),
-            Some(Keyword::Return) => self.returns(statement),
-            Some(Keyword::Global) => {
+            Some(PythonKeyword::Def) => self.define(statement),
+            Some(PythonKeyword::Import) => self.import(statement),
+            Some(PythonKeyword::From) => self.import_from(statement),
+            Some(PythonKeyword::Return) => self.returns(statement),
+            Some(PythonKeyword::Global) => {
                 let names = statement
                     .range
                     .slice(self.text)
@@ -23,9 +23,9 @@ impl<'s> Reader<'s> {
                     .filter(|name| !name.is_empty())
                     .for_each(|name| self.scopes.forget(name));
             }
-            Some(Keyword::With) => self.with(statement),
-            Some(Keyword::Class) => self.class(statement),
-            Some(Keyword::Leave | Keyword::Other) => self.block(&statement.body),
+            Some(PythonKeyword::With) => self.with(statement),
+            Some(PythonKeyword::Class) => self.class(statement),
+            Some(PythonKeyword::Leave | PythonKeyword::Other) => self.block(&statement.body),
             // parts that stand alone in broken text
             Some(_) => self.block(&statement.body),
             None => self.assign(statement.range),
@@ -47,10 +47,10 @@ impl<'s> Reader<'s> {
         let number = known.unwrap_or(self.functions.len());
         match self.functions.get_mut(number) {
             Some(function) => function.outer = outer,
-            None => self.functions.push(Function { statement, outer }),
+            None => self.functions.push(PythonFunction { statement, outer }),
         }
         // two functions of one name: which one is meant is decided elsewhere
-        self.scopes.set(name, Value::Function(number));
+        self.scopes.set(name, PythonValue::Function(number));
     }
 
     /// Methods are read as functions that nobody calls; what the class sets is not seen from outside.
@@ -60,7 +60,7 @@ impl<'s> Reader<'s> {
         self.scopes.replace(before);
         let head = statement.range.slice(self.text);
         let name = head.split([' ', '(', ':']).nth(1).unwrap_or("");
-        self.scopes.set(name, Value::Unknown);
+        self.scopes.set(name, PythonValue::Unknown);
     }
 
     fn import(&mut self, statement: &'s Statement) {
@@ -75,9 +75,9 @@ impl<'s> Reader<'s> {
             match alias == module {
                 true => {
                     let top = module.split('.').next().unwrap_or(module);
-                    self.scopes.set(top, Value::Outer(top.into()));
+                    self.scopes.set(top, PythonValue::Outer(top.into()));
                 }
-                false => self.scopes.set(alias, Value::Outer(module.into())),
+                false => self.scopes.set(alias, PythonValue::Outer(module.into())),
             }
         }
     }
@@ -97,7 +97,7 @@ impl<'s> Reader<'s> {
             if !name.is_empty() && name != "*" {
                 self.scopes.set(
                     alias.trim(),
-                    Value::Outer(format!("{module}.{}", name.trim()).into()),
+                    PythonValue::Outer(format!("{module}.{}", name.trim()).into()),
                 );
             }
         }
@@ -106,7 +106,7 @@ impl<'s> Reader<'s> {
     fn returns(&mut self, statement: &'s Statement) {
         let code = statement.range.slice(self.text);
         let value = match code.trim() == "return" {
-            true => Value::None,
+            true => PythonValue::None,
             false => self.value_at(TextRange::new(
                 statement.range.start + 6,
                 statement.range.end,
@@ -134,7 +134,7 @@ impl<'s> Reader<'s> {
                 self.scopes.set(name.trim(), value);
             }
             _ => assigned(self.text, statement)
-                .for_each(|name| self.scopes.set(name, Value::Unknown)),
+                .for_each(|name| self.scopes.set(name, PythonValue::Unknown)),
         }
         self.block(&statement.body);
     }
@@ -169,20 +169,20 @@ impl<'s> Reader<'s> {
         }
     }
 
-    fn bind(&mut self, target: &'s str, value: Value) {
+    fn bind(&mut self, target: &'s str, value: PythonValue) {
         let inner = target.trim_matches(['(', ')']);
         if is_name(target) {
             let value = if self.spend(value.weight()) {
                 value
             } else {
-                Value::Unknown
+                PythonValue::Unknown
             };
             self.scopes.set(target, value);
         } else if inner.contains(',') && inner.split(',').all(|name| is_name(name.trim())) {
             let names: Vec<&str> = inner.split(',').map(str::trim).collect();
             let values = match value {
-                Value::List(values) if values.len() == names.len() => values,
-                _ => vec![Value::Unknown; names.len()],
+                PythonValue::List(values) if values.len() == names.len() => values,
+                _ => vec![PythonValue::Unknown; names.len()],
             };
             names
                 .into_iter()
@@ -195,45 +195,47 @@ impl<'s> Reader<'s> {
                 .find_map(|q| key.strip_prefix(*q)?.strip_suffix(*q));
             let key = quoted.filter(|key| !key.contains(['"', '\'', '\\', '{']));
             self.change(name, |old| match (old, key) {
-                (Value::Dict { mut pairs, open }, Some(key)) => {
-                    Value::set(&mut pairs, key.to_owned(), value);
-                    Value::Dict { pairs, open }
+                (PythonValue::Dict { mut pairs, open }, Some(key)) => {
+                    PythonValue::set(&mut pairs, key.to_owned(), value);
+                    PythonValue::Dict { pairs, open }
                 }
-                _ => Value::Unknown,
+                _ => PythonValue::Unknown,
             });
         } else {
             // targets of any other form: every name in them
-            words(target).for_each(|name| self.scopes.set(name, Value::Unknown));
+            words(target).for_each(|name| self.scopes.set(name, PythonValue::Unknown));
         }
     }
 
-    fn augment(&mut self, target: &'s str, operator: char, value: Value) {
+    fn augment(&mut self, target: &'s str, operator: char, value: PythonValue) {
         self.change(target, |old| match (old, value) {
-            (Value::Text(mut a), Value::Text(b)) if operator == '+' => {
+            (PythonValue::Text(mut a), PythonValue::Text(b)) if operator == '+' => {
                 a.push(b);
-                Value::Text(a)
+                PythonValue::Text(a)
             }
-            (Value::List(mut a), Value::List(b)) if operator == '+' => {
+            (PythonValue::List(mut a), PythonValue::List(b)) if operator == '+' => {
                 a.extend(b);
-                Value::List(a)
+                PythonValue::List(a)
             }
-            (Value::Dict { mut pairs, open }, other @ Value::Dict { .. }) if operator == '|' => {
-                let open = Value::spread(&mut pairs, other) || open;
-                Value::Dict { pairs, open }
+            (PythonValue::Dict { mut pairs, open }, other @ PythonValue::Dict { .. })
+                if operator == '|' =>
+            {
+                let open = PythonValue::spread(&mut pairs, other) || open;
+                PythonValue::Dict { pairs, open }
             }
-            _ => Value::Unknown,
+            _ => PythonValue::Unknown,
         });
     }
 
     /// Change the list or dictionary that a variable holds. Another variable that may hold the same one is unknown then.
-    pub(super) fn change(&mut self, name: &str, change: impl FnOnce(Value) -> Value) {
+    pub(super) fn change(&mut self, name: &str, change: impl FnOnce(PythonValue) -> PythonValue) {
         let old = self.scopes.get(name).cloned().unwrap_or_default();
         let weight = old.weight();
         let new = change(old);
         let new = if self.spend(weight + new.weight()) {
             new
         } else {
-            Value::Unknown
+            PythonValue::Unknown
         };
         let is_own = self.scopes.has_own(name);
         if is_own {
@@ -254,14 +256,18 @@ fn is_name(text: &str) -> bool {
 pub(super) fn assigned<'t>(text: &'t str, statement: &Statement) -> impl Iterator<Item = &'t str> {
     let code = statement.range.slice(text);
     let targets = match statement.keyword {
-        Some(Keyword::Loop) => code.split_once(" in ").map_or("", |(targets, _)| targets),
+        Some(PythonKeyword::Loop) => code.split_once(" in ").map_or("", |(targets, _)| targets),
         // `with open(x) as file`, `except KeyError as error`: what is opened or raised is only read
-        Some(Keyword::With | Keyword::Except) => {
+        Some(PythonKeyword::With | PythonKeyword::Except) => {
             code.split_once(" as ").map_or("", |(_, targets)| targets)
         }
-        Some(Keyword::Def | Keyword::Class | Keyword::Import | Keyword::From | Keyword::Global) => {
-            code
-        }
+        Some(
+            PythonKeyword::Def
+            | PythonKeyword::Class
+            | PythonKeyword::Import
+            | PythonKeyword::From
+            | PythonKeyword::Global,
+        ) => code,
         Some(_) => "",
         None => split_assignment(code).map_or_else(|| mutated(code), |(target, ..)| target),
     };

@@ -4,24 +4,24 @@ use base::FastSet;
 use base::limits::LAUNCH_CALL_DEPTH;
 use expr::ast::{ExprKind, ParamKind};
 
-use super::Reader;
+use super::PythonReader;
 use super::scope::Variables;
-use super::value::Value;
+use super::value::PythonValue;
 
-impl Reader<'_> {
+impl PythonReader<'_> {
     /// What a function of the file gives for some arguments.
     pub(super) fn call(
         &mut self,
         number: usize,
-        args: Vec<Value>,
-        named: Vec<(String, Value)>,
-    ) -> Value {
+        args: Vec<PythonValue>,
+        named: Vec<(String, PythonValue)>,
+    ) -> PythonValue {
         let Some(function) = self.functions.get(number).copied() else {
-            return Value::Unknown;
+            return PythonValue::Unknown;
         };
         let is_too_deep = self.active.len() >= LAUNCH_CALL_DEPTH || self.active.contains(&number);
         if is_too_deep || !self.spend(10) {
-            return Value::Unknown;
+            return PythonValue::Unknown;
         }
         self.evaluated.insert(number);
         let variables = self.parameters(function.statement.range.slice(self.text), args, named);
@@ -38,10 +38,10 @@ impl Reader<'_> {
         let ends = !super::leaves(&function.statement.body);
         match returned {
             Some(value) if ends && !always_returns(&function.statement.body) => {
-                value.join(Value::None)
+                value.join(PythonValue::None)
             }
             Some(value) => value,
-            None => Value::None,
+            None => PythonValue::None,
         }
     }
 
@@ -49,8 +49,8 @@ impl Reader<'_> {
     fn parameters(
         &mut self,
         head: &str,
-        args: Vec<Value>,
-        named: Vec<(String, Value)>,
+        args: Vec<PythonValue>,
+        named: Vec<(String, PythonValue)>,
     ) -> Variables {
         let list = parameter_list(head);
         let parsed = expr::parse(&format!("lambda {list}: 0"));
@@ -75,13 +75,13 @@ impl Reader<'_> {
                 ParamKind::KeywordOnly => given,
                 ParamKind::VarArgs if param.name.is_empty() => continue,
                 ParamKind::VarArgs => {
-                    Some(Value::List(args.by_ref().collect())).filter(|_| !is_open)
+                    Some(PythonValue::List(args.by_ref().collect())).filter(|_| !is_open)
                 }
                 ParamKind::VarKeywords => {
                     let rest = named
                         .iter()
                         .filter(|(name, _)| !known.contains(name.as_str()) && name != "**");
-                    Some(Value::Dict {
+                    Some(PythonValue::Dict {
                         pairs: rest.cloned().collect(),
                         open: is_open,
                     })
@@ -91,7 +91,7 @@ impl Reader<'_> {
                 (Some(value), _) => value,
                 // somebody may give another one
                 (None, Some(default)) if !is_open => self.value(default).without_places(),
-                (None, _) => Value::Unknown,
+                (None, _) => PythonValue::Unknown,
             };
             variables.insert(param.name.clone(), value);
         }
@@ -125,30 +125,30 @@ fn parameter_list(head: &str) -> String {
 
 /// Whether each way through a block ends with `return`, as far as its last statement tells.
 fn always_returns(block: &[super::Statement]) -> bool {
-    use super::Keyword;
+    use super::PythonKeyword;
     let has_else = block
         .last()
-        .is_some_and(|last| last.keyword == Some(Keyword::Else));
+        .is_some_and(|last| last.keyword == Some(PythonKeyword::Else));
     let parts = block.iter().rev().take_while(|part| {
         matches!(
             part.keyword,
-            Some(Keyword::If | Keyword::Elif | Keyword::Else)
+            Some(PythonKeyword::If | PythonKeyword::Elif | PythonKeyword::Else)
         )
     });
     super::leaves(block)
         || has_else && parts.clone().all(|part| super::leaves(&part.body))
-        || block
-            .last()
-            .is_some_and(|last| last.keyword == Some(Keyword::With) && always_returns(&last.body))
+        || block.last().is_some_and(|last| {
+            last.keyword == Some(PythonKeyword::With) && always_returns(&last.body)
+        })
 }
 
-impl Value {
+impl PythonValue {
     /// The value without the places where it is written: it comes from a text that was changed.
     fn without_places(self) -> Self {
         match self {
-            Value::Text(text) => Value::Text(text.without_places()),
-            Value::List(values) => {
-                Value::List(values.into_iter().map(Self::without_places).collect())
+            PythonValue::Text(text) => PythonValue::Text(text.without_places()),
+            PythonValue::List(values) => {
+                PythonValue::List(values.into_iter().map(Self::without_places).collect())
             }
             other => other,
         }

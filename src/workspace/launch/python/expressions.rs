@@ -5,16 +5,16 @@ use base::limits::LAUNCH_DEPTH;
 use expr::ast::{BinOp, Const, Expr, ExprKind, FPart, Keyword};
 use expr::{ExprErrorKind, parse};
 
-use super::Reader;
-use super::value::Value;
+use super::PythonReader;
+use super::value::PythonValue;
 use crate::launch::text::Text;
 
-impl Reader<'_> {
+impl PythonReader<'_> {
     /// The value of the expression in a range of the file.
-    pub(super) fn value_at(&mut self, range: TextRange) -> Value {
+    pub(super) fn value_at(&mut self, range: TextRange) -> PythonValue {
         let code = range.slice(self.text);
         if !self.spend(code.len() / 32 + 1) {
-            return Value::Unknown;
+            return PythonValue::Unknown;
         }
         let parsed = parse(code);
         // of broken text, no value is certain; words of the language that are no expression give none either
@@ -23,7 +23,7 @@ impl Reader<'_> {
             .iter()
             .any(|error| error.kind == ExprErrorKind::Syntax)
         {
-            return Value::Unknown;
+            return PythonValue::Unknown;
         }
         let outer = std::mem::replace(&mut self.base, range.start);
         let value = self.value(&parsed.expr);
@@ -31,31 +31,33 @@ impl Reader<'_> {
         value
     }
 
-    pub(super) fn value(&mut self, expr: &Expr) -> Value {
+    pub(super) fn value(&mut self, expr: &Expr) -> PythonValue {
         if self.depth >= LAUNCH_DEPTH * 4 || !self.spend(1) {
-            return Value::Unknown;
+            return PythonValue::Unknown;
         }
         self.depth += 1;
         let value = self.value_of(expr);
         self.depth -= 1;
-        if let (Some(noticed), Value::Text(text)) = (&mut self.noticed, &value) {
+        if let (Some(noticed), PythonValue::Text(text)) = (&mut self.noticed, &value) {
             text.arguments(&mut |name| noticed.push(name.to_owned()));
         }
         if self.spend(value.weight() / 4) {
             value
         } else {
-            Value::Unknown
+            PythonValue::Unknown
         }
     }
 
-    fn value_of(&mut self, expr: &Expr) -> Value {
+    fn value_of(&mut self, expr: &Expr) -> PythonValue {
         match &expr.kind {
-            ExprKind::Name(name) if name == "__file__" => Value::plain(vfs::slashed(self.path)),
+            ExprKind::Name(name) if name == "__file__" => {
+                PythonValue::plain(vfs::slashed(self.path))
+            }
             ExprKind::Name(name) => self
                 .scopes
                 .get(name)
                 .cloned()
-                .unwrap_or_else(|| Value::Outer(name.clone())),
+                .unwrap_or_else(|| PythonValue::Outer(name.clone())),
             ExprKind::Const(literal) => self.literal(literal, expr.range),
             ExprKind::FString(parts) => self.formatted(parts),
             ExprKind::Binary(BinOp::Add, a, b) => {
@@ -65,20 +67,23 @@ impl Reader<'_> {
             ExprKind::Binary(BinOp::Div, a, b) => {
                 let (a, b) = (self.value(a), self.value(b));
                 match (a, b) {
-                    (Value::Text(a), Value::Text(b)) => Value::Text(Text::joined([a, b])),
-                    (Value::Text(a), Value::List(b)) => {
-                        Value::Text(Text::joined([a, Value::List(b).text()]))
+                    (PythonValue::Text(a), PythonValue::Text(b)) => {
+                        PythonValue::Text(Text::joined([a, b]))
                     }
-                    _ => Value::Unknown,
+                    (PythonValue::Text(a), PythonValue::List(b)) => {
+                        PythonValue::Text(Text::joined([a, PythonValue::List(b).text()]))
+                    }
+                    _ => PythonValue::Unknown,
                 }
             }
             ExprKind::Binary(BinOp::BitOr, a, b) => {
                 let (a, b) = (self.value(a), self.value(b));
-                let (Value::Dict { mut pairs, open }, Value::Dict { .. }) = (a, &b) else {
-                    return Value::Unknown;
+                let (PythonValue::Dict { mut pairs, open }, PythonValue::Dict { .. }) = (a, &b)
+                else {
+                    return PythonValue::Unknown;
                 };
-                let open = Value::spread(&mut pairs, b) || open;
-                Value::Dict { pairs, open }
+                let open = PythonValue::spread(&mut pairs, b) || open;
+                PythonValue::Dict { pairs, open }
             }
             ExprKind::Binary(BinOp::Mod, a, b) => {
                 let (a, b) = (self.value(a), self.value(b));
@@ -115,7 +120,7 @@ impl Reader<'_> {
                     .value
                     .iter()
                     .for_each(|value| drop(self.value(value)));
-                Value::Unknown
+                PythonValue::Unknown
             }
             // what a lambda gives depends on who calls it
             ExprKind::Lambda(lambda) => {
@@ -123,41 +128,43 @@ impl Reader<'_> {
                 lambda
                     .params
                     .iter()
-                    .for_each(|param| self.scopes.set(&param.name, Value::Unknown));
+                    .for_each(|param| self.scopes.set(&param.name, PythonValue::Unknown));
                 self.value(&lambda.body);
                 self.scopes.replace(before);
-                Value::Unknown
+                PythonValue::Unknown
             }
             _ => {
                 expr::visit::children(expr, &mut |child| drop(self.value(child)));
-                Value::Unknown
+                PythonValue::Unknown
             }
         }
     }
 
     fn forget_targets(&mut self, target: &Expr) {
         if let ExprKind::Name(name) = &target.kind {
-            self.scopes.set(name, Value::Unknown);
+            self.scopes.set(name, PythonValue::Unknown);
         }
         expr::visit::children(target, &mut |child| self.forget_targets(child));
     }
 
-    fn literal(&self, literal: &Const, range: TextRange) -> Value {
+    fn literal(&self, literal: &Const, range: TextRange) -> PythonValue {
         match literal {
-            Const::None => Value::None,
-            Const::Bool(true) => Value::Number("True".to_owned()),
-            Const::Bool(false) => Value::Number("False".to_owned()),
-            Const::Int(number) => Value::Number(number.to_string()),
+            Const::None => PythonValue::None,
+            Const::Bool(true) => PythonValue::Number("True".to_owned()),
+            Const::Bool(false) => PythonValue::Number("False".to_owned()),
+            Const::Int(number) => PythonValue::Number(number.to_string()),
             Const::Float(number) if (1e-4..1e16).contains(&number.abs()) || *number == 0.0 => {
-                Value::Number(format!("{number:?}"))
+                PythonValue::Number(format!("{number:?}"))
             }
-            Const::Str(text) => Value::Text(Text::plain(&**text, Some(range.shift(self.base)))),
-            _ => Value::Unknown,
+            Const::Str(text) => {
+                PythonValue::Text(Text::plain(&**text, Some(range.shift(self.base))))
+            }
+            _ => PythonValue::Unknown,
         }
     }
 
     /// `a if test else b`
-    fn choice(&mut self, test: &Expr, body: &Expr, orelse: &Expr) -> Value {
+    fn choice(&mut self, test: &Expr, body: &Expr, orelse: &Expr) -> PythonValue {
         let outer = self.noticed.replace(Vec::new());
         self.value(test);
         let test = std::mem::replace(&mut self.noticed, outer).unwrap_or_default();
@@ -168,7 +175,7 @@ impl Reader<'_> {
         body.join(orelse)
     }
 
-    fn formatted(&mut self, parts: &[FPart]) -> Value {
+    fn formatted(&mut self, parts: &[FPart]) -> PythonValue {
         let mut text = Text::default();
         for part in parts {
             match part {
@@ -191,45 +198,51 @@ impl Reader<'_> {
                 }
             }
         }
-        Value::Text(text)
+        PythonValue::Text(text)
     }
 
-    fn list(&mut self, items: &[Expr]) -> Value {
+    fn list(&mut self, items: &[Expr]) -> PythonValue {
         let mut values = Vec::new();
         for item in items {
             match &item.kind {
                 ExprKind::Starred(inner) => match self.value(inner) {
-                    Value::List(inner) => values.extend(inner),
-                    _ => values.push(Value::Unknown),
+                    PythonValue::List(inner) => values.extend(inner),
+                    _ => values.push(PythonValue::Unknown),
                 },
                 _ => values.push(self.value(item)),
             }
         }
-        Value::List(values)
+        PythonValue::List(values)
     }
 
-    fn dict(&mut self, entries: &[(Option<Expr>, Expr)]) -> Value {
+    fn dict(&mut self, entries: &[(Option<Expr>, Expr)]) -> PythonValue {
         let (mut pairs, mut open) = (Vec::new(), false);
         for (key, value) in entries {
             let key = key.as_ref().map(|key| self.value(key));
             let value = self.value(value);
             match key {
-                None => open |= Value::spread(&mut pairs, value),
-                Some(Value::Text(key)) if key.literal().is_some() => {
-                    Value::set(&mut pairs, key.literal().unwrap_or_default(), value);
+                None => open |= PythonValue::spread(&mut pairs, value),
+                Some(PythonValue::Text(key)) if key.literal().is_some() => {
+                    PythonValue::set(&mut pairs, key.literal().unwrap_or_default(), value);
                 }
-                Some(Value::Number(key)) => Value::set(&mut pairs, key, value),
+                Some(PythonValue::Number(key)) => PythonValue::set(&mut pairs, key, value),
                 Some(_) => {
-                    Value::forget(&mut pairs);
+                    PythonValue::forget(&mut pairs);
                     open = true;
                 }
             }
         }
-        Value::Dict { pairs, open }
+        PythonValue::Dict { pairs, open }
     }
 
     /// A call: its arguments are read in any case, since they may call xacro themselves.
-    fn called(&mut self, call: &Expr, func: &Expr, args: &[Expr], keywords: &[Keyword]) -> Value {
+    fn called(
+        &mut self,
+        call: &Expr,
+        func: &Expr,
+        args: &[Expr],
+        keywords: &[Keyword],
+    ) -> PythonValue {
         let assumed = self.assumed.len();
         let condition = keywords
             .iter()
@@ -242,7 +255,7 @@ impl Reader<'_> {
         }
         let target = self.value(func);
         let positional = match self.list(args) {
-            Value::List(values) => values,
+            PythonValue::List(values) => values,
             _ => Vec::new(),
         };
         let has_star = args
@@ -254,39 +267,39 @@ impl Reader<'_> {
             match &keyword.name {
                 Some(name) => named.push((name.to_string(), value)),
                 None => match value {
-                    Value::Dict { pairs, open } => {
+                    PythonValue::Dict { pairs, open } => {
                         named.extend(pairs);
                         if open {
-                            named.push(("**".to_owned(), Value::Unknown));
+                            named.push(("**".to_owned(), PythonValue::Unknown));
                         }
                     }
-                    _ => named.push(("**".to_owned(), Value::Unknown)),
+                    _ => named.push(("**".to_owned(), PythonValue::Unknown)),
                 },
             }
         }
         if has_star
             && positional
                 .iter()
-                .any(|value| matches!(value, Value::Unknown))
+                .any(|value| matches!(value, PythonValue::Unknown))
         {
-            named.push(("**".to_owned(), Value::Unknown));
+            named.push(("**".to_owned(), PythonValue::Unknown));
         }
         let range = call.range.shift(self.base);
         let value = match target {
-            Value::Function(number) => self.call(number, positional, named),
-            Value::Outer(path) => self.outer(range, &path, positional, named),
-            Value::Method(value, name) => {
+            PythonValue::Function(number) => self.call(number, positional, named),
+            PythonValue::Outer(path) => self.outer(range, &path, positional, named),
+            PythonValue::Method(value, name) => {
                 self.change_by_method(func, &name, &positional);
                 self.method(range, *value, &name, positional, named)
             }
-            _ => Value::Unknown,
+            _ => PythonValue::Unknown,
         };
         self.assumed.truncate(assumed);
         value
     }
 
     /// `x.append(y)` and the like change the variable.
-    fn change_by_method(&mut self, func: &Expr, method: &str, args: &[Value]) {
+    fn change_by_method(&mut self, func: &Expr, method: &str, args: &[PythonValue]) {
         let ExprKind::Attribute { value, .. } = &func.kind else {
             return;
         };
@@ -312,42 +325,44 @@ impl Reader<'_> {
         let first = args.first().cloned().unwrap_or_default();
         let only = args.len() == 1;
         self.change(name, |old| match (old, method) {
-            (Value::List(mut list), "append") if only => {
+            (PythonValue::List(mut list), "append") if only => {
                 list.push(first);
-                Value::List(list)
+                PythonValue::List(list)
             }
-            (Value::List(mut list), "extend") if only => match first {
-                Value::List(more) => {
+            (PythonValue::List(mut list), "extend") if only => match first {
+                PythonValue::List(more) => {
                     list.extend(more);
-                    Value::List(list)
+                    PythonValue::List(list)
                 }
-                _ => Value::Unknown,
+                _ => PythonValue::Unknown,
             },
-            (Value::Dict { mut pairs, open }, "update") if only => {
-                let open = Value::spread(&mut pairs, first) || open;
-                Value::Dict { pairs, open }
+            (PythonValue::Dict { mut pairs, open }, "update") if only => {
+                let open = PythonValue::spread(&mut pairs, first) || open;
+                PythonValue::Dict { pairs, open }
             }
-            _ => Value::Unknown,
+            _ => PythonValue::Unknown,
         });
     }
 }
 
 /// `a + b`
-fn added(a: Value, b: Value) -> Value {
+fn added(a: PythonValue, b: PythonValue) -> PythonValue {
     match (a, b) {
-        (Value::Text(mut a), Value::Text(b)) => {
+        (PythonValue::Text(mut a), PythonValue::Text(b)) => {
             a.push(b);
-            Value::Text(a)
+            PythonValue::Text(a)
         }
-        (Value::List(mut a), Value::List(b)) => {
+        (PythonValue::List(mut a), PythonValue::List(b)) => {
             a.extend(b);
-            Value::List(a)
+            PythonValue::List(a)
         }
-        (Value::Text(mut a), Value::Unknown) => {
+        (PythonValue::Text(mut a), PythonValue::Unknown) => {
             a.push(Text::opaque());
-            Value::Text(a)
+            PythonValue::Text(a)
         }
-        (Value::Unknown, Value::Text(b)) => Value::Text(Text::concat([Text::opaque(), b])),
-        _ => Value::Unknown,
+        (PythonValue::Unknown, PythonValue::Text(b)) => {
+            PythonValue::Text(Text::concat([Text::opaque(), b]))
+        }
+        _ => PythonValue::Unknown,
     }
 }

@@ -3,48 +3,48 @@
 use base::TextRange;
 use ecow::EcoString;
 
-use super::Reader;
-use super::value::Value;
-use crate::launch::What;
+use super::PythonReader;
+use super::value::PythonValue;
+use crate::launch::CommandForm;
 use crate::launch::text::Text;
 
 /// `value.name`
-pub(super) fn attribute(value: Value, name: &EcoString) -> Value {
+pub(super) fn attribute(value: PythonValue, name: &EcoString) -> PythonValue {
     match value {
-        Value::Outer(module) => Value::Outer(format!("{module}.{name}").into()),
-        Value::Text(text) if name == "parent" => Value::Text(parent(&text)),
-        Value::Text(text) if name == "parents" => {
-            Value::Method(Box::new(Value::Text(text)), name.clone())
+        PythonValue::Outer(module) => PythonValue::Outer(format!("{module}.{name}").into()),
+        PythonValue::Text(text) if name == "parent" => PythonValue::Text(parent(&text)),
+        PythonValue::Text(text) if name == "parents" => {
+            PythonValue::Method(Box::new(PythonValue::Text(text)), name.clone())
         }
-        Value::Text(_)
-        | Value::List(_)
-        | Value::Dict { .. }
-        | Value::Builder(_)
-        | Value::Document(_) => Value::Method(Box::new(value), name.clone()),
+        PythonValue::Text(_)
+        | PythonValue::List(_)
+        | PythonValue::Dict { .. }
+        | PythonValue::Builder(_)
+        | PythonValue::Document(_) => PythonValue::Method(Box::new(value), name.clone()),
         // of the context that a function is called with
         _ if matches!(
             name.as_str(),
             "launch_configurations" | "perform_substitution"
         ) =>
         {
-            Value::Outer(name.clone())
+            PythonValue::Outer(name.clone())
         }
-        _ => Value::Unknown,
+        _ => PythonValue::Unknown,
     }
 }
 
 /// `value[index]`
-pub(super) fn item(value: Value, index: &Value) -> Value {
+pub(super) fn item(value: PythonValue, index: &PythonValue) -> PythonValue {
     let key = match index {
-        Value::Text(text) => text.literal(),
-        Value::Number(number) => Some(number.clone()),
+        PythonValue::Text(text) => text.literal(),
+        PythonValue::Number(number) => Some(number.clone()),
         _ => None,
     };
     match (value, key) {
-        (Value::Outer(name), Some(key)) if name.ends_with("launch_configurations") => {
-            Value::Text(Text::argument(&key))
+        (PythonValue::Outer(name), Some(key)) if name.ends_with("launch_configurations") => {
+            PythonValue::Text(Text::argument(&key))
         }
-        (Value::Dict { pairs, open: _ }, Some(key)) => {
+        (PythonValue::Dict { pairs, open: _ }, Some(key)) => {
             // a key that is there was not replaced by what else the dictionary may hold: that is forgotten at once
             pairs
                 .into_iter()
@@ -52,20 +52,20 @@ pub(super) fn item(value: Value, index: &Value) -> Value {
                 .map(|(_, value)| value)
                 .unwrap_or_default()
         }
-        (Value::List(values), Some(key)) => {
+        (PythonValue::List(values), Some(key)) => {
             let at = key.parse::<usize>().ok();
             at.and_then(|at| values.into_iter().nth(at))
                 .unwrap_or_default()
         }
-        (Value::Method(text, name), Some(key)) if name == "parents" => {
+        (PythonValue::Method(text, name), Some(key)) if name == "parents" => {
             match (*text, key.parse::<usize>()) {
-                (Value::Text(text), Ok(count)) if count < 20 => {
-                    Value::Text((0..=count).fold(text, |path, _| parent(&path)))
+                (PythonValue::Text(text), Ok(count)) if count < 20 => {
+                    PythonValue::Text((0..=count).fold(text, |path, _| parent(&path)))
                 }
-                _ => Value::Unknown,
+                _ => PythonValue::Unknown,
             }
         }
-        _ => Value::Unknown,
+        _ => PythonValue::Unknown,
     }
 }
 
@@ -83,12 +83,12 @@ pub(super) fn parent(path: &Text) -> Text {
 }
 
 /// `'%s' % value`
-pub(super) fn percent(format: Value, values: Value) -> Value {
+pub(super) fn percent(format: PythonValue, values: PythonValue) -> PythonValue {
     let Some(format) = format.text().literal() else {
-        return Value::Unknown;
+        return PythonValue::Unknown;
     };
     let mut values = match values {
-        Value::List(values) => values,
+        PythonValue::List(values) => values,
         one => vec![one],
     }
     .into_iter();
@@ -96,16 +96,16 @@ pub(super) fn percent(format: Value, values: Value) -> Value {
     let mut text = Text::plain(parts.next().unwrap_or(""), None);
     for part in parts {
         let (Some(rest), Some(value)) = (part.strip_prefix('s'), values.next()) else {
-            return Value::Unknown;
+            return PythonValue::Unknown;
         };
         text.push(value.written());
         text.push(Text::plain(rest, None));
     }
-    Value::Text(text)
+    PythonValue::Text(text)
 }
 
 /// `'{} {name}'.format(...)`
-fn format(pattern: &str, args: &[Value], named: &[(String, Value)]) -> Option<Text> {
+fn format(pattern: &str, args: &[PythonValue], named: &[(String, PythonValue)]) -> Option<Text> {
     let mut parts = pattern.split('{');
     let mut text = Text::plain(parts.next()?, None);
     for (number, part) in parts.enumerate() {
@@ -126,45 +126,48 @@ fn format(pattern: &str, args: &[Value], named: &[(String, Value)]) -> Option<Te
     (!pattern.contains("{{") && !pattern.contains("}}")).then_some(text)
 }
 
-impl Reader<'_> {
+impl PythonReader<'_> {
     /// A call of a method.
     pub(super) fn method(
         &mut self,
         range: TextRange,
-        value: Value,
+        value: PythonValue,
         name: &str,
-        args: Vec<Value>,
-        named: Vec<(String, Value)>,
-    ) -> Value {
+        args: Vec<PythonValue>,
+        named: Vec<(String, PythonValue)>,
+    ) -> PythonValue {
         match (value, name) {
-            (Value::Text(text), "perform" | "as_posix" | "absolute" | "resolve" | "__str__") => {
-                Value::Text(text)
-            }
+            (
+                PythonValue::Text(text),
+                "perform" | "as_posix" | "absolute" | "resolve" | "__str__",
+            ) => PythonValue::Text(text),
             // `FindPackageShare('arm').find('arm')`
-            (Value::Text(text), "find") => match args.into_iter().next() {
-                Some(Value::Text(name)) if text == Text::share(name.clone()) => Value::Text(text),
-                _ => Value::Text(Text::opaque()),
+            (PythonValue::Text(text), "find") => match args.into_iter().next() {
+                Some(PythonValue::Text(name)) if text == Text::share(name.clone()) => {
+                    PythonValue::Text(text)
+                }
+                _ => PythonValue::Text(Text::opaque()),
             },
-            (Value::Text(text), "format") => {
+            (PythonValue::Text(text), "format") => {
                 let made = text
                     .literal()
                     .and_then(|pattern| format(&pattern, &args, &named));
-                made.map_or(Value::Unknown, Value::Text)
+                made.map_or(PythonValue::Unknown, PythonValue::Text)
             }
-            (Value::Text(text), "joinpath") => Value::Text(Text::joined(
-                std::iter::once(text).chain(args.into_iter().map(Value::text)),
+            (PythonValue::Text(text), "joinpath") => PythonValue::Text(Text::joined(
+                std::iter::once(text).chain(args.into_iter().map(PythonValue::text)),
             )),
-            (Value::Text(text), "join") => match (text.literal(), args.into_iter().next()) {
-                (Some(between), Some(Value::List(items))) => {
-                    let items = items.into_iter().map(Value::written).enumerate();
-                    Value::Text(Text::concat(items.flat_map(|(number, item)| {
+            (PythonValue::Text(text), "join") => match (text.literal(), args.into_iter().next()) {
+                (Some(between), Some(PythonValue::List(items))) => {
+                    let items = items.into_iter().map(PythonValue::written).enumerate();
+                    PythonValue::Text(Text::concat(items.flat_map(|(number, item)| {
                         let lead = if number > 0 { &*between } else { "" };
                         [Text::plain(lead, None), item]
                     })))
                 }
-                _ => Value::Unknown,
+                _ => PythonValue::Unknown,
             },
-            (Value::Text(text), "lower" | "upper" | "strip") => {
+            (PythonValue::Text(text), "lower" | "upper" | "strip") => {
                 let changed = text.literal().map(|text| match name {
                     "lower" => text.to_lowercase(),
                     "upper" => text.to_uppercase(),
@@ -172,23 +175,22 @@ impl Reader<'_> {
                 });
                 changed
                     .filter(|_| args.is_empty())
-                    .map_or(Value::Unknown, Value::plain)
+                    .map_or(PythonValue::Unknown, PythonValue::plain)
             }
-            (Value::Text(text), "open") => Value::Document(text),
-            (value @ Value::Dict { .. }, "items" | "copy") | (value @ Value::List(_), "copy") => {
-                value
-            }
-            (Value::Dict { pairs, .. }, "get") => {
+            (PythonValue::Text(text), "open") => PythonValue::Document(text),
+            (value @ PythonValue::Dict { .. }, "items" | "copy")
+            | (value @ PythonValue::List(_), "copy") => value,
+            (PythonValue::Dict { pairs, .. }, "get") => {
                 let key = args.first().cloned().and_then(|key| key.text().literal());
                 let value = key.and_then(|key| pairs.into_iter().find(|(name, _)| *name == key));
                 value.map(|(_, value)| value).unwrap_or_default()
             }
-            (Value::Builder(package), "robot_description" | "robot_description_semantic") => {
+            (PythonValue::Builder(package), "robot_description" | "robot_description_semantic") => {
                 self.built_description(range, &package, args, named);
-                Value::Builder(package)
+                PythonValue::Builder(package)
             }
-            (Value::Builder(package), _) => Value::Builder(package),
-            _ => Value::Unknown,
+            (PythonValue::Builder(package), _) => PythonValue::Builder(package),
+            _ => PythonValue::Unknown,
         }
     }
 
@@ -197,14 +199,14 @@ impl Reader<'_> {
         &mut self,
         range: TextRange,
         package: &Text,
-        args: Vec<Value>,
-        named: Vec<(String, Value)>,
+        args: Vec<PythonValue>,
+        named: Vec<(String, PythonValue)>,
     ) {
-        let mut given = super::builtins::Args::new(args, named);
+        let mut given = super::builtins::PythonArgs::new(args, named);
         let file = given.take(0, "file_path");
         let mappings = given.take(1, "mappings");
         let file = match file {
-            Some(Value::Text(path)) => Text::joined([Text::share(package.clone()), path]),
+            Some(PythonValue::Text(path)) => Text::joined([Text::share(package.clone()), path]),
             _ => Text::opaque(),
         };
         self.process(range, file, mappings, given.open);
@@ -215,17 +217,17 @@ impl Reader<'_> {
         &mut self,
         range: TextRange,
         file: Text,
-        mappings: Option<Value>,
+        mappings: Option<PythonValue>,
         open: bool,
     ) {
         let (mappings, is_open) = match mappings {
-            Some(Value::Dict { pairs, open }) => (Self::given(pairs), open),
-            None | Some(Value::None) => (Vec::new(), open),
+            Some(PythonValue::Dict { pairs, open }) => (Self::given(pairs), open),
+            None | Some(PythonValue::None) => (Vec::new(), open),
             Some(_) => (Vec::new(), true),
         };
         self.record(
             range,
-            What::Process {
+            CommandForm::Process {
                 file,
                 mappings,
                 open: open || is_open,

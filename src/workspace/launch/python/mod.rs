@@ -17,21 +17,21 @@ use std::path::Path;
 use base::limits::{LAUNCH_CALLS, LAUNCH_DEPTH, LAUNCH_STEPS};
 use base::{FastSet, TextRange};
 
-use self::scope::{Scopes, Variables, joined};
-use self::statements::{Keyword, Statement, statements};
-use self::value::Value;
-use super::{Command, Given, LaunchFile, What};
+use self::scope::{VariableScopes, Variables, joined};
+use self::statements::{PythonKeyword, Statement, statements};
+use self::value::PythonValue;
+use super::{CommandForm, LaunchCommand, LaunchFile, UnresolvedArgument};
 
 /// What a program calls.
 pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
     let parsed = statements(text);
-    let mut reader = Reader {
+    let mut reader = PythonReader {
         path,
         text,
         functions: Vec::new(),
         evaluated: FastSet::default(),
         active: Vec::new(),
-        scopes: Scopes::default(),
+        scopes: VariableScopes::default(),
         deferred: Vec::new(),
         returned: Vec::new(),
         assumed: Vec::new(),
@@ -50,7 +50,7 @@ pub(super) fn read(path: &Path, text: &str) -> LaunchFile {
 
 /// A function of the file.
 #[derive(Clone, Copy)]
-struct Function<'s> {
+struct PythonFunction<'s> {
     statement: &'s Statement,
     /// The frame that it is written in.
     outer: usize,
@@ -61,23 +61,23 @@ struct Deferred {
     /// The frame that gives it.
     frame: usize,
     number: usize,
-    args: Vec<Value>,
-    named: Vec<(String, Value)>,
+    args: Vec<PythonValue>,
+    named: Vec<(String, PythonValue)>,
 }
 
-struct Reader<'s> {
+struct PythonReader<'s> {
     path: &'s Path,
     text: &'s str,
-    functions: Vec<Function<'s>>,
+    functions: Vec<PythonFunction<'s>>,
     /// Functions that were read with somebody's arguments.
     evaluated: FastSet<usize>,
     /// Functions that are being read.
     active: Vec<usize>,
-    scopes: Scopes,
+    scopes: VariableScopes,
     /// Functions that the launch system calls later.
     deferred: Vec<Deferred>,
     /// What the functions that are being read return.
-    returned: Vec<Option<Value>>,
+    returned: Vec<Option<PythonValue>>,
     /// Arguments of the launch file that the branches around have decided.
     assumed: Vec<String>,
     /// The arguments that a condition reads.
@@ -89,7 +89,7 @@ struct Reader<'s> {
     found: LaunchFile,
 }
 
-impl<'s> Reader<'s> {
+impl<'s> PythonReader<'s> {
     /// Whether there is budget left; takes some of it.
     fn spend(&mut self, steps: usize) -> bool {
         self.steps = self.steps.saturating_sub(steps);
@@ -108,9 +108,13 @@ impl<'s> Reader<'s> {
                 .take_while(|next| continues(statement, next))
                 .count();
             match statement.keyword {
-                Some(Keyword::If) => self.branches(block.get(at..=at + chain).unwrap_or_default()),
-                Some(Keyword::Try) => self.attempts(block.get(at..=at + chain).unwrap_or_default()),
-                Some(Keyword::Loop) => {
+                Some(PythonKeyword::If) => {
+                    self.branches(block.get(at..=at + chain).unwrap_or_default())
+                }
+                Some(PythonKeyword::Try) => {
+                    self.attempts(block.get(at..=at + chain).unwrap_or_default())
+                }
+                Some(PythonKeyword::Loop) => {
                     self.repeated(statement);
                     block
                         .get(at + 1..=at + chain)
@@ -130,7 +134,7 @@ impl<'s> Reader<'s> {
         let mut results: Vec<Variables> = Vec::new();
         let mut has_else = false;
         for branch in chain {
-            if branch.keyword == Some(Keyword::Else) {
+            if branch.keyword == Some(PythonKeyword::Else) {
                 has_else = true;
             } else {
                 let test = self.conditions_of(branch);
@@ -159,7 +163,7 @@ impl<'s> Reader<'s> {
         let mut body: Option<Variables> = None;
         for part in chain {
             match part.keyword {
-                Some(Keyword::Except) => {
+                Some(PythonKeyword::Except) => {
                     let before = self.scopes.own();
                     self.block(&part.body);
                     let after = self.scopes.replace(before);
@@ -167,7 +171,7 @@ impl<'s> Reader<'s> {
                         results.push(after);
                     }
                 }
-                Some(Keyword::Try) => {
+                Some(PythonKeyword::Try) => {
                     self.block(&part.body);
                     body = (!leaves(&part.body)).then(|| self.scopes.own());
                 }
@@ -176,10 +180,12 @@ impl<'s> Reader<'s> {
         }
         results.extend(body);
         self.settle(results);
-        for part in chain
-            .iter()
-            .filter(|p| matches!(p.keyword, Some(Keyword::Else | Keyword::Finally)))
-        {
+        for part in chain.iter().filter(|p| {
+            matches!(
+                p.keyword,
+                Some(PythonKeyword::Else | PythonKeyword::Finally)
+            )
+        }) {
             self.block(&part.body);
         }
     }
@@ -204,9 +210,9 @@ impl<'s> Reader<'s> {
         for name in assign::assigned(self.text, statement) {
             // a function of a module is no change of the module
             if statement.keyword.is_some()
-                || !matches!(self.scopes.get(name), Some(Value::Outer(_)))
+                || !matches!(self.scopes.get(name), Some(PythonValue::Outer(_)))
             {
-                self.scopes.set(name, Value::Unknown);
+                self.scopes.set(name, PythonValue::Unknown);
             }
         }
         if depth < LAUNCH_DEPTH && self.spend(1) {
@@ -246,7 +252,7 @@ impl<'s> Reader<'s> {
 
     /// Read functions that nothing in the file calls: first what the launch system calls, then the others.
     fn run_functions(&mut self) {
-        let named = |function: &Function<'_>, text: &str, name: &str| {
+        let named = |function: &PythonFunction<'_>, text: &str, name: &str| {
             let head = function.statement.range.slice(text);
             head.split(['(', ' ']).nth(1) == Some(name)
         };
@@ -262,7 +268,11 @@ impl<'s> Reader<'s> {
         let mut number = 0;
         while number < self.functions.len() && self.steps > 0 {
             if !self.evaluated.contains(&number) {
-                self.call(number, Vec::new(), vec![("**".to_owned(), Value::Unknown)]);
+                self.call(
+                    number,
+                    Vec::new(),
+                    vec![("**".to_owned(), PythonValue::Unknown)],
+                );
             }
             number += 1;
         }
@@ -282,9 +292,9 @@ impl<'s> Reader<'s> {
         }
     }
 
-    fn record(&mut self, range: TextRange, what: What) {
+    fn record(&mut self, range: TextRange, what: CommandForm) {
         if self.found.commands.len() < LAUNCH_CALLS {
-            self.found.commands.push(Command {
+            self.found.commands.push(LaunchCommand {
                 range,
                 what,
                 assumed: self.assumed.clone(),
@@ -293,10 +303,10 @@ impl<'s> Reader<'s> {
     }
 
     /// Pairs of a dictionary as what a call gives.
-    fn given(pairs: Vec<(String, Value)>) -> Vec<Given> {
+    fn given(pairs: Vec<(String, PythonValue)>) -> Vec<UnresolvedArgument> {
         pairs
             .into_iter()
-            .map(|(name, value)| Given {
+            .map(|(name, value)| UnresolvedArgument {
                 name,
                 range: None,
                 value: value.written(),
@@ -308,12 +318,15 @@ impl<'s> Reader<'s> {
 /// Whether a statement belongs to the one before: `else` to `if`.
 fn continues(first: &Statement, next: &Statement) -> bool {
     match first.keyword {
-        Some(Keyword::If) => matches!(next.keyword, Some(Keyword::Elif | Keyword::Else)),
-        Some(Keyword::Loop) => next.keyword == Some(Keyword::Else),
-        Some(Keyword::Try) => {
+        Some(PythonKeyword::If) => matches!(
+            next.keyword,
+            Some(PythonKeyword::Elif | PythonKeyword::Else)
+        ),
+        Some(PythonKeyword::Loop) => next.keyword == Some(PythonKeyword::Else),
+        Some(PythonKeyword::Try) => {
             matches!(
                 next.keyword,
-                Some(Keyword::Except | Keyword::Else | Keyword::Finally)
+                Some(PythonKeyword::Except | PythonKeyword::Else | PythonKeyword::Finally)
             )
         }
         _ => false,
@@ -322,7 +335,10 @@ fn continues(first: &Statement, next: &Statement) -> bool {
 
 /// Whether control never comes out at the end of a block.
 fn leaves(block: &[Statement]) -> bool {
-    block
-        .last()
-        .is_some_and(|last| matches!(last.keyword, Some(Keyword::Return | Keyword::Leave)))
+    block.last().is_some_and(|last| {
+        matches!(
+            last.keyword,
+            Some(PythonKeyword::Return | PythonKeyword::Leave)
+        )
+    })
 }

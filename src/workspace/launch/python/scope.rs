@@ -3,31 +3,31 @@
 use base::FastMap;
 use ecow::EcoString;
 
-use super::value::Value;
+use super::value::PythonValue;
 
 /// Variables by name.
-pub(super) type Variables = FastMap<EcoString, Value>;
+pub(super) type Variables = FastMap<EcoString, PythonValue>;
 
 /// The variables of the file and of the functions that are being read, innermost last.
 #[derive(Default)]
-pub(super) struct Scopes {
-    frames: Vec<Frame>,
+pub(super) struct VariableScopes {
+    frames: Vec<FunctionScope>,
     /// Names that may mean the same list or dictionary.
     aliases: FastMap<EcoString, Vec<EcoString>>,
 }
 
 /// The variables of a function.
 #[derive(Default)]
-struct Frame {
+struct FunctionScope {
     variables: Variables,
     /// How many frames around this one are visible: those that the function is written in.
     outer: usize,
 }
 
-impl Scopes {
+impl VariableScopes {
     /// Begin a function that is written inside of the frame `outer`; the file itself is frame 0.
     pub fn enter(&mut self, variables: Variables, outer: usize) {
-        self.frames.push(Frame { variables, outer });
+        self.frames.push(FunctionScope { variables, outer });
     }
 
     /// Leave the innermost function.
@@ -41,7 +41,7 @@ impl Scopes {
     }
 
     /// The value of a name; none where nothing defines it.
-    pub fn get(&self, name: &str) -> Option<&Value> {
+    pub fn get(&self, name: &str) -> Option<&PythonValue> {
         let mut at = self.depth();
         loop {
             let frame = self.frames.get(at)?;
@@ -56,7 +56,7 @@ impl Scopes {
     }
 
     /// Set a variable of the innermost function.
-    pub fn set(&mut self, name: &str, value: Value) {
+    pub fn set(&mut self, name: &str, value: PythonValue) {
         if let Some(frame) = self.frames.last_mut() {
             frame.variables.insert(name.into(), value);
         }
@@ -65,7 +65,7 @@ impl Scopes {
     /// What a function may have changed elsewhere is not known, in any frame.
     pub fn forget(&mut self, name: &str) {
         for frame in &mut self.frames {
-            frame.variables.insert(name.into(), Value::Unknown);
+            frame.variables.insert(name.into(), PythonValue::Unknown);
         }
     }
 
@@ -128,7 +128,7 @@ pub(super) fn joined(mut one: Variables, other: Variables) -> Variables {
             (Some(a), Some(b)) => a.join(b),
             // set on one side only: where it can be read, it was set there
             (Some(only), None) | (None, Some(only)) => only,
-            (None, None) => Value::Unknown,
+            (None, None) => PythonValue::Unknown,
         };
         both.insert(name, value);
     }

@@ -11,14 +11,14 @@ pub(super) struct Statement {
     /// Where the line stands, without the block below it.
     pub(super) range: TextRange,
     /// Its first word, when this is a keyword of statements.
-    pub(super) keyword: Option<Keyword>,
+    pub(super) keyword: Option<PythonKeyword>,
     /// The statements below it.
     pub(super) body: Vec<Statement>,
 }
 
 /// The keywords that matter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Keyword {
+pub(super) enum PythonKeyword {
     Def,
     Class,
     If,
@@ -37,31 +37,31 @@ pub(super) enum Keyword {
     Other,
 }
 
-const KEYWORDS: [(&str, Keyword); 24] = [
-    ("def", Keyword::Def),
-    ("async", Keyword::Other),
-    ("class", Keyword::Class),
-    ("if", Keyword::If),
-    ("elif", Keyword::Elif),
-    ("else", Keyword::Else),
-    ("for", Keyword::Loop),
-    ("while", Keyword::Loop),
-    ("try", Keyword::Try),
-    ("except", Keyword::Except),
-    ("finally", Keyword::Finally),
-    ("with", Keyword::With),
-    ("return", Keyword::Return),
-    ("raise", Keyword::Leave),
-    ("break", Keyword::Leave),
-    ("continue", Keyword::Leave),
-    ("import", Keyword::Import),
-    ("from", Keyword::From),
-    ("global", Keyword::Global),
-    ("nonlocal", Keyword::Global),
-    ("del", Keyword::Global),
-    ("assert", Keyword::Other),
-    ("pass", Keyword::Other),
-    ("match", Keyword::Other),
+const KEYWORDS: [(&str, PythonKeyword); 24] = [
+    ("def", PythonKeyword::Def),
+    ("async", PythonKeyword::Other),
+    ("class", PythonKeyword::Class),
+    ("if", PythonKeyword::If),
+    ("elif", PythonKeyword::Elif),
+    ("else", PythonKeyword::Else),
+    ("for", PythonKeyword::Loop),
+    ("while", PythonKeyword::Loop),
+    ("try", PythonKeyword::Try),
+    ("except", PythonKeyword::Except),
+    ("finally", PythonKeyword::Finally),
+    ("with", PythonKeyword::With),
+    ("return", PythonKeyword::Return),
+    ("raise", PythonKeyword::Leave),
+    ("break", PythonKeyword::Leave),
+    ("continue", PythonKeyword::Leave),
+    ("import", PythonKeyword::Import),
+    ("from", PythonKeyword::From),
+    ("global", PythonKeyword::Global),
+    ("nonlocal", PythonKeyword::Global),
+    ("del", PythonKeyword::Global),
+    ("assert", PythonKeyword::Other),
+    ("pass", PythonKeyword::Other),
+    ("match", PythonKeyword::Other),
 ];
 
 /// A line of the program, with its bytes, its indentation, and the colon that ends the head of a block.
@@ -145,17 +145,17 @@ fn statement(text: &str, line: &Line) -> (Statement, bool) {
     let takes_block = matches!(
         keyword,
         Some(
-            Keyword::Def
-                | Keyword::Class
-                | Keyword::If
-                | Keyword::Elif
-                | Keyword::Else
-                | Keyword::Loop
-                | Keyword::Try
-                | Keyword::Except
-                | Keyword::Finally
-                | Keyword::With
-                | Keyword::Other
+            PythonKeyword::Def
+                | PythonKeyword::Class
+                | PythonKeyword::If
+                | PythonKeyword::Elif
+                | PythonKeyword::Else
+                | PythonKeyword::Loop
+                | PythonKeyword::Try
+                | PythonKeyword::Except
+                | PythonKeyword::Finally
+                | PythonKeyword::With
+                | PythonKeyword::Other
         )
     );
     let Some(colon) = line.colon.filter(|_| takes_block) else {
@@ -182,7 +182,7 @@ fn statement(text: &str, line: &Line) -> (Statement, bool) {
     (made, false)
 }
 
-fn plain(range: TextRange, keyword: Option<Keyword>) -> Statement {
+fn plain(range: TextRange, keyword: Option<PythonKeyword>) -> Statement {
     Statement {
         range,
         keyword,
@@ -200,7 +200,7 @@ fn lines(text: &str) -> Vec<Line> {
         while matches!(bytes.get(at), Some(b' ' | b'\t' | 0x0c)) {
             at += 1;
         }
-        let mut scan = Scan {
+        let mut scan = LineScanner {
             bytes,
             at,
             depth: 0,
@@ -232,7 +232,7 @@ fn lines(text: &str) -> Vec<Line> {
 }
 
 /// A walk over the bytes of one line.
-struct Scan<'t> {
+struct LineScanner<'t> {
     bytes: &'t [u8],
     at: usize,
     depth: usize,
@@ -240,7 +240,7 @@ struct Scan<'t> {
     colon: Option<usize>,
 }
 
-impl Scan<'_> {
+impl LineScanner<'_> {
     /// Go to the end of the line, or behind the `;` that ends a statement; whether it was one.
     fn line(&mut self) -> bool {
         while let Some(&byte) = self.bytes.get(self.at) {

@@ -6,7 +6,7 @@ use crate::launch::text::Text;
 
 /// A value of a program, as far as its text says it.
 #[derive(Clone, Debug, Default)]
-pub(super) enum Value {
+pub(super) enum PythonValue {
     /// Not known.
     #[default]
     Unknown,
@@ -17,10 +17,10 @@ pub(super) enum Value {
     /// A number or truth value, as `str` writes it.
     Number(String),
     /// A list or tuple.
-    List(Vec<Value>),
+    List(Vec<PythonValue>),
     /// A dictionary; `open` when it may hold further keys.
     Dict {
-        pairs: Vec<(String, Value)>,
+        pairs: Vec<(String, PythonValue)>,
         open: bool,
     },
     /// A function of the file, by number.
@@ -28,24 +28,24 @@ pub(super) enum Value {
     /// A name that the file does not define, with its module in front: `xacro.process_file`.
     Outer(EcoString),
     /// A method that is looked up in a value: `'a'.join`, `builder.robot_description`.
-    Method(Box<Value>, EcoString),
+    Method(Box<PythonValue>, EcoString),
     /// A description that was opened or parsed.
     Document(Text),
     /// A builder of MoveIt configurations, with the package that it reads.
     Builder(Text),
 }
 
-impl Value {
+impl PythonValue {
     /// Text that is written down.
     pub fn plain(text: impl Into<String>) -> Self {
-        Value::Text(Text::plain(text, None))
+        PythonValue::Text(Text::plain(text, None))
     }
 
     /// The text that a string, substitution, or list of substitutions stands for.
     pub fn text(self) -> Text {
         match self {
-            Value::Text(text) => text,
-            Value::List(parts) => Text::concat(parts.into_iter().map(Value::text)),
+            PythonValue::Text(text) => text,
+            PythonValue::List(parts) => Text::concat(parts.into_iter().map(PythonValue::text)),
             _ => Text::opaque(),
         }
     }
@@ -53,8 +53,8 @@ impl Value {
     /// The text that `str` makes of a value.
     pub fn written(self) -> Text {
         match self {
-            Value::Text(text) => text,
-            Value::Number(text) => Text::plain(text, None),
+            PythonValue::Text(text) => text,
+            PythonValue::Number(text) => Text::plain(text, None),
             _ => Text::opaque(),
         }
     }
@@ -62,35 +62,41 @@ impl Value {
     /// How much is held, for the limits.
     pub fn weight(&self) -> usize {
         1 + match self {
-            Value::Text(text) | Value::Document(text) | Value::Builder(text) => {
+            PythonValue::Text(text) | PythonValue::Document(text) | PythonValue::Builder(text) => {
                 text.0.len() + text.len() / 64
             }
-            Value::List(values) => values.iter().map(Value::weight).sum(),
-            Value::Dict { pairs, .. } => pairs.iter().map(|(_, value)| value.weight() + 1).sum(),
-            Value::Method(value, _) => value.weight(),
+            PythonValue::List(values) => values.iter().map(PythonValue::weight).sum(),
+            PythonValue::Dict { pairs, .. } => {
+                pairs.iter().map(|(_, value)| value.weight() + 1).sum()
+            }
+            PythonValue::Method(value, _) => value.weight(),
             _ => 0,
         }
     }
 
     /// The value behind a branch, of the values that its sides give.
-    pub fn join(self, other: Value) -> Value {
+    pub fn join(self, other: PythonValue) -> PythonValue {
         match (self, other) {
-            (Value::Text(a), Value::Text(b)) if a == b => Value::Text(a),
-            (Value::Number(a), Value::Number(b)) if a == b => Value::Number(a),
-            (Value::Outer(a), Value::Outer(b)) if a == b => Value::Outer(a),
-            (Value::Document(a), Value::Document(b)) if a == b => Value::Document(a),
-            (Value::Builder(a), Value::Builder(b)) if a == b => Value::Builder(a),
-            (Value::Function(a), Value::Function(b)) if a == b => Value::Function(a),
-            (Value::None, Value::None) => Value::None,
-            (Value::List(a), Value::List(b)) if a.len() == b.len() => {
-                Value::List(a.into_iter().zip(b).map(|(a, b)| a.join(b)).collect())
+            (PythonValue::Text(a), PythonValue::Text(b)) if a == b => PythonValue::Text(a),
+            (PythonValue::Number(a), PythonValue::Number(b)) if a == b => PythonValue::Number(a),
+            (PythonValue::Outer(a), PythonValue::Outer(b)) if a == b => PythonValue::Outer(a),
+            (PythonValue::Document(a), PythonValue::Document(b)) if a == b => {
+                PythonValue::Document(a)
+            }
+            (PythonValue::Builder(a), PythonValue::Builder(b)) if a == b => PythonValue::Builder(a),
+            (PythonValue::Function(a), PythonValue::Function(b)) if a == b => {
+                PythonValue::Function(a)
+            }
+            (PythonValue::None, PythonValue::None) => PythonValue::None,
+            (PythonValue::List(a), PythonValue::List(b)) if a.len() == b.len() => {
+                PythonValue::List(a.into_iter().zip(b).map(|(a, b)| a.join(b)).collect())
             }
             (
-                Value::Dict {
+                PythonValue::Dict {
                     pairs: a,
                     open: open_a,
                 },
-                Value::Dict {
+                PythonValue::Dict {
                     pairs: mut b,
                     open: open_b,
                 },
@@ -106,14 +112,14 @@ impl Value {
                         None => open = true,
                     }
                 }
-                Value::Dict { pairs, open }
+                PythonValue::Dict { pairs, open }
             }
-            _ => Value::Unknown,
+            _ => PythonValue::Unknown,
         }
     }
 
     /// A dictionary with an entry set.
-    pub fn set(pairs: &mut Vec<(String, Value)>, name: String, value: Value) {
+    pub fn set(pairs: &mut Vec<(String, PythonValue)>, name: String, value: PythonValue) {
         match pairs.iter_mut().find(|(known, _)| *known == name) {
             Some((_, old)) => *old = value,
             None => pairs.push((name, value)),
@@ -121,19 +127,19 @@ impl Value {
     }
 
     /// Put another dictionary over the pairs of one; whether it may hold further keys.
-    pub fn spread(pairs: &mut Vec<(String, Value)>, other: Value) -> bool {
+    pub fn spread(pairs: &mut Vec<(String, PythonValue)>, other: PythonValue) -> bool {
         match other {
-            Value::Dict { pairs: new, open } => {
+            PythonValue::Dict { pairs: new, open } => {
                 new.into_iter()
                     .for_each(|(name, value)| Self::set(pairs, name, value));
                 open
             }
             // pairs in tuples, as `launch_arguments` takes them
-            Value::List(items) => {
+            PythonValue::List(items) => {
                 let mut open = false;
                 for item in items {
                     match item {
-                        Value::List(pair) if pair.len() == 2 => {
+                        PythonValue::List(pair) if pair.len() == 2 => {
                             let mut pair = pair.into_iter();
                             let (name, value) = (pair.next(), pair.next());
                             match name.and_then(|name| name.text().literal()) {
@@ -149,7 +155,7 @@ impl Value {
                 }
                 open
             }
-            Value::None => false,
+            PythonValue::None => false,
             _ => {
                 Self::forget(pairs);
                 true
@@ -158,9 +164,9 @@ impl Value {
     }
 
     /// Values that further keys may have replaced are not known.
-    pub fn forget(pairs: &mut [(String, Value)]) {
+    pub fn forget(pairs: &mut [(String, PythonValue)]) {
         for (_, value) in pairs {
-            *value = Value::Unknown;
+            *value = PythonValue::Unknown;
         }
     }
 }

@@ -5,18 +5,18 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::analyzed::{Analyzed, job_of};
 use super::beside::sort;
 use super::graph::Graph;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::proof::{Effort, Roots};
+use super::proof::{AffectedRobots, Effort};
 use super::report::Report;
-use super::root_choice::RootChoice;
+use super::root_analysis::{RootAnalysis, task_of};
+use super::root_config::RootConfig;
+use super::root_result::RootResult;
 use super::scan::Scan;
 use super::session::Session;
 use super::walk::{self, Listing, is_launch};
-use super::{job, placing};
+use super::{placing, run_task};
 use base::clock::Instant;
 use base::{CancelFlag, FastMap, TextRange};
 use expand::Forced;
@@ -26,7 +26,7 @@ use workspace::BUILD_FILES;
 use workspace::config::{self, Config};
 
 /// The state of a language server.
-pub struct World {
+pub struct AnalysisHost {
     session: Session,
     env: Environment,
     folders: Vec<PathBuf>,
@@ -37,11 +37,11 @@ pub struct World {
     /// Files that the graph has not seen since they were edited.
     unseen: BTreeSet<PathBuf>,
     scan: Scan,
-    /// Roots picked by the user, by the file they were picked for.
-    picks: FastMap<PathBuf, RootChoice>,
-    cache: FastMap<RootChoice, Arc<Analyzed>>,
+    /// Roots selected by the user, by the file they were selected for.
+    selections: FastMap<PathBuf, RootConfig>,
+    cache: FastMap<RootConfig, Arc<RootAnalysis>>,
     /// The last expansions without errors.
-    good: FastMap<RootChoice, Arc<Analyzed>>,
+    good: FastMap<RootConfig, Arc<RootAnalysis>>,
     /// How many expansions were made.
     expansions: u64,
     /// Counts what no record tells of: packages, meshes, configuration.
@@ -54,13 +54,13 @@ pub struct World {
     pub(super) named: BTreeMap<PathBuf, u64>,
 }
 
-impl World {
+impl AnalysisHost {
     /// Robots with fewer nodes are expanded in no time.
     const LARGE: usize = 300;
     /// Most expansions kept.
     const MOST_CACHED: usize = 64;
 
-    /// A world that sees `folders`; without any, single files are shown by themselves.
+    /// A host that sees `folders`; without any, single files are shown by themselves.
     pub fn new(env: Environment, folders: Vec<PathBuf>) -> Self {
         let vfs = Arc::new(Vfs::of(&env, config::Limits::default().file_bytes()));
         Self::over(vfs, env, folders)
@@ -78,7 +78,7 @@ impl World {
             unseen: BTreeSet::new(),
             graph: Graph::default(),
             scan: Scan::default(),
-            picks: FastMap::default(),
+            selections: FastMap::default(),
             cache: FastMap::default(),
             good: FastMap::default(),
             expansions: 0,
@@ -89,16 +89,16 @@ impl World {
         }
     }
 
-    /// A world with the same folders and settings that sees the files on the disk, whatever is open.
+    /// A host with the same folders and settings that sees the files on the disk, whatever is open.
     pub fn on_disk(&self) -> Self {
         let (env, folders) = (self.env.clone(), self.folders.clone());
-        let mut world = match self.session.vfs.uncovered() {
+        let mut host = match self.session.vfs.uncovered() {
             Some(files) => Self::over(Arc::new(files), env, folders),
             None => Self::new(env, folders),
         };
         let editor = self.editor.iter().cloned();
-        world.set_folder_settings(editor.map(|(own, folder)| (own, Some(folder))).collect());
-        world
+        host.set_folder_settings(editor.map(|(own, folder)| (own, Some(folder))).collect());
+        host
     }
 
     /// How much may be done to prove something about edits of a file: for the robots that are known to read it.
@@ -112,7 +112,7 @@ impl World {
         roots.push(path.to_owned());
         Effort {
             expansions,
-            roots: Roots::Known(roots),
+            roots: AffectedRobots::Known(roots),
             cancel: cancel.clone(),
         }
     }
@@ -320,12 +320,12 @@ impl World {
     }
 
     /// The files that look like robots, with each preset that the configuration lists for them.
-    pub fn robots(&self) -> Vec<RootChoice> {
+    pub fn robots(&self) -> Vec<RootConfig> {
         let robots = self.graph.files().filter(|file| self.graph.is_root(file));
         let variants = |file: &PathBuf| {
             let variants = self.configured_variants(file);
             if variants.is_empty() {
-                vec![RootChoice::plain(file)]
+                vec![RootConfig::plain(file)]
             } else {
                 variants
             }
@@ -361,24 +361,24 @@ impl World {
         }
     }
 
-    /// Pick the root that a file is shown under; none: back to automatic.
-    pub fn pick(&mut self, path: &Path, root: Option<RootChoice>) {
+    /// Select the root that a file is shown under; none: back to automatic.
+    pub fn select(&mut self, path: &Path, root: Option<RootConfig>) {
         match root {
-            Some(root) => self.picks.insert(path.to_path_buf(), root),
-            None => self.picks.remove(path),
+            Some(root) => self.selections.insert(path.to_path_buf(), root),
+            None => self.selections.remove(path),
         };
     }
 
-    /// Pick for all files; none: back to automatic.
-    pub fn pick_all(&mut self, root: Option<RootChoice>) {
-        self.picks.clear();
+    /// Select for all files; none: back to automatic.
+    pub fn select_all(&mut self, root: Option<RootConfig>) {
+        self.selections.clear();
         if let Some(root) = root {
-            self.picks.insert(PathBuf::new(), root);
+            self.selections.insert(PathBuf::new(), root);
         }
     }
 
-    pub(super) fn picked(&self, path: &Path) -> Option<RootChoice> {
-        let reaches = |root: &&RootChoice| {
+    pub(super) fn selected(&self, path: &Path) -> Option<RootConfig> {
+        let reaches = |root: &&RootConfig| {
             root.file == path
                 || self
                     .graph
@@ -386,8 +386,8 @@ impl World {
                     .iter()
                     .any(|(file, _)| *file == root.file)
         };
-        let anywhere = || self.picks.get(Path::new("")).filter(reaches);
-        self.picks.get(path).or_else(anywhere).cloned()
+        let anywhere = || self.selections.get(Path::new("")).filter(reaches);
+        self.selections.get(path).or_else(anywhere).cloned()
     }
 
     pub(super) fn same_package(&self, a: &Path, b: &Path) -> bool {
@@ -401,7 +401,11 @@ impl World {
     }
 
     /// A root expanded; from the cache when nothing it read has changed. `None` when cancelled.
-    pub fn analyzed(&mut self, root: &RootChoice, cancel: &CancelFlag) -> Option<Arc<Analyzed>> {
+    pub fn analyzed(
+        &mut self,
+        root: &RootConfig,
+        cancel: &CancelFlag,
+    ) -> Option<Arc<RootAnalysis>> {
         if let Some(known) = self.cache.get(root)
             && self.is_valid(known)
         {
@@ -413,12 +417,12 @@ impl World {
             .get(root)
             .filter(|known| known.epoch == self.epoch);
         let before = before.map(|known| &known.expansion);
-        let expansion = job::expansion(&self.session, cancel, &job_of(root), before);
+        let expansion = run_task::expansion(&self.session, cancel, &task_of(root), before);
         if cancel.is_cancelled() {
             return None;
         }
         self.expansions += 1;
-        let made = Arc::new(Analyzed::new(root.clone(), expansion, self.epoch));
+        let made = Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch));
         if self.cache.len() >= Self::MOST_CACHED {
             self.cache.clear();
         }
@@ -432,13 +436,13 @@ impl World {
     /// The expansion of a root with the outcome of conditions given. `None` when cancelled.
     pub fn forced(
         &self,
-        root: &RootChoice,
+        root: &RootConfig,
         forced: Vec<Forced>,
         cancel: &CancelFlag,
-    ) -> Option<Arc<Analyzed>> {
-        let expansion = job::forced(&self.session, cancel, &job_of(root), forced);
+    ) -> Option<Arc<RootAnalysis>> {
+        let expansion = run_task::forced(&self.session, cancel, &task_of(root), forced);
         (!cancel.is_cancelled())
-            .then(|| Arc::new(Analyzed::new(root.clone(), expansion, self.epoch)))
+            .then(|| Arc::new(RootAnalysis::new(root.clone(), expansion, self.epoch)))
     }
 
     /// Expansions to take names from while somebody types in the file at `path`, the newest first. None is made
@@ -446,10 +450,10 @@ impl World {
     /// of half-typed text is worth little, and the next letter is waited for.
     pub fn while_typing(
         &mut self,
-        root: &RootChoice,
+        root: &RootConfig,
         path: &Path,
         cancel: &CancelFlag,
-    ) -> Vec<Arc<Analyzed>> {
+    ) -> Vec<Arc<RootAnalysis>> {
         let known = self.cache.get(root).cloned();
         let is_fresh = known
             .as_ref()
@@ -474,7 +478,7 @@ impl World {
     }
 
     /// Whether all texts of a robot are whole XML as they are now.
-    fn is_unbroken(&self, known: &Analyzed) -> bool {
+    fn is_unbroken(&self, known: &RootAnalysis) -> bool {
         let files = known.expansion.files.iter();
         let mut files = files.filter_map(|file| self.document(&file.source.path));
         files.all(|source| source.document.errors().is_empty())
@@ -482,7 +486,7 @@ impl World {
 
     /// The last expansion of the robot of an open file, when the robot is large and nothing but this file was edited
     /// since: what it says of other places still holds, as far as that rests on nothing edited.
-    pub fn before_typing(&mut self, path: &Path) -> Option<Arc<Analyzed>> {
+    pub fn before_typing(&mut self, path: &Path) -> Option<Arc<RootAnalysis>> {
         let root = self.context(path).root?;
         let last = self
             .cache
@@ -494,35 +498,35 @@ impl World {
     }
 
     /// The last expansion of a root that had no errors.
-    pub fn last_good(&self, root: &RootChoice) -> Option<Arc<Analyzed>> {
+    pub fn last_good(&self, root: &RootConfig) -> Option<Arc<RootAnalysis>> {
         self.good.get(root).cloned()
     }
 
     /// Whether an expansion still holds.
-    pub(super) fn is_valid(&self, known: &Analyzed) -> bool {
+    pub(super) fn is_valid(&self, known: &RootAnalysis) -> bool {
         known.epoch == self.epoch && self.is_current(known)
     }
 
     /// The same without a look at one file.
-    pub(super) fn is_valid_beside(&self, known: &Analyzed, except: &Path) -> bool {
+    pub(super) fn is_valid_beside(&self, known: &RootAnalysis, except: &Path) -> bool {
         known.epoch == self.epoch && self.is_current_beside(known, except)
     }
 
     /// Whether everything that an expansion read is as it was.
-    fn is_current(&self, known: &Analyzed) -> bool {
+    fn is_current(&self, known: &RootAnalysis) -> bool {
         self.is_current_beside(known, Path::new(""))
     }
 
     /// The same without a look at one file.
-    fn is_current_beside(&self, known: &Analyzed, except: &Path) -> bool {
+    fn is_current_beside(&self, known: &RootAnalysis, except: &Path) -> bool {
         known.is_current_beside(&self.session.vfs, &self.env.cwd, except)
     }
 
     /// What there is to say about files, each under its active root. `None` when cancelled.
     pub fn report(&mut self, paths: &[PathBuf], cancel: &CancelFlag) -> Option<Report> {
         self.notice_meshes();
-        let mut roots: Vec<RootChoice> = Vec::new();
-        let mut own: Vec<RootChoice> = Vec::new();
+        let mut roots: Vec<RootConfig> = Vec::new();
+        let mut own: Vec<RootConfig> = Vec::new();
         let asked = paths;
         let paths: Vec<&PathBuf> = paths
             .iter()
@@ -532,7 +536,7 @@ impl World {
             let root = self
                 .context(path)
                 .root
-                .unwrap_or_else(|| RootChoice::plain(path));
+                .unwrap_or_else(|| RootConfig::plain(path));
             own.push(root.clone());
             if !roots.contains(&root) {
                 roots.push(root);
@@ -542,17 +546,17 @@ impl World {
             let further = self.configured_contexts(&paths);
             roots.extend(further.into_iter().filter(|root| !own.contains(root)));
         }
-        let mut outcomes = Vec::new();
+        let mut results = Vec::new();
         for root in &roots {
             let is_context = self.all_contexts || self.is_configured(root);
             let analyzed = self.analyzed(root, cancel)?;
-            let mut outcome = analyzed.outcome(&self.session, cancel)?.clone();
-            outcome
+            let mut result = analyzed.result(&self.session, cancel)?.clone();
+            result
                 .findings
                 .extend(check_recovered(&analyzed.expansion, &self.session.vfs));
-            outcomes.push(Outcome {
+            results.push(RootResult {
                 is_context,
-                ..outcome
+                ..result
             });
         }
         self.keep_meshes();
@@ -564,7 +568,7 @@ impl World {
             .extend(self.session.shown_launch_findings(&robots, asked, cancel));
         let mut report = self
             .session
-            .conclude(&self.options(&entries), outcomes, beside);
+            .build_report(&self.options(&entries), results, beside);
         placing::place(&mut report, &self.session.vfs, |path| {
             self.open.contains_key(path)
         });

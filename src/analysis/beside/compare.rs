@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::super::analyzed::Analyzed;
 use super::super::includes::reach;
 use super::super::options::CheckOptions;
-use super::super::root_choice::RootChoice;
+use super::super::root_analysis::RootAnalysis;
+use super::super::root_config::RootConfig;
 use super::super::session::Session;
 use super::files::{Beside, Robots, Sort, sort};
 use super::fitting::{Paired, has_choices, names_of};
@@ -15,15 +15,15 @@ use super::paired::Pairing;
 use base::limits::FILES_BESIDE;
 use base::{CancelFlag, FastMap, FastSet};
 use rules::{
-    Chosen, Content, Finding, Names, Offered, PairedRobot, Place, all, check_beside,
-    has_ignored_tags, is_semantic_name, is_whole,
+    BesideContent, Chosen, Finding, JointConnection, OfferedInterface, PairedRobot, RobotNames,
+    all, check_beside, has_ignored_tags, is_semantic_name, is_whole,
 };
-use workspace::Target;
+use workspace::RosVersion;
 use xml::Node;
 
 /// What a comparison of files with their robots gave.
 #[derive(Default)]
-pub(in super::super) struct Compared {
+pub(in super::super) struct ComparisonResult {
     /// What is wrong.
     pub findings: Vec<Finding>,
     /// The files that were compared.
@@ -69,18 +69,18 @@ impl Session {
     }
 
     /// What has to be expanded to judge files beside robots: their robots, and the SRDFs beside these.
-    pub(in super::super) fn beside_roots(&self, paths: &[PathBuf]) -> Vec<RootChoice> {
-        let mut found: FastSet<RootChoice> = FastSet::default();
+    pub(in super::super) fn beside_roots(&self, paths: &[PathBuf]) -> Vec<RootConfig> {
+        let mut found: FastSet<RootConfig> = FastSet::default();
         for path in paths {
             let pairing = self.pairing(path);
             let Some(around) = self.of_the_same(path, &pairing) else {
                 continue;
             };
             let srdfs = around.iter().filter(|file| sort(file) == Some(Sort::Srdf));
-            found.extend(srdfs.map(|file| RootChoice::plain(file)));
+            found.extend(srdfs.map(|file| RootConfig::plain(file)));
             found.extend(pairing.roots.iter().cloned());
         }
-        let mut found: Vec<RootChoice> = found.into_iter().collect();
+        let mut found: Vec<RootConfig> = found.into_iter().collect();
         found.sort();
         found
     }
@@ -91,8 +91,8 @@ impl Session {
         paths: &[PathBuf],
         cancel: &CancelFlag,
         robots: &Robots,
-    ) -> Compared {
-        let mut found = Compared::default();
+    ) -> ComparisonResult {
+        let mut found = ComparisonResult::default();
         let mut read: FastMap<PathBuf, Option<Beside>> = FastMap::default();
         for path in paths.iter().filter(|_| !cancel.is_cancelled()) {
             let Some(own) = self.beside_once(path, &mut read, robots) else {
@@ -111,11 +111,11 @@ impl Session {
             let around: Vec<Beside> = around
                 .filter_map(|other| self.beside_once(other, &mut read, robots))
                 .collect();
-            let mut said = self.judged(&own, &paired, &around, cancel);
-            let has_ignored = |one: &Arc<Analyzed>| has_ignored_tags(&one.expansion);
+            let mut said = self.check_names(&own, &paired, &around, cancel);
+            let has_ignored = |one: &Arc<RootAnalysis>| has_ignored_tags(&one.expansion);
             // what is missing in the robot has its cause there
             if !said.is_empty() && paired.robots.iter().any(has_ignored) {
-                said = self.judged(&own, &Paired::default(), &around, cancel);
+                said = self.check_names(&own, &Paired::default(), &around, cancel);
             }
             found.findings.extend(said);
             if !paired.robots.is_empty() {
@@ -154,7 +154,7 @@ impl Session {
     }
 
     /// Whether a file beside robots is for one of these.
-    fn is_for_one_of(&self, file: &Path, roots: &[RootChoice]) -> bool {
+    fn is_for_one_of(&self, file: &Path, roots: &[RootConfig]) -> bool {
         !roots.is_empty()
             && self
                 .pairing(file)
@@ -163,7 +163,7 @@ impl Session {
                 .any(|root| roots.contains(root))
     }
 
-    fn judged(
+    fn check_names(
         &self,
         own: &Beside,
         paired: &Paired,
@@ -189,7 +189,7 @@ impl Session {
                 })
             })
             .collect();
-        let contents: Vec<Content<'_>> = std::iter::once(own)
+        let contents: Vec<BesideContent<'_>> = std::iter::once(own)
             .chain(around)
             .map(Beside::content)
             .collect();
@@ -213,8 +213,8 @@ impl Session {
         };
         let has_variants = srdfs.clone().any(|(srdf, _)| has_choices(&srdf.expansion));
         let has_all_groups = srdfs.clone().all(|(srdf, _)| is_whole(&srdf.expansion));
-        let has_controllers = matches!(own.content(), Content::Settings(settings) if !settings.controllers.is_empty());
-        let is_ros2 = self.packages.generation(&own.path) == Some(Target::Ros2);
+        let has_controllers = matches!(own.content(), BesideContent::Settings(settings) if !settings.controllers.is_empty());
+        let is_ros2 = self.packages.generation(&own.path) == Some(RosVersion::Ros2);
         let cx = rules::BesideCx::new(
             (own.file, own.content(), expansion),
             &robots,
@@ -247,7 +247,7 @@ impl Session {
         else {
             return Vec::new();
         };
-        let callers = |robot: &Arc<Analyzed>| {
+        let callers = |robot: &Arc<RootAnalysis>| {
             let calls = self.robot_calls(&robot.root.file);
             calls.into_iter().map(|one| one.call.caller).collect()
         };
@@ -264,8 +264,8 @@ impl Session {
     }
 
     /// The names that robots have with other values of their switches, and those that their texts spell out.
-    fn further_names(&self, paired: &[Arc<Analyzed>], cancel: &CancelFlag) -> Names {
-        let mut names = Names::default();
+    fn further_names(&self, paired: &[Arc<RootAnalysis>], cancel: &CancelFlag) -> RobotNames {
+        let mut names = RobotNames::default();
         for analyzed in paired {
             self.add_written(&analyzed.root.file, &mut names);
             match analyzed.further.get() {
@@ -287,7 +287,7 @@ impl Session {
     /// Whether the link of an SRDF that a finding is about is spelled out in a robot that a launch file loads beside it.
     pub(in super::super) fn is_in_launched(&self, file: &Path, finding: &Finding) -> bool {
         let name = finding.message.split('`').nth(1).unwrap_or_default();
-        let mut names = Names::default();
+        let mut names = RobotNames::default();
         for root in self
             .by_launch(file, false)
             .iter()
@@ -312,7 +312,7 @@ impl Session {
 
     /// Add the names that the texts of a file and of those that it may include spell out, in branches and macros that take
     /// no part too.
-    fn add_written(&self, root: &Path, names: &mut Names) {
+    fn add_written(&self, root: &Path, names: &mut RobotNames) {
         let mut files = vec![root.to_owned()];
         let mut next = 0;
         while let Some(source) = files.get(next).map(|file| self.vfs.document(file)) {
@@ -367,11 +367,11 @@ fn spelled(node: Node<'_>, attribute: &str) -> Option<EcoString> {
 }
 
 /// The place of a joint, as far as the text spells it out.
-fn place_of(joint: Node<'_>) -> Option<Place> {
+fn place_of(joint: Node<'_>) -> Option<JointConnection> {
     let child = joint
         .child_elements()
         .find(|inner| inner.name() == "child")?;
-    Some(Place {
+    Some(JointConnection {
         joint: spelled(joint, "name")?,
         child: spelled(child, "link")?,
         kind: spelled(joint, "type")?,
@@ -379,11 +379,11 @@ fn place_of(joint: Node<'_>) -> Option<Place> {
 }
 
 /// Add the interfaces of hardware that a condition decides on.
-fn add_interfaces(condition: Node<'_>, names: &mut Names) {
+fn add_interfaces(condition: Node<'_>, names: &mut RobotNames) {
     for inner in condition.child_elements() {
         match inner.name() {
             tag @ ("command_interface" | "state_interface") => {
-                let offered = inner.attr("name").map(|name| Offered {
+                let offered = inner.attr("name").map(|name| OfferedInterface {
                     is_command: tag == "command_interface",
                     joint: joint_around(inner),
                     name: name.raw().into(),

@@ -5,17 +5,17 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
+use super::check_task::CheckTask;
 use super::cut::Cut;
-use super::task::Job;
 use base::{FastSet, FileId, Span};
 use rules::Finding;
 use rules::consumers::Tally;
 use vfs::SourceFile;
 
-/// What a job gave.
+/// What a task gave.
 #[derive(Clone)]
-pub(super) struct Outcome {
-    pub(super) job: Job,
+pub(super) struct RootResult {
+    pub(super) task: CheckTask,
     /// Whether the file is a robot on its own.
     pub(super) is_robot: bool,
     /// Whether only a name is missing to make it one.

@@ -11,11 +11,11 @@ const DEPTH: u32 = 100;
 
 /// A place where a key or a value may stand.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ConfigPlace {
+pub struct ConfigCursor {
     /// The keys that lead there. Lists have none.
     pub path: Vec<String>,
     /// What stands there.
-    pub kind: PlaceKind,
+    pub kind: ConfigCursorKind,
     /// The word there, without quotes.
     pub range: TextRange,
     /// The quote in front of the word.
@@ -26,7 +26,7 @@ pub struct ConfigPlace {
 
 /// What stands at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlaceKind {
+pub enum ConfigCursorKind {
     /// The key of an entry.
     Key,
     /// A key in the header of a table.
@@ -42,14 +42,14 @@ pub enum PlaceKind {
 }
 
 /// The place at an offset of a text; none in comments, in numbers, and where neither a key nor a value may begin.
-pub fn place_at(text: &str, offset: u32) -> Option<ConfigPlace> {
+pub fn place_at(text: &str, offset: u32) -> Option<ConfigCursor> {
     let before = text.get(..offset as usize)?;
     let (start, quote) = word(before)?;
     let lead = quote.map_or(0, char::len_utf8);
     let after = text.get(offset as usize..)?;
     let end = before.len() + rest(after, quote);
     let head = before.get(..start)?;
-    let mut reader = Reader::read(head);
+    let mut reader = TomlReader::read(head);
     let (path, kind) = reader.place()?;
     let mut file = reader
         .files
@@ -60,7 +60,7 @@ pub fn place_at(text: &str, offset: u32) -> Option<ConfigPlace> {
         file = file_below(after);
     }
     let range = TextRange::new((start + lead) as u32, end as u32);
-    Some(ConfigPlace {
+    Some(ConfigCursor {
         path,
         kind,
         range,
@@ -109,10 +109,10 @@ pub fn is_bare(c: char) -> bool {
 fn file_below(after: &str) -> Option<String> {
     let lines = after.get(after.find('\n')?..)?;
     let end = lines.find("\n[").unwrap_or(lines.len());
-    let mut reader = Reader {
+    let mut reader = TomlReader {
         header: vec!["roots".to_owned()],
         files: vec![None],
-        ..Reader::new(lines.get(..end)?)
+        ..TomlReader::new(lines.get(..end)?)
     };
     reader.run();
     reader.files.pop().flatten()
@@ -120,7 +120,7 @@ fn file_below(after: &str) -> Option<String> {
 
 /// A table or list that is open.
 #[derive(Default)]
-struct Level {
+struct OpenTable {
     keys: Vec<String>,
     is_list: bool,
     in_value: bool,
@@ -129,18 +129,18 @@ struct Level {
 }
 
 /// Follows the events of a text to its end.
-struct Reader<'t> {
+struct TomlReader<'t> {
     text: &'t str,
     header: Vec<String>,
     open_header: Option<bool>,
-    levels: Vec<Level>,
+    levels: Vec<OpenTable>,
     /// The `file` of each entry of `roots`.
     files: Vec<Option<String>>,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> TomlReader<'t> {
     fn new(text: &'t str) -> Self {
-        let levels = vec![Level::default()];
+        let levels = vec![OpenTable::default()];
         Self {
             text,
             header: Vec::new(),
@@ -189,13 +189,13 @@ impl<'t> Reader<'t> {
                 if self.path() == ["roots"] {
                     self.files.push(None);
                 }
-                self.levels.push(Level::default());
+                self.levels.push(OpenTable::default());
             }
             EventKind::ArrayOpen => {
-                self.levels.push(Level {
+                self.levels.push(OpenTable {
                     is_list: true,
                     in_value: true,
-                    ..Level::default()
+                    ..OpenTable::default()
                 });
             }
             EventKind::InlineTableClose | EventKind::ArrayClose if self.levels.len() > 1 => {
@@ -211,9 +211,9 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn level(&mut self) -> &mut Level {
+    fn level(&mut self) -> &mut OpenTable {
         if self.levels.is_empty() {
-            self.levels.push(Level::default());
+            self.levels.push(OpenTable::default());
         }
         let last = self.levels.len() - 1;
         #[allow(clippy::indexing_slicing, reason = "there is one")]
@@ -221,7 +221,7 @@ impl<'t> Reader<'t> {
     }
 
     fn header_opens(&mut self, is_list: bool) {
-        self.levels = vec![Level::default()];
+        self.levels = vec![OpenTable::default()];
         self.header.clear();
         self.open_header = Some(is_list);
     }
@@ -284,10 +284,10 @@ impl<'t> Reader<'t> {
         self.header.iter().chain(keys).cloned().collect()
     }
 
-    fn place(&mut self) -> Option<(Vec<String>, PlaceKind)> {
+    fn place(&mut self) -> Option<(Vec<String>, ConfigCursorKind)> {
         let path = self.path();
         if let Some(is_list) = self.open_header {
-            return Some((path, PlaceKind::Header { is_list }));
+            return Some((path, ConfigCursorKind::Header { is_list }));
         }
         let level = self.level();
         if level.is_done {
@@ -297,9 +297,9 @@ impl<'t> Reader<'t> {
         Some((
             path,
             if level.in_value {
-                PlaceKind::Value { in_list }
+                ConfigCursorKind::Value { in_list }
             } else {
-                PlaceKind::Key
+                ConfigCursorKind::Key
             },
         ))
     }
@@ -307,7 +307,7 @@ impl<'t> Reader<'t> {
 
 #[cfg(test)]
 mod tests {
-    use super::{PlaceKind, place_at};
+    use super::{ConfigCursorKind, place_at};
 
     /// The place at `|`, in short.
     fn place(text: &str) -> String {
@@ -316,11 +316,11 @@ mod tests {
             return "none".to_owned();
         };
         let kind = match place.kind {
-            PlaceKind::Key => "key",
-            PlaceKind::Header { is_list: false } => "table",
-            PlaceKind::Header { is_list: true } => "list of tables",
-            PlaceKind::Value { in_list: false } => "value",
-            PlaceKind::Value { in_list: true } => "item",
+            ConfigCursorKind::Key => "key",
+            ConfigCursorKind::Header { is_list: false } => "table",
+            ConfigCursorKind::Header { is_list: true } => "list of tables",
+            ConfigCursorKind::Value { in_list: false } => "value",
+            ConfigCursorKind::Value { in_list: true } => "item",
         };
         let text = text.replace('|', "");
         let word = match place.range.slice(&text) {

@@ -6,74 +6,77 @@ use std::sync::Arc;
 use super::beside::{Sort, sort};
 use super::candidates::Candidates;
 use super::change::Change;
+use super::check_task::{CheckReason, CheckTask};
 use super::configs::Settings;
 use super::options::CheckOptions;
 use super::report::{Report, SkipReason, Skipped, Unreadable};
 use super::session::Session;
-use super::task::{Job, Reason};
 use super::walk;
 use base::FastSet;
 
 impl Session {
     /// The files that [`check`](Self::check) would look at, sorted; what they include comes on top.
     pub fn files(&self, options: &CheckOptions) -> Vec<PathBuf> {
-        let jobs = self.jobs(options, &mut Report::default());
-        let files: BTreeSet<PathBuf> = jobs.into_iter().map(|job| job.file).collect();
+        let tasks = self.tasks(options, &mut Report::default());
+        let files: BTreeSet<PathBuf> = tasks.into_iter().map(|task| task.file).collect();
         files.into_iter().collect()
     }
 
-    pub(super) fn jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
-        let mut jobs = self.all_jobs(options, report);
+    pub(super) fn tasks(&self, options: &CheckOptions, report: &mut Report) -> Vec<CheckTask> {
+        let mut tasks = self.all_tasks(options, report);
         if let Some(change) = Change::of(self, options) {
-            jobs.extend(change.further(&jobs, &options.args));
-            jobs = change.reached(jobs, &Candidates::default());
+            tasks.extend(change.further(&tasks, &options.args));
+            tasks = change.reached(tasks, &Candidates::default());
         }
-        for job in jobs.iter().filter(|job| job.reason != Reason::Walked) {
-            if let Err(error) = self.vfs.document(&job.file) {
+        for task in tasks
+            .iter()
+            .filter(|task| task.reason != CheckReason::Walked)
+        {
+            if let Err(error) = self.vfs.document(&task.file) {
                 report.unreadable.push(Unreadable {
-                    path: job.file.clone(),
+                    path: task.file.clone(),
                     error,
                 });
             }
         }
-        jobs.retain(|job| {
+        tasks.retain(|task| {
             !report
                 .unreadable
                 .iter()
-                .any(|unreadable| unreadable.path == job.file)
+                .any(|unreadable| unreadable.path == task.file)
         });
-        jobs
+        tasks
     }
 
-    /// The jobs for what is named, whatever changed.
-    pub(super) fn all_jobs(&self, options: &CheckOptions, report: &mut Report) -> Vec<Job> {
+    /// The tasks for what is named, whatever changed.
+    pub(super) fn all_tasks(&self, options: &CheckOptions, report: &mut Report) -> Vec<CheckTask> {
         let args = &options.args;
         let entries = options
             .entries
             .iter()
-            .map(|path| Job::new(self.vfs.absolute(path), Reason::Root, args.clone()));
-        let mut jobs: Vec<Job> = entries.collect();
+            .map(|path| CheckTask::new(self.vfs.absolute(path), CheckReason::Root, args.clone()));
+        let mut tasks: Vec<CheckTask> = entries.collect();
         let (named, walked) = self.named_and_walked(options, report);
-        jobs.extend(self.configured(options, &named, &walked));
-        let mut known: FastSet<PathBuf> = jobs.iter().map(|job| job.file.clone()).collect();
+        tasks.extend(self.configured(options, &named, &walked));
+        let mut known: FastSet<PathBuf> = tasks.iter().map(|task| task.file.clone()).collect();
         let is_alone = options.paths.len() == 1 && options.changed.is_empty();
         let reason = if is_alone {
-            Reason::Alone
+            CheckReason::Alone
         } else {
-            Reason::Named
+            CheckReason::Named
         };
         let named = named
             .into_iter()
-            .map(|path| Job::new(path, reason, args.clone()));
+            .map(|path| CheckTask::new(path, reason, args.clone()));
         let walked = walked
             .into_iter()
-            .map(|path| Job::new(path, Reason::Walked, args.clone()));
-        jobs.extend(
+            .map(|path| CheckTask::new(path, CheckReason::Walked, args.clone()));
+        tasks.extend(
             named
                 .chain(walked)
-                .filter(|job| known.insert(job.file.clone())),
+                .filter(|task| known.insert(task.file.clone())),
         );
-        jobs
+        tasks
     }
 
     /// The files that are named, and the descriptions below the folders that are.
@@ -106,25 +109,25 @@ impl Session {
         (named, walked)
     }
 
-    /// The jobs of `[[roots]]` that are among the files to be checked, or below a folder to be checked.
+    /// The tasks of `[[roots]]` that are among the files to be checked, or below a folder to be checked.
     fn configured(
         &self,
         options: &CheckOptions,
         named: &[PathBuf],
         walked: &[PathBuf],
-    ) -> Vec<Job> {
-        let mut jobs = Vec::new();
+    ) -> Vec<CheckTask> {
+        let mut tasks = Vec::new();
         for (settings, number, files) in self.configured_files(options, named, walked) {
             let Some(root) = settings.config.roots.get(number) else {
                 continue;
             };
-            jobs.extend(
+            tasks.extend(
                 files
                     .iter()
-                    .flat_map(|file| self.jobs_of(root, file, &options.args)),
+                    .flat_map(|file| self.tasks_of(root, file, &options.args)),
             );
         }
-        jobs
+        tasks
     }
 
     /// The entries of `[[roots]]` by number, each with its files that are to be checked.

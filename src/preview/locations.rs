@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use base::paths::HERE;
 use base::{Encoding, LineCol, TextRange};
-use expand::{Expansion, FrameKind, Origin, Place};
+use expand::{Expansion, FileRange, FrameKind, Origin};
 
 /// A line and a column, both from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Point {
+pub struct LinePosition {
     /// The line.
     pub line: u32,
     /// The column, in the units agreed with the client.
@@ -19,11 +19,11 @@ pub struct Point {
 
 /// A range of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Stretch {
+pub struct LineRange {
     /// Its first character.
-    pub start: Point,
+    pub start: LinePosition,
     /// Behind its last one.
-    pub end: Point,
+    pub end: LinePosition,
 }
 
 /// A range of a file, as the language server protocol writes it.
@@ -32,19 +32,19 @@ pub struct Location {
     /// The file.
     pub uri: String,
     /// Where in it.
-    pub range: Stretch,
+    pub range: LineRange,
 }
 
 impl Location {
     /// The first character of a file.
     pub fn start(uri: String) -> Self {
-        let first = Point {
+        let first = LinePosition {
             line: 0,
             character: 0,
         };
         Self {
             uri,
-            range: Stretch {
+            range: LineRange {
                 start: first,
                 end: first,
             },
@@ -53,7 +53,7 @@ impl Location {
 }
 
 /// How a client names files and counts columns.
-pub struct Names<'a> {
+pub struct LocationFormat<'a> {
     /// The URI of a path.
     pub uri: &'a dyn Fn(&Path) -> Option<String>,
     /// The path of a URI.
@@ -63,28 +63,28 @@ pub struct Names<'a> {
 }
 
 /// Places in one expansion.
-pub(super) struct Places<'a> {
-    pub names: &'a Names<'a>,
+pub(super) struct LocationMapper<'a> {
+    pub names: &'a LocationFormat<'a>,
     pub expansion: &'a Expansion,
 }
 
-impl Places<'_> {
+impl LocationMapper<'_> {
     /// Where an origin stands.
     pub fn of(&self, origin: Origin) -> Option<Location> {
         self.place(self.expansion.place(origin)?)
     }
 
     /// A place in a file of the expansion, in the text that was expanded.
-    pub fn place(&self, place: Place) -> Option<Location> {
+    pub fn place(&self, place: FileRange) -> Option<Location> {
         let source = &self.expansion.files.get(place.file)?.source;
         let point = |offset| {
             let LineCol { line, col } = source.document.line_col(offset, self.names.encoding);
-            Point {
+            LinePosition {
                 line,
                 character: col,
             }
         };
-        let range = Stretch {
+        let range = LineRange {
             start: point(place.range.start),
             end: point(place.range.end),
         };

@@ -2,24 +2,24 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use super::job;
-use super::job::{expanded, judge, request};
+use super::check_task::{CheckReason, CheckTask};
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::root_choice::RootChoice;
+use super::root_config::RootConfig;
+use super::root_result::RootResult;
+use super::run_task;
+use super::run_task::{expanded, request, run_rules};
 use super::session::Session;
-use super::task::{Job, Reason};
 use base::CancelFlag;
 use base::limits::GLOB_ENTRIES;
 use expand::{Expansion, Read, Request, SymbolKind, Written, write_mapped};
 use model::{Kinematics, Robot};
-use rules::Names;
+use rules::RobotNames;
 use vfs::Vfs;
 
 /// A root expanded.
-pub struct Analyzed {
+pub struct RootAnalysis {
     /// What was expanded.
-    pub root: RootChoice,
+    pub root: RootConfig,
     /// The result.
     pub expansion: Expansion,
     /// The robot; none when the root element is not `robot`.
@@ -27,26 +27,26 @@ pub struct Analyzed {
     /// How its links hang together.
     pub kinematics: Option<Kinematics>,
     /// What the rules say, once somebody has asked: most questions of an editor are about the robot alone.
-    outcome: OnceLock<Outcome>,
+    result: OnceLock<RootResult>,
     written: OnceLock<Written>,
     /// The names that it has when it is expanded in other ways.
-    pub(super) further: OnceLock<Names>,
-    /// When it was made, as the world counts.
+    pub(super) further: OnceLock<RobotNames>,
+    /// When it was made, as the host counts.
     pub(super) epoch: u64,
 }
 
-impl Analyzed {
+impl RootAnalysis {
     /// What an expansion is worth to an editor.
-    pub(super) fn new(root: RootChoice, expansion: Expansion, epoch: u64) -> Self {
+    pub(super) fn new(root: RootConfig, expansion: Expansion, epoch: u64) -> Self {
         let robot = Robot::of(&expansion);
         let kinematics = robot.as_ref().map(Kinematics::of);
-        let (outcome, written, further) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        let (result, written, further) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Self {
             root,
             expansion,
             robot,
             kinematics,
-            outcome,
+            result,
             written,
             further,
             epoch,
@@ -54,10 +54,10 @@ impl Analyzed {
     }
 
     /// A root expanded once, for a check.
-    pub(super) fn of(session: &Session, root: &RootChoice, options: &CheckOptions) -> Self {
+    pub(super) fn of(session: &Session, root: &RootConfig, options: &CheckOptions) -> Self {
         Self::new(
             root.clone(),
-            job::expansion(session, &options.cancel, &job_of(root), None),
+            run_task::expansion(session, &options.cancel, &task_of(root), None),
             0,
         )
     }
@@ -94,20 +94,20 @@ impl Analyzed {
     }
 
     /// What the rules say. `None` when cancelled.
-    pub(super) fn outcome(&self, session: &Session, cancel: &CancelFlag) -> Option<&Outcome> {
-        if self.outcome.get().is_none() {
-            let (job, robot) = (job_of(&self.root), self.robot.as_ref());
+    pub(super) fn result(&self, session: &Session, cancel: &CancelFlag) -> Option<&RootResult> {
+        if self.result.get().is_none() {
+            let (task, robot) = (task_of(&self.root), self.robot.as_ref());
             let options = CheckOptions {
                 cancel: cancel.clone(),
                 ..CheckOptions::default()
             };
-            let outcome = job::judge(session, &options, job, &self.expansion, robot);
+            let result = run_task::run_rules(session, &options, task, &self.expansion, robot);
             if cancel.is_cancelled() {
                 return None;
             }
-            let _ = self.outcome.set(outcome);
+            let _ = self.result.set(result);
         }
-        self.outcome.get()
+        self.result.get()
     }
 
     /// Whether everything that the expansion read is as it was, but for one file.
@@ -134,28 +134,32 @@ impl Analyzed {
 }
 
 /// The expansion of a root.
-pub(super) fn job_of(root: &RootChoice) -> Job {
-    let RootChoice { file, args, preset } = root.clone();
-    Job {
+pub(super) fn task_of(root: &RootConfig) -> CheckTask {
+    let RootConfig { file, args, preset } = root.clone();
+    CheckTask {
         preset,
-        ..Job::new(file, Reason::Named, args)
+        ..CheckTask::new(file, CheckReason::Named, args)
     }
 }
 
 /// The same, for somebody who keeps the expansion.
-pub(super) fn run_kept(session: &Session, options: &CheckOptions, job: Job) -> (Outcome, Analyzed) {
+pub(super) fn run_kept(
+    session: &Session,
+    options: &CheckOptions,
+    task: CheckTask,
+) -> (RootResult, RootAnalysis) {
     let kept = Request {
         keep: true,
-        ..request(session, &options.cancel, &job)
+        ..request(session, &options.cancel, &task)
     };
-    let (expansion, is_as_called) = expanded(session, &job, &kept, None);
-    let analyzed = Analyzed::new(job.root(), expansion, 0);
+    let (expansion, is_as_called) = expanded(session, &task, &kept, None);
+    let analyzed = RootAnalysis::new(task.root(), expansion, 0);
     let robot = analyzed.robot.as_ref();
-    let outcome = judge(session, options, job, &analyzed.expansion, robot);
+    let result = run_rules(session, options, task, &analyzed.expansion, robot);
     (
-        Outcome {
+        RootResult {
             is_as_called,
-            ..outcome
+            ..result
         },
         analyzed,
     )

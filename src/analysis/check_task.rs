@@ -1,13 +1,13 @@
 //! An expansion to be made.
 use std::path::PathBuf;
 
-use super::root_choice::RootChoice;
+use super::root_config::RootConfig;
 use base::Span;
-use workspace::config::Args;
+use workspace::config::XacroArgs;
 
 /// Why a file is expanded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) enum Reason {
+pub(super) enum CheckReason {
     /// It lies below a folder that is checked.
     Walked,
     /// It was named on the command line, or is shown in an editor.
@@ -20,22 +20,22 @@ pub(super) enum Reason {
 
 /// One expansion to be made.
 #[derive(Clone, Debug)]
-pub(super) struct Job {
+pub(super) struct CheckTask {
     /// The file, absolute.
     pub(super) file: PathBuf,
     /// What the file is expanded for.
-    pub(super) reason: Reason,
+    pub(super) reason: CheckReason,
     /// Arguments; later ones win.
-    pub(super) args: Args,
+    pub(super) args: XacroArgs,
     /// Name of the preset.
     pub(super) preset: Option<String>,
     /// The calls in launch files that it is made for.
-    pub(super) called: Option<Called>,
+    pub(super) called: Option<LaunchCallSites>,
 }
 
-impl Job {
+impl CheckTask {
     /// A file with arguments.
-    pub(super) fn new(file: PathBuf, reason: Reason, args: Args) -> Self {
+    pub(super) fn new(file: PathBuf, reason: CheckReason, args: XacroArgs) -> Self {
         Self {
             file,
             reason,
@@ -46,17 +46,17 @@ impl Job {
     }
 
     /// What is expanded.
-    pub(super) fn root(&self) -> RootChoice {
+    pub(super) fn root(&self) -> RootConfig {
         let Self {
             file, args, preset, ..
         } = self.clone();
-        RootChoice { file, args, preset }
+        RootConfig { file, args, preset }
     }
 }
 
 /// The calls that an expansion is made for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Called {
+pub(super) struct LaunchCallSites {
     /// Where the launch files make them.
     pub calls: Vec<Span>,
     /// How many calls of the robot are checked.

@@ -3,7 +3,7 @@ use std::path::{Path, PathBuf};
 
 /// A root and the arguments it is expanded with.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct RootChoice {
+pub struct RootConfig {
     /// The file, absolute.
     pub file: PathBuf,
     /// Arguments over the defaults of the file.
@@ -12,7 +12,7 @@ pub struct RootChoice {
     pub preset: Option<String>,
 }
 
-impl RootChoice {
+impl RootConfig {
     /// A file with the defaults of its arguments.
     pub fn plain(file: &Path) -> Self {
         Self {
@@ -25,9 +25,9 @@ impl RootChoice {
 
 /// Why a root was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reason {
-    /// The user picked it.
-    Picked,
+pub enum RootReason {
+    /// The user selected it.
+    Selected,
     /// A comment `xacro-root:` at the top of the file names it.
     Comment,
     /// The configuration lists it.
@@ -40,16 +40,16 @@ pub enum Reason {
     None,
 }
 
-impl Reason {
+impl RootReason {
     /// For a status line.
     pub fn text(self) -> &'static str {
         match self {
-            Reason::Picked => "selected in this session",
-            Reason::Comment => "set by the xacro-root comment",
-            Reason::Configured => "set in the configuration",
-            Reason::Itself => "the file is a robot",
-            Reason::Includes => "it includes the file",
-            Reason::None => "no root includes this file",
+            RootReason::Selected => "selected in this session",
+            RootReason::Comment => "set by the xacro-root comment",
+            RootReason::Configured => "set in the configuration",
+            RootReason::Itself => "the file is a robot",
+            RootReason::Includes => "it includes the file",
+            RootReason::None => "no root includes this file",
         }
     }
 }
@@ -58,9 +58,9 @@ impl Reason {
 #[derive(Clone, Debug)]
 pub struct Context {
     /// The active root; none for a file that no robot includes.
-    pub root: Option<RootChoice>,
+    pub root: Option<RootConfig>,
     /// Why it is active.
-    pub reason: Reason,
+    pub reason: RootReason,
     /// All roots that reach the file, with their distance in includes.
-    pub candidates: Vec<(RootChoice, u32)>,
+    pub candidates: Vec<(RootConfig, u32)>,
 }

@@ -5,16 +5,17 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::calls::as_called;
+use super::check_task::{CheckReason, CheckTask};
 use super::configs::Settings;
 use super::cut::Cut;
 use super::options::CheckOptions;
-use super::outcome::Outcome;
-use super::roles::Checked;
+use super::roles::CheckedExpansion;
+use super::root_result::RootResult;
 use super::session::Session;
-use super::task::{Job, Reason};
 use base::{CancelFlag, FastSet, FileId, Span, TextRange};
 use expand::{
-    Expansion, FileUse, Forced, FrameKind, Limits, Origin, Read, Request, World, expand_again,
+    Expansion, ExpansionLimits, FileUse, Forced, FrameKind, Origin, Read, Request, Sources,
+    expand_again,
 };
 use model::Robot;
 use rules::consumers::{self, Tally};
@@ -25,14 +26,14 @@ use rules::{
 use vfs::{LoadError, LoadErrorKind};
 
 /// Expand a file and check the result.
-pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcome {
-    let request = request(session, &options.cancel, &job);
-    let (expansion, is_as_called) = expanded(session, &job, &request, None);
+pub(super) fn run(session: &Session, options: &CheckOptions, task: CheckTask) -> RootResult {
+    let request = request(session, &options.cancel, &task);
+    let (expansion, is_as_called) = expanded(session, &task, &request, None);
     let robot = Robot::of(&expansion);
-    let outcome = judge(session, options, job, &expansion, robot.as_ref());
-    Outcome {
+    let result = run_rules(session, options, task, &expansion, robot.as_ref());
+    RootResult {
         is_as_called,
-        ..outcome
+        ..result
     }
 }
 
@@ -40,15 +41,15 @@ pub(super) fn run(session: &Session, options: &CheckOptions, job: Job) -> Outcom
 pub(super) fn expansion(
     session: &Session,
     cancel: &CancelFlag,
-    job: &Job,
+    task: &CheckTask,
     before: Option<&Expansion>,
 ) -> Expansion {
     expanded(
         session,
-        job,
+        task,
         &Request {
             keep: true,
-            ..request(session, cancel, job)
+            ..request(session, cancel, task)
         },
         before,
     )
@@ -59,16 +60,16 @@ pub(super) fn expansion(
 pub(super) fn forced(
     session: &Session,
     cancel: &CancelFlag,
-    job: &Job,
+    task: &CheckTask,
     forced: Vec<Forced>,
 ) -> Expansion {
     expanded(
         session,
-        job,
+        task,
         &Request {
             keep: true,
             forced,
-            ..request(session, cancel, job)
+            ..request(session, cancel, task)
         },
         None,
     )
@@ -78,56 +79,60 @@ pub(super) fn forced(
 /// The expansion, and whether its arguments are those of a caller, since it fails with the defaults.
 pub(super) fn expanded(
     session: &Session,
-    job: &Job,
+    task: &CheckTask,
     request: &Request,
     before: Option<&Expansion>,
 ) -> (Expansion, bool) {
-    let first = expand_again(world(session), request, before);
+    let first = expand_again(sources(session), request, before);
     // what a call does not give is missing
-    match job.called {
+    match task.called {
         Some(_) => (first, false),
-        None => as_called(session, world(session), &job.file, request, first),
+        None => as_called(session, sources(session), &task.file, request, first),
     }
 }
 
-pub(super) fn world(session: &Session) -> World<'_> {
-    World {
+pub(super) fn sources(session: &Session) -> Sources<'_> {
+    Sources {
         vfs: &session.vfs,
         packages: &session.packages,
         env: &session.env,
     }
 }
 
-pub(super) fn request(session: &Session, cancel: &CancelFlag, job: &Job) -> Request {
-    let settings = session.settings(&job.file);
+pub(super) fn request(session: &Session, cancel: &CancelFlag, task: &CheckTask) -> Request {
+    let settings = session.settings(&task.file);
     Request {
         // messages name files as the user would
-        file: vfs::slashed(job.file.strip_prefix(&session.env.cwd).unwrap_or(&job.file)),
-        args: job.args.clone(),
+        file: vfs::slashed(
+            task.file
+                .strip_prefix(&session.env.cwd)
+                .unwrap_or(&task.file),
+        ),
+        args: task.args.clone(),
         probe: true,
         ros_shell: true,
-        limits: Limits::configured(&settings.config.limits),
+        limits: ExpansionLimits::configured(&settings.config.limits),
         cancel: cancel.clone(),
         ..Request::default()
     }
 }
 
 /// Check an expansion. When cancelled, findings are missing.
-pub(super) fn judge(
+pub(super) fn run_rules(
     session: &Session,
     options: &CheckOptions,
-    job: Job,
+    task: CheckTask,
     expansion: &Expansion,
     robot: Option<&Robot>,
-) -> Outcome {
-    let settings = session.settings(&job.file);
+) -> RootResult {
+    let settings = session.settings(&task.file);
     let around = session.rule_env(&settings.config);
-    let kind = kind(expansion, robot, &job);
-    let explicit = job.reason != Reason::Walked;
+    let kind = kind(expansion, robot, &task);
+    let explicit = task.reason != CheckReason::Walked;
     let mut rules = wanted(session, expansion, settings.clone());
     rules.retain(|rule| kind != RootKind::Semantic || holds_for_semantic(rule));
     let found = OnceCell::new();
-    let tally = counts_consumers(&settings, options, &job).then_some(&found);
+    let tally = counts_consumers(&settings, options, &task).then_some(&found);
     let chosen = Chosen {
         rules: &rules,
         cancel: &options.cancel,
@@ -136,26 +141,26 @@ pub(super) fn judge(
     let mut findings = check_expansion(expansion, robot, (kind, explicit), around, chosen);
     findings.append(&mut check_files(expansion, around, chosen));
     if let Some(error) = &expansion.root_error {
-        findings.extend(unreadable(session.vfs.file_id(&job.file), error));
+        findings.extend(unreadable(session.vfs.file_id(&task.file), error));
     }
-    findings.extend(session.nameless(&Checked {
-        job: &job,
+    findings.extend(session.nameless(&CheckedExpansion {
+        task: &task,
         kind,
         expansion,
         robot,
     }));
     session.settle_by_role(
-        &Checked {
-            job: &job,
+        &CheckedExpansion {
+            task: &task,
             kind,
             expansion,
             robot,
         },
         &mut findings,
     );
-    session.settle_set_aside(&job, robot, &mut findings);
+    session.settle_set_aside(&task, robot, &mut findings);
     let is_meant = is_meant_as_robot(expansion, kind);
-    Outcome {
+    RootResult {
         is_robot: kind == RootKind::Robot,
         is_nameless: kind == RootKind::Library && robot.is_some_and(Robot::lacks_only_a_name),
         unfound: if is_meant {
@@ -168,7 +173,7 @@ pub(super) fn judge(
         } else {
             None
         },
-        is_context: job.reason == Reason::Root,
+        is_context: task.reason == CheckReason::Root,
         is_as_called: false,
         complete: expansion.whole
             && expansion
@@ -185,23 +190,23 @@ pub(super) fn judge(
         arguments: expansion.arguments.clone(),
         includes: include_tags(expansion, around),
         called: called(expansion),
-        consumers: wanted_of(found.into_inner().unwrap_or_default(), &settings, &job),
-        job,
+        consumers: wanted_of(found.into_inner().unwrap_or_default(), &settings, &task),
+        task,
     }
 }
 
 /// Whether to count what programs reject or change: where somebody asked and named none.
-fn counts_consumers(settings: &Settings, options: &CheckOptions, job: &Job) -> bool {
+fn counts_consumers(settings: &Settings, options: &CheckOptions, task: &CheckTask) -> bool {
     let is_named = !settings.config.consumers.is_empty() || settings.config.oldest_reader.is_some();
     let runs = [consumers::Outcome::Rejects, consumers::Outcome::Changes]
         .into_iter()
-        .any(|outcome| settings.runs(consumers::rule_of(outcome), &job.file));
-    options.count_consumers && !is_named && runs && job.called.is_none()
+        .any(|outcome| settings.runs(consumers::rule_of(outcome), &task.file));
+    options.count_consumers && !is_named && runs && task.called.is_none()
 }
 
 /// What is counted, without what a rule would say that is left out.
-fn wanted_of(mut found: Tally, settings: &Settings, job: &Job) -> Tally {
-    found.retain(|_, worst| settings.runs(consumers::rule_of(*worst), &job.file));
+fn wanted_of(mut found: Tally, settings: &Settings, task: &CheckTask) -> Tally {
+    found.retain(|_, worst| settings.runs(consumers::rule_of(*worst), &task.file));
     found
 }
 
@@ -278,14 +283,14 @@ fn suppressed(expansion: &Expansion) -> Vec<Selector> {
 }
 
 /// A file is a robot when it is configured as one, calls itself plain URDF, or gives one by itself.
-pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> RootKind {
+pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, task: &CheckTask) -> RootKind {
     let uses_xacro = |file: &FileUse| {
         file.source
             .document
             .root()
             .is_some_and(|root| root.attr("xmlns:xacro").is_some())
     };
-    let plain = job
+    let plain = task
         .file
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("urdf"))
@@ -293,7 +298,7 @@ pub(super) fn kind(expansion: &Expansion, robot: Option<&Robot>, job: &Job) -> R
     if is_semantic(expansion) {
         return RootKind::Semantic;
     }
-    let gives_robot = job.reason == Reason::Root
+    let gives_robot = task.reason == CheckReason::Root
         || robot.is_some_and(Robot::is_entry)
         || plain && !is_of_a_simulator(expansion, robot) && !is_blank(expansion, robot)
         || is_bare(expansion) && !has_content(expansion, robot);

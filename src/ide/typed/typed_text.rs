@@ -4,24 +4,24 @@
 //! Only the item around the offset is looked at, and the one in front of it where a tag was left open at its end.
 
 use super::Typing;
-use super::tag::{Tag, has_bracket};
+use super::tag::{TypedTag, has_bracket};
 use base::TextRange;
-use xml::{Document, Item, Node, NodeKind, Part};
+use xml::{Document, DocumentPart, Item, Node, NodeKind};
 
 /// What is typed, and where that begins in the document.
-pub(super) struct Found<'a> {
+pub(super) struct TypedText<'a> {
     pub what: Typing<'a>,
     /// Where the text begins that was typed of it.
     pub start: u32,
     /// The start tag that it is in.
-    pub tag: Option<Tag<'a>>,
+    pub tag: Option<TypedTag<'a>>,
     /// Where the thing begins that is around it: the elements that are open there are those around.
     pub around: u32,
 }
 
 /// A place in an item, and the last node that begins in front of it.
 pub(super) struct Spot<'a> {
-    pub part: Part,
+    pub part: DocumentPart,
     pub base: u32,
     pub item: &'a Item,
     pub inside: u32,
@@ -54,7 +54,7 @@ impl<'a> Spot<'a> {
     }
 
     /// What is typed where nothing stands between the last node and the offset but `gap`, which are blanks.
-    fn in_last(&self, gap: &str) -> Option<Found<'a>> {
+    fn in_last(&self, gap: &str) -> Option<TypedText<'a>> {
         let node = self.last?;
         let range = node.range();
         let is_inside = self.inside < range.end;
@@ -84,8 +84,8 @@ impl<'a> Spot<'a> {
         }
     }
 
-    pub fn found(&self, what: Typing<'a>, start: u32, around: u32) -> Found<'a> {
-        Found {
+    pub fn found(&self, what: Typing<'a>, start: u32, around: u32) -> TypedText<'a> {
+        TypedText {
             what,
             start: self.base + start,
             tag: None,
@@ -94,7 +94,7 @@ impl<'a> Spot<'a> {
     }
 
     /// What is typed in text that is no XML: a `<` without a name, an end tag that closes nothing.
-    fn in_junk(&self, junk: Node<'a>, gap: &str) -> Option<Found<'a>> {
+    fn in_junk(&self, junk: Node<'a>, gap: &str) -> Option<TypedText<'a>> {
         let start = junk.range().start;
         let typed = self.text(start, self.inside);
         if let Some(name) = typed.strip_prefix("</") {
@@ -128,7 +128,7 @@ fn is_open(node: Node<'_>, inside: u32) -> bool {
 /// The elements whose content is around an offset, the outermost first.
 pub(super) fn open_at<'a>(document: &'a Document, offset: u32) -> Vec<Node<'a>> {
     let spot = Spot::of(document, offset);
-    let in_header = spot.part == Part::Header;
+    let in_header = spot.part == DocumentPart::Header;
     let is_root_open = |root: &Node<'_>| {
         let tag = root.start_tag_range();
         !root.is_self_closing() && tag.end <= offset && (!in_header || has_bracket(*root))
@@ -141,7 +141,7 @@ pub(super) fn open_at<'a>(document: &'a Document, offset: u32) -> Vec<Node<'a>> 
 }
 
 /// What is typed at an offset.
-pub(super) fn find<'a>(document: &'a Document, offset: u32) -> Found<'a> {
+pub(super) fn find<'a>(document: &'a Document, offset: u32) -> TypedText<'a> {
     let spot = Spot::of(document, offset);
     if let Some(found) = in_root_end(document, &spot, offset) {
         return found;
@@ -158,13 +158,13 @@ pub(super) fn find<'a>(document: &'a Document, offset: u32) -> Found<'a> {
 }
 
 /// What is typed in the end tag of the root; nothing can be typed behind it.
-fn in_root_end<'a>(document: &Document, spot: &Spot<'a>, offset: u32) -> Option<Found<'a>> {
+fn in_root_end<'a>(document: &Document, spot: &Spot<'a>, offset: u32) -> Option<TypedText<'a>> {
     let tag = document.root_end_tag().filter(|tag| tag.start < offset)?;
     let typed = document.slice(TextRange::new(tag.start, offset.min(tag.end)));
     let name = typed.strip_prefix("</").filter(|_| offset <= tag.end);
     let is_name = name.is_some_and(|name| !name.contains(|c: char| c.is_whitespace() || c == '>'));
     Some(match is_name {
-        true => Found {
+        true => TypedText {
             what: Typing::EndTag,
             start: tag.start + 2,
             tag: None,
@@ -190,7 +190,7 @@ fn start_of_text(spot: &Spot<'_>) -> u32 {
 }
 
 /// What is typed in blanks behind something without an end.
-fn behind_open<'a>(document: &'a Document, spot: &Spot<'a>) -> Option<Found<'a>> {
+fn behind_open<'a>(document: &'a Document, spot: &Spot<'a>) -> Option<TypedText<'a>> {
     let node = spot.last?;
     let range = node.range();
     let (begin, gap) = match node.kind() {
@@ -208,11 +208,11 @@ fn behind_open<'a>(document: &'a Document, spot: &Spot<'a>) -> Option<Found<'a>>
     let found = outer.in_last(gap).or_else(|| in_end_tag(&outer))?;
     Some(match found.what {
         // behind the name of a tag without an end
-        Typing::EndTag | Typing::Tag => Found {
+        Typing::EndTag | Typing::Tag => TypedText {
             what: Typing::Nothing,
             ..found
         },
-        Typing::Attribute(_) => Found {
+        Typing::Attribute(_) => TypedText {
             start: spot.base + spot.inside,
             ..found
         },
@@ -221,7 +221,7 @@ fn behind_open<'a>(document: &'a Document, spot: &Spot<'a>) -> Option<Found<'a>>
 }
 
 /// What is typed in the end tag of the last node or of an element around it.
-fn in_end_tag<'a>(spot: &Spot<'a>) -> Option<Found<'a>> {
+fn in_end_tag<'a>(spot: &Spot<'a>) -> Option<TypedText<'a>> {
     let is_around = |node: &Node<'_>| {
         node.end_tag().is_some_and(|tag| {
             let is_open = !tag.slice(spot.item.text()).ends_with('>');

@@ -2,24 +2,24 @@
 
 use nalgebra::{Matrix4, Point3};
 
-use super::soup::Point;
+use super::soup::MeshPoint;
 
 /// A place in a scene.
-pub(super) struct Placed {
+pub(super) struct NodeTransform {
     matrix: Matrix4<f64>,
     /// Whether left and right are swapped there: then corners are swapped too, so that outside stays outside.
     mirrored: bool,
 }
 
-impl Placed {
+impl NodeTransform {
     pub(super) fn new(matrix: Matrix4<f64>) -> Self {
         let mirrored = matrix.fixed_view::<3, 3>(0, 0).determinant() < 0.0;
         Self { matrix, mirrored }
     }
 
     /// A triangle there.
-    pub(super) fn triangle(&self, corners: [Point; 3]) -> [Point; 3] {
-        let [a, b, c] = corners.map(|corner| -> Point {
+    pub(super) fn triangle(&self, corners: [MeshPoint; 3]) -> [MeshPoint; 3] {
+        let [a, b, c] = corners.map(|corner| -> MeshPoint {
             let moved = self.matrix * Point3::from(corner).to_homogeneous();
             [moved.x, moved.y, moved.z]
         });

@@ -10,13 +10,13 @@ use expand::{BindingId, Expansion, Origin, Piece, XAttr, XId, XKind, XTree};
 
 /// The value of an attribute, and where it stands in the source; shared with the expanded document.
 #[derive(Clone, Debug)]
-pub struct Text {
+pub struct AttrValue {
     /// The attributes of an element, not empty.
     attrs: Arc<[XAttr]>,
     index: u32,
 }
 
-impl Deref for Text {
+impl Deref for AttrValue {
     type Target = XAttr;
 
     #[allow(clippy::indexing_slicing)] // both ways to make a text give the place of an attribute that is there
@@ -25,7 +25,7 @@ impl Deref for Text {
     }
 }
 
-impl Text {
+impl AttrValue {
     /// An attribute of an element.
     pub fn attr(tree: &XTree, element: XId, name: &str) -> Option<Self> {
         let (attrs, index) = tree.get(element).attrs.find(name)?;
