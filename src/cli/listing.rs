@@ -345,14 +345,16 @@ fn summary<'f>(
     let named: Vec<String> = named
         .map(|(count, severity)| counted(count, severity.name()))
         .collect();
-    match named.is_empty() {
-        true if is_all => format!("no findings ({checked})"),
-        true => format!("no errors or warnings ({checked})"),
-        false => format!(
+    if !named.is_empty() {
+        format!(
             "{} in {} ({checked})",
             named.join(", "),
             counted(with_findings.len(), "file")
-        ),
+        )
+    } else if is_all {
+        format!("no findings ({checked})")
+    } else {
+        format!("no errors or warnings ({checked})")
     }
 }
 

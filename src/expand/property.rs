@@ -155,13 +155,14 @@ impl Expander<'_> {
             return self.push(problem);
         };
         let is_value = !matches!(state, State::Block(_));
-        let state = match is_value
+        let state = if is_value
             && self.flow.unknown_conditions > 0
             && self.names.scopes.holder(target, &key).is_some()
         {
             // the branch may not be taken: then the value before holds
-            true => State::Ready(Value::Unknown),
-            false => state,
+            State::Ready(Value::Unknown)
+        } else {
+            state
         };
         self.bind(target, key, state, info, at);
     }

@@ -259,9 +259,10 @@ fn meant_by(tag: &str) -> Option<NameKind> {
     let is_link = ["frame", "body", "link"]
         .iter()
         .any(|word| tag.contains(word));
-    match tag.contains("joint") {
-        true => Some(NameKind::Joint),
-        false => is_link.then_some(NameKind::Link),
+    if tag.contains("joint") {
+        Some(NameKind::Joint)
+    } else {
+        is_link.then_some(NameKind::Link)
     }
 }
 

@@ -69,13 +69,13 @@ impl<'a> Near<'a> {
     }
 
     fn rank(&self, info: &MacroInfo) -> u8 {
-        match info.file.parent() == self.folder {
-            _ if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) => {
-                0
-            }
-            true => 1,
+        if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) {
+            0
+        } else if info.file.parent() == self.folder {
+            1
+        } else {
             // of the same robot, but no part of what this file works with: behind the elements of URDF
-            false => 4,
+            4
         }
     }
 }

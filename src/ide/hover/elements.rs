@@ -183,9 +183,10 @@ fn link(spec: &ElementSpec) -> String {
 
 /// The root element of the kind of file.
 fn root(cx: &Cx<'_>) -> &'static ElementSpec {
-    match is_semantic_file(&cx.source.path, &cx.source.document) {
-        true => semantic_robot(),
-        false => robot(),
+    if is_semantic_file(&cx.source.path, &cx.source.document) {
+        semantic_robot()
+    } else {
+        robot()
     }
 }
 

@@ -196,11 +196,12 @@ fn admit_edit(state: &State, path: &Path) -> Result<(), Failure> {
             "`{shown}` is in an install folder and is not changed"
         )));
     }
-    match state.client.edits.annotations {
-        true => Ok(()),
-        false => Err(Failure::Refused(format!(
+    if state.client.edits.annotations {
+        Ok(())
+    } else {
+        Err(Failure::Refused(format!(
             "`{shown}` is not in the workspace and is not changed"
-        ))),
+        )))
     }
 }
 
@@ -353,9 +354,10 @@ fn annotated(state: &State, edits: BTreeMap<Url, Vec<TextEdit>>) -> WorkspaceEdi
             continue;
         }
         let outside = !is_ours(state, &path);
-        let (id, label) = match outside {
-            true => ("outside", "in files outside the workspace"),
-            false => ("closed", "in files that are not open"),
+        let (id, label) = if outside {
+            ("outside", "in files outside the workspace")
+        } else {
+            ("closed", "in files that are not open")
         };
         let (annotation_id, label) = (id.to_owned(), label.to_owned());
         let annotation = ChangeAnnotation {

@@ -153,9 +153,10 @@ impl Mentions {
         self.simulates |= read::simulates(text);
         self.meets |= purpose::meets(text);
         self.moves |= !is_description && !is_page && read::simulates(text);
-        self.weighs |= match is_description {
-            true => purpose::is_for_gazebo(text),
-            false => !is_page && purpose::weighs(text),
+        self.weighs |= if is_description {
+            purpose::is_for_gazebo(text)
+        } else {
+            !is_page && purpose::weighs(text)
         };
         self.runs |=
             !is_description && (name_of(path).contains("launch") || file_names::is_program(path));
