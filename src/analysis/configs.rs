@@ -9,7 +9,7 @@ use rules::{
 };
 use vfs::{LoadError, Vfs};
 use workspace::config::{
-    Config, ConfigWarning, Level, Loaded, Mention, MentionKind, Profile, find_config,
+    Config, ConfigWarning, Loaded, Mention, MentionKind, Profile, find_config,
 };
 use workspace::nearest;
 
@@ -96,7 +96,7 @@ impl Settings {
         let severity = config
             .severity
             .iter()
-            .map(|(rule, &level)| (rule.clone(), severity(level)));
+            .map(|(rule, level)| (rule.clone(), level.severity()));
         let selection = Selection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: given_or(overrides.extend_select.as_ref(), &config.extend_select),
@@ -288,17 +288,6 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
         })
     };
     config.mentions.iter().filter_map(warning).collect()
-}
-
-/// None switches off.
-fn severity(level: Level) -> Option<Severity> {
-    match level {
-        Level::Off => None,
-        Level::Hint => Some(Severity::Hint),
-        Level::Info => Some(Severity::Info),
-        Level::Warning => Some(Severity::Warning),
-        Level::Error => Some(Severity::Error),
-    }
 }
 
 /// The names that an option gives, or else those of the configuration.

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use super::check_args::{CheckArgs, PROFILES};
-use rules::Category;
 use rules::consumers::Consumer;
+use rules::{Category, Severity};
 
 /// Linter, language server and expander for xacro and URDF robot descriptions
 #[derive(Debug, Parser)]
@@ -86,8 +86,8 @@ pub(super) struct RulesArgs {
     #[arg(long, value_parser = categories())]
     pub(super) category: Option<String>,
     /// Only rules of this severity
-    #[arg(long, value_enum)]
-    pub(super) severity: Option<Level>,
+    #[arg(long, value_parser = severities())]
+    pub(super) severity: Option<Severity>,
     /// Only rules that this profile enables
     #[arg(long, value_parser = PROFILES)]
     pub(super) profile: Option<String>,
@@ -104,29 +104,23 @@ fn categories() -> PossibleValuesParser {
     PossibleValuesParser::new(Category::ALL.map(Category::name))
 }
 
-/// Severities.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Level {
-    /// A common tool rejects the robot, or it is physically impossible
-    Error,
-    /// Accepted, but almost certainly a mistake
-    Warning,
-    /// Convention or portability
-    Info,
-    /// Unnecessary code
-    Hint,
-}
-
-impl Level {
-    /// Its name.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Level::Error => "error",
-            Level::Warning => "warning",
-            Level::Info => "info",
-            Level::Hint => "hint",
-        }
-    }
+/// The severities.
+fn severities() -> impl TypedValueParser<Value = Severity> {
+    let values = [
+        (
+            Severity::Error,
+            "A common tool rejects the robot, or it is physically impossible",
+        ),
+        (
+            Severity::Warning,
+            "Accepted, but almost certainly a mistake",
+        ),
+        (Severity::Info, "Convention or portability"),
+        (Severity::Hint, "Unnecessary code"),
+    ];
+    let values = values.map(|(severity, help)| PossibleValue::new(severity.name()).help(help));
+    PossibleValuesParser::new(values)
+        .try_map(|name| Severity::from_name(&name).ok_or("not a severity"))
 }
 
 #[derive(Args, Debug)]

@@ -5,14 +5,12 @@ use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use annotate_snippets::Level;
-
 use super::assets::{Places, rename};
 use super::diff::unified;
 use super::io::{Io, all_of};
 use super::options::{self, ExpandOptions, UsageError};
 use super::render::{Mark, Report, ShownFile, render, shown_path, visible, visible_name};
-use super::text::is_shown;
+use super::text::{is_shown, level};
 use analysis::FixedFile;
 use base::limits::DRAWN_PROBLEMS;
 use base::paths::HERE;
@@ -370,10 +368,6 @@ fn located(problem: &Problem, files: &ShownFiles<'_>) -> String {
 
 /// A problem as it is drawn; none when nothing of the text that led to it may be shown.
 fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<'a>> {
-    let level = match problem.severity {
-        Severity::Error => Level::ERROR,
-        Severity::Warning => Level::WARNING,
-    };
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
@@ -388,7 +382,7 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Report<
         }
     };
     Some(Report {
-        level,
+        level: level(problem.severity),
         id: None,
         url: None,
         title: title.trim_end().to_owned(),

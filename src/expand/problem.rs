@@ -3,16 +3,8 @@ use ecow::EcoString;
 
 use super::kind::ProblemKind;
 use super::{Frame, FrameKind};
+pub use base::Severity;
 use base::TextRange;
-
-/// How bad a problem is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Severity {
-    /// The reference refuses the file.
-    Error,
-    /// The reference prints a warning and goes on.
-    Warning,
-}
 
 /// A place in a file of the expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,7 +53,7 @@ pub enum Detail {
 pub struct Problem {
     /// What kind of problem it is.
     pub kind: ProblemKind,
-    /// Error or warning.
+    /// An error where the reference refuses the file, a warning where it prints one and goes on.
     pub severity: Severity,
     /// One line in our words: lower case, names the entity.
     pub message: String,

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use super::calls::{Call, CheckCall, Robot};
 use analysis::{FixOptions, RootChoice, Session, World};
 use base::{CancelFlag, Encoding, IdVec};
-use expand::{Expansion, FileIdx, Limits, Place, Problem, Request, Severity as Weight};
+use expand::{Expansion, FileIdx, Limits, Place, Problem, Request};
 use preview::{Names, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
@@ -279,7 +279,7 @@ fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value>
             ..
         } = problem;
         json!({
-            "severity": if problem.severity == Weight::Error { "error" } else { "warning" },
+            "severity": problem.severity.name(),
             "message": message,
             "help": help,
             "filename": files.get(place.file),

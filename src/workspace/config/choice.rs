@@ -1,6 +1,7 @@
 //! Settings that are one of a few words.
 
 use super::super::packages::Target;
+use base::Severity;
 
 /// A setting that is one of a few words.
 pub(super) trait Choice: Copy + PartialEq + 'static {
@@ -46,15 +47,13 @@ pub enum Profile {
     Pedantic,
 }
 
-/// The severity a rule is set to.
+/// What a rule is set to: a severity, or a word more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[allow(missing_docs)]
 pub enum Level {
+    /// The rule does not run.
     Off,
-    Hint,
-    Info,
-    Warning,
-    Error,
+    /// Its findings have this severity.
+    At(Severity),
 }
 
 /// Line breaks between attributes.
@@ -73,13 +72,6 @@ choices!(Profile {
     "gazebo" => Gazebo,
     "pedantic" => Pedantic,
 });
-choices!(Level {
-    "error" => Error,
-    "warning" => Warning,
-    "info" => Info,
-    "hint" => Hint,
-    "off" => Off,
-});
 choices!(AttributeLayout { "keep" => Keep, "auto" => Auto });
 
 impl Profile {
@@ -94,25 +86,51 @@ impl Profile {
     }
 }
 
+impl Choice for Level {
+    const NAMES: &'static [&'static str] = &[
+        Severity::Error.name(),
+        Severity::Warning.name(),
+        Severity::Info.name(),
+        Severity::Hint.name(),
+        "off",
+    ];
+    const ALL: &'static [Self] = &[
+        Self::At(Severity::Error),
+        Self::At(Severity::Warning),
+        Self::At(Severity::Info),
+        Self::At(Severity::Hint),
+        Self::Off,
+    ];
+}
+
 impl Level {
     /// Its name.
     pub fn name(self) -> &'static str {
         self.word()
+    }
+
+    /// The severity; none switches the rule off.
+    pub fn severity(self) -> Option<Severity> {
+        match self {
+            Level::Off => None,
+            Level::At(severity) => Some(severity),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Level, Profile};
+    use base::Severity;
 
     #[test]
     fn names() {
         let levels = [
             Level::Off,
-            Level::Hint,
-            Level::Info,
-            Level::Warning,
-            Level::Error,
+            Level::At(Severity::Hint),
+            Level::At(Severity::Info),
+            Level::At(Severity::Warning),
+            Level::At(Severity::Error),
         ];
         let names = levels.map(Level::name);
         assert_eq!(names, ["off", "hint", "info", "warning", "error"]);

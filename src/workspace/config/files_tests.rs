@@ -4,6 +4,7 @@ use super::settings::Table;
 use super::tests::load;
 use super::{Config, Level, Loaded, find_config, schema};
 use crate::Target;
+use base::Severity;
 use vfs::testing::Tree;
 
 #[test]
@@ -117,7 +118,7 @@ fn settings_of_an_editor_win() {
     assert_eq!(config.package_path, [tree.path("../other")]);
     assert_eq!(
         (config.severity["unused-property"], config.severity["a"]),
-        (Level::Off, Level::Error)
+        (Level::Off, Level::At(Severity::Error))
     );
     assert_eq!(
         (config.format.line_width, config.format.self_close),
