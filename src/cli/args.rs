@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -86,8 +86,8 @@ pub(super) struct RulesArgs {
     #[arg(long, value_parser = categories())]
     pub(super) category: Option<String>,
     /// Only rules of this severity
-    #[arg(long, value_parser = severities())]
-    pub(super) severity: Option<Severity>,
+    #[arg(long, value_enum)]
+    pub(super) severity: Option<SeverityArg>,
     /// Only rules that this profile enables
     #[arg(long, value_parser = PROFILES)]
     pub(super) profile: Option<String>,
@@ -104,23 +104,29 @@ fn categories() -> PossibleValuesParser {
     PossibleValuesParser::new(Category::ALL.map(Category::name))
 }
 
-/// The severities.
-fn severities() -> impl TypedValueParser<Value = Severity> {
-    let values = [
-        (
-            Severity::Error,
-            "A common tool rejects the robot, or it is physically impossible",
-        ),
-        (
-            Severity::Warning,
-            "Accepted, but almost certainly a mistake",
-        ),
-        (Severity::Info, "Convention or portability"),
-        (Severity::Hint, "Unnecessary code"),
-    ];
-    let values = values.map(|(severity, help)| PossibleValue::new(severity.name()).help(help));
-    PossibleValuesParser::new(values)
-        .try_map(|name| Severity::from_name(&name).ok_or("not a severity"))
+/// A severity as it is given on the command line, with what `--help` says of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SeverityArg(pub(super) Severity);
+
+impl ValueEnum for SeverityArg {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self(Severity::Error),
+            Self(Severity::Warning),
+            Self(Severity::Info),
+            Self(Severity::Hint),
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let help = match self.0 {
+            Severity::Error => "A common tool rejects the robot, or it is physically impossible",
+            Severity::Warning => "Accepted, but almost certainly a mistake",
+            Severity::Info => "Convention or portability",
+            Severity::Hint => "Unnecessary code",
+        };
+        Some(PossibleValue::new(self.0.name()).help(help))
+    }
 }
 
 #[derive(Args, Debug)]
