@@ -24,6 +24,16 @@ const MOST_WORDS: usize = 8;
 
 type AttrText<'a> = Option<(Cow<'a, str>, TextPlace)>;
 
+/// What a tag says of the property that it defines.
+struct Given<'a> {
+    name: EcoString,
+    name_place: TextPlace,
+    /// None for a block.
+    value: AttrText<'a>,
+    scope: AttrText<'a>,
+    lazy: bool,
+}
+
 impl Expander<'_> {
     /// Define, default or remove a property.
     pub fn property(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
@@ -69,34 +79,32 @@ impl Expander<'_> {
         let Some(lazy) = self.flag(tag, "lazy_eval", true, cx) else {
             return;
         };
-        self.store(tag, &name, name_place, value, scope, lazy, cx);
+        let given = Given {
+            name,
+            name_place,
+            value,
+            scope,
+            lazy,
+        };
+        self.store(tag, &given, cx);
     }
 
-    #[allow(clippy::too_many_arguments)] // the attributes of the tag, each needed once
-    fn store(
-        &mut self,
-        tag: Tag<'_>,
-        name: &EcoString,
-        name_place: TextPlace,
-        value: AttrText<'_>,
-        scope: AttrText<'_>,
-        lazy: bool,
-        cx: EvalContext,
-    ) {
-        let mut at_once = !lazy;
+    fn store(&mut self, tag: Tag<'_>, given: &Given<'_>, cx: EvalContext) {
+        let name = &given.name;
+        let mut at_once = !given.lazy;
         let mut target = Some(cx.scope);
-        match scope.as_ref().map(|(text, _)| text.as_ref()) {
+        match given.scope.as_ref().map(|(text, _)| text.as_ref()) {
             Some("global") => (target, at_once) = (Some(Scopes::TOP), true),
             Some("parent") => (target, at_once) = (self.parent_scope(cx.scope), true),
             _ => {}
         }
-        let kind = if value.is_some() {
+        let kind = if given.value.is_some() {
             SymbolKind::Property
         } else {
             SymbolKind::BlockProperty
         };
-        let definition = self.define(kind, name, name_place.origin);
-        let (key, state, origin) = match value {
+        let definition = self.define(kind, name, given.name_place.origin);
+        let (key, state, origin) = match &given.value {
             None => {
                 let at = self.tag_origin(tag, cx);
                 let block = Block::Source(SrcRef {
@@ -111,26 +119,19 @@ impl Expander<'_> {
             }
             Some((text, place)) if at_once => {
                 let mark = self.names.reads.len();
-                let value = literal_of(self.eval_text(&text, place, cx.scope));
+                let value = literal_of(self.eval_text(text, *place, cx.scope));
                 let reads = self.take_reads(mark);
                 let info = BindingInfo {
                     reads,
                     ..BindingInfo::new(name.clone(), BindingKind::Property, place.origin)
                         .of(definition)
                 };
-                return self.put(
-                    target,
-                    name.clone(),
-                    State::Ready(value),
-                    info,
-                    name_place.origin,
-                    scope,
-                );
+                return self.put(target, name.clone(), State::Ready(value), info, given);
             }
-            Some((text, place)) => (name.clone(), lazy_state(&text, place), place.origin),
+            Some((text, place)) => (name.clone(), lazy_state(text, *place), place.origin),
         };
         let info = BindingInfo::new(name.clone(), BindingKind::Property, origin).of(definition);
-        self.put(target, key, state, info, name_place.origin, scope);
+        self.put(target, key, state, info, given);
     }
 
     fn put(
@@ -139,11 +140,11 @@ impl Expander<'_> {
         key: EcoString,
         state: State,
         info: BindingInfo,
-        at: Origin,
-        scope: AttrText<'_>,
+        given: &Given<'_>,
     ) {
+        let at = given.name_place.origin;
         let Some(target) = target else {
-            let at = scope.map_or(at, |(_, place)| place.origin);
+            let at = given.scope.as_ref().map_or(at, |(_, place)| place.origin);
             let message = format!(
                 "property `{}` has scope=\"parent\" outside a macro",
                 info.name
