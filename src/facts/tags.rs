@@ -6,9 +6,9 @@ pub struct XacroTag {
     pub name: &'static str,
     /// Whether elements of other languages often have this name.
     pub is_common_word: bool,
-    /// What it does, for whoever reads one.
+    /// What it does, as hover shows it.
     pub docs: &'static str,
-    /// What it does, for whoever writes one: shorter, in the imperative.
+    /// What it does, as completion shows it: shorter, in the imperative.
     pub summary: &'static str,
     /// Its attributes.
     pub attributes: &'static [XacroAttribute],
