@@ -3,7 +3,7 @@ use std::path::Path;
 
 use super::session::Session;
 use base::FastSet;
-use expand::{Expansion, Outside, Problem, ProblemKind, ProblemSeverity, Request, Sources, expand};
+use expand::{Expansion, Outside, Problem, ProblemKind, Request, Severity, Sources, expand};
 use workspace::GivenArg;
 
 /// Callers that are tried.
@@ -72,8 +72,7 @@ impl Failures {
             others: 0,
             errors: 0,
         };
-        let is_error =
-            |problem: &&Problem| !problem.probed && problem.severity == ProblemSeverity::Error;
+        let is_error = |problem: &&Problem| !problem.probed && problem.severity == Severity::Error;
         for problem in expansion.problems.iter().filter(is_error) {
             found.errors += 1;
             match &problem.outside {

@@ -262,9 +262,10 @@ impl AnalysisHost {
             let Some(robot) = &analyzed.robot else {
                 continue;
             };
-            match links {
-                true => names.extend(robot.links.iter().map(|link| link.shown().to_owned())),
-                false => names.extend(robot.joints.iter().map(|joint| joint.shown().to_owned())),
+            if links {
+                names.extend(robot.links.iter().map(|link| link.shown().to_owned()));
+            } else {
+                names.extend(robot.joints.iter().map(|joint| joint.shown().to_owned()));
             }
         }
         Some(plain(names))
@@ -324,9 +325,10 @@ fn plain(names: impl IntoIterator<Item = String>) -> DescribedNames {
 /// The text of a choice: with quotes where it needs them and none are open, and with `=` behind a key.
 fn written(place: &ConfigCursor, kind: ConfigChoiceKind, name: &str, after: &str) -> String {
     let is_key = !matches!(place.kind, ConfigCursorKind::Value { .. });
-    let is_plain = match is_key {
-        true => !name.is_empty() && name.chars().all(config::is_bare),
-        false => matches!(name, "true" | "false"),
+    let is_plain = if is_key {
+        !name.is_empty() && name.chars().all(config::is_bare)
+    } else {
+        matches!(name, "true" | "false")
     };
     let close = match place.quote {
         Some(quote) if !after.starts_with(quote) && kind != ConfigChoiceKind::Folder => {

@@ -9,8 +9,7 @@ use rules::{
 };
 use vfs::{LoadError, Vfs};
 use workspace::config::{
-    Config, ConfigMention, ConfigMentionKind, ConfigWarning, LoadedConfig, Profile, RuleLevel,
-    find_config,
+    Config, ConfigMention, ConfigMentionKind, ConfigWarning, LoadedConfig, Profile, find_config,
 };
 use workspace::nearest;
 
@@ -97,7 +96,7 @@ impl Settings {
         let severity = config
             .severity
             .iter()
-            .map(|(rule, &level)| (rule.clone(), severity(level)));
+            .map(|(rule, level)| (rule.clone(), level.severity()));
         let selection = RuleSelection::new(&SelectionOptions {
             select: overrides.select.clone().or_else(|| config.select.clone()),
             extend_select: given_or(overrides.extend_select.as_ref(), &config.extend_select),
@@ -298,17 +297,6 @@ fn unknown_names(config: &Config) -> Vec<ConfigWarning> {
         })
     };
     config.mentions.iter().filter_map(warning).collect()
-}
-
-/// None switches off.
-fn severity(level: RuleLevel) -> Option<Severity> {
-    match level {
-        RuleLevel::Off => None,
-        RuleLevel::Hint => Some(Severity::Hint),
-        RuleLevel::Info => Some(Severity::Info),
-        RuleLevel::Warning => Some(Severity::Warning),
-        RuleLevel::Error => Some(Severity::Error),
-    }
 }
 
 /// The names that an option gives, or else those of the configuration.

@@ -91,9 +91,10 @@ impl AnalysisHost {
         let mut candidates = Vec::new();
         for (file, near) in reached {
             let variants = self.configured_variants(&file);
-            match variants.is_empty() {
-                true => candidates.push((RootConfig::plain(&file), near)),
-                false => candidates.extend(variants.into_iter().map(|choice| (choice, near))),
+            if variants.is_empty() {
+                candidates.push((RootConfig::plain(&file), near));
+            } else {
+                candidates.extend(variants.into_iter().map(|choice| (choice, near)));
             }
         }
         for choice in self.configured_variants(path) {

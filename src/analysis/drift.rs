@@ -230,9 +230,10 @@ impl Session {
         let own_name = file.path.file_name()?.to_string_lossy().into_owned();
         let is_known = variant.is_configured || variant.is_meant;
         let command = self.command(variant, &file.path);
-        let help = match is_known {
-            true => format!("run `{command}`"),
-            false => format!("if it is in use, generate it again, for example with `{command}`"),
+        let help = if is_known {
+            format!("run `{command}`")
+        } else {
+            format!("if it is in use, generate it again, for example with `{command}`")
         };
         let mut finding = generated_urdf_out_of_date(
             Span {

@@ -151,9 +151,10 @@ impl Session {
         let word = before.len() - before.trim_end_matches(is_word).len();
         let is_python = path.extension().is_some_and(|ending| ending == "py");
         let before = before.get(..before.len() - word)?;
-        let with_sign = match is_python {
-            true => starts_argument(before)?,
-            false => before.ends_with(char::is_whitespace).then_some(true)?,
+        let with_sign = if is_python {
+            starts_argument(before)?
+        } else {
+            before.ends_with(char::is_whitespace).then_some(true)?
         };
         let after = text.text.get(offset as usize..)?;
         let rest = after.len() - after.trim_start_matches(is_word).len();

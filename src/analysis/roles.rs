@@ -163,9 +163,10 @@ impl Session {
             has_misspelled_link(findings)
                 || self.is_named(&task.file) && !self.is_named_with(&task.file, link)
         };
-        match gives_robot {
-            true if missing.is_none_or(is_whole) => Role::Root,
-            _ => Role::Unknown,
+        if gives_robot && missing.is_none_or(is_whole) {
+            Role::Root
+        } else {
+            Role::Unknown
         }
     }
 

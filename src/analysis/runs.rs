@@ -9,8 +9,8 @@ use super::run_task;
 use super::session::Session;
 use base::{CancelFlag, TextRange};
 use expand::{
-    Expansion, FileUse, FrameKind, Problem, ProblemKind, ProblemSeverity, Read, Request, Sources,
-    expand, write,
+    Expansion, FileUse, FrameKind, Problem, ProblemKind, Read, Request, Severity, Sources, expand,
+    write,
 };
 use vfs::Vfs;
 
@@ -77,7 +77,7 @@ fn failures(expansion: &Expansion) -> Vec<(ProblemKind, PathBuf, u32)> {
     let errors = expansion
         .problems
         .iter()
-        .filter(|problem| problem.severity == ProblemSeverity::Error);
+        .filter(|problem| problem.severity == Severity::Error);
     let place = |problem: &Problem| {
         let file = expansion.files.get(problem.place.file)?;
         Some((

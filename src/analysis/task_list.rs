@@ -87,23 +87,20 @@ impl Session {
     ) -> (Vec<PathBuf>, Vec<PathBuf>) {
         let (mut named, mut walked) = (Vec::new(), Vec::new());
         for path in options.paths.iter().map(|path| self.vfs.absolute(path)) {
-            match self.vfs.is_dir(&path) {
-                true => {
-                    let (files, skipped) = walk::descriptions(&path, self);
-                    walked.extend(files);
-                    skipped
-                        .into_iter()
-                        .for_each(|skipped| report.skip(skipped, &path));
-                }
-                false if self.settings(&path).excludes(&path) => {
-                    report.skipped.push(Skipped {
-                        path,
-                        reason: SkipReason::Excluded,
-                    });
-                }
+            if self.vfs.is_dir(&path) {
+                let (files, skipped) = walk::descriptions(&path, self);
+                walked.extend(files);
+                skipped
+                    .into_iter()
+                    .for_each(|skipped| report.skip(skipped, &path));
+            } else if self.settings(&path).excludes(&path) {
+                report.skipped.push(Skipped {
+                    path,
+                    reason: SkipReason::Excluded,
+                });
+            } else if sort(&path) != Some(Sort::Yaml) {
                 // settings of a robot are no description
-                false if sort(&path) == Some(Sort::Yaml) => {}
-                false => named.push(path),
+                named.push(path);
             }
         }
         (named, walked)

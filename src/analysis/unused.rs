@@ -47,9 +47,12 @@ impl Session {
     /// Whether a file belongs to a repository of others that nothing in the workspace leads to, and that nobody asks for.
     fn is_other(&self, file: &Path, asked: &[PathBuf]) -> bool {
         // settings are found by names that are put together
-        let is_unused = |file: &Path| match sort(file).is_some() {
-            true => self.is_in_unused_package(file),
-            false => self.is_unused_copy(file),
+        let is_unused = |file: &Path| {
+            if sort(file).is_some() {
+                self.is_in_unused_package(file)
+            } else {
+                self.is_unused_copy(file)
+            }
         };
         self.copied_with(file)
             .is_some_and(|copy| !asked.iter().any(|path| path.starts_with(&copy)))

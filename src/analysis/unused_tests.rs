@@ -252,11 +252,12 @@ fn copied_repositories_that_are_used() {
 #[test]
 fn whose_a_package_is() {
     let with = |name: &str, person: &str| -> Vec<(&'static str, String)> {
-        let change = |(path, text): (&'static str, String)| match path
-            .contains("gripper_description/package")
-        {
-            true => (path, manifest(name, person)),
-            false => (path, text),
+        let change = |(path, text): (&'static str, String)| {
+            if path.contains("gripper_description/package") {
+                (path, manifest(name, person))
+            } else {
+                (path, text)
+            }
         };
         workspace().into_iter().map(change).collect()
     };

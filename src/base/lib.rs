@@ -7,12 +7,14 @@ pub mod limits;
 pub mod paths;
 mod position;
 mod range;
+mod severity;
 mod text;
 
 pub use cancel::CancelFlag;
 pub use id_vec::{Id, IdVec};
 pub use position::{Encoding, LineCol, count_line_ends, last_line_start, line_end, nth_line_start};
 pub use range::{FileId, Span, TextRange};
+pub use severity::Severity;
 pub use text::{counted, escape_xml};
 
 /// The hash map used throughout: fast, not resistant to chosen keys, never iterated into output.

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use super::check_args::{CheckArgs, PROFILES};
-use rules::Category;
 use rules::consumers::Consumer;
+use rules::{Category, Severity};
 
 /// Linter, language server and expander for xacro and URDF robot descriptions
 #[derive(Debug, Parser)]
@@ -104,28 +104,28 @@ fn categories() -> PossibleValuesParser {
     PossibleValuesParser::new(Category::ALL.map(Category::name))
 }
 
-/// Severities.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum SeverityArg {
-    /// A common tool rejects the robot, or it is physically impossible
-    Error,
-    /// Accepted, but almost certainly a mistake
-    Warning,
-    /// Convention or portability
-    Info,
-    /// Unnecessary code
-    Hint,
-}
+/// A severity as it is given on the command line, with what `--help` says of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SeverityArg(pub(super) Severity);
 
-impl SeverityArg {
-    /// Its name.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            SeverityArg::Error => "error",
-            SeverityArg::Warning => "warning",
-            SeverityArg::Info => "info",
-            SeverityArg::Hint => "hint",
-        }
+impl ValueEnum for SeverityArg {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self(Severity::Error),
+            Self(Severity::Warning),
+            Self(Severity::Info),
+            Self(Severity::Hint),
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let help = match self.0 {
+            Severity::Error => "A common tool rejects the robot, or it is physically impossible",
+            Severity::Warning => "Accepted, but almost certainly a mistake",
+            Severity::Info => "Convention or portability",
+            Severity::Hint => "Unnecessary code",
+        };
+        Some(PossibleValue::new(self.0.name()).help(help))
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::check_args::{CheckArgs, FailLevel, OutputFormat, Show};
+use super::check_args::{CheckArgs, OutputFormat, Show};
 use super::consumers::counted_line;
 use super::diff::unified;
 use super::io::Io;
@@ -16,7 +16,7 @@ use super::render::{shown_path, visible};
 use super::watch::{Round, WatchedFiles, watch};
 use super::{sarif, services, text};
 use analysis::{Baseline, CheckOptions, FixOptions, Fixed, Report, Session};
-use rules::{Safety, Severity};
+use rules::Safety;
 use vfs::{Environment, write_atomically};
 
 /// The arguments of `fix` as those of `check`.
@@ -404,7 +404,12 @@ impl CheckRun<'_> {
             OutputFormat::Sarif => io.out(&sarif::document(report, cwd)),
             OutputFormat::Github => io.out(&services::github(report, cwd, hints)),
             OutputFormat::Gitlab => io.out(&services::gitlab(report, cwd, hints)),
-            OutputFormat::Junit => io.out(&services::junit(report, cwd, hints, least(self.args))),
+            OutputFormat::Junit => io.out(&services::junit(
+                report,
+                cwd,
+                hints,
+                self.args.fail_level.severity(),
+            )),
             OutputFormat::Text | OutputFormat::Concise => {}
         }
     }
@@ -446,20 +451,11 @@ fn taken_back(fixed: &Fixed) -> String {
     }
 }
 
-/// The least severity that makes the run fail.
-fn least(args: &CheckArgs) -> Severity {
-    match args.fail_level {
-        FailLevel::Error => Severity::Error,
-        FailLevel::Warning => Severity::Warning,
-        FailLevel::Info => Severity::Info,
-    }
-}
-
 fn exit_code(report: &Report, args: &CheckArgs) -> u8 {
     let fails = report
         .findings
         .iter()
-        .any(|finding| finding.severity >= least(args));
+        .any(|finding| finding.severity >= args.fail_level.severity());
     let lacks = args.require_packages && !report.incomplete.is_empty();
     u8::from((fails || lacks) && !args.exit_zero)
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::args::consumer;
+use rules::Severity;
 
 #[derive(Args, Debug, Default)]
 pub(super) struct CheckArgs {
@@ -125,7 +126,7 @@ pub(super) enum OutputFormat {
     Junit,
 }
 
-/// Severities that make `check` fail.
+/// Severities that make `check` fail. An enum of its own for the default, and for the texts in `--help`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum FailLevel {
     /// Errors
@@ -135,6 +136,17 @@ pub(super) enum FailLevel {
     Warning,
     /// Everything except hints
     Info,
+}
+
+impl FailLevel {
+    /// The least severity that makes `check` fail.
+    pub(super) fn severity(self) -> Severity {
+        match self {
+            FailLevel::Error => Severity::Error,
+            FailLevel::Warning => Severity::Warning,
+            FailLevel::Info => Severity::Info,
+        }
+    }
 }
 
 /// Which findings are printed.

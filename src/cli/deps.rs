@@ -9,7 +9,7 @@ use super::io::Io;
 use super::render::{shown_path, visible};
 use super::tree::ExpandedRobot;
 use analysis::Session;
-use expand::{Expansion, Read};
+use expand::{Expansion, Read, Severity};
 use vfs::Environment;
 
 /// Print what an expansion depends on.
@@ -53,7 +53,7 @@ pub(super) fn run(args: &DepsArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
     let errors = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == expand::ProblemSeverity::Error)
+        .filter(|p| p.severity == Severity::Error)
         .count();
     if errors > 0 {
         io.line(&format!(

@@ -5,8 +5,6 @@ use std::mem::ManuallyDrop;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use annotate_snippets::Level;
-
 use super::assets::{AssetPaths, rename};
 use super::diff::unified;
 use super::io::{Io, all_of};
@@ -14,14 +12,14 @@ use super::options::{self, ExpandOptions, UsageError};
 use super::render::{
     AnnotatedRange, ProblemReport, ShownFile, render, shown_path, visible, visible_name,
 };
-use super::text::is_shown;
+use super::text::{is_shown, level};
 use analysis::FixedFile;
 use base::limits::DRAWN_PROBLEMS;
 use base::paths::HERE;
 use base::{Encoding, IdVec};
 use expand::{
-    Expansion, ExpansionLimits, FileIdx, FileRange, FileUse, Problem, ProblemSeverity, Request,
-    Sources, Written, expand, write, write_mapped,
+    Expansion, ExpansionLimits, FileIdx, FileRange, FileUse, Problem, Request, Severity, Sources,
+    Written, expand, write, write_mapped,
 };
 use ide::source_map;
 use vfs::{Environment, LoadError, Vfs};
@@ -301,7 +299,7 @@ fn report(
     });
     let (mut errors, mut drawn) = (0, 0);
     for problem in &expansion.problems {
-        if problem.reference.is_empty() && problem.severity == ProblemSeverity::Warning {
+        if problem.reference.is_empty() && problem.severity == Severity::Warning {
             continue;
         }
         let concealed;
@@ -312,8 +310,8 @@ fn report(
             }
             _ => problem,
         };
-        errors += usize::from(problem.severity == ProblemSeverity::Error);
-        if options.verbosity < 1 && problem.severity == ProblemSeverity::Warning {
+        errors += usize::from(problem.severity == Severity::Error);
+        if options.verbosity < 1 && problem.severity == Severity::Warning {
             io.line(&visible(&format!("warning: {}", problem.reference)));
             continue;
         }
@@ -372,10 +370,6 @@ fn located(problem: &Problem, files: &ShownFiles<'_>) -> String {
 
 /// A problem as it is drawn; none when nothing of the text that led to it may be shown.
 fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<ProblemReport<'a>> {
-    let level = match problem.severity {
-        ProblemSeverity::Error => Level::ERROR,
-        ProblemSeverity::Warning => Level::WARNING,
-    };
     // the first line is what people search for; the others repeat what the snippet shows
     let title = problem.reference.lines().next().unwrap_or(&problem.message);
     let trace = problem.trace.iter().chain(&problem.more_calls);
@@ -390,7 +384,7 @@ fn as_report<'a>(problem: &Problem, files: &'a ShownFiles<'a>) -> Option<Problem
         }
     };
     Some(ProblemReport {
-        level,
+        level: level(problem.severity),
         id: None,
         url: None,
         title: title.trim_end().to_owned(),

@@ -81,7 +81,7 @@ fn is_wanted(rule: &Rule, args: &RulesArgs) -> bool {
             .is_none_or(|category| rule.category.name() == category)
         && args
             .severity
-            .is_none_or(|severity| rule.severity.name() == severity.name())
+            .is_none_or(|severity| rule.severity == severity.0)
         && args.profile.as_ref().is_none_or(in_profile)
         && (!args.fixable || rule.fix.is_some())
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use indexmap::IndexMap;
 
-use super::check_args::{CheckArgs, FailLevel, Show};
+use super::check_args::{CheckArgs, Show};
 use super::text::counted;
 use analysis::{Cut, CutBy, Report};
 use base::limits::{DRAWN_IN_ALL, DRAWN_OF_A_RULE};
@@ -46,11 +46,7 @@ pub(super) fn least_shown(args: &CheckArgs) -> Severity {
         Some(Show::Hint | Show::All) => Severity::Hint,
     };
     // what makes a run fail is never hidden
-    if args.fail_level == FailLevel::Info {
-        asked.min(Severity::Info)
-    } else {
-        asked
-    }
+    asked.min(args.fail_level.severity())
 }
 
 impl<'a> FindingList<'a> {
@@ -345,14 +341,16 @@ fn summary<'f>(
     let named: Vec<String> = named
         .map(|(count, severity)| counted(count, severity.name()))
         .collect();
-    match named.is_empty() {
-        true if is_all => format!("no findings ({checked})"),
-        true => format!("no errors or warnings ({checked})"),
-        false => format!(
+    if !named.is_empty() {
+        format!(
             "{} in {} ({checked})",
             named.join(", "),
             counted(with_findings.len(), "file")
-        ),
+        )
+    } else if is_all {
+        format!("no findings ({checked})")
+    } else {
+        format!("no errors or warnings ({checked})")
     }
 }
 

@@ -71,9 +71,10 @@ impl Server {
         let everything = Vfs::of(env, STDIN_BYTES);
         let folder = |path: &std::path::Path| {
             let real = everything.canonical(path);
-            match everything.is_dir(&real) {
-                true => Ok(real),
-                false => Err(format!("`{}` is not a folder", vfs::slashed(path))),
+            if everything.is_dir(&real) {
+                Ok(real)
+            } else {
+                Err(format!("`{}` is not a folder", vfs::slashed(path)))
             }
         };
         let cwd = folder(&args.folder)?;

@@ -139,11 +139,10 @@ fn test(report: &Report, finding: &Finding, path: &str, fails: bool) -> String {
     let head = format!(
         "    <testcase classname=\"{path}\" name=\"{name}:{row}:{column}\" file=\"{path}\" line=\"{row}\">\n"
     );
-    let body = match fails {
-        true => {
-            format!("      <failure type=\"{severity}\" message=\"{message}\">{text}</failure>\n")
-        }
-        false => format!("      <system-out>{text}</system-out>\n"),
+    let body = if fails {
+        format!("      <failure type=\"{severity}\" message=\"{message}\">{text}</failure>\n")
+    } else {
+        format!("      <system-out>{text}</system-out>\n")
     };
     format!("{head}{body}    </testcase>\n")
 }

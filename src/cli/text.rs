@@ -187,7 +187,8 @@ pub(super) fn is_shown(path: &Path, around: &TrustedPaths<'_>) -> bool {
     ending.is_some_and(|ending| ENDINGS.contains(&ending)) && around.hold(path)
 }
 
-fn level(severity: Severity) -> Level<'static> {
+/// The level of a message in a terminal.
+pub(super) fn level(severity: Severity) -> Level<'static> {
     match severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,

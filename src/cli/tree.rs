@@ -85,9 +85,10 @@ pub(super) fn run(args: &TreeArgs, env: &Environment, io: &mut Io<'_>) -> u8 {
 
 /// Say that the links make no tree, unless what was found before is why there are none to speak of.
 pub(super) fn no_tree(expansion: &Expansion, io: &mut Io<'_>) {
-    match expansion.has_errors() {
-        true => io.line("error: cannot print the tree because of the errors above"),
-        false => io.line("error: cannot print the tree: the links do not form one tree"),
+    if expansion.has_errors() {
+        io.line("error: cannot print the tree because of the errors above");
+    } else {
+        io.line("error: cannot print the tree: the links do not form one tree");
     }
 }
 

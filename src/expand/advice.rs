@@ -151,18 +151,16 @@ pub(super) fn of(problem: &Problem) -> String {
             "write a Python expression such as `${2 * pi}`; quote strings as in `${'left' + side}`"
         }
         ProblemKind::ExpressionError => return of_failure(problem),
-        ProblemKind::UnclosedExpression => match problem.message.contains("${") {
-            true => "add `}`",
-            false => "add `)`",
-        },
+        ProblemKind::UnclosedExpression if problem.message.contains("${") => "add `}`",
+        ProblemKind::UnclosedExpression => "add `)`",
         ProblemKind::MacroNameWithPrefix => {
             "write `xacro:` before the name in calls only, not in the definition"
         }
         ProblemKind::UnknownXacroAttribute => "remove the attribute",
-        ProblemKind::MissingXacroAttribute => match problem.message.starts_with("missing") {
-            true => "add the attribute with a value",
-            false => "remove the attribute",
-        },
+        ProblemKind::MissingXacroAttribute if problem.message.starts_with("missing") => {
+            "add the attribute with a value"
+        }
+        ProblemKind::MissingXacroAttribute => "remove the attribute",
         ProblemKind::IncludeChildrenIgnored => {
             "remove the child elements, or move them out of the include"
         }

@@ -25,16 +25,24 @@ pub(super) enum GivenBlock {
     Any,
 }
 
+/// A call of a macro while its parameters are bound.
+#[derive(Clone, Copy)]
+pub(super) struct Call<'a> {
+    pub tag: Tag<'a>,
+    pub def: &'a MacroDef,
+    /// The start tag.
+    pub at: Origin,
+    /// Around the call.
+    pub cx: EvalContext,
+    /// In the body of the macro.
+    pub body: EvalContext,
+}
+
 impl Expander<'_> {
     /// Attributes of the call, evaluated where the call stands. Gives the parameters that are left.
-    pub(super) fn bind_attributes<'d>(
-        &mut self,
-        tag: Tag<'_>,
-        def: &'d MacroDef,
-        cx: EvalContext,
-        body: EvalContext,
-    ) -> Vec<&'d MacroParam> {
-        let mut open = OpenParams::new(&def.params);
+    pub(super) fn bind_attributes<'d>(&mut self, call: Call<'d>) -> Vec<&'d MacroParam> {
+        let Call { tag, cx, .. } = call;
+        let mut open = OpenParams::new(&call.def.params);
         for attr in tag.attrs() {
             let at = Origin {
                 src: tag.src,
@@ -42,8 +50,8 @@ impl Expander<'_> {
                 frame: cx.frame,
             };
             let given = open.take(attr.name());
-            let Some(param) = given
-                .or_else(|| self.misspelled_param(tag, def, &mut open, (attr.name(), at), body))
+            let Some(param) =
+                given.or_else(|| self.misspelled_param(call, &mut open, attr.name(), at))
             else {
                 continue;
             };
@@ -59,38 +67,26 @@ impl Expander<'_> {
                 ..at
             };
             let text = attr.value(self.entities(tag.src)).into_owned();
-            self.bind_param(
-                param,
-                &text,
-                TextOrigin {
-                    origin,
-                    is_attr: true,
-                },
-                cx,
-                body,
-            );
+            let place = TextOrigin {
+                origin,
+                is_attr: true,
+            };
+            self.bind_param(call, param, &text, place);
         }
         open.left()
     }
 
     /// Evaluate a text in the caller's scope and bind it in the body's.
-    fn bind_param(
-        &mut self,
-        param: &MacroParam,
-        text: &str,
-        place: TextOrigin,
-        cx: EvalContext,
-        body: EvalContext,
-    ) {
+    fn bind_param(&mut self, call: Call<'_>, param: &MacroParam, text: &str, place: TextOrigin) {
         let mark = self.names.reads.len();
-        let value = literal_of(self.eval_text(text, place, cx.scope));
+        let value = literal_of(self.eval_text(text, place, call.cx.scope));
         let reads = self.take_reads(mark);
         let info = BindingInfo {
             reads,
             ..param_info(param, place.origin)
         };
         self.bind(
-            body.scope,
+            call.body.scope,
             param.name.clone(),
             PropertyState::Ready(value),
             info,
@@ -114,13 +110,12 @@ impl Expander<'_> {
     /// too many.
     pub(super) fn bind_blocks(
         &mut self,
-        tag: Tag<'_>,
-        (given, is_sure): (Vec<GivenBlock>, bool),
-        def: &MacroDef,
+        call: Call<'_>,
+        given: Vec<GivenBlock>,
+        is_sure: bool,
         open: &mut Vec<&MacroParam>,
-        cx: EvalContext,
-        body: EvalContext,
     ) {
+        let Call { def, at, body, .. } = call;
         let mut wanted: Vec<&MacroParam> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
         if given.len() > wanted.len() {
@@ -147,7 +142,7 @@ impl Expander<'_> {
                     if block.is_none() && is_sure {
                         missing.push(param.name.trim_start_matches('*'));
                     }
-                    self.bind_unknown(param, self.tag_origin(tag, cx), body);
+                    self.bind_unknown(param, at, body);
                 }
             }
         }
@@ -161,7 +156,7 @@ impl Expander<'_> {
                 missing.join("`, `")
             );
             let problem = self
-                .problem(ProblemKind::MacroBlockMismatch, self.tag_origin(tag, cx), message)
+                .problem(ProblemKind::MacroBlockMismatch, at, message)
                 .says("Not enough blocks")
                 .help("write one element per block parameter between the start and end tag of the call");
             self.push_with_definition(problem, def);
@@ -221,21 +216,16 @@ impl Expander<'_> {
         meant
     }
 
-    pub(super) fn bind_defaults(
-        &mut self,
-        def: &MacroDef,
-        open: &mut Vec<&MacroParam>,
-        at: Origin,
-        cx: EvalContext,
-        body: EvalContext,
-    ) {
+    /// Defaults of the parameters that are left.
+    pub(super) fn bind_defaults(&mut self, call: Call<'_>, open: &mut Vec<&MacroParam>) {
+        let Call { def, at, body, .. } = call;
         let mut left = Vec::new();
         for param in std::mem::take(open) {
             let Some(spec) = def.params.fallback(&param.name) else {
                 left.push(param);
                 continue;
             };
-            if spec.forward && self.forward(param, at, cx, body) {
+            if spec.forward && self.forward(call, param) {
                 continue;
             }
             match &spec.default {
@@ -244,16 +234,11 @@ impl Expander<'_> {
                         frame: body.frame,
                         ..spec.default_at.unwrap_or(def.origin)
                     };
-                    self.bind_param(
-                        param,
-                        text,
-                        TextOrigin {
-                            origin,
-                            is_attr: true,
-                        },
-                        cx,
-                        body,
-                    );
+                    let place = TextOrigin {
+                        origin,
+                        is_attr: true,
+                    };
+                    self.bind_param(call, param, text, place);
                 }
                 None => self.nothing_to_forward(def, param, at, body),
             }
@@ -262,13 +247,8 @@ impl Expander<'_> {
     }
 
     /// `^`: the value the caller sees under the same name.
-    fn forward(
-        &mut self,
-        param: &MacroParam,
-        at: Origin,
-        cx: EvalContext,
-        body: EvalContext,
-    ) -> bool {
+    fn forward(&mut self, call: Call<'_>, param: &MacroParam) -> bool {
+        let Call { at, cx, body, .. } = call;
         let name = &param.name;
         let mark = self.names.reads.len();
         let outer = self
@@ -333,13 +313,8 @@ impl Expander<'_> {
         );
     }
 
-    pub(super) fn missing_params(
-        &mut self,
-        def: &MacroDef,
-        open: &[&MacroParam],
-        at: Origin,
-        body: EvalContext,
-    ) {
+    pub(super) fn missing_params(&mut self, call: Call<'_>, open: &[&MacroParam]) {
+        let Call { def, at, body, .. } = call;
         if self.flow.unwinding {
             return;
         }
@@ -403,12 +378,12 @@ impl Expander<'_> {
     /// taken for that one: a typing error is one finding, not two.
     fn misspelled_param<'d>(
         &mut self,
-        tag: Tag<'_>,
-        def: &MacroDef,
+        call: Call<'_>,
         open: &mut OpenParams<'d>,
-        (name, at): (&str, Origin),
-        body: EvalContext,
+        name: &str,
+        at: Origin,
     ) -> Option<&'d MacroParam> {
+        let Call { tag, def, body, .. } = call;
         let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
         let mut problem = self
             .problem(ProblemKind::UnknownMacroParam, at, message)

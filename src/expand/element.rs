@@ -83,47 +83,38 @@ impl Expander<'_> {
         let document = used.source.document.clone();
         let (header, count) = (used.first_source, used.items);
         let has_tail = document.footer_content().next().is_some();
-        let mut siblings = SiblingState::default();
+        let mut siblings = SiblingState::new(header, out, cx);
         for i in 0..count {
-            let src = SrcId(header.0 + 1 + i);
+            siblings.src = SrcId(header.0 + 1 + i);
             let Some(item) = self
                 .result
                 .sources
-                .get(src)
+                .get(siblings.src)
                 .map(|source| source.item.clone())
             else {
                 continue;
             };
             let more = i + 1 < count || has_tail;
-            self.eval_nodes(item.nodes(), src, more, out, cx, &mut siblings);
+            self.eval_nodes(item.nodes(), more, &mut siblings);
         }
-        let footer = SrcId(header.0 + 1 + count);
-        self.eval_nodes(
-            document.footer_content(),
-            footer,
-            false,
-            out,
-            cx,
-            &mut siblings,
-        );
+        siblings.src = SrcId(header.0 + 1 + count);
+        self.eval_nodes(document.footer_content(), false, &mut siblings);
     }
 
     /// The children of an element inside an item.
     pub fn eval_children(&mut self, node: Node<'_>, src: SrcId, out: XId, cx: EvalContext) {
-        let mut siblings = SiblingState::default();
-        self.eval_nodes(node.children(), src, false, out, cx, &mut siblings);
+        let mut siblings = SiblingState::new(src, out, cx);
+        self.eval_nodes(node.children(), false, &mut siblings);
     }
 
     /// A run of siblings; `more`: siblings in another item follow.
     fn eval_nodes<'a>(
         &mut self,
         nodes: impl Iterator<Item = Node<'a>>,
-        src: SrcId,
         more: bool,
-        out: XId,
-        cx: EvalContext,
         siblings: &mut SiblingState,
     ) {
+        let SiblingState { src, out, cx, .. } = *siblings;
         let mut joined = None;
         for node in nodes {
             if self.tick(Origin {
@@ -146,7 +137,7 @@ impl Expander<'_> {
                     let text: String = texts
                         .map(|text| text.text(self.entities(src)).into_owned())
                         .collect();
-                    self.push_text(&text, node, src, out, cx, siblings);
+                    self.push_text(&text, node, siblings);
                 }
                 NodeKind::Element => {
                     siblings.eval_comments = false;
@@ -159,21 +150,15 @@ impl Expander<'_> {
                     };
                     self.eval_tag(tag, has_next, out, cx);
                 }
-                NodeKind::Text => self.eval_text_node(node, src, out, cx, siblings),
-                NodeKind::Comment => self.eval_comment(node, src, out, cx, siblings),
+                NodeKind::Text => self.eval_text_node(node, siblings),
+                NodeKind::Comment => self.eval_comment(node, siblings),
                 _ => self.copy_verbatim(node, src, out, cx),
             }
         }
     }
 
-    fn eval_text_node(
-        &mut self,
-        node: Node<'_>,
-        src: SrcId,
-        out: XId,
-        cx: EvalContext,
-        siblings: &mut SiblingState,
-    ) {
+    fn eval_text_node(&mut self, node: Node<'_>, siblings: &mut SiblingState) {
+        let src = siblings.src;
         if let Some(name) = self
             .entities(src)
             .markup_entity(node.raw())
@@ -184,12 +169,12 @@ impl Expander<'_> {
                 Origin {
                     src,
                     range: node.raw_range(),
-                    frame: cx.frame,
+                    frame: siblings.cx.frame,
                 },
             );
         }
         let text = node.text(self.entities(src));
-        self.push_text(&text, node, src, out, cx, siblings);
+        self.push_text(&text, node, siblings);
     }
 
     /// An entity that stands for elements: the tree does not show them.
@@ -203,19 +188,12 @@ impl Expander<'_> {
         self.gaps.content_lost = true;
     }
 
-    fn push_text(
-        &mut self,
-        text: &str,
-        node: Node<'_>,
-        src: SrcId,
-        out: XId,
-        cx: EvalContext,
-        siblings: &mut SiblingState,
-    ) {
+    fn push_text(&mut self, text: &str, node: Node<'_>, siblings: &mut SiblingState) {
         // references to empty entities only: an XML parser makes no node of that
         if text.is_empty() {
             return;
         }
+        let SiblingState { src, out, cx, .. } = *siblings;
         let origin = Origin {
             src,
             range: node.range(),
@@ -238,19 +216,13 @@ impl Expander<'_> {
         self.result.tree.append(out, id);
     }
 
-    fn eval_comment(
-        &mut self,
-        node: Node<'_>,
-        src: SrcId,
-        out: XId,
-        cx: EvalContext,
-        siblings: &mut SiblingState,
-    ) {
+    fn eval_comment(&mut self, node: Node<'_>, siblings: &mut SiblingState) {
         let raw = node.raw();
         if raw.contains("xacro:eval-comments") {
             siblings.eval_comments = !raw.contains("xacro:eval-comments:off");
             return;
         }
+        let SiblingState { src, out, cx, .. } = *siblings;
         let whole = node.range();
         // the data stands between `<!--` and `-->`
         let range = TextRange::new(whole.start + 4, whole.start + 4 + raw.len() as u32);

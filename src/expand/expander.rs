@@ -8,7 +8,7 @@ use super::kind::ProblemKind;
 use super::macro_table::Macros;
 use super::memo::ArgumentValue;
 use super::origin::{Frame, FrameId, FrameKind, Origin};
-use super::problem::{Problem, ProblemSeverity};
+use super::problem::{Problem, Severity};
 use super::problems::Problems;
 use super::record::Read;
 use super::request::{Request, Sources};
@@ -153,7 +153,7 @@ impl<'w> Expander<'w> {
             .problems
             .list
             .iter()
-            .any(|problem| problem.severity == ProblemSeverity::Error);
+            .any(|problem| problem.severity == Severity::Error);
         let asked_for = self.gaps.guessed || !self.request.unknown_args.is_empty();
         if self.result.complete
             || reported

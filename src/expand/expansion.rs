@@ -7,7 +7,7 @@ use super::binding_info::{BindingId, BindingInfo};
 use super::evaluations::Evaluations;
 use super::memo::Memo;
 use super::origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
-use super::problem::{FileRange, Problem, ProblemSeverity};
+use super::problem::{FileRange, Problem, Severity};
 use super::record::Record;
 use super::symbols::{DefinitionId, Symbols};
 use super::tree::{XId, XTree};
@@ -132,8 +132,6 @@ impl Expansion {
 
     /// Whether the reference would have refused the file.
     pub fn has_errors(&self) -> bool {
-        self.problems
-            .iter()
-            .any(|p| p.severity == ProblemSeverity::Error)
+        self.problems.iter().any(|p| p.severity == Severity::Error)
     }
 }

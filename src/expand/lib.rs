@@ -70,7 +70,7 @@ pub use kind::ProblemKind;
 pub use macro_table::MacroParam;
 pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
 pub use params::parse as parse_params;
-pub use problem::{Detail, FileRange, Outside, Problem, ProblemSeverity, TraceStep};
+pub use problem::{Detail, FileRange, Outside, Problem, Severity, TraceStep};
 pub use record::{Read, Record};
 pub use request::{ExpansionLimits, Forced, Request, Sources};
 pub use slips::meant_number;

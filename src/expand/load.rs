@@ -217,9 +217,10 @@ impl Expander<'_> {
             LoadErrorKind::NotFound => self.namesake_of(&error.path, at),
             _ => None,
         });
-        let message = match is_other {
-            true => format!("included file `{}` not found", self.text_of(at)),
-            false => message,
+        let message = if is_other {
+            format!("included file `{}` not found", self.text_of(at))
+        } else {
+            message
         };
         let problem = self
             .problem(ProblemKind::IncludeNotFound, at, message)
@@ -338,9 +339,10 @@ impl Expander<'_> {
             file,
             range: error.range,
         };
-        problem = problem.help(match xacro {
-            true => "add xmlns:xacro=\"http://www.ros.org/wiki/xacro\" to the root element",
-            false => error.help(),
+        problem = problem.help(if xacro {
+            "add xmlns:xacro=\"http://www.ros.org/wiki/xacro\" to the root element"
+        } else {
+            error.help()
         });
         if let Some((range, what)) = error.related {
             problem.trace.push(super::TraceStep {

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::binding::GivenBlock;
+use super::binding::{Call, GivenBlock};
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::{MacroDef, MacrosId};
@@ -94,7 +94,14 @@ impl Expander<'_> {
             macros: self.names.macros.push(Some(macros)),
             frame,
         };
-        let mut open = self.bind_attributes(tag, &def, cx, body_cx);
+        let call = Call {
+            tag,
+            def: &def,
+            at,
+            cx,
+            body: body_cx,
+        };
+        let mut open = self.bind_attributes(call);
         let (content, losses) = (self.container(at), self.gaps.losses);
         self.eval_children(tag.node, tag.src, content, cx);
         let given = if self.gaps.losses > losses {
@@ -103,10 +110,10 @@ impl Expander<'_> {
             self.given_blocks(content)
         };
         let is_sure = self.gaps.losses == losses && !given.contains(&GivenBlock::Any);
-        self.bind_blocks(tag, (given, is_sure), &def, &mut open, cx, body_cx);
-        self.bind_defaults(&def, &mut open, at, cx, body_cx);
+        self.bind_blocks(call, given, is_sure, &mut open);
+        self.bind_defaults(call, &mut open);
         if !open.is_empty() {
-            self.missing_params(&def, &open, at, body_cx);
+            self.missing_params(call, &open);
         }
         let body = self.container(at);
         self.guards

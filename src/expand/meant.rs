@@ -1,6 +1,7 @@
 //! What was meant by a text that says something else: the slips that many make have a name, and a text to type.
 use super::Problem;
 use expr::is_identifier;
+use facts::XACRO_TAGS;
 use workspace::{misspelled, nearest};
 
 /// What a text was meant to be.
@@ -164,22 +165,14 @@ pub(super) fn by_comparison(name: &str, code: &str) -> Option<String> {
 
 /// Xacro's own tag that a misspelled one was meant to be.
 pub(super) fn by_tag(name: &str) -> Option<&'static str> {
-    const TAGS: [&str; 9] = [
-        "include",
-        "property",
-        "macro",
-        "arg",
-        "if",
-        "unless",
-        "insert_block",
-        "element",
-        "attribute",
-    ];
-    let is_same = |tag: &&&str| tag.eq_ignore_ascii_case(name);
-    TAGS.iter()
-        .find(is_same)
-        .copied()
-        .or_else(|| misspelled(name, TAGS))
+    // `call` is too near to names of macros
+    let tags = || {
+        let names = XACRO_TAGS.iter().map(|tag| tag.name);
+        names.filter(|name| *name != "call")
+    };
+    tags()
+        .find(|tag| tag.eq_ignore_ascii_case(name))
+        .or_else(|| misspelled(name, tags()))
 }
 
 /// What to write for a tag of another language.

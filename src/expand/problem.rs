@@ -3,16 +3,8 @@ use ecow::EcoString;
 
 use super::kind::ProblemKind;
 use super::{Frame, FrameKind};
+pub use base::Severity;
 use base::TextRange;
-
-/// How bad a problem is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum ProblemSeverity {
-    /// The reference refuses the file.
-    Error,
-    /// The reference prints a warning and goes on.
-    Warning,
-}
 
 /// A place in a file of the expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,8 +53,8 @@ pub enum Detail {
 pub struct Problem {
     /// What kind of problem it is.
     pub kind: ProblemKind,
-    /// Error or warning.
-    pub severity: ProblemSeverity,
+    /// An error where the reference refuses the file, a warning where it prints one and goes on.
+    pub severity: Severity,
     /// One line in our words: lower case, names the entity.
     pub message: String,
     /// What the reference says about it (may hold line feeds).
@@ -92,7 +84,7 @@ impl Problem {
     pub fn new(kind: ProblemKind, place: FileRange, message: impl Into<String>) -> Self {
         Self {
             kind,
-            severity: ProblemSeverity::Error,
+            severity: Severity::Error,
             message: message.into(),
             reference: String::new(),
             help: None,
@@ -110,7 +102,7 @@ impl Problem {
     /// The same as a warning.
     #[must_use]
     pub fn warning(mut self) -> Self {
-        self.severity = ProblemSeverity::Warning;
+        self.severity = Severity::Warning;
         self
     }
 

@@ -24,6 +24,16 @@ const MOST_WORDS: usize = 8;
 
 type AttrText<'a> = Option<(Cow<'a, str>, TextOrigin)>;
 
+/// What a tag says of the property that it defines.
+struct Given<'a> {
+    name: EcoString,
+    name_place: TextOrigin,
+    /// None for a block.
+    value: AttrText<'a>,
+    scope: AttrText<'a>,
+    lazy: bool,
+}
+
 impl Expander<'_> {
     /// Define, default or remove a property.
     pub fn property(&mut self, tag: Tag<'_>, has_next: bool, out: XId, cx: EvalContext) {
@@ -69,34 +79,32 @@ impl Expander<'_> {
         let Some(lazy) = self.flag(tag, "lazy_eval", true, cx) else {
             return;
         };
-        self.store(tag, &name, name_place, value, scope, lazy, cx);
+        let given = Given {
+            name,
+            name_place,
+            value,
+            scope,
+            lazy,
+        };
+        self.store(tag, &given, cx);
     }
 
-    #[allow(clippy::too_many_arguments)] // the attributes of the tag, each needed once
-    fn store(
-        &mut self,
-        tag: Tag<'_>,
-        name: &EcoString,
-        name_place: TextOrigin,
-        value: AttrText<'_>,
-        scope: AttrText<'_>,
-        lazy: bool,
-        cx: EvalContext,
-    ) {
-        let mut at_once = !lazy;
+    fn store(&mut self, tag: Tag<'_>, given: &Given<'_>, cx: EvalContext) {
+        let name = &given.name;
+        let mut at_once = !given.lazy;
         let mut target = Some(cx.scope);
-        match scope.as_ref().map(|(text, _)| text.as_ref()) {
+        match given.scope.as_ref().map(|(text, _)| text.as_ref()) {
             Some("global") => (target, at_once) = (Some(Scopes::TOP), true),
             Some("parent") => (target, at_once) = (self.parent_scope(cx.scope), true),
             _ => {}
         }
-        let kind = if value.is_some() {
+        let kind = if given.value.is_some() {
             SymbolKind::Property
         } else {
             SymbolKind::BlockProperty
         };
-        let definition = self.define(kind, name, name_place.origin);
-        let (key, state, origin) = match value {
+        let definition = self.define(kind, name, given.name_place.origin);
+        let (key, state, origin) = match &given.value {
             None => {
                 let at = self.tag_origin(tag, cx);
                 let block = Block::Source(SrcRef {
@@ -111,7 +119,7 @@ impl Expander<'_> {
             }
             Some((text, place)) if at_once => {
                 let mark = self.names.reads.len();
-                let value = literal_of(self.eval_text(&text, place, cx.scope));
+                let value = literal_of(self.eval_text(text, *place, cx.scope));
                 let reads = self.take_reads(mark);
                 let info = BindingInfo {
                     reads,
@@ -123,14 +131,13 @@ impl Expander<'_> {
                     name.clone(),
                     PropertyState::Ready(value),
                     info,
-                    name_place.origin,
-                    scope,
+                    given,
                 );
             }
-            Some((text, place)) => (name.clone(), lazy_state(&text, place), place.origin),
+            Some((text, place)) => (name.clone(), lazy_state(text, *place), place.origin),
         };
         let info = BindingInfo::new(name.clone(), BindingKind::Property, origin).of(definition);
-        self.put(target, key, state, info, name_place.origin, scope);
+        self.put(target, key, state, info, given);
     }
 
     fn put(
@@ -139,11 +146,11 @@ impl Expander<'_> {
         key: EcoString,
         state: PropertyState,
         info: BindingInfo,
-        at: Origin,
-        scope: AttrText<'_>,
+        given: &Given<'_>,
     ) {
+        let at = given.name_place.origin;
         let Some(target) = target else {
-            let at = scope.map_or(at, |(_, place)| place.origin);
+            let at = given.scope.as_ref().map_or(at, |(_, place)| place.origin);
             let message = format!(
                 "property `{}` has scope=\"parent\" outside a macro",
                 info.name
@@ -155,13 +162,14 @@ impl Expander<'_> {
             return self.push(problem);
         };
         let is_value = !matches!(state, PropertyState::Block(_));
-        let state = match is_value
+        let state = if is_value
             && self.flow.unknown_conditions > 0
             && self.names.scopes.holder(target, &key).is_some()
         {
             // the branch may not be taken: then the value before holds
-            true => PropertyState::Ready(Value::Unknown),
-            false => state,
+            PropertyState::Ready(Value::Unknown)
+        } else {
+            state
         };
         self.bind(target, key, state, info, at);
     }

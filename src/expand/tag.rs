@@ -1,5 +1,7 @@
 //! An element of the source as the pass over the document sees it.
 use super::origin::SrcId;
+use super::state::EvalContext;
+use super::tree::XId;
 use xml::{Attr, Node};
 
 /// An element of the source as the pass sees it: `xacro:element` and `xacro:call` go on under another name.
@@ -23,9 +25,25 @@ impl<'a> Tag<'a> {
     }
 }
 
-/// What is remembered from sibling to sibling.
-#[derive(Clone, Copy, Debug, Default)]
+/// Children of one element while they are evaluated.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct SiblingState {
+    /// Where their text is.
+    pub src: SrcId,
+    /// The element that what they give is put into.
+    pub out: XId,
+    pub cx: EvalContext,
     /// After `xacro:eval-comments`.
     pub eval_comments: bool,
+}
+
+impl SiblingState {
+    pub fn new(src: SrcId, out: XId, cx: EvalContext) -> Self {
+        Self {
+            src,
+            out,
+            cx,
+            eval_comments: false,
+        }
+    }
 }

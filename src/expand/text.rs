@@ -430,12 +430,13 @@ impl Expander<'_> {
     /// The origin of a range of decoded text.
     pub fn origin_in(&self, site: TextSite<'_>, range: TextRange) -> Origin {
         let origin = site.place.origin;
-        match site.is_raw {
-            true => Origin {
+        if site.is_raw {
+            Origin {
                 range: range.shift(origin.range.start),
                 ..origin
-            },
-            false => self.origins_in(site)(range),
+            }
+        } else {
+            self.origins_in(site)(range)
         }
     }
 

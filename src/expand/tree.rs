@@ -304,9 +304,10 @@ impl XTree {
 
     /// Whether an attribute is in a namespace: it has a prefix, and was not set.
     fn has_namespace(&self, id: XId, name: &EcoString) -> bool {
-        match name.contains(':') {
-            true => !self.set_with_prefix.contains(&(id, name.clone())),
-            false => name == "xmlns",
+        if name.contains(':') {
+            !self.set_with_prefix.contains(&(id, name.clone()))
+        } else {
+            name == "xmlns"
         }
     }
 

@@ -3,29 +3,10 @@
 use std::sync::{Arc, LazyLock};
 
 use super::mentions::site;
+use super::tags::is_keyword;
 use super::{Fact, FactKind, Facts, FactsOf, Site};
 use base::TextRange;
 use xml::{Attr, Entities, Item, Node, NodeKind};
-
-/// xacro's own tags, which call no macro.
-const KEYWORDS: &[&str] = &[
-    "arg",
-    "attribute",
-    "call",
-    "element",
-    "eval-comments",
-    "if",
-    "include",
-    "insert_block",
-    "macro",
-    "property",
-    "unless",
-];
-
-/// Whether `xacro:name` is xacro's own and calls no macro.
-pub fn is_keyword(name: &str) -> bool {
-    KEYWORDS.contains(&name)
-}
 
 /// The facts of an item; read once, kept with it.
 pub fn facts_of(item: &Arc<Item>) -> FactsOf<'_> {

@@ -5,6 +5,7 @@
 
 mod item;
 mod mentions;
+mod tags;
 #[cfg(test)]
 mod tests;
 
@@ -13,8 +14,9 @@ use std::sync::{Arc, OnceLock};
 
 use ecow::EcoString;
 
-pub use item::{facts_of, is_keyword};
+pub use item::facts_of;
 pub use mentions::{Mention, MentionKind, Site};
+pub use tags::{XACRO_TAGS, XacroAttribute, XacroTag, is_keyword, xacro_tag};
 
 use base::TextRange;
 use xml::{Document, Item, NodeId};

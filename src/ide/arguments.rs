@@ -169,9 +169,10 @@ fn beside(vfs: &Vfs, path: &Path, now: &str) -> Vec<String> {
             let Some(value) = value.filter(|value| !value.is_empty()) else {
                 continue;
             };
-            let whole = match rest.as_os_str().is_empty() {
-                true => folder.join(&entry.name),
-                false => folder.join(&entry.name).join(rest),
+            let whole = if rest.as_os_str().is_empty() {
+                folder.join(&entry.name)
+            } else {
+                folder.join(&entry.name).join(rest)
             };
             if vfs.is_file(&whole) {
                 found.push(value.to_owned());

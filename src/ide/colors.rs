@@ -22,13 +22,12 @@ pub fn colors(cx: &Cx<'_>) -> Vec<Color> {
     for (base, item) in document.parts() {
         for attr in item.all_nodes().filter_map(|node| node.attr("rgba")) {
             let range = attr.value_range().shift(base);
-            let rgba = match attr.has_dollar() {
-                false => parsed(&attr.value(document.entities())),
-                true => {
-                    let known = computed.get_or_insert_with(|| evaluated(cx));
-                    cx.source_range(range)
-                        .and_then(|place| known.get(&place).copied().flatten())
-                }
+            let rgba = if attr.has_dollar() {
+                let known = computed.get_or_insert_with(|| evaluated(cx));
+                cx.source_range(range)
+                    .and_then(|place| known.get(&place).copied().flatten())
+            } else {
+                parsed(&attr.value(document.entities()))
             };
             found.extend(rgba.map(|rgba| Color { range, rgba }));
         }

@@ -115,9 +115,10 @@ pub fn on_name_of_tag(document: &Document, offset: u32) -> u32 {
 /// Where the name of a tag begins, behind `xacro:`.
 fn start_of_name(node: &Node<'_>) -> u32 {
     const PREFIX: &str = "xacro:";
-    let prefix = match node.name().starts_with(PREFIX) {
-        true => PREFIX.len() as u32,
-        false => 0,
+    let prefix = if node.name().starts_with(PREFIX) {
+        PREFIX.len() as u32
+    } else {
+        0
     };
     node.name_range().start + prefix
 }

@@ -51,11 +51,12 @@ pub(super) fn admit(
         .filter(|place| !given.contains(place))
         .copied()
         .collect();
-    match hidden(cx, definition, new, &reads) || hides(cx, id, definition, new) {
-        true => Err(format!(
+    if hidden(cx, definition, new, &reads) || hides(cx, id, definition, new) {
+        Err(format!(
             "`{new}` has another meaning where the name is used"
-        )),
-        false => Ok(()),
+        ))
+    } else {
+        Ok(())
     }
 }
 
@@ -67,11 +68,12 @@ pub(super) fn fits_kind(kind: SymbolKind, new: &str) -> Result<(), String> {
     if kind == SymbolKind::Macro && is_keyword(new) {
         return Err(format!("`xacro:{new}` is reserved by xacro"));
     }
-    match fits(kind, new) {
-        true => Ok(()),
-        false => Err(format!(
+    if fits(kind, new) {
+        Ok(())
+    } else {
+        Err(format!(
             "invalid name `{new}`: use letters, digits and `_`; do not start with a digit or use a Python keyword"
-        )),
+        ))
     }
 }
 

@@ -131,9 +131,10 @@ fn indentation(document: &Document, typed: &Typed<'_>, unit: &str) -> Option<Vec
                 .map(|line| document.line_text(line));
             let before = before.into_iter().find(|text| !text.trim().is_empty())?;
             let base = indent(&before);
-            let wanted = match closes && !before.trim_start().starts_with("</") {
-                true => base.strip_suffix(unit).unwrap_or(&base).to_owned(),
-                false => base,
+            let wanted = if closes && !before.trim_start().starts_with("</") {
+                base.strip_suffix(unit).unwrap_or(&base).to_owned()
+            } else {
+                base
             };
             (
                 wanted,

@@ -348,9 +348,10 @@ impl PendingRename<'_, '_> {
         let mut sorted = self.spans.clone();
         sorted.sort_unstable_by_key(|span| (span.file, span.range.start));
         let overlap = |pair: &[Span]| matches!(pair, [a, b] if a.file == b.file && b.range.start < a.range.end);
-        match sorted.windows(2).any(overlap) {
-            true => Err("cannot rename: parts of this name overlap in the source".to_owned()),
-            false => Ok(()),
+        if sorted.windows(2).any(overlap) {
+            Err("cannot rename: parts of this name overlap in the source".to_owned())
+        } else {
+            Ok(())
         }
     }
 

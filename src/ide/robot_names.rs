@@ -264,9 +264,10 @@ fn meant_by(tag: &str) -> Option<RobotNameKind> {
     let is_link = ["frame", "body", "link"]
         .iter()
         .any(|word| tag.contains(word));
-    match tag.contains("joint") {
-        true => Some(RobotNameKind::Joint),
-        false => is_link.then_some(RobotNameKind::Link),
+    if tag.contains("joint") {
+        Some(RobotNameKind::Joint)
+    } else {
+        is_link.then_some(RobotNameKind::Link)
     }
 }
 

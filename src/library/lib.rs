@@ -204,7 +204,7 @@ fn problems(expansion: &Expansion) -> Vec<Problem> {
         calls: Vec::new(),
     });
     let found = expansion.problems.iter().map(|problem| Problem {
-        is_error: problem.severity == expand::ProblemSeverity::Error,
+        is_error: problem.severity == expand::Severity::Error,
         message: problem.message.clone(),
         help: problem.help.clone(),
         location: location(expansion, problem.place),

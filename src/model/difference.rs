@@ -125,9 +125,10 @@ impl Comparer<'_> {
             }
             // one that comes later in the first text is there, and this one is in addition
             let rest = a.children.get(number + 1..).unwrap_or_default();
-            let what = match rest.iter().any(|later| is_counterpart(later, other)) {
-                true => DifferenceKind::OnlyOne(shown(child)),
-                false => DifferenceKind::OnlyOther(shown(other)),
+            let what = if rest.iter().any(|later| is_counterpart(later, other)) {
+                DifferenceKind::OnlyOne(shown(child))
+            } else {
+                DifferenceKind::OnlyOther(shown(other))
             };
             return Some(self.difference(child, other, None, what));
         }

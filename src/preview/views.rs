@@ -15,7 +15,7 @@ use super::shapes::Shapes;
 use analysis::{AnalysisHost, RootAnalysis, RootConfig, Session};
 use base::limits::{SENT_BYTES, SENT_ERRORS};
 use base::{CancelFlag, Encoding, FastSet};
-use expand::{Expansion, ProblemSeverity, Read};
+use expand::{Expansion, Read, Severity};
 use model::Robot;
 
 /// All views.
@@ -422,7 +422,7 @@ fn errors(
     let problems = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == ProblemSeverity::Error && !p.probed);
+        .filter(|p| p.severity == Severity::Error && !p.probed);
     let listed = problems.filter_map(|problem| {
         let code = rules::rule_of(problem.kind).name;
         let location = places.place(problem.place)?;

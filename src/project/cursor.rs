@@ -53,9 +53,10 @@ pub(super) const GROUP_KEYS: [&str; 2] = ["move_group_name", "active_subgroup"];
 pub fn word_at(name: &str, text: &str, offset: u32) -> Option<TypedWord> {
     let found = around(text, offset as usize)?;
     let keys: Vec<&str> = found.steps.iter().filter_map(PathStep::key).collect();
-    let wanted = match found.is_key {
-        true => of_key(&keys, name, text)?,
-        false => of_value(&keys)?,
+    let wanted = if found.is_key {
+        of_key(&keys, name, text)?
+    } else {
+        of_value(&keys)?
     };
     let (rest, has_colon) = behind(text.get(offset as usize..)?);
     let YamlContext {

@@ -62,9 +62,10 @@ fn has_repeated(text: &str) -> bool {
 impl YamlSettings {
     /// The settings in a text, with its value. The parameters in several blocks of one name are those of all blocks.
     pub fn read(text: &str, root: &YamlNode) -> Option<Self> {
-        match has_repeated(text) {
-            true => Self::of(&yaml::load_repeated(text, "").ok()?),
-            false => Self::of(root),
+        if has_repeated(text) {
+            Self::of(&yaml::load_repeated(text, "").ok()?)
+        } else {
+            Self::of(root)
         }
     }
 

@@ -175,8 +175,7 @@ pub(super) fn findings(
 
 /// What makes xacro reject a file.
 pub fn rejections(expansion: &Expansion, vfs: &Vfs) -> Vec<Finding> {
-    let is_error =
-        |problem: &&Problem| !problem.probed && problem.severity == expand::ProblemSeverity::Error;
+    let is_error = |problem: &&Problem| !problem.probed && problem.severity == Severity::Error;
     let errors = expansion.problems.iter().filter(is_error);
     let found = errors.filter_map(|problem| finding(expansion, problem, vfs));
     found

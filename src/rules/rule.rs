@@ -4,6 +4,7 @@ use std::fmt;
 use super::beside::BesideCx;
 use super::context::{DocumentCx, FileCx, RobotCx};
 use super::sink::Sink;
+pub use base::Severity;
 
 /// A rule.
 #[derive(Debug)]
@@ -61,19 +62,6 @@ pub enum Category {
     Moveit,
     /// Suppressions and configuration of the linter itself.
     Linter,
-}
-
-/// How bad a finding is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Severity {
-    /// Unnecessary; for editors.
-    Hint,
-    /// Convention or portability.
-    Info,
-    /// Accepted, and almost surely not meant.
-    Warning,
-    /// Some tool in common use rejects it, or it is physically impossible.
-    Error,
 }
 
 /// Whether a rule runs when nothing is configured.
@@ -312,33 +300,6 @@ impl Category {
     }
 }
 
-impl Severity {
-    /// All of them, worst first.
-    pub const ALL: [Severity; 4] = [
-        Severity::Error,
-        Severity::Warning,
-        Severity::Info,
-        Severity::Hint,
-    ];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Severity::Hint => "hint",
-            Severity::Info => "info",
-            Severity::Warning => "warning",
-            Severity::Error => "error",
-        }
-    }
-
-    /// The severity of a name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|severity| severity.name() == name)
-    }
-}
-
 impl fmt::Display for Activation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -356,12 +317,6 @@ impl Safety {
             Safety::Safe => "safe",
             Safety::Unsafe => "unsafe",
         }
-    }
-}
-
-impl fmt::Display for Severity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
     }
 }
 

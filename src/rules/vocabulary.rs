@@ -1,5 +1,6 @@
 //! The words of URDF and of xacro.
 use super::schema;
+use facts::xacro_tag;
 use xml::Node;
 
 /// Whether URDF knows an element.
@@ -19,16 +20,7 @@ pub(super) fn is_free_zone(name: &str) -> bool {
 /// Whether an element without a prefix is most likely a tag of xacro. Names that are common elsewhere (`element`, `attribute`,
 /// `call`) are not.
 pub(super) fn is_forgotten_prefix(name: &str) -> bool {
-    const TAGS: [&str; 7] = [
-        "arg",
-        "if",
-        "include",
-        "insert_block",
-        "macro",
-        "property",
-        "unless",
-    ];
-    TAGS.contains(&name)
+    xacro_tag(name).is_some_and(|tag| !tag.is_common_word)
 }
 
 /// Whether a link stands for the surroundings of a robot by its name.

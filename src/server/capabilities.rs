@@ -68,9 +68,10 @@ fn while_writing(client: &ResolvedCapabilities) -> ServerCapabilities {
             trigger_characters: Some(characters(&[" ", "\"", "(", ","])),
             ..SignatureHelpOptions::default()
         }),
-        code_action_provider: Some(match client.actions.literals {
-            true => CodeActionProviderCapability::Options(actions::offered()),
-            false => CodeActionProviderCapability::Simple(true),
+        code_action_provider: Some(if client.actions.literals {
+            CodeActionProviderCapability::Options(actions::offered())
+        } else {
+            CodeActionProviderCapability::Simple(true)
         }),
         document_formatting_provider: Some(OneOf::Left(true)),
         document_range_formatting_provider: Some(OneOf::Left(true)),
@@ -79,12 +80,13 @@ fn while_writing(client: &ResolvedCapabilities) -> ServerCapabilities {
             more_trigger_character: Some(characters(&["/", "\n"])),
         }),
         linked_editing_range_provider: Some(LinkedEditingRangeServerCapabilities::Simple(true)),
-        rename_provider: Some(match client.prepares_rename {
-            true => OneOf::Right(RenameOptions {
+        rename_provider: Some(if client.prepares_rename {
+            OneOf::Right(RenameOptions {
                 prepare_provider: Some(true),
                 work_done_progress_options: WorkDoneProgressOptions::default(),
-            }),
-            false => OneOf::Left(true),
+            })
+        } else {
+            OneOf::Left(true)
         }),
         ..beside_the_text(client)
     }

@@ -105,9 +105,10 @@ impl Embedded {
         } else if pause(&self.state) == Some(Duration::ZERO) {
             take(&mut self.state, Event::Idle);
         }
-        match self.state.status.has_waiting() {
-            true => Some(Duration::ZERO),
-            false => pause(&self.state),
+        if self.state.status.has_waiting() {
+            Some(Duration::ZERO)
+        } else {
+            pause(&self.state)
         }
     }
 

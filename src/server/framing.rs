@@ -64,9 +64,10 @@ pub(super) fn bodies(mut input: impl BufRead, mut take: impl FnMut(Cow<'_, [u8]>
 
 /// What a body that was checked says.
 fn message(body: &[u8], is_reply: bool) -> Incoming {
-    let read = match is_reply {
-        true => serde_json::from_slice(body).map(Incoming::Response),
-        false => serde_json::from_slice(body).map(Incoming::Request),
+    let read = if is_reply {
+        serde_json::from_slice(body).map(Incoming::Response)
+    } else {
+        serde_json::from_slice(body).map(Incoming::Request)
     };
     read.unwrap_or_else(|error| {
         let params = json!({ "reason": error.to_string() });

@@ -63,9 +63,10 @@ fn plain(markdown: &str) -> String {
             fenced = !fenced;
             continue;
         }
-        match fenced {
-            true => out.push_str(line),
-            false => inline(line, &mut out),
+        if fenced {
+            out.push_str(line);
+        } else {
+            inline(line, &mut out);
         }
         out.push('\n');
     }

@@ -33,9 +33,10 @@ fn publish_file(state: &mut ServerState, path: PathBuf, diagnostics: Vec<Diagnos
     if state.sent.diagnostics.messages.get(&path) == Some(&hash) {
         return;
     }
-    match is_cleared {
-        true => state.sent.diagnostics.messages.remove(&path),
-        false => state.sent.diagnostics.messages.insert(path, hash),
+    if is_cleared {
+        state.sent.diagnostics.messages.remove(&path)
+    } else {
+        state.sent.diagnostics.messages.insert(path, hash)
     };
     state.outbox.notify_encoded(message);
 }

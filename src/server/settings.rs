@@ -29,10 +29,11 @@ pub fn request_settings(state: &ServerState) {
 }
 
 pub fn settings_changed(state: &mut ServerState, params: DidChangeConfigurationParams) {
-    match state.client.configuration {
+    if state.client.configuration {
         // the settings sent along are those of no folder in particular
-        true => request_settings(state),
-        false => settings(state, &params.settings),
+        request_settings(state);
+    } else {
+        settings(state, &params.settings);
     }
     state.schedule(Cause::SettingsChanged);
 }

@@ -10,9 +10,7 @@ use serde_json::{Map, Value, json};
 use super::calls::{Call, CheckCall, RobotParams};
 use analysis::{AnalysisHost, FixOptions, RootConfig, Session};
 use base::{CancelFlag, Encoding, IdVec};
-use expand::{
-    Expansion, ExpansionLimits, FileIdx, FileRange, Problem, ProblemSeverity as Weight, Request,
-};
+use expand::{Expansion, ExpansionLimits, FileIdx, FileRange, Problem, Request};
 use preview::{LocationFormat, Views};
 use rules::{Safety, Severity};
 use vfs::{Environment, Vfs, shown_path};
@@ -281,7 +279,7 @@ fn problems(expansion: &Expansion, files: &IdVec<FileIdx, String>) -> Vec<Value>
             ..
         } = problem;
         json!({
-            "severity": if problem.severity == Weight::Error { "error" } else { "warning" },
+            "severity": problem.severity.name(),
             "message": message,
             "help": help,
             "filename": files.get(place.file),

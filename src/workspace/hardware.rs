@@ -63,21 +63,19 @@ fn search(vfs: &Vfs, top: &Path) -> HardwareSources {
         }
         for entry in vfs.list_dir(&folder).iter() {
             let path = folder.join(&entry.name);
-            match entry.is_dir {
-                true if entry.name.starts_with('.')
-                    || is_built(&entry.name)
-                    || depth >= CALLER_DEPTH => {}
-                true => open.push((path, depth + 1)),
-                false if files < CALLER_FILES && is_source(&entry.name) => {
-                    files += 1;
-                    let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
-                    let text = is_small.then(|| vfs.text(&path).ok()).flatten();
-                    if let Some(file) = text {
-                        found.exporting.extend(exporting(&file.text));
-                        found.registers |= file.text.contains(REGISTERS);
-                    }
+            if entry.is_dir {
+                let passed_over = entry.name.starts_with('.') || is_built(&entry.name);
+                if !passed_over && depth < CALLER_DEPTH {
+                    open.push((path, depth + 1));
                 }
-                false => {}
+            } else if files < CALLER_FILES && is_source(&entry.name) {
+                files += 1;
+                let is_small = vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
+                let text = is_small.then(|| vfs.text(&path).ok()).flatten();
+                if let Some(file) = text {
+                    found.exporting.extend(exporting(&file.text));
+                    found.registers |= file.text.contains(REGISTERS);
+                }
             }
         }
     }

@@ -97,19 +97,18 @@ impl Index {
             }
             for entry in entries.iter() {
                 let path = folder.join(&entry.name);
-                match entry.is_dir {
-                    true if entry.name.starts_with('.')
-                        || is_built(&entry.name)
-                        || level >= NAMESAKE_DEPTH => {}
-                    true => open.push((path, level + 1)),
-                    false => {
-                        files += 1;
-                        index
-                            .0
-                            .entry(entry.name.to_lowercase())
-                            .or_default()
-                            .push(path);
+                if entry.is_dir {
+                    let passed_over = entry.name.starts_with('.') || is_built(&entry.name);
+                    if !passed_over && level < NAMESAKE_DEPTH {
+                        open.push((path, level + 1));
                     }
+                } else {
+                    files += 1;
+                    index
+                        .0
+                        .entry(entry.name.to_lowercase())
+                        .or_default()
+                        .push(path);
                 }
             }
         }

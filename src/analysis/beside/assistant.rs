@@ -8,7 +8,7 @@ use super::super::session::Session;
 use super::files::{Beside, Robots};
 use super::pairing::stem;
 use base::{CancelFlag, Span, TextRange};
-use expand::{Expansion, Problem, ProblemKind, ProblemSeverity};
+use expand::{Expansion, Problem, ProblemKind, Severity};
 use project::{Assistant, SpannedName};
 use rules::{
     Finding, setup_assistant_file_not_found, setup_assistant_robot_fails,
@@ -186,7 +186,7 @@ fn is_xacro(name: &str) -> bool {
 /// The errors for which xacro gives no robot.
 fn errors(expansion: &Expansion) -> Vec<&Problem> {
     let is_error = |problem: &&Problem| {
-        problem.severity == ProblemSeverity::Error && !problem.probed && !problem.excused
+        problem.severity == Severity::Error && !problem.probed && !problem.excused
     };
     expansion.problems.iter().filter(is_error).collect()
 }

@@ -41,17 +41,19 @@ impl Session {
             .iter()
             .chain(&options.entries)
             .map(|path| self.vfs.absolute(path));
-        let below = |path: PathBuf| match self.vfs.is_dir(&path) {
-            true => {
+        let below = |path: PathBuf| {
+            if self.vfs.is_dir(&path) {
                 let around = self.beside_around(&path.join("_"));
                 around
                     .iter()
                     .filter(|file| file.starts_with(&path))
                     .cloned()
                     .collect()
+            } else if sort(&path).is_some() {
+                vec![path]
+            } else {
+                Vec::new()
             }
-            false if sort(&path).is_some() => vec![path],
-            false => Vec::new(),
         };
         let mut found: Vec<PathBuf> = paths.flat_map(below).collect();
         found.sort();

@@ -63,10 +63,12 @@ impl Session {
             .and_then(|srdf| self.beside(srdf, robots));
         let is_like = srdf.is_some_and(|srdf| likeness(&srdf, &names).1 >= LIKE);
         let (count, likeness) = likeness(own, &names);
-        let least = match pairing.is_named || is_like {
-            true if has_arguments && count >= SEVERAL => NAMED,
-            true => 0.0,
-            false => LIKE,
+        let least = if !pairing.is_named && !is_like {
+            LIKE
+        } else if has_arguments && count >= SEVERAL {
+            NAMED
+        } else {
+            0.0
         };
         let is_any = likeness > 0.0 || count < SEVERAL;
         let is_for_them = !found.is_empty() && is_any && likeness >= least;

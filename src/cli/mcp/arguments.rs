@@ -115,9 +115,12 @@ impl Parameter {
                 None => Err(self.wrong("true or false")),
             },
             ArgumentKind::RobotArguments => {
-                let pair = |(name, value): (&String, &Value)| match name.starts_with('-') {
-                    true => Err(self.wrong("an object whose names do not start with `-`")),
-                    false => Ok(format!("{name}:={}", self.scalar(value)?)),
+                let pair = |(name, value): (&String, &Value)| {
+                    if name.starts_with('-') {
+                        Err(self.wrong("an object whose names do not start with `-`"))
+                    } else {
+                        Ok(format!("{name}:={}", self.scalar(value)?))
+                    }
                 };
                 self.object(value)?.iter().map(pair).collect()
             }

@@ -333,9 +333,10 @@ impl Parser<'_> {
         }
         found.misplaced = Some((
             expr.range,
-            match found.unpacking {
-                true => "positional argument follows keyword argument unpacking",
-                false => "positional argument follows keyword argument",
+            if found.unpacking {
+                "positional argument follows keyword argument unpacking"
+            } else {
+                "positional argument follows keyword argument"
             },
         ));
     }

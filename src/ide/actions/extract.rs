@@ -69,9 +69,10 @@ pub(super) fn property(cx: &Cx<'_>, selection: TextRange) -> Vec<Action> {
 
 /// How a property is read.
 fn reading(name: &str, in_expression: bool) -> String {
-    match in_expression {
-        true => name.to_owned(),
-        false => format!("${{{name}}}"),
+    if in_expression {
+        name.to_owned()
+    } else {
+        format!("${{{name}}}")
     }
 }
 

@@ -26,16 +26,17 @@ pub(super) fn comment(scope: &CompletionScope<'_>, typed: &Typed<'_>) -> Complet
         && ["xacro-lint:", "xacro-root:"]
             .iter()
             .any(|word| word.starts_with(text));
-    let items = match begins {
-        true => vec![
+    let items = if begins {
+        vec![
             Completion::new(ItemKind::Directive, "xacro-lint:")
                 .text("xacro-lint: ")
                 .rank(0),
             Completion::new(ItemKind::Directive, "xacro-root:")
                 .text("xacro-root: ")
                 .rank(1),
-        ],
-        false => Vec::new(),
+        ]
+    } else {
+        Vec::new()
     };
     Completions::new(typed.offset - text.len() as u32, typed.offset, 0, items)
 }

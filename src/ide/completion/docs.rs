@@ -25,7 +25,7 @@ pub fn documentation(scope: &CompletionScope<'_>, topic: &Topic) -> Option<Strin
                 format!("- `{}`{required}: {}", attribute.name, attribute.docs)
             });
             let lines: Vec<String> = attributes.collect();
-            format!("{}.\n\n{}", directive.docs, lines.join("\n"))
+            format!("{}.\n\n{}", directive.summary, lines.join("\n"))
         }),
         Topic::Macro { name } => scope
             .macros()

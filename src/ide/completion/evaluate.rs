@@ -226,13 +226,15 @@ impl<'a> Evaluator<'a> {
 
 impl NameResolver for Evaluator<'_> {
     fn name(&mut self, name: &str) -> Lookup {
-        match self.given.contains_key(name) {
-            true => Lookup::Found(self.property(name)),
-            false if expr::is_global_symbol(name) => Lookup::Missing,
-            false => Lookup::Found(self.argument(name).map_or(Value::Unknown, |text| {
+        if self.given.contains_key(name) {
+            Lookup::Found(self.property(name))
+        } else if expr::is_global_symbol(name) {
+            Lookup::Missing
+        } else {
+            Lookup::Found(self.argument(name).map_or(Value::Unknown, |text| {
                 // only `$(eval)` sees arguments as names; elsewhere such a name is an error anyway
                 literal::from_text(&text)
-            })),
+            }))
         }
     }
 

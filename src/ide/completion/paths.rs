@@ -123,9 +123,10 @@ fn listed(scope: &CompletionScope<'_>, typed: &Typed<'_>, folder: Option<&str>) 
     let Some(folder) = folder else {
         return own.parent().map(Path::to_path_buf);
     };
-    let folder = match folder.contains('$') {
-        true => Evaluator::new(scope, typed.offset).string(folder)?,
-        false => folder.to_owned(),
+    let folder = if folder.contains('$') {
+        Evaluator::new(scope, typed.offset).string(folder)?
+    } else {
+        folder.to_owned()
     };
     let path = match folder.strip_prefix("package://") {
         Some(rest) => {
@@ -158,14 +159,13 @@ fn entries(scope: &CompletionScope<'_>, folder: &Path, wanted: WantedFile) -> Ve
     visible
         .filter(|entry| entry.is_dir || wanted.takes(&entry.name))
         .filter(|entry| *folder.join(&entry.name) != *scope.sources.source.path)
-        .map(|entry| match entry.is_dir {
-            true => {
+        .map(|entry| {
+            if entry.is_dir {
                 let text = format!("{}/", entry.name);
                 Completion::new(ItemKind::Folder, entry.name.clone())
                     .text(text)
                     .rank(3)
-            }
-            false => {
+            } else {
                 let size = vfs
                     .size(&folder.join(&entry.name))
                     .map(readable)

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::directives::{DIRECTIVES, directive};
+use super::directives::{directive, snippet};
 use super::elements::whole_elements;
 use super::item::{Completion, Completions, ItemKind, Topic, escaped};
 use super::learned;
@@ -11,7 +11,7 @@ use crate::typed::{Typed, is_name_char};
 use base::FastSet;
 use ecow::EcoString;
 use expand::MacroParam;
-use facts::{FactKind, facts};
+use facts::{FactKind, XACRO_TAGS, facts};
 use rules::schema::{AttributeKind, AttributeSpec, ContentModel, ElementSpec, elements, robot};
 
 /// The element that a chain of open elements ends in, as URDF sees it: tags of xacro are transparent. None where
@@ -69,13 +69,13 @@ impl<'a> Near<'a> {
     }
 
     fn rank(&self, info: &MacroInfo) -> u8 {
-        match info.file.parent() == self.folder {
-            _ if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) => {
-                0
-            }
-            true => 1,
+        if self.calls.contains(info.name.as_str()) || self.included.contains(&*info.file) {
+            0
+        } else if info.file.parent() == self.folder {
+            1
+        } else {
             // of the same robot, but no part of what this file works with: behind the elements of URDF
-            false => 4,
+            4
         }
     }
 }
@@ -121,18 +121,17 @@ pub(super) fn tags(scope: &CompletionScope<'_>, typed: &Typed<'_>, lead: &str) -
         let rank = if parent.is_some() { 4 } else { 2 };
         items.extend(further.into_iter().map(|item| item.rank(rank)));
     }
-    items.extend(DIRECTIVES.iter().map(|directive| {
-        Completion::new(ItemKind::Directive, directive.name)
-            .snippet(format!("{}{}", directive.name, directive.snippet))
-            .detail(directive.docs)
+    items.extend(XACRO_TAGS.iter().map(|tag| {
+        let name = format!("xacro:{}", tag.name);
+        Completion::new(ItemKind::Directive, &name)
+            .snippet(format!("{name}{}", snippet(tag)))
+            .detail(tag.summary)
             .rank(if typed.before.starts_with("xacro:") {
                 2
             } else {
                 6
             })
-            .about(Topic::Directive {
-                name: directive.name.to_owned(),
-            })
+            .about(Topic::Directive { name })
     }));
     let near = Near::of(scope);
     items.extend(

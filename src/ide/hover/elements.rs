@@ -58,38 +58,6 @@ const NOTES: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// The tags of xacro.
-const TAGS: &[(&str, &str)] = &[
-    (
-        "arg",
-        "A substitution argument, passed as `name:=value` and read as `$(arg name)`",
-    ),
-    (
-        "attribute",
-        "Adds an attribute with a computed name to the parent element",
-    ),
-    ("call", "Calls a macro with a computed name"),
-    ("element", "Creates an element with a computed name"),
-    ("if", "Keeps its content if `value` is true"),
-    (
-        "include",
-        "Includes another file; `ns` puts its names in a namespace",
-    ),
-    (
-        "insert_block",
-        "Inserts a block: an element passed by the call, or the content of a property",
-    ),
-    (
-        "macro",
-        "Defines a macro that is called as `<xacro:NAME …/>`",
-    ),
-    (
-        "property",
-        "Defines a property: a named value or block of XML",
-    ),
-    ("unless", "Keeps its content if `value` is false"),
-];
-
 /// The element or attribute at a place.
 pub(super) fn about(cx: &Cx<'_>, at: &LocatedNode<'_>) -> Option<(TextRange, Page)> {
     let node = at.node?;
@@ -185,9 +153,10 @@ fn link(spec: &ElementSpec) -> String {
 
 /// The root element of the kind of file.
 fn root(cx: &Cx<'_>) -> &'static ElementSpec {
-    match is_semantic_file(&cx.source.path, &cx.source.document) {
-        true => semantic_robot(),
-        false => robot(),
+    if is_semantic_file(&cx.source.path, &cx.source.document) {
+        semantic_robot()
+    } else {
+        robot()
     }
 }
 
@@ -235,7 +204,7 @@ fn facts(spec: &AttributeSpec) -> String {
 }
 
 fn xacro_tag(cx: &Cx<'_>, at: &LocatedNode<'_>, node: Node<'_>, tag: &str) -> Option<Page> {
-    let (_, docs) = TAGS.iter().find(|(name, _)| *name == tag)?;
+    let docs = facts::xacro_tag(tag)?.docs;
     let mut page = Page::titled(format!(
         "**{}** – {docs}",
         code(&format!("<{}>", node.name()))

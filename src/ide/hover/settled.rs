@@ -126,9 +126,10 @@ impl<'a, 'c> Changes<'a, 'c> {
             let now = current(&file.source.path);
             if let Some(now) = now.as_ref().filter(|now| !Arc::ptr_eq(now, &file.source)) {
                 for (_, item) in now.document.parts() {
-                    match known.contains(&Arc::as_ptr(item)) {
-                        true => drop(kept.insert(Arc::as_ptr(item))),
-                        false => new.push(item.clone()),
+                    if known.contains(&Arc::as_ptr(item)) {
+                        kept.insert(Arc::as_ptr(item));
+                    } else {
+                        new.push(item.clone());
                     }
                 }
             }

@@ -411,9 +411,10 @@ impl TextNames {
         let mut asked = of_class.filter(|used| places.contains(&used.span) || used.name == new);
         let other = asked.find(|used| {
             let meant = self.among(&both, used, None);
-            match places.contains(&used.span) {
-                true => meant.iter().any(|id| others.contains(id)),
-                false => meant.iter().any(|id| group.contains(id)),
+            if places.contains(&used.span) {
+                meant.iter().any(|id| others.contains(id))
+            } else {
+                meant.iter().any(|id| group.contains(id))
             }
         });
         other.map(|used| used.span)

@@ -72,14 +72,14 @@ impl TextNames {
                 && other.kind != UseKind::Given
                 && other.scopes == property.scopes;
             let means_it = |given: &&TextDefinition| given.span == property.span;
-            match is_here {
-                true => self
-                    .meaning(other)
+            if is_here {
+                self.meaning(other)
                     .all()
                     .iter()
                     .any(means_it)
-                    .then_some(other.order),
-                false => Some(u32::MAX),
+                    .then_some(other.order)
+            } else {
+                Some(u32::MAX)
             }
         });
         last.max().unwrap_or(u32::MAX)

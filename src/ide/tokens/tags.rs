@@ -20,12 +20,13 @@ impl Collector<'_> {
                 .into_iter()
                 .flatten()
             {
-                let (start, kind) = match is_call {
-                    true => (
+                let (start, kind) = if is_call {
+                    (
                         name.end.saturating_sub(called.len() as u32).max(name.start),
                         TokenKind::Macro,
-                    ),
-                    false => (name.start, TokenKind::Keyword),
+                    )
+                } else {
+                    (name.start, TokenKind::Keyword)
                 };
                 self.add(TextRange::new(start, name.end).shift(base), kind, PLAIN);
             }

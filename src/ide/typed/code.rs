@@ -172,9 +172,10 @@ struct Words<'t> {
 impl<'t> Words<'t> {
     fn of(code: &'t str) -> Self {
         // line ends in the value of an attribute are blanks
-        let found = match code.contains(['\n', '\r']) {
-            true => words(&code.replace(['\n', '\r'], " ")),
-            false => words(code),
+        let found = if code.contains(['\n', '\r']) {
+            words(&code.replace(['\n', '\r'], " "))
+        } else {
+            words(code)
         };
         Self { code, found }
     }

@@ -98,9 +98,10 @@ fn just_opened(
     start: u32,
 ) -> Option<(u32, u32)> {
     let inner = open.last()?;
-    let base = match document.root() == Some(*inner) {
-        true => 0,
-        false => document.item_at(offset.saturating_sub(1)).start,
+    let base = if document.root() == Some(*inner) {
+        0
+    } else {
+        document.item_at(offset.saturating_sub(1)).start
     };
     let tag = inner.start_tag_range().shift(base);
     (tag.end == start).then_some((tag.start, tag.end))
@@ -131,9 +132,10 @@ impl<'a> Typed<'a> {
         });
         let value = attrs.filter(|value| value.touches(self.offset)).last();
         let rest = value.map_or(0, |value| value.end - self.offset);
-        match part_of(self.after, 0, rest).contains(['\n', '\r', '<']) {
-            true => 0,
-            false => rest,
+        if part_of(self.after, 0, rest).contains(['\n', '\r', '<']) {
+            0
+        } else {
+            rest
         }
     }
 

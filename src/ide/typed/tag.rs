@@ -54,9 +54,10 @@ impl<'a> Spot<'a> {
         };
         let is_behind_blank =
             !gap.is_empty() || self.text(0, self.inside).ends_with(char::is_whitespace);
-        match is_over && is_behind_blank {
-            true => (Typing::Attribute(node), self.inside),
-            false => (Typing::Nothing, self.inside),
+        if is_over && is_behind_blank {
+            (Typing::Attribute(node), self.inside)
+        } else {
+            (Typing::Nothing, self.inside)
         }
     }
 

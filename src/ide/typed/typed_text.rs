@@ -65,9 +65,10 @@ impl<'a> Spot<'a> {
             NodeKind::Comment => {
                 let raw = node.raw_range();
                 let is_open = is_inside || raw.end == range.end;
-                let what = match self.inside < raw.start {
-                    true => Typing::Nothing,
-                    false => Typing::Comment,
+                let what = if self.inside < raw.start {
+                    Typing::Nothing
+                } else {
+                    Typing::Comment
                 };
                 is_open.then(|| self.found(what, raw.start.min(self.inside), range.start))
             }
@@ -99,10 +100,12 @@ impl<'a> Spot<'a> {
         let typed = self.text(start, self.inside);
         if let Some(name) = typed.strip_prefix("</") {
             let is_name = !name.contains(|c: char| c.is_whitespace() || c == '>');
-            return match is_name {
-                true => Some(self.found(Typing::EndTag, start + 2, start)),
-                false if name.contains('>') => None,
-                false => Some(self.found(Typing::Nothing, self.inside, start)),
+            return if is_name {
+                Some(self.found(Typing::EndTag, start + 2, start))
+            } else if name.contains('>') {
+                None
+            } else {
+                Some(self.found(Typing::Nothing, self.inside, start))
             };
         }
         let is_markup = typed.starts_with("<!") && !typed.contains('>');
@@ -151,9 +154,10 @@ pub(super) fn find<'a>(document: &'a Document, offset: u32) -> TypedText<'a> {
         .or_else(|| in_end_tag(&spot))
         .unwrap_or_else(|| spot.found(Typing::Content, start_of_text(&spot), spot.inside));
     let is_behind_root = document.root_is_closed_empty() && offset >= document.header().len();
-    match is_behind_root && found.what != Typing::Comment {
-        true => spot.found(Typing::Nothing, spot.inside, spot.inside),
-        false => found,
+    if is_behind_root && found.what != Typing::Comment {
+        spot.found(Typing::Nothing, spot.inside, spot.inside)
+    } else {
+        found
     }
 }
 
@@ -163,14 +167,15 @@ fn in_root_end<'a>(document: &Document, spot: &Spot<'a>, offset: u32) -> Option<
     let typed = document.slice(TextRange::new(tag.start, offset.min(tag.end)));
     let name = typed.strip_prefix("</").filter(|_| offset <= tag.end);
     let is_name = name.is_some_and(|name| !name.contains(|c: char| c.is_whitespace() || c == '>'));
-    Some(match is_name {
-        true => TypedText {
+    Some(if is_name {
+        TypedText {
             what: Typing::EndTag,
             start: tag.start + 2,
             tag: None,
             around: tag.start,
-        },
-        false => spot.found(Typing::Nothing, spot.inside, spot.inside),
+        }
+    } else {
+        spot.found(Typing::Nothing, spot.inside, spot.inside)
     })
 }
 
@@ -231,8 +236,9 @@ fn in_end_tag<'a>(spot: &Spot<'a>) -> Option<TypedText<'a>> {
     let node = spot.ancestors().find(is_around)?;
     let (tag, name) = (node.end_tag()?, node.end_name_range()?);
     let is_name = name.start <= spot.inside && spot.inside <= name.end;
-    Some(match is_name {
-        true => spot.found(Typing::EndTag, name.start, tag.start),
-        false => spot.found(Typing::Nothing, spot.inside, tag.start),
+    Some(if is_name {
+        spot.found(Typing::EndTag, name.start, tag.start)
+    } else {
+        spot.found(Typing::Nothing, spot.inside, tag.start)
     })
 }

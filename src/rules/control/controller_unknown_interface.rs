@@ -215,20 +215,18 @@ fn report(
     let kind = if is_command { "command" } else { "state" };
     let message = format!("joint `{joint}` has no {kind} interface `{interface}`");
     let offered = hardware.offered(joint, is_command);
-    let help = match offered.is_empty() {
-        true => {
-            format!("add <{kind}_interface name=\"{interface}\"/> to the joint in `<ros2_control>`")
-        }
-        false if place.name == joint => {
-            format!(
-                "the controller commands it; the joint offers `{}`",
-                offered.join("`, `")
-            )
-        }
-        false => format!(
+    let help = if offered.is_empty() {
+        format!("add <{kind}_interface name=\"{interface}\"/> to the joint in `<ros2_control>`")
+    } else if place.name == joint {
+        format!(
+            "the controller commands it; the joint offers `{}`",
+            offered.join("`, `")
+        )
+    } else {
+        format!(
             "use an interface that the joint offers: `{}`",
             offered.join("`, `")
-        ),
+        )
     };
     let report = cx.report(out, place, message).severity(severity);
     report.help(help).done();

@@ -68,9 +68,10 @@ fn severity(cx: &RobotCx<'_>, block: &Gazebo, name: &str) -> Severity {
         return Severity::Warning;
     }
     let is_meant = holds_device(cx, block) || shares_word(cx, name);
-    match is_meant && !is_color(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
-        true => Severity::Warning,
-        false => Severity::Info,
+    if is_meant && !is_color(cx, block) && !is_written(cx, name) && !is_commented_out(cx, name) {
+        Severity::Warning
+    } else {
+        Severity::Info
     }
 }
 

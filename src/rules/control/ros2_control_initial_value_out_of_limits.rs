@@ -61,9 +61,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                     .name
                     .as_ref()
                     .is_some_and(|name| real.contains(name.value.as_str()));
-                let severity = match is_real || beyond <= NOTHING {
-                    true => Severity::Info,
-                    false => RULE.severity,
+                let severity = if is_real || beyond <= NOTHING {
+                    Severity::Info
+                } else {
+                    RULE.severity
                 };
                 let message = format!(
                     "initial value of joint `{}` is {}, outside its limits",

@@ -37,13 +37,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 // other arguments choose one: the parameters of a hardware whose plugin is missing would be here
                 let has_branch = source_mentions(cx.expansion, hardware, "plugin")
                     && tree.elements(hardware).next().is_none();
-                let message = match has_branch {
-                    true => {
-                        format!(
-                            "hardware of ros2_control `{name}` has no plugin with these arguments"
-                        )
-                    }
-                    false => format!("hardware of ros2_control `{name}` has no plugin"),
+                let message = if has_branch {
+                    format!("hardware of ros2_control `{name}` has no plugin with these arguments")
+                } else {
+                    format!("hardware of ros2_control `{name}` has no plugin")
                 };
                 out.report(tag_start(cx.expansion, hardware), message)
                     .severity(if has_branch { Severity::Info } else { RULE.severity })

@@ -129,15 +129,16 @@ fn report(cx: &DocumentCx<'_>, mesh: &MeshUse<'_>, out: &mut Sink<'_>) {
     let bounds = surface.bounds.scaled(mesh.factors().unwrap_or([1.0; 3]));
     let most = MAX_EXTENT.value(cx.world.config);
     let is_millimeters = extent > most && (0.001..=most).contains(&(extent / 1000.0));
-    let (cause, help) = match is_millimeters {
-        true => (
+    let (cause, help) = if is_millimeters {
+        (
             "; this looks like millimeters",
             "add scale=\"0.001 0.001 0.001\", or export the mesh in meters",
-        ),
-        false => (
+        )
+    } else {
+        (
             "",
             "check the unit of the mesh and `scale`; meshes are in meters",
-        ),
+        )
     };
     let size = meters(extent);
     let message = format!(

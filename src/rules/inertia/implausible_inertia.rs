@@ -51,12 +51,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let made_up = is_same_about_all_axes(entries);
-        let (severity, help) = match misfit.is_gross && !made_up && matters(cx, link, mass) {
-            true => (
+        let (severity, help) = if misfit.is_gross && !made_up && matters(cx, link, mass) {
+            (
                 Severity::Warning,
                 "check the units: kg m^2, not kg mm^2 or g mm^2",
-            ),
-            false => (Severity::Info, "compute the inertia from mass and shape"),
+            )
+        } else {
+            (Severity::Info, "compute the inertia from mass and shape")
         };
         let (name, radius, beside) = (link.shown(), short(radius), misfit.beside);
         let message = format!(

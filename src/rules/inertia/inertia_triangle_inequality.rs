@@ -42,9 +42,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let is_rotor = rotors == ROTORS && has_rotor(&(link, inertial));
-        let severity = match is_error(cx, link, inertial) && !is_rotor {
-            true => Severity::Error,
-            false => Severity::Info,
+        let severity = if is_error(cx, link, inertial) && !is_rotor {
+            Severity::Error
+        } else {
+            Severity::Info
         };
         let message = format!(
             "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",

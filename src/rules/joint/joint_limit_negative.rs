@@ -34,10 +34,12 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             let Some(text) = text else { continue };
             if let Some(value) = text.number().filter(|&value| value < 0.0) {
                 // SDFormat reads -1 as "no limit"; urdfdom refuses it from URDF 1.2 on
-                let severity = match value == -1.0 && !is_new {
-                    true if is_only_driven(cx, joint) || is_endless(limit) => Severity::Info,
-                    true => Severity::Warning,
-                    false => Severity::Error,
+                let severity = if value != -1.0 || is_new {
+                    Severity::Error
+                } else if is_only_driven(cx, joint) || is_endless(limit) {
+                    Severity::Info
+                } else {
+                    Severity::Warning
                 };
                 let message = format!(
                     "joint `{}` has negative {name} {}",

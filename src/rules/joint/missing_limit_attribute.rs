@@ -47,9 +47,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         );
         out.report(tag_start(cx.expansion, limit.element), message)
             .severity(if fixed { Severity::Info } else { Severity::Error })
-            .help(match is_new {
-                true => "add lower=\"...\" and upper=\"...\", which URDF 1.2 requires",
-                false => "add effort=\"...\" (N m or N) and velocity=\"...\" (rad/s or m/s), which urdfdom requires",
+            .help(if is_new {
+                "add lower=\"...\" and upper=\"...\", which URDF 1.2 requires"
+            } else {
+                "add effort=\"...\" (N m or N) and velocity=\"...\" (rad/s or m/s), which urdfdom requires"
             })
             .done();
     }

@@ -61,9 +61,10 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
         ];
         // a soft limit beyond the hard one has no effect; where both ranges meet in no more than a point, the joint cannot move
         let room = up.min(upper) - low.max(lower);
-        let severity = match room > ROUNDING {
-            true => Severity::Info,
-            false => Severity::Warning,
+        let severity = if room > ROUNDING {
+            Severity::Info
+        } else {
+            Severity::Warning
         };
         for (name, text, _, side, hard) in outside
             .into_iter()

@@ -23,12 +23,13 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         if !cx.robots.iter().all(|paired| is_reversed(paired, chain)) {
             continue;
         }
-        let (message, help) = match base.value == tip.value {
-            true => (
+        let (message, help) = if base.value == tip.value {
+            (
                 format!("chain begins and ends at link `{}`", base.value),
                 "write the last link of the chain as `tip_link`".to_owned(),
-            ),
-            false => (
+            )
+        } else {
+            (
                 format!(
                     "chain from `{}` to `{}` leads up the tree",
                     base.value, tip.value
@@ -37,7 +38,7 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                     "exchange them: base_link=\"{}\" tip_link=\"{}\"",
                     tip.value, base.value
                 ),
-            ),
+            )
         };
         // of a chain that leads up, MoveIt makes the group of the same joints
         let severity = if base.value == tip.value {

@@ -35,14 +35,14 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         };
         // MoveIt warns, and passes over the pair: one for another variant of the robot, unless the name is misspelled
         let is_of_pair = of_pairs.iter().any(|link| std::ptr::eq(*link, text));
-        let severity = match is_of_pair {
-            true if !cx.is_misspelled(kind, name)
-                && *is_variant.get_or_init(|| is_for_variants(cx, &of_pairs)) =>
-            {
-                Severity::Info
-            }
-            true => Severity::Warning,
-            false => RULE.severity,
+        let severity = if !is_of_pair {
+            RULE.severity
+        } else if !cx.is_misspelled(kind, name)
+            && *is_variant.get_or_init(|| is_for_variants(cx, &of_pairs))
+        {
+            Severity::Info
+        } else {
+            Severity::Warning
         };
         unknown(
             cx,

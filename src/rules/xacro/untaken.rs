@@ -26,13 +26,11 @@ pub(super) fn files(cx: &DocumentCx<'_>) -> Option<Vec<Arc<SourceFile>>> {
     for (idx, file) in cx.expansion.files.iter_ids() {
         for (range, filename) in includes(&file.source) {
             let place = FileRange { file: idx, range };
-            match taken.contains(&place) {
-                false => open.extend(load(cx, &filename, &file.source.path)?),
+            if !taken.contains(&place) {
+                open.extend(load(cx, &filename, &file.source.path)?);
+            } else if is_computed(&filename) {
                 // a folder that a property holds is often the same with all arguments: what was read has to do then
-                true if is_computed(&filename) => {
-                    open.extend(load(cx, &filename, &file.source.path).unwrap_or_default())
-                }
-                true => {}
+                open.extend(load(cx, &filename, &file.source.path).unwrap_or_default());
             }
         }
     }

@@ -85,9 +85,12 @@ impl MentionedWords {
             return;
         }
         // nearly all texts are ASCII, where letters are told at once
-        let ends_word = |c: char| match c.is_ascii() {
-            true => !c.is_ascii_alphanumeric() && c != '_',
-            false => !c.is_alphanumeric(),
+        let ends_word = |c: char| {
+            if c.is_ascii() {
+                !c.is_ascii_alphanumeric() && c != '_'
+            } else {
+                !c.is_alphanumeric()
+            }
         };
         // no name begins like a number
         let is_name = |word: &&str| {

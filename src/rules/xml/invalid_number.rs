@@ -223,11 +223,12 @@ fn report_meant(
     let report = out
         .report(text.origin, message)
         .help(format!("{help}: {name}=\"{value}\""));
-    match is_written {
-        true => report
+    if is_written {
+        report
             .replace_with(Safety::Unsafe, format!("replace with `{value}`"), value)
-            .done(),
-        false => report.done(),
+            .done()
+    } else {
+        report.done()
     }
 }
 

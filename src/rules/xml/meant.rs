@@ -60,9 +60,12 @@ fn holds_numbers(value: &str, count: usize) -> bool {
 
 /// The words of a value with `${...}` around those that are expressions of known names.
 fn bracketed(cx: &DocumentCx<'_>, value: &str) -> Option<String> {
-    let words = value.split_whitespace().map(|word| match is_decimal(word) {
-        true => Some(word.to_owned()),
-        false => expression(cx, word).map(|code| format!("${{{code}}}")),
+    let words = value.split_whitespace().map(|word| {
+        if is_decimal(word) {
+            Some(word.to_owned())
+        } else {
+            expression(cx, word).map(|code| format!("${{{code}}}"))
+        }
     });
     Some(words.collect::<Option<Vec<String>>>()?.join(" "))
 }

@@ -86,10 +86,12 @@ fn report(
         let severity = if is_idle { Severity::Hint } else { severity };
         return report.severity(severity).help(help).done();
     };
-    let severity = match is_needed(cx, id, parent, near) {
-        true => Severity::Error,
-        false if is_identity(cx, id, near) => Severity::Hint,
-        false => Severity::Warning,
+    let severity = if is_needed(cx, id, parent, near) {
+        Severity::Error
+    } else if is_identity(cx, id, near) {
+        Severity::Hint
+    } else {
+        Severity::Warning
     };
     let report = report
         .severity(severity)

@@ -62,10 +62,12 @@ fn expressions(cx: &FileCx<'_>, out: &mut Sink<'_>) {
         return;
     };
     let is_for_xacro = cx.root_attrs().any(|attr| attr.name() == "xmlns:xacro");
-    let severity = match is_for_xacro {
-        true if reads_as_it_stands(cx) => Severity::Warning,
-        true => Severity::Info,
-        false => Severity::Error,
+    let severity = if !is_for_xacro {
+        Severity::Error
+    } else if reads_as_it_stands(cx) {
+        Severity::Warning
+    } else {
+        Severity::Info
     };
     out.report_in(
         cx.file,

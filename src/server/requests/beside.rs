@@ -162,9 +162,10 @@ pub fn robots_described(
     source: &SourceFile,
     cancel: &CancelFlag,
 ) -> Vec<Arc<RootAnalysis>> {
-    match rules::is_semantic_file(path, &source.document) {
-        true => robots_named(state, path, cancel),
-        false => Vec::new(),
+    if rules::is_semantic_file(path, &source.document) {
+        robots_named(state, path, cancel)
+    } else {
+        Vec::new()
     }
 }
 

@@ -182,13 +182,14 @@ fn completion_item(
         .as_ref()
         .filter(|_| state.client.completion.snippets && state.settings.snippets);
     let text = snippet.unwrap_or(&item.text).clone();
-    let edit = match state.client.completion.insert_replace {
-        true => CompletionTextEdit::InsertAndReplace(InsertReplaceEdit {
+    let edit = if state.client.completion.insert_replace {
+        CompletionTextEdit::InsertAndReplace(InsertReplaceEdit {
             new_text: text,
             insert: replaced.insert,
             replace: replaced.replace,
-        }),
-        false => CompletionTextEdit::Edit(TextEdit::new(replaced.insert, text)),
+        })
+    } else {
+        CompletionTextEdit::Edit(TextEdit::new(replaced.insert, text))
     };
     let note = Some(item.note.clone()).filter(|note| !note.is_empty());
     let detail = Some(item.detail.clone()).filter(|detail| !detail.is_empty());
@@ -256,12 +257,13 @@ pub fn signature_help(
 fn signature(state: &ServerState, found: Signature) -> SignatureInformation {
     let label = &found.label;
     let parameter = |range: &TextRange| ParameterInformation {
-        label: match state.client.completion.label_offsets {
-            true => ParameterLabel::LabelOffsets([
+        label: if state.client.completion.label_offsets {
+            ParameterLabel::LabelOffsets([
                 utf16_width(label, range.start),
                 utf16_width(label, range.end),
-            ]),
-            false => ParameterLabel::Simple(range.slice(label).to_owned()),
+            ])
+        } else {
+            ParameterLabel::Simple(range.slice(label).to_owned())
         },
         documentation: None,
     };

@@ -12,7 +12,7 @@ use crate::state::ServerState;
 use analysis::AnalysisHost;
 use base::clock::Instant;
 use base::{CancelFlag, Span};
-use expand::{Expansion, FileRange, ProblemSeverity};
+use expand::{Expansion, FileRange, Severity};
 use ide::SourceMap;
 
 #[derive(Clone, Debug, Deserialize)]
@@ -119,7 +119,7 @@ pub fn errors(state: &ServerState, expansion: &Expansion) -> Vec<ExpandError> {
     let problems = expansion
         .problems
         .iter()
-        .filter(|p| p.severity == ProblemSeverity::Error && !p.probed);
+        .filter(|p| p.severity == Severity::Error && !p.probed);
     let error = problems.filter_map(|problem| {
         let stack = problem.trace.iter().filter_map(|step| {
             Some(StackEntry {

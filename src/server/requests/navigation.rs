@@ -237,18 +237,17 @@ fn file_target(
 ) -> Option<GotoDefinitionResponse> {
     let origin = convert::range(&asked.source.document, origin, state.encoding);
     let file = state.host.session().vfs.file_id(&place.path);
-    let range = match place.range == TextRange::default() || !ide::is_text(&place.path) {
-        true => Range::default(),
-        false => {
-            location(
-                state,
-                Span {
-                    file,
-                    range: place.range,
-                },
-            )?
-            .range
-        }
+    let range = if place.range == TextRange::default() || !ide::is_text(&place.path) {
+        Range::default()
+    } else {
+        location(
+            state,
+            Span {
+                file,
+                range: place.range,
+            },
+        )?
+        .range
     };
     let link = LocationLink {
         origin_selection_range: Some(origin),
@@ -309,9 +308,10 @@ pub fn highlights(
     let own = uses
         .filter(|used| used.span.file == asked.source.id)
         .map(|used| {
-            let kind = match used.is_definition {
-                true => DocumentHighlightKind::WRITE,
-                false => DocumentHighlightKind::READ,
+            let kind = if used.is_definition {
+                DocumentHighlightKind::WRITE
+            } else {
+                DocumentHighlightKind::READ
             };
             highlight(state, document, used.span.range, kind)
         });

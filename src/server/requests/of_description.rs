@@ -55,8 +55,11 @@ pub fn is_not_described(path: &Path) -> bool {
 pub fn of_description<P: OfDocument, R: Default>(
     work: fn(&mut ServerState, P, &CancelFlag) -> Result<R, RequestFailure>,
 ) -> impl FnOnce(&mut ServerState, P, &CancelFlag) -> Result<R, RequestFailure> {
-    move |state, params, cancel| match is_not_described(&state.path(params.uri())) {
-        true => Ok(R::default()),
-        false => work(state, params, cancel),
+    move |state, params, cancel| {
+        if is_not_described(&state.path(params.uri())) {
+            Ok(R::default())
+        } else {
+            work(state, params, cancel)
+        }
     }
 }

@@ -196,11 +196,12 @@ fn admit_edit(state: &ServerState, path: &Path) -> Result<(), RequestFailure> {
             "`{shown}` is in an install folder and is not changed"
         )));
     }
-    match state.client.edits.annotations {
-        true => Ok(()),
-        false => Err(RequestFailure::Refused(format!(
+    if state.client.edits.annotations {
+        Ok(())
+    } else {
+        Err(RequestFailure::Refused(format!(
             "`{shown}` is not in the workspace and is not changed"
-        ))),
+        )))
     }
 }
 
@@ -357,9 +358,10 @@ fn annotated(state: &ServerState, edits: BTreeMap<Url, Vec<TextEdit>>) -> Worksp
             continue;
         }
         let outside = !is_ours(state, &path);
-        let (id, label) = match outside {
-            true => ("outside", "in files outside the workspace"),
-            false => ("closed", "in files that are not open"),
+        let (id, label) = if outside {
+            ("outside", "in files outside the workspace")
+        } else {
+            ("closed", "in files that are not open")
         };
         let (annotation_id, label) = (id.to_owned(), label.to_owned());
         let annotation = ChangeAnnotation {

@@ -27,18 +27,17 @@ pub fn symbols(
     let symbols = symbols
         .into_iter()
         .map(|symbol| document_symbol(state, &source.document, symbol));
-    Ok(Some(match state.client.nested_symbols {
-        true => DocumentSymbolResponse::Nested(symbols.collect()),
-        false => {
-            let mut flat = Vec::new();
-            flatten(
-                symbols.collect(),
-                None,
-                &params.text_document.uri,
-                &mut flat,
-            );
-            DocumentSymbolResponse::Flat(flat)
-        }
+    Ok(Some(if state.client.nested_symbols {
+        DocumentSymbolResponse::Nested(symbols.collect())
+    } else {
+        let mut flat = Vec::new();
+        flatten(
+            symbols.collect(),
+            None,
+            &params.text_document.uri,
+            &mut flat,
+        );
+        DocumentSymbolResponse::Flat(flat)
     }))
 }
 

@@ -154,9 +154,10 @@ impl TextMentions {
         self.simulates |= read::simulates(text);
         self.meets |= purpose::meets(text);
         self.moves |= !is_description && !is_page && read::simulates(text);
-        self.weighs |= match is_description {
-            true => purpose::is_for_gazebo(text),
-            false => !is_page && purpose::weighs(text),
+        self.weighs |= if is_description {
+            purpose::is_for_gazebo(text)
+        } else {
+            !is_page && purpose::weighs(text)
         };
         self.refuses |= !is_page && purpose::refuses(text);
         self.runs |=

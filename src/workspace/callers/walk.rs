@@ -39,13 +39,11 @@ pub(super) fn walk(vfs: &Vfs, top: &Path, visit: &mut Visit<'_>) -> bool {
             let passed_over = entry.name.starts_with('.')
                 || is_built(&entry.name)
                 || entry.name == "node_modules";
-            match entry.is_dir {
-                true if passed_over || depth >= CALLER_DEPTH => {}
-                true => open.push((path, depth + 1)),
-                false => {
-                    let is_small = || vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
-                    visit(&path, &entry.name, &is_small);
-                }
+            if !entry.is_dir {
+                let is_small = || vfs.size(&path).is_some_and(|size| size <= CALLER_BYTES);
+                visit(&path, &entry.name, &is_small);
+            } else if !passed_over && depth < CALLER_DEPTH {
+                open.push((path, depth + 1));
             }
         }
     }

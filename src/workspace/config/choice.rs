@@ -1,6 +1,7 @@
 //! Settings that are one of a few words.
 
 use super::super::packages::RosVersion;
+use base::Severity;
 
 /// A setting that is one of a few words.
 pub(super) trait Choice: Copy + PartialEq + 'static {
@@ -46,15 +47,13 @@ pub enum Profile {
     Pedantic,
 }
 
-/// The severity a rule is set to.
+/// What a rule is set to: a severity, or a word more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[allow(missing_docs)]
 pub enum RuleLevel {
+    /// The rule does not run.
     Off,
-    Hint,
-    Info,
-    Warning,
-    Error,
+    /// Its findings have this severity.
+    At(Severity),
 }
 
 /// Line breaks between attributes.
@@ -73,13 +72,6 @@ choices!(Profile {
     "gazebo" => Gazebo,
     "pedantic" => Pedantic,
 });
-choices!(RuleLevel {
-    "error" => Error,
-    "warning" => Warning,
-    "info" => Info,
-    "hint" => Hint,
-    "off" => Off,
-});
 choices!(AttributeLayout { "keep" => Keep, "auto" => Auto });
 
 impl Profile {
@@ -94,25 +86,51 @@ impl Profile {
     }
 }
 
+impl Choice for RuleLevel {
+    const NAMES: &'static [&'static str] = &[
+        Severity::Error.name(),
+        Severity::Warning.name(),
+        Severity::Info.name(),
+        Severity::Hint.name(),
+        "off",
+    ];
+    const ALL: &'static [Self] = &[
+        Self::At(Severity::Error),
+        Self::At(Severity::Warning),
+        Self::At(Severity::Info),
+        Self::At(Severity::Hint),
+        Self::Off,
+    ];
+}
+
 impl RuleLevel {
     /// Its name.
     pub fn name(self) -> &'static str {
         self.word()
+    }
+
+    /// The severity; none switches the rule off.
+    pub fn severity(self) -> Option<Severity> {
+        match self {
+            RuleLevel::Off => None,
+            RuleLevel::At(severity) => Some(severity),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Profile, RuleLevel};
+    use base::Severity;
 
     #[test]
     fn names() {
         let levels = [
             RuleLevel::Off,
-            RuleLevel::Hint,
-            RuleLevel::Info,
-            RuleLevel::Warning,
-            RuleLevel::Error,
+            RuleLevel::At(Severity::Hint),
+            RuleLevel::At(Severity::Info),
+            RuleLevel::At(Severity::Warning),
+            RuleLevel::At(Severity::Error),
         ];
         let names = levels.map(RuleLevel::name);
         assert_eq!(names, ["off", "hint", "info", "warning", "error"]);

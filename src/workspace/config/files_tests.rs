@@ -4,6 +4,7 @@ use super::settings::ConfigTable;
 use super::tests::load;
 use super::{Config, LoadedConfig, RuleLevel, find_config, schema};
 use crate::RosVersion;
+use base::Severity;
 use vfs::testing::Tree;
 
 #[test]
@@ -118,7 +119,7 @@ fn settings_of_an_editor_win() {
     assert_eq!(config.package_path, [tree.path("../other")]);
     assert_eq!(
         (config.severity["unused-property"], config.severity["a"]),
-        (RuleLevel::Off, RuleLevel::Error)
+        (RuleLevel::Off, RuleLevel::At(Severity::Error))
     );
     assert_eq!(
         (config.format.line_width, config.format.self_close),

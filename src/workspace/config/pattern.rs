@@ -166,9 +166,10 @@ fn reach(
     };
     if let Some(name) = literal {
         let path = folder.join(name);
-        match rest.is_empty() {
-            true => found.extend(vfs.is_file(&path).then_some(path)),
-            false => reach(vfs, &path, rest, left, found),
+        if rest.is_empty() {
+            found.extend(vfs.is_file(&path).then_some(path));
+        } else {
+            reach(vfs, &path, rest, left, found);
         }
         return;
     }
@@ -182,18 +183,16 @@ fn reach(
     for entry in vfs.list_dir(folder).iter() {
         let skipped = entry.name.starts_with('.') || is_built(&entry.name);
         let path = folder.join(&entry.name);
-        match entry.is_dir {
-            _ if skipped || !first.takes(&entry.name) => {}
-            true if !vfs.is_own_folder(&path) => {}
-            true => reach(
-                vfs,
-                &path,
-                if first.is_any_depth() { segments } else { rest },
-                left,
-                found,
-            ),
-            false if rest.is_empty() => found.push(path),
-            false => {}
+        if skipped || !first.takes(&entry.name) {
+            continue;
+        }
+        if !entry.is_dir {
+            if rest.is_empty() {
+                found.push(path);
+            }
+        } else if vfs.is_own_folder(&path) {
+            let below = if first.is_any_depth() { segments } else { rest };
+            reach(vfs, &path, below, left, found);
         }
     }
 }

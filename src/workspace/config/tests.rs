@@ -2,6 +2,7 @@ use std::path::PathBuf;
 
 use super::{AttributeLayout, Config, ConfigMentionKind, Limits, LoadedConfig, Profile, RuleLevel};
 use crate::RosVersion;
+use base::Severity;
 use vfs::testing::Tree;
 
 /// The configuration of `text`, and its warnings without the folder.
@@ -105,7 +106,10 @@ include-depth = 6
         ("my_sensor", "my_unit")
     );
     assert_eq!(config.severity["GEO007"], RuleLevel::Off);
-    assert_eq!(config.severity["unused-property"], RuleLevel::Hint);
+    assert_eq!(
+        config.severity["unused-property"],
+        RuleLevel::At(Severity::Hint)
+    );
     assert!(
         config.per_file_ignores[0]
             .0

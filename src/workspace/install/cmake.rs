@@ -403,9 +403,10 @@ impl CMakeReader<'_> {
             self.build.is_opaque |= after(words, "DESTINATION").is_some();
             return;
         };
-        let to = match is_install {
-            true => tidy(Path::new(destination.trim_start_matches('/'))),
-            false => in_tree(&build_folder(here.folder), destination),
+        let to = if is_install {
+            tidy(Path::new(destination.trim_start_matches('/')))
+        } else {
+            in_tree(&build_folder(here.folder), destination)
         };
         let renamed = after(words, "RENAME").cloned().flatten();
         let is_source =

@@ -189,14 +189,13 @@ mod tests {
             let found: Vec<String> = commands(text)
                 .iter()
                 .map(|command| {
-                    let arguments =
-                        command
-                            .arguments
-                            .iter()
-                            .map(|argument| match argument.is_quoted {
-                                true => format!("'{}'", argument.text),
-                                false => argument.text.clone(),
-                            });
+                    let arguments = command.arguments.iter().map(|argument| {
+                        if argument.is_quoted {
+                            format!("'{}'", argument.text)
+                        } else {
+                            argument.text.clone()
+                        }
+                    });
                     format!(
                         "{}: {}",
                         command.name,

@@ -212,9 +212,10 @@ impl Build {
     fn taken(&self, vfs: &Vfs, source: &InstallSource, rest: &Path, depth: u32) -> Option<Built> {
         match source {
             InstallSource::Path(path) => {
-                let path = match rest.as_os_str().is_empty() {
-                    true => path.clone(),
-                    false => path.join(rest),
+                let path = if rest.as_os_str().is_empty() {
+                    path.clone()
+                } else {
+                    path.join(rest)
                 };
                 if vfs.exists(&path) {
                     return Some(Built {

@@ -32,9 +32,10 @@ fn nested(
         }
         let end = closing(inner);
         let code = inner.get(..end).unwrap_or(inner);
-        text.push(match depth < MOST_NESTED && end < inner.len() {
-            true => substitution(code, at, folder, commands, depth),
-            false => Text::opaque(),
+        text.push(if depth < MOST_NESTED && end < inner.len() {
+            substitution(code, at, folder, commands, depth)
+        } else {
+            Text::opaque()
         });
         rest = inner.get(end + 1..).unwrap_or("");
     }

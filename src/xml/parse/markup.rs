@@ -110,11 +110,10 @@ impl ItemParser<'_> {
                 searched = dashes;
             }
             if self.errors.len() == first_error {
-                let message = match opens {
-                    true => {
-                        "`<!--` is not allowed in a comment\nremove the inner `<!--` and its `-->`; comments cannot be nested"
-                    }
-                    false => "`--` is not allowed in a comment\nwrite `- -`",
+                let message = if opens {
+                    "`<!--` is not allowed in a comment\nremove the inner `<!--` and its `-->`; comments cannot be nested"
+                } else {
+                    "`--` is not allowed in a comment\nwrite `- -`"
                 };
                 self.error(
                     Kind::BadComment,
@@ -204,11 +203,10 @@ impl ItemParser<'_> {
             .split('\n')
             .next()
             .unwrap_or_default();
-        let message = match shape.kind == NodeKind::Comment && line.contains("->") {
-            true => {
-                format!("unclosed {what}: `{close}` is missing\nwrite `{close}` instead of `->`")
-            }
-            false => format!("unclosed {what}: `{close}` is missing\nadd `{close}`"),
+        let message = if shape.kind == NodeKind::Comment && line.contains("->") {
+            format!("unclosed {what}: `{close}` is missing\nwrite `{close}` instead of `->`")
+        } else {
+            format!("unclosed {what}: `{close}` is missing\nadd `{close}`")
         };
         let end = (start + shape.open).min(self.pos);
         self.error(Kind::UnclosedMarkup, (start, end), expat_error, message);

@@ -207,10 +207,11 @@ impl<'t> ItemParser<'t> {
         let end = start + self.slice(start, self.pos).trim_end().len();
         self.push_node(NodeKind::Junk, start, 0);
         let text = self.slice(start, end);
-        let message = match text.starts_with("</") && text.ends_with('>') {
-            true => format!("extra end tag `{text}`\nremove `{text}`"),
-            false => "text outside the root element\nremove the text, or put it in a comment <!-- ... -->"
-                .to_owned(),
+        let message = if text.starts_with("</") && text.ends_with('>') {
+            format!("extra end tag `{text}`\nremove `{text}`")
+        } else {
+            "text outside the root element\nremove the text, or put it in a comment <!-- ... -->"
+                .to_owned()
         };
         self.error(Kind::OutsideRoot, (start, end), expat_error, message);
         self.mark_divergence();

@@ -96,11 +96,10 @@ impl ItemParser<'_> {
                     if gap == at && !bad {
                         let written = self.slice(start, at);
                         let is_inside = written.rfind("${") > written.rfind('}');
-                        let message = match is_inside {
-                            true => {
-                                "missing space between attributes\nuse single quotes inside of the value: `'`; `\"` ends it"
-                            }
-                            false => "missing space between attributes\nadd a space",
+                        let message = if is_inside {
+                            "missing space between attributes\nuse single quotes inside of the value: `'`; `\"` ends it"
+                        } else {
+                            "missing space between attributes\nadd a space"
                         };
                         let end = self.char_end(at);
                         self.error(Kind::BadAttribute, (at, end), (expat::INVALID, at), message);

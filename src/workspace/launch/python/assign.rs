@@ -72,12 +72,11 @@ impl<'s> PythonReader<'s> {
         for name in without_comment(names).split(',') {
             let (module, alias) = name.split_once(" as ").unwrap_or((name, name));
             let (module, alias) = (module.trim(), alias.trim());
-            match alias == module {
-                true => {
-                    let top = module.split('.').next().unwrap_or(module);
-                    self.scopes.set(top, PythonValue::Outer(top.into()));
-                }
-                false => self.scopes.set(alias, PythonValue::Outer(module.into())),
+            if alias == module {
+                let top = module.split('.').next().unwrap_or(module);
+                self.scopes.set(top, PythonValue::Outer(top.into()));
+            } else {
+                self.scopes.set(alias, PythonValue::Outer(module.into()));
             }
         }
     }
@@ -105,12 +104,13 @@ impl<'s> PythonReader<'s> {
 
     fn returns(&mut self, statement: &'s Statement) {
         let code = statement.range.slice(self.text);
-        let value = match code.trim() == "return" {
-            true => PythonValue::None,
-            false => self.value_at(TextRange::new(
+        let value = if code.trim() == "return" {
+            PythonValue::None
+        } else {
+            self.value_at(TextRange::new(
                 statement.range.start + 6,
                 statement.range.end,
-            )),
+            ))
         };
         if let Some(returned) = self.returned.last_mut() {
             *returned = Some(match returned.take() {
