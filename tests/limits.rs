@@ -280,7 +280,7 @@ fn proof_expansions() {
     let fixed = |arguments| {
         run(
             &included_twice(arguments),
-            &["fix", "."],
+            &["fix", ".", "--show", "info"],
             &mut std::io::empty(),
         )
     };

@@ -182,7 +182,7 @@ fn settings_in_copied_repositories() {
         "src/gripper_stack/gripper_description/launch/bringup.launch",
         "<include file='$(find arm_moveit_config)/launch/demo.launch'/>".to_owned(),
     );
-    assert_eq!(of(&[bringup.clone()]), Some(Severity::Info));
+    assert_eq!(of(std::slice::from_ref(&bringup)), Some(Severity::Info));
     let own = (
         "src/rover_description/launch/all.launch",
         "<include file='$(find gripper_description)/launch/bringup.launch'/>".to_owned(),

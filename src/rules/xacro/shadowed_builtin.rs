@@ -33,14 +33,14 @@ const ROUNDING: f64 = 1e-9;
 /// Part of a value that nobody misses.
 const ROUGH: f64 = 1e-3;
 
-/// Whether a property is the symbol that it hides, in fewer digits, and xacro says so without harm: in ROS 2, launch files fail with
-/// what it writes to its error output.
+/// Whether a property is the symbol that it hides, in fewer digits, and the xacro that a file is for says so without harm: in
+/// ROS 2, launch files fail with what xacro writes to its error output.
 pub(in super::super) fn is_harmless(
     expansion: &Expansion,
     problem: &Problem,
     generation: Option<RosVersion>,
 ) -> bool {
-    generation != Some(RosVersion::Ros2)
+    generation == Some(RosVersion::Ros1)
         && definition(expansion, problem)
             .is_some_and(|node| has_value(expansion, problem.place, node, ROUGH))
 }
