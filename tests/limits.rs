@@ -280,7 +280,14 @@ fn proof_expansions() {
     let fixed = |arguments| {
         run(
             &included_twice(arguments),
-            &["fix", ".", "--show", "info"],
+            &[
+                "fix",
+                ".",
+                "--select",
+                "duplicate-include",
+                "--show",
+                "info",
+            ],
             &mut std::io::empty(),
         )
     };

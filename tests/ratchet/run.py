@@ -33,6 +33,8 @@ def robots():
                    check=True)
     with zipfile.ZipFile(next(folder.glob('*.whl'))) as wheel:
         wheel.extractall(folder)
+    # a repository of its own: what the texts of this one say of such robots does not count
+    (top / '.git').mkdir(exist_ok=True)
     # the meshes are named by the package's folder, not by its name
     manifest = top / 'package.xml'
     text = manifest.read_text(encoding='utf-8')

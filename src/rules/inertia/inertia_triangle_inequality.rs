@@ -42,10 +42,13 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             continue;
         };
         let is_rotor = rotors == ROTORS && has_rotor(&(link, inertial));
-        let severity = if is_error(cx, link, inertial) && !is_rotor {
-            Severity::Error
-        } else {
+        // what never moves here may be a part that moves elsewhere
+        let severity = if !is_error(cx, link, inertial) || is_rotor {
             Severity::Info
+        } else if is_in_world(cx, link) {
+            Severity::Warning
+        } else {
+            Severity::Error
         };
         let message = format!(
             "inertia of link `{}` is impossible: moment {} exceeds the sum of {} and {}",
@@ -102,5 +105,5 @@ pub(super) fn is_error(cx: &DocumentCx<'_>, link: &Link, inertial: &Inertial) ->
     let is_added = inertial
         .mass()
         .is_some_and(|mass| is_small_part(cx, link, mass));
-    !is_added && !is_in_world(cx, link) && a + b < c * (1.0 - COARSE) && c - a - b > LAST_DIGIT
+    !is_added && a + b < c * (1.0 - COARSE) && c - a - b > LAST_DIGIT
 }

@@ -4,6 +4,9 @@ use super::super::rule::{Category, Rule, Severity, page};
 use super::super::sink::Sink;
 use project::ProjectNameKind;
 
+/// What Pinocchio calls the joint of a base that moves freely, in the postures that it reads from an SRDF; no URDF has it.
+const FREE_FLYER: &str = "root_joint";
+
 pub(super) static RULE: Rule = Rule::beside(
     "SRD003",
     "srdf-unknown-joint",
@@ -22,11 +25,16 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
         else {
             continue;
         };
+        let severity = if name == FREE_FLYER {
+            Severity::Info
+        } else {
+            RULE.severity
+        };
         unknown(
             cx,
             out,
             (text, kind),
-            RULE.severity,
+            severity,
             format!("SRDF refers to unknown joint `{name}`"),
         );
     }
