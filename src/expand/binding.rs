@@ -27,7 +27,7 @@ pub(super) enum GivenBlock {
 
 /// A call of a macro while its parameters are bound.
 #[derive(Clone, Copy)]
-pub(super) struct Call<'a> {
+pub(super) struct MacroCall<'a> {
     pub tag: Tag<'a>,
     pub def: &'a MacroDef,
     /// The start tag.
@@ -40,8 +40,8 @@ pub(super) struct Call<'a> {
 
 impl Expander<'_> {
     /// Attributes of the call, evaluated where the call stands. Gives the parameters that are left.
-    pub(super) fn bind_attributes<'d>(&mut self, call: Call<'d>) -> Vec<&'d MacroParam> {
-        let Call { tag, cx, .. } = call;
+    pub(super) fn bind_attributes<'d>(&mut self, call: MacroCall<'d>) -> Vec<&'d MacroParam> {
+        let MacroCall { tag, cx, .. } = call;
         let mut open = OpenParams::new(&call.def.params);
         for attr in tag.attrs() {
             let at = Origin {
@@ -77,7 +77,13 @@ impl Expander<'_> {
     }
 
     /// Evaluate a text in the caller's scope and bind it in the body's.
-    fn bind_param(&mut self, call: Call<'_>, param: &MacroParam, text: &str, place: TextOrigin) {
+    fn bind_param(
+        &mut self,
+        call: MacroCall<'_>,
+        param: &MacroParam,
+        text: &str,
+        place: TextOrigin,
+    ) {
         let mark = self.names.reads.len();
         let value = literal_of(self.eval_text(text, place, call.cx.scope));
         let reads = self.take_reads(mark);
@@ -110,12 +116,12 @@ impl Expander<'_> {
     /// too many.
     pub(super) fn bind_blocks(
         &mut self,
-        call: Call<'_>,
+        call: MacroCall<'_>,
         given: Vec<GivenBlock>,
         is_sure: bool,
         open: &mut Vec<&MacroParam>,
     ) {
-        let Call { def, at, body, .. } = call;
+        let MacroCall { def, at, body, .. } = call;
         let mut wanted: Vec<&MacroParam> = open.iter().copied().filter(|p| p.is_block()).collect();
         open.retain(|p| !p.is_block());
         if given.len() > wanted.len() {
@@ -217,8 +223,8 @@ impl Expander<'_> {
     }
 
     /// Defaults of the parameters that are left.
-    pub(super) fn bind_defaults(&mut self, call: Call<'_>, open: &mut Vec<&MacroParam>) {
-        let Call { def, at, body, .. } = call;
+    pub(super) fn bind_defaults(&mut self, call: MacroCall<'_>, open: &mut Vec<&MacroParam>) {
+        let MacroCall { def, at, body, .. } = call;
         let mut left = Vec::new();
         for param in std::mem::take(open) {
             let Some(spec) = def.params.fallback(&param.name) else {
@@ -247,8 +253,8 @@ impl Expander<'_> {
     }
 
     /// `^`: the value the caller sees under the same name.
-    fn forward(&mut self, call: Call<'_>, param: &MacroParam) -> bool {
-        let Call { at, cx, body, .. } = call;
+    fn forward(&mut self, call: MacroCall<'_>, param: &MacroParam) -> bool {
+        let MacroCall { at, cx, body, .. } = call;
         let name = &param.name;
         let mark = self.names.reads.len();
         let outer = self
@@ -313,8 +319,8 @@ impl Expander<'_> {
         );
     }
 
-    pub(super) fn missing_params(&mut self, call: Call<'_>, open: &[&MacroParam]) {
-        let Call { def, at, body, .. } = call;
+    pub(super) fn missing_params(&mut self, call: MacroCall<'_>, open: &[&MacroParam]) {
+        let MacroCall { def, at, body, .. } = call;
         if self.flow.unwinding {
             return;
         }
@@ -378,12 +384,12 @@ impl Expander<'_> {
     /// taken for that one: a typing error is one finding, not two.
     fn misspelled_param<'d>(
         &mut self,
-        call: Call<'_>,
+        call: MacroCall<'_>,
         open: &mut OpenParams<'d>,
         name: &str,
         at: Origin,
     ) -> Option<&'d MacroParam> {
-        let Call { tag, def, body, .. } = call;
+        let MacroCall { tag, def, body, .. } = call;
         let message = format!("unknown parameter `{name}` in call of macro `{}`", def.name);
         let mut problem = self
             .problem(ProblemKind::UnknownMacroParam, at, message)

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use ecow::EcoString;
 
-use super::binding::{Call, GivenBlock};
+use super::binding::{GivenBlock, MacroCall};
 use super::expander::Expander;
 use super::kind::ProblemKind;
 use super::macro_table::{MacroDef, MacrosId};
@@ -94,7 +94,7 @@ impl Expander<'_> {
             macros: self.names.macros.push(Some(macros)),
             frame,
         };
-        let call = Call {
+        let call = MacroCall {
             tag,
             def: &def,
             at,
