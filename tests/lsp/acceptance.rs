@@ -3,7 +3,8 @@
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, offset, position};
+use super::client::{Client, Options};
+use super::positions::{offset, position};
 use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, fresh_folder, pan_tilt, write};
 
 fn both() -> Client {

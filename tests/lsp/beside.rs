@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, offset, replace_all};
+use super::client::{Client, Options};
+use super::positions::{offset, replace_all};
 use super::workspace::{fresh_folder, write};
 
 const ROBOT: &str = "src/pick_arm_description/urdf/pick_arm.urdf.xacro";

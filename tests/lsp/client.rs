@@ -1,7 +1,7 @@
 //! A small client: one server process, requests by method and JSON, positions by their text.
 
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{self, Receiver};
@@ -9,6 +9,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Map, Value, json};
 
+use super::messages::{merge, read, remove, usual};
+use super::positions::{offset, position, short};
 use super::workspace;
 
 /// No answer may take longer; a slow machine under load is no reason to fail.
@@ -476,128 +478,6 @@ impl Drop for Client {
     }
 }
 
-/// What editors can do that the tests speak for.
-pub fn usual() -> Value {
-    let formats = json!(["markdown", "plaintext"]);
-    json!({
-        "workspace": { "applyEdit": true },
-        "textDocument": {
-            "definition": { "linkSupport": true },
-            "declaration": { "linkSupport": true },
-            "typeDefinition": { "linkSupport": true },
-            "implementation": { "linkSupport": true },
-            "hover": { "contentFormat": formats },
-            "completion": { "completionItem": { "documentationFormat": formats } },
-            "signatureHelp": { "signatureInformation": { "documentationFormat": formats } },
-            "documentSymbol": { "hierarchicalDocumentSymbolSupport": true },
-            "codeAction": { "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } },
-            "rename": { "prepareSupport": true },
-        },
-        "experimental": { "xacro": { "contextChanged": true, "lensCommands": true, "expandedDocuments": true } },
-    })
-}
-
-/// Take away what a pointer names.
-fn remove(from: &mut Value, pointer: &str) {
-    match pointer.rsplit_once('/') {
-        None => *from = json!({}),
-        Some((parent, key)) => {
-            let parent = from
-                .pointer_mut(parent)
-                .and_then(Value::as_object_mut)
-                .expect("an object there");
-            parent.remove(key).expect("it is there");
-        }
-    }
-}
-
 pub fn uri(path: &Path) -> String {
     format!("file://{}", path.display())
-}
-
-/// `line:start-end code`, lines from 1, columns as the protocol counts.
-pub fn short(diagnostic: &Value) -> String {
-    let (start, end) = (&diagnostic["range"]["start"], &diagnostic["range"]["end"]);
-    let line = start["line"].as_u64().unwrap() + 1;
-    format!(
-        "{line}:{}-{} {}",
-        start["character"],
-        end["character"],
-        diagnostic["code"].as_str().unwrap()
-    )
-}
-
-/// The position of a byte offset, in UTF-16.
-pub fn position(text: &str, offset: usize) -> Value {
-    let before = &text[..offset];
-    let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-    json!({ "line": before.matches('\n').count(), "character": before[line_start..].encode_utf16().count() })
-}
-
-/// The byte offset of a position in UTF-16.
-pub fn offset(text: &str, position: &Value) -> usize {
-    let line = usize::try_from(position["line"].as_u64().unwrap()).unwrap();
-    let start = text
-        .split_inclusive('\n')
-        .take(line)
-        .map(str::len)
-        .sum::<usize>();
-    let mut left = position["character"].as_u64().unwrap();
-    for (at, c) in text[start..].char_indices() {
-        if left == 0 {
-            return start + at;
-        }
-        left = left.saturating_sub(c.len_utf16() as u64);
-    }
-    text.len()
-}
-
-fn merge(into: &mut Value, from: &Value) {
-    match (into, from) {
-        (Value::Object(into), Value::Object(from)) => {
-            for (key, value) in from {
-                merge(into.entry(key.clone()).or_insert(Value::Null), value);
-            }
-        }
-        (_, Value::Null) => {}
-        (into, from) => *into = from.clone(),
-    }
-}
-
-fn read(output: &mut impl BufRead) -> Option<Value> {
-    let mut length = None;
-    loop {
-        let mut line = String::new();
-        if output.read_line(&mut line).ok()? == 0 {
-            return None;
-        }
-        match line.trim() {
-            "" => break,
-            header => {
-                let value = header.strip_prefix("Content-Length: ").map(str::parse);
-                length = value.map(Result::unwrap).or(length);
-            }
-        }
-    }
-    let mut body = vec![0; length.unwrap()];
-    output.read_exact(&mut body).ok()?;
-    Some(serde_json::from_slice(&body).unwrap())
-}
-
-/// Put `new` in place of what the edits of a rename replace; how many there are.
-pub fn replace_all(text: &mut String, edits: &Value, new: &str) -> usize {
-    let edits = edits.as_array().unwrap().iter();
-    let mut edits: Vec<(usize, usize)> = edits
-        .map(|edit| {
-            (
-                offset(text, &edit["range"]["start"]),
-                offset(text, &edit["range"]["end"]),
-            )
-        })
-        .collect();
-    edits.sort_unstable();
-    for &(start, end) in edits.iter().rev() {
-        text.replace_range(start..end, new);
-    }
-    edits.len()
 }

@@ -1,12 +1,13 @@
-//! F3: completion, with the documentation of single items.
+//! F3: what is offered: names, values, files, attributes.
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, position};
+use super::client::{Client, Options};
+use super::positions::position;
 use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, pan_tilt, write};
 
 /// A client that knows all of completion.
-fn able() -> Client {
+pub fn able() -> Client {
     let item = json!({ "snippetSupport": true, "insertReplaceSupport": true, "labelDetailsSupport": true });
     let capabilities = json!({ "textDocument": { "completion": { "completionItem": item } } });
     Client::with(
@@ -18,7 +19,7 @@ fn able() -> Client {
     )
 }
 
-fn both() -> Client {
+pub fn both() -> Client {
     let mut client = able();
     client.open(ROBOT);
     client.open(UNIT);
@@ -35,7 +36,7 @@ fn labels(client: &mut Client, file: &str, at: &str) -> Vec<String> {
 }
 
 /// The labels as an editor shows them.
-fn sorted(items: &Value) -> Vec<String> {
+pub fn sorted(items: &Value) -> Vec<String> {
     let mut items = items.as_array().unwrap().clone();
     items.sort_by_key(|item| item["sortText"].as_str().unwrap().to_owned());
     items
@@ -46,7 +47,7 @@ fn sorted(items: &Value) -> Vec<String> {
 
 /// The labels at the end of the robot, cut off behind its calls, with `tail` typed there.
 #[track_caller]
-fn at_the_end(tail: &str) -> Vec<String> {
+pub fn at_the_end(tail: &str) -> Vec<String> {
     let mut client = able();
     let text = ROBOT_TEXT.replace("</robot>\n", tail);
     client.open_with(ROBOT, &text);
@@ -56,7 +57,7 @@ fn at_the_end(tail: &str) -> Vec<String> {
 }
 
 #[track_caller]
-fn check(tail: &str, expected: &[&str], unexpected: &[&str]) {
+pub fn check(tail: &str, expected: &[&str], unexpected: &[&str]) {
     let found = at_the_end(tail);
     for label in expected {
         assert!(
@@ -72,7 +73,7 @@ fn check(tail: &str, expected: &[&str], unexpected: &[&str]) {
     }
 }
 
-fn item(client: &mut Client, file: &str, at: &str, label: &str) -> Value {
+pub fn item(client: &mut Client, file: &str, at: &str, label: &str) -> Value {
     let items = items(client, file, at);
     let found = items.iter().find(|item| item["label"] == label);
     found
@@ -141,71 +142,6 @@ fn keys_of_yaml_files_are_offered() {
     );
     let fov = item(&mut client, ROBOT, "cam['|']", "fov");
     assert_eq!(fov["labelDetails"]["description"], "1.2");
-}
-
-#[test]
-fn calls_are_snippets_with_what_the_macro_requires() {
-    let mut client = both();
-    client.edit(ROBOT, "</robot>", "<xacro:un\n</robot>");
-    let unit = item(&mut client, ROBOT, "<xacro:un|\n", "xacro:unit");
-    let text = unit["textEdit"]["newText"].as_str().unwrap();
-    assert_eq!(unit["insertTextFormat"], 2);
-    assert!(
-        text.contains("name=\"$1\" parent=\"$2\"") && !text.contains("axis"),
-        "{text}"
-    );
-    assert!(
-        text.contains("<origin") && text.ends_with("</xacro:unit>$0"),
-        "{text}"
-    );
-    assert_eq!(unit["labelDetails"]["description"], "unit.xacro");
-    assert_eq!(
-        client.slice(ROBOT, &unit["textEdit"]["replace"]),
-        "xacro:un"
-    );
-}
-
-#[test]
-fn only_macros_of_the_context_are_offered() {
-    check(
-        "<",
-        &[
-            "xacro:unit",
-            "link",
-            "joint",
-            "xacro:property",
-            "ros2_control",
-        ],
-        &["xacro:lens", "box"],
-    );
-}
-
-#[test]
-fn parents_decide_about_elements() {
-    check(
-        "<joint name=\"j\" type=\"fixed\"><parent link=\"desk\"/><",
-        &["child", "origin"],
-        &["parent", "mass"],
-    );
-    check(
-        "<link name=\"l\"><visual><geometry><",
-        &["box", "mesh"],
-        &["link", "origin"],
-    );
-    check(
-        "<link name=\"l\"><xacro:if value=\"1\"><",
-        &["visual", "inertial"],
-        &["geometry"],
-    );
-    check("<joint name=\"j\" type=\"fixed\"></", &["joint"], &["link"]);
-    assert_eq!(
-        at_the_end("<joint name=\"j\" type=\"fixed\"></jo"),
-        ["joint"]
-    );
-    assert_eq!(
-        at_the_end("<joint name=\"j\" type=\"fixed\"><")[..2],
-        ["parent", "child"]
-    );
 }
 
 #[test]
@@ -432,156 +368,6 @@ fn unsaved_includes_count() {
 }
 
 #[test]
-fn columns_are_utf16() {
-    let mut client = able();
-    let text = ROBOT_TEXT.replace("</robot>", "<!-- 🤖🤖 --><xacro:un</robot>");
-    client.open_with(ROBOT, &text);
-    let unit = item(&mut client, ROBOT, "<xacro:un|<", "xacro:unit");
-    assert_eq!(client.slice(ROBOT, &unit["textEdit"]["insert"]), "xacro:un");
-}
-
-#[test]
-fn clients_that_know_little_get_plain_items() {
-    let mut client = Client::start();
-    client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", "<xacro:un</robot>"));
-    let unit = item(&mut client, ROBOT, "<xacro:un|<", "xacro:unit");
-    assert_eq!(unit["textEdit"]["newText"], "xacro:unit");
-    assert!(unit["textEdit"]["range"].is_object() && unit.get("labelDetails").is_none());
-    assert!(unit.get("insertTextFormat").is_none());
-}
-
-#[test]
-fn a_setting_turns_snippets_off() {
-    let item = json!({ "snippetSupport": true });
-    let capabilities = json!({ "textDocument": { "completion": { "completionItem": item } } });
-    let settings = json!({ "completion": { "snippets": false } });
-    let mut client = Client::with(
-        pan_tilt(),
-        Options {
-            capabilities,
-            settings,
-            ..Options::default()
-        },
-    );
-    client.open_with(ROBOT, &ROBOT_TEXT.replace("</robot>", "<xacro:un</robot>"));
-    client.wait(
-        |client| {
-            client
-                .asked
-                .iter()
-                .any(|m| m["method"] == "workspace/configuration")
-                .then_some(())
-        },
-        || "settings".into(),
-    );
-    let unit = item_when(&mut client, |item| item.get("insertTextFormat").is_none());
-    assert_eq!(unit["textEdit"]["newText"], "xacro:unit");
-}
-
-/// The item of the macro `unit`, asked for until it is as expected: settings come some time after the start.
-fn item_when(client: &mut Client, is: impl Fn(&Value) -> bool) -> Value {
-    for _ in 0..100 {
-        let found = item(client, ROBOT, "<xacro:un|<", "xacro:unit");
-        if is(&found) {
-            return found;
-        }
-    }
-    panic!("the item never is as expected");
-}
-
-#[test]
-fn an_empty_file_gets_a_root_with_its_namespace() {
-    let mut client = able();
-    client.open_with(ROBOT, "<");
-    let robot = item(&mut client, ROBOT, "<|", "robot");
-    assert!(
-        robot["textEdit"]["newText"]
-            .as_str()
-            .unwrap()
-            .contains("xmlns:xacro=\"http://www.ros.org/wiki/xacro\"")
-    );
-    client.edit(ROBOT, "<", "rob");
-    let robot = item(&mut client, ROBOT, "rob|", "robot");
-    assert!(
-        robot["textEdit"]["newText"]
-            .as_str()
-            .unwrap()
-            .starts_with("<robot"),
-        "{robot}"
-    );
-    client.edit(ROBOT, "rob", "<robot name=\"r\" xmlns:");
-    let namespace = item(&mut client, ROBOT, "xmlns:|", "xmlns:xacro");
-    assert_eq!(
-        namespace["textEdit"]["newText"],
-        "xmlns:xacro=\"http://www.ros.org/wiki/xacro\""
-    );
-}
-
-#[test]
-fn elements_are_offered_between_tags_when_asked_for() {
-    let mut client = both();
-    client.edit(ROBOT, "</robot>", "  li\n</robot>");
-    let link = item(&mut client, ROBOT, "  li|\n", "link");
-    assert!(
-        link["textEdit"]["newText"]
-            .as_str()
-            .unwrap()
-            .starts_with("<link name=")
-    );
-    let mut params = client.at(ROBOT, "  li|\n");
-    params["context"] = json!({ "triggerKind": 2, "triggerCharacter": " " });
-    assert_eq!(
-        client.request("textDocument/completion", params)["items"],
-        json!([])
-    );
-}
-
-#[test]
-fn documentation_comes_when_an_item_is_looked_at() {
-    let mut client = both();
-    client.edit(ROBOT, "</robot>", "<xacro:un\n</robot>");
-    let unit = item(&mut client, ROBOT, "<xacro:un|\n", "xacro:unit");
-    assert!(unit.get("documentation").is_none());
-    let resolved = client.request("completionItem/resolve", unit.clone());
-    let text = resolved["documentation"]["value"].as_str().unwrap();
-    assert!(
-        text.contains("A motor with its bracket.") && text.contains("axis='0 0 1'"),
-        "{text}"
-    );
-    assert_eq!(resolved["textEdit"], unit["textEdit"]);
-    let limit = item(&mut client, UNIT, "<|limit", "limit");
-    let resolved = client.request("completionItem/resolve", limit);
-    assert!(
-        resolved["documentation"]["value"]
-            .as_str()
-            .unwrap()
-            .contains("velocity")
-    );
-}
-
-#[test]
-fn forged_items_come_back_as_they_are() {
-    let mut client = both();
-    let good =
-        json!({ "uri": client.uri(ROBOT), "topic": { "about": "macro", "name": "nothing" } });
-    let foreign =
-        json!({ "uri": "file:///etc/passwd", "topic": { "about": "property", "name": "root" } });
-    for data in [
-        json!(null),
-        json!(7),
-        json!({ "uri": 3 }),
-        json!(["x"]),
-        good,
-        foreign,
-    ] {
-        let item = json!({ "label": "x", "data": data });
-        let resolved = client.request("completionItem/resolve", item);
-        assert_eq!(resolved["label"], "x");
-        assert!(resolved.get("documentation").is_none());
-    }
-}
-
-#[test]
 fn files_of_nobody_are_not_told() {
     let foreign = pan_tilt();
     write(
@@ -612,84 +398,4 @@ fn files_of_nobody_are_not_told() {
         );
     }
     std::fs::remove_dir_all(foreign).unwrap();
-}
-
-#[test]
-fn long_lists_are_cut_and_say_so() {
-    let mut client = able();
-    let many: String = (0..300)
-        .map(|n| format!("<xacro:property name=\"value_{n}\" value=\"{n}\"/>"))
-        .collect();
-    client.open_with(
-        ROBOT,
-        &ROBOT_TEXT.replace(
-            "</robot>",
-            &format!("{many}<link name=\"${{value_2\"/></robot>"),
-        ),
-    );
-    let answer = client.request("textDocument/completion", client.at(ROBOT, "${value_2|"));
-    assert_eq!(answer["isIncomplete"], true);
-    let items = answer["items"].as_array().unwrap();
-    assert!(
-        items.len() <= 200 && items.iter().any(|item| item["label"] == "value_299"),
-        "{}",
-        items.len()
-    );
-}
-
-#[test]
-fn whole_elements_are_offered_as_children_of_a_robot() {
-    let (joint, optical) = (
-        "joint revolute with limit",
-        "link and joint of an optical frame",
-    );
-    check("<jo", &["joint", joint], &[]);
-    check("li", &["link", optical], &[]);
-    check("<ro", &["ros2_control with a joint"], &[]);
-    check("<link name=\"x\"><", &["visual"], &[joint, optical]);
-    let mut client = both();
-    client.edit(ROBOT, "</robot>", "  <jo\n</robot>");
-    let found = item(&mut client, ROBOT, "<jo|", joint);
-    let text = found["textEdit"]["newText"].as_str().unwrap();
-    assert!(
-        text.starts_with("joint name=\"${1:joint}\" type=\"revolute\">\n\t<parent"),
-        "{text}"
-    );
-    // an editor without snippets gets the text alone
-    let mut plain = Client::start();
-    plain.open(ROBOT);
-    plain.edit(ROBOT, "</robot>", "  <jo\n</robot>");
-    let found = item(&mut plain, ROBOT, "<jo|", joint);
-    let text = found["textEdit"]["newText"].as_str().unwrap();
-    assert!(
-        text.contains("<limit lower=\"-1.57\" upper=\"1.57\"") && !text.contains('$'),
-        "{text}"
-    );
-}
-
-#[test]
-fn a_robot_can_be_begun_in_an_empty_file() {
-    let folder = pan_tilt();
-    let file = "src/pan_tilt/urdf/new.urdf.xacro";
-    write(&folder, file, "");
-    let item = json!({ "snippetSupport": true });
-    let capabilities = json!({ "textDocument": { "completion": { "completionItem": item } } });
-    let mut client = Client::with(
-        folder,
-        Options {
-            capabilities,
-            ..Options::default()
-        },
-    );
-    for typed in ["rob", "<rob", "<?xml version=\"1.0\"?>\nrob"] {
-        client.open_with(file, typed);
-        let mut params = client.of(file);
-        params["position"] = position(typed, typed.len());
-        let found = client.request("textDocument/completion", params)["items"].clone();
-        assert!(
-            sorted(&found).first().is_some_and(|first| first == "robot"),
-            "{typed}: {found:?}"
-        );
-        client.notify("textDocument/didClose", client.of(file));
-    }
 }

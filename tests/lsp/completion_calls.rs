@@ -1,6 +1,7 @@
 //! Completion follows calls: what called macros make, what callers give, and the files that a computed include may mean.
 
-use super::client::{Client, Options, position};
+use super::client::{Client, Options};
+use super::positions::position;
 use super::workspace::{fresh_folder, write};
 
 const FILE: &str = "src/arm/chassis.xacro";

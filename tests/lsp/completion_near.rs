@@ -1,6 +1,7 @@
 //! Names that are offered though nothing near by gives them, and which of many come first.
 
-use super::client::{Client, Options, position};
+use super::client::{Client, Options};
+use super::positions::position;
 use super::workspace::{fresh_folder, write};
 
 const MAIN: &str = "src/arm/arm.urdf.xacro";

@@ -80,7 +80,7 @@ fn sources(client: &mut Client, pattern: &str) -> Vec<String> {
     let start = urdf
         .find(&format!("{before}{behind}"))
         .unwrap_or_else(|| panic!("`{pattern}` in {urdf}"));
-    let position = super::client::position(&urdf, start + before.len());
+    let position = super::positions::position(&urdf, start + before.len());
     let answer = client.request(
         "xacro/toSource",
         json!({ "root": client.uri(ROBOT), "position": position }),
@@ -181,7 +181,7 @@ fn a_call_shows_all_that_came_through_it() {
         client.at(ROBOT, "<xacro:un|it name=\"tilt\""),
     );
     let range = &answer["instances"][0]["range"];
-    let [start, end] = ["start", "end"].map(|side| super::client::offset(&urdf, &range[side]));
+    let [start, end] = ["start", "end"].map(|side| super::positions::offset(&urdf, &range[side]));
     let made = urdf.get(start..end).unwrap();
     assert!(
         made.contains("tilt_body") && made.contains("<joint name=\"tilt\""),

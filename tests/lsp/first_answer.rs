@@ -6,7 +6,8 @@ use std::process::Command;
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, short};
+use super::client::{Client, Options};
+use super::positions::short;
 use super::workspace::{fresh_folder, write};
 
 const ROBOT: &str = "src/cart/urdf/cart.urdf.xacro";

@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, offset};
+use super::client::{Client, Options};
+use super::positions::offset;
 use super::workspace::{ROBOT, pan_tilt, write};
 
 const LAUNCH: &str = "src/pan_tilt/launch/camera.launch.py";

@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 
 use super::actions::{FILE, robot, show, titled};
-use super::client::{Client, Options, short};
+use super::client::{Client, Options};
+use super::positions::short;
 use super::workspace::{ROBOT, ROBOT_TEXT, UNIT, pan_tilt, write};
 
 #[test]

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use super::client::{Client, Options, replace_all};
+use super::client::{Client, Options};
+use super::positions::replace_all;
 use super::workspace::{ROBOT, UNIT, pan_tilt};
 
 /// The files after renaming what `at` marks; or the message of the error.
