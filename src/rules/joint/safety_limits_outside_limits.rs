@@ -20,6 +20,8 @@ pub(super) static RULE: Rule = Rule {
 
 /// What calculation may lose.
 const ROUNDING: f64 = 1e-9;
+/// Part of a distance that the rounding of limits to a few digits may change.
+const BY_THE_SAME: f64 = 1e-3;
 
 fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
     for joint in cx
@@ -59,9 +61,7 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 upper,
             ),
         ];
-        // a soft limit beyond the hard one has no effect; where both ranges meet in no more than a point, the joint cannot move
-        let room = up.min(upper) - low.max(lower);
-        let severity = if room > ROUNDING {
+        let severity = if is_switched_off(lower - low, up - upper) {
             Severity::Info
         } else {
             Severity::Warning
@@ -83,4 +83,9 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
                 .done();
         }
     }
+}
+
+/// Whether both soft limits are outside by the same amount: somebody put them out of the way.
+fn is_switched_off(below: f64, above: f64) -> bool {
+    below > ROUNDING && (below - above).abs() <= BY_THE_SAME * below
 }

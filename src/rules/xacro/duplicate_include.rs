@@ -132,9 +132,7 @@ fn report(
     let start = later.tag.range.start - (later.node.name_range().start - 1 - element.start);
     let range = TextRange::new(start, start + element.len());
     let removal = source::removal(&file.source.document, range);
-    // the second definition says the same
     report
-        .severity(Severity::Info)
         .help("remove this include; everything it defines is already defined")
         .fix(
             Safety::Safe,
