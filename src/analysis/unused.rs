@@ -60,7 +60,7 @@ impl Session {
     }
 
     /// What is wrong in settings of controllers is an info where no text names the file, and others name such a file of the same
-    /// package. Not when somebody asks for the file.
+    /// package; in an SRDF, where nothing reads it, or only tests do. Not when somebody asks for the file.
     pub(super) fn settle_settings(&self, options: &CheckOptions, findings: &mut Vec<Finding>) {
         findings.retain(|finding| {
             finding.rule != named::CONTROLLER_WITHOUT_PARAMETERS || !self.is_spawned_with(finding)
@@ -74,7 +74,12 @@ impl Session {
             .map(|path| self.vfs.absolute(path))
             .collect();
         self.lower_in(findings, |file| {
-            !asked.contains(file) && (self.is_left_behind(file) || self.is_unread(file))
+            let is_idle = || {
+                self.is_left_behind(file)
+                    || self.is_unread(file)
+                    || sort(file) == Some(Sort::Srdf) && self.is_for_tests(file)
+            };
+            !asked.contains(file) && is_idle()
         });
         for finding in findings
             .iter_mut()

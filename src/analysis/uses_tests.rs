@@ -456,3 +456,25 @@ fn files_of_a_distribution_that_is_not_here() {
     );
     assert_eq!(of("/no/such/limits.yaml"), Some(Severity::Error));
 }
+
+#[test]
+fn srdfs_that_only_tests_name() {
+    let arm = "<robot name='arm'><link name='base'/><link name='tip'/><joint name='elbow' type='revolute'>\
+               <parent link='base'/><child link='tip'/><axis xyz='0 0 1'/>\
+               <limit lower='-1' upper='1' effort='1' velocity='2'/></joint></robot>";
+    let srdf = "<robot name='arm'><group name='arm'><joint name='elbow'/></group>\
+                <group_state name='bent' group='arm'><joint name='elbow' value='2'/></group_state></robot>";
+    let of = |folder: &str, by: &str| {
+        let [urdf, own] = ["urdf", "srdf"].map(|kind| format!("{folder}/arm.{kind}"));
+        let files = [
+            MANIFEST,
+            (urdf.as_str(), arm),
+            (own.as_str(), srdf),
+            (by, &format!("\"{urdf}\", \"{own}\"")),
+        ];
+        severity("srdf-state-out-of-limits", &files)
+    };
+    assert_eq!(of("tests/arms", "tests/api.cpp"), Some(Severity::Info));
+    assert_eq!(of("tests/arms", "src/node.cpp"), Some(Severity::Error));
+    assert_eq!(of("config", "tests/api.cpp"), Some(Severity::Error));
+}

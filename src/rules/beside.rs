@@ -232,6 +232,13 @@ impl<'a> BesideCx<'a> {
         offered.iter().any(is_it)
     }
 
+    /// Whether hardware of the robots has a joint with other arguments.
+    pub(super) fn may_drive(&self, joint: &str) -> bool {
+        let offered = &self.known.get_or_init(|| (self.further)()).interfaces;
+        let mut joints = offered.iter().filter_map(|one| one.joint.as_deref());
+        joints.any(|own| may_be(own, joint))
+    }
+
     /// Whether the robots may include a file of a package that is absent, with other arguments.
     pub(super) fn is_open(&self) -> bool {
         self.known.get_or_init(|| (self.further)()).is_open

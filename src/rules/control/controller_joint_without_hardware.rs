@@ -30,7 +30,8 @@ fn check(cx: &BesideCx<'_>, out: &mut Sink<'_>) {
                 "joints" => is_commanding(cx, controller),
                 key => key != "extra_joints" && joint_keys().contains(&key),
             };
-            if !is_driven || hardware.has(&joint.name) || cx.joints(&joint.name).next().is_none() {
+            let is_known = hardware.has(&joint.name) || cx.may_drive(&joint.name);
+            if !is_driven || is_known || cx.joints(&joint.name).next().is_none() {
                 continue;
             }
             let message = format!(

@@ -14,7 +14,8 @@ pub(in super::super) static RULE: Rule = Rule::beside(
     check,
 );
 
-/// The interface that a controller commands at the joints of a parameter, whatever its other parameters say.
+/// The interface that a controller commands at the joints of a parameter, whatever its other parameters say. None of these reads
+/// `command_interfaces`.
 /// Source: `command_interface_configuration` of ros2_controllers.
 const COMMANDED: [(&str, &str, &str); 13] = [
     (
@@ -137,7 +138,10 @@ fn check_with(
     severity: Severity,
 ) {
     for controller in controllers {
-        for (interface, is_command) in interfaces(controller) {
+        let class = class_of(cx, controller);
+        let fixed = COMMANDED.iter().filter(|(of, ..)| Some(*of) == class);
+        let is_fixed = fixed.clone().next().is_some();
+        for (interface, is_command) in interfaces(controller).filter(|_| !is_fixed) {
             // with joints of their own, commands are not for `joints`
             let key = if is_command
                 && controller
@@ -156,8 +160,7 @@ fn check_with(
                 report(cx, out, (hardware, severity), interface, what);
             }
         }
-        let class = class_of(cx, controller);
-        for (_, key, interface) in COMMANDED.iter().filter(|(of, ..)| Some(*of) == class) {
+        for (_, key, interface) in fixed {
             let lacking =
                 joints(controller, key).filter(|joint| lacks(&joint.name, interface, true));
             lacking.for_each(|joint| {

@@ -8,7 +8,8 @@ use super::super::edits::speaks_xacro;
 use super::super::numbers::rewrite;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
-use model::{Gazebo, Joint, JointType, tag_start};
+use expand::XId;
+use model::{AttrValue, Gazebo, Joint, JointType, tag_start};
 
 pub(super) static RULE: Rule = Rule {
     code: "FRM004",
@@ -57,7 +58,8 @@ fn check(cx: &DocumentCx<'_>, out: &mut Sink<'_>) {
             && !is_of_no_pictures(cx, parent, child)
             && turns_above(cx, parent, turned).iter().all(is_off)
         {
-            let severity = if looks_aside(&turned) || looks_back(&turned) {
+            let is_meant = looks_aside(&turned) || looks_back(&turned);
+            let severity = if is_meant || holds_points_of_gazebo(cx, child) {
                 Severity::Info
             } else {
                 Severity::Warning
@@ -92,6 +94,29 @@ fn is_of_no_pictures(cx: &DocumentCx<'_>, parent: &str, child: &str) -> bool {
         .flat_map(|robot| &robot.gazebo)
         .filter(is_there);
     is_named || blocks.any(|block| tree.elements(block.element).any(is_ranging))
+}
+
+/// Whether the points of a camera of Gazebo are in a frame: x is forward in them, whatever the frame is called. The camera is
+/// in the link itself, or names it.
+/// Source: `RgbdCameraSensor` of gz-sensors.
+fn holds_points_of_gazebo(cx: &DocumentCx<'_>, child: &str) -> bool {
+    const FRAMES: [&str; 3] = ["gz_frame_id", "ignition_frame_id", "optical_frame_id"];
+    let tree = &cx.expansion.tree;
+    let is_camera = |id: XId| {
+        let kind = tree.attr(id, "type");
+        tree.get(id).text == "sensor" && kind.is_some_and(|kind| kind.value == "rgbd_camera")
+    };
+    let names_frame = |id: XId| {
+        FRAMES.contains(&tree.get(id).text.as_str())
+            && AttrValue::content(tree, id).is_some_and(|frame| frame.value == child)
+    };
+    let mut blocks = cx.robot.into_iter().flat_map(|robot| &robot.gazebo);
+    blocks.any(|block| {
+        let mut cameras = tree.elements(block.element).filter(|&id| is_camera(id));
+        let reference = block.reference.as_ref().and_then(|text| text.name());
+        let is_there = reference.is_some_and(|name| name == child);
+        cameras.any(|camera| is_there || tree.below(camera).any(names_frame))
+    })
 }
 
 /// How a frame is turned in the links above it that are fixed to it, `turned` in `parent`: a camera may be turned itself,
