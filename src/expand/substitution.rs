@@ -10,8 +10,8 @@ use super::problem::Outside;
 use super::record::Read;
 use super::split_text::TextSite;
 use super::symbols::UseKind;
-use base::TextRange;
 use base::paths::HERE;
+use base::{TextRange, counted};
 use expr::{
     self, ErrorKind, EvalError, Host, HostFn, Lookup, Module, ScopeId, Subst, SubstArg, SubstError,
     Value, display, literal,
@@ -162,9 +162,9 @@ impl Expander<'_> {
                     "<class 'ament_index_python.packages.PackageNotFoundError'>: {text} {text}"
                 );
                 let message = format!(
-                    "package `{}` not found (searched {} folders)",
+                    "package `{}` not found (searched {})",
                     name.text,
-                    places.len()
+                    counted(places.len(), "folder")
                 );
                 let mut problem = self
                     .problem(ProblemKind::PackageNotFound, at, message)

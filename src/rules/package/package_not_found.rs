@@ -10,7 +10,7 @@ use super::super::grouping::Group;
 use super::super::rule::{Activation, Category, Check, Rule, Safety, Severity, page};
 use super::super::sink::Sink;
 use super::dependencies;
-use base::TextRange;
+use base::{TextRange, counted};
 use expand::{Expansion, FileIdx, Origin, Read, XAttr, XId};
 use workspace::NotFound;
 
@@ -287,8 +287,8 @@ fn name_in_source(attr: &XAttr, name: &str) -> Origin {
 
 fn message(missing: &NotFound) -> String {
     format!(
-        "package `{}` not found (searched {} folders)",
+        "package `{}` not found (searched {})",
         missing.name,
-        missing.tried.len()
+        counted(missing.tried.len(), "folder")
     )
 }
