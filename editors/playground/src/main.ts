@@ -299,12 +299,17 @@ function listen(): void {
   follow(byId('theme'), (theme) => viewer.theme(theme));
 }
 
+/** Show what the address asks for: it is there to read while the program is still on its way. */
+async function beginFiles(): Promise<void> {
+  const known = await examples();
+  byId('examples').append(el('option', { value: '', text: '—', hidden: true }), ...known.map(({ name, title }) => el('option', { value: name, text: title })));
+  await fromAddress();
+}
+
 async function begin(): Promise<void> {
   listen();
   const started = program.ask('start', { wasm: new URL('xacro_lint.wasm', import.meta.url).href });
-  const [known] = await Promise.all([examples(), started.then((name) => (version = name))]);
-  byId('examples').append(el('option', { value: '', text: '—', hidden: true }), ...known.map(({ name, title }) => el('option', { value: name, text: title })));
-  await fromAddress();
+  await Promise.all([started.then((name) => (version = name)), beginFiles()]);
   if ('serviceWorker' in navigator) await navigator.serviceWorker.register(new URL('sw.js', import.meta.url));
 }
 

@@ -22,8 +22,11 @@ async function fetched(path: string): Promise<Response> {
   return answer;
 }
 
-export async function examples(): Promise<Example[]> {
-  return (await (await fetched('examples.json')).json()) as Example[];
+let known: Promise<Example[]> | undefined;
+
+/** The examples, asked for once. */
+export function examples(): Promise<Example[]> {
+  return (known ??= fetched('examples.json').then((answer) => answer.json() as Promise<Example[]>));
 }
 
 export async function example(name: string): Promise<Stored> {

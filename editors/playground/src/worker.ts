@@ -3,17 +3,18 @@
 import { Linter } from '../../wasm/src/index';
 import type { Answer, Calls, Changes, Question, Reply, Request } from './messages';
 
-let linter: Linter | undefined;
+let started: Promise<Linter> | undefined;
 
-function program(): Linter {
-  if (!linter) throw new Error('the program was not started');
-  return linter;
+/** The program, once it is there: questions that come before it wait. */
+function program(): Promise<Linter> {
+  if (!started) throw new Error('the program was not started');
+  return started;
 }
 
-function put(changes: Changes): void {
+function put(linter: Linter, changes: Changes): void {
   for (const [path, content] of changes) {
-    if (content === null) program().remove(path);
-    else program().put(path, content);
+    if (content === null) linter.remove(path);
+    else linter.put(path, content);
   }
 }
 
@@ -26,39 +27,39 @@ function attempt<T>(ask: () => T): { value?: T; error?: string } {
   }
 }
 
-function update(changes: Changes, question: Question): Answer {
-  put(changes);
+function update(linter: Linter, changes: Changes, question: Question): Answer {
+  put(linter, changes);
   const began = performance.now();
   const { extendSelect, args } = question;
-  const checked = attempt(() => program().check({ extendSelect }));
+  const checked = attempt(() => linter.check({ extendSelect }));
   const time = performance.now() - began;
-  const robots = attempt(() => program().robots()).value ?? [];
+  const robots = attempt(() => linter.robots()).value ?? [];
   const robot = question.robot ?? robots[0];
   const answer: Answer = { findings: checked.value ?? [], robots, robot, expanded: undefined, time };
   let error = checked.error;
   if (robot !== undefined) {
-    const expanded = attempt(() => program().expand(robot, args));
+    const expanded = attempt(() => linter.expand(robot, args));
     answer.expanded = expanded.value;
     error ??= expanded.error;
-    if (question.model) answer.model = attempt(() => program().call({ call: 'model', file: robot, args })).value;
+    if (question.model) answer.model = attempt(() => linter.call({ call: 'model', file: robot, args })).value;
   }
   return error === undefined ? answer : { ...answer, error };
 }
 
-const calls: { [K in keyof Calls]: (take: Calls[K]['take']) => Calls[K]['give'] | Promise<Calls[K]['give']> } = {
+const calls: { [K in keyof Calls]: (take: Calls[K]['take']) => Promise<Calls[K]['give']> } = {
   start: async ({ wasm }) => {
-    linter = await Linter.create(wasm);
-    return linter.version();
+    started = Linter.create(wasm);
+    return (await started).version();
   },
-  update: ({ changes, question }) => update(changes, question),
-  fix: ({ extendSelect, args }) => program().fix({ extendSelect, args }),
-  select: (what) => program().call({ call: 'select', ...what }),
-  mesh: ({ id }) => program().mesh(id),
+  update: async ({ changes, question }) => update(await program(), changes, question),
+  fix: async ({ extendSelect, args }) => (await program()).fix({ extendSelect, args }),
+  select: async (what) => (await program()).call({ call: 'select', ...what }),
+  mesh: async ({ id }) => (await program()).mesh(id),
 };
 
 addEventListener('message', (event: MessageEvent<Request>) => {
   const { id, name, take } = event.data;
-  const call = calls[name] as (take: unknown) => unknown;
+  const call = calls[name] as (take: unknown) => Promise<unknown>;
   void (async () => {
     let reply: Reply;
     try {

@@ -122,5 +122,7 @@ async function compiled(source: Source): Promise<WebAssembly.Module> {
   }
   const answer = await fetch(url);
   if (!answer.ok) throw new Error(`${url.href}: ${answer.status} ${answer.statusText}`);
-  return WebAssembly.compile(await answer.arrayBuffer());
+  // compiled while it arrives, which a server has to allow by the type that it gives
+  const isNamed = answer.headers.get('content-type')?.startsWith('application/wasm');
+  return isNamed ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
 }
