@@ -232,6 +232,15 @@ impl Configs {
             .collect()
     }
 
+    /// Whether the settings of the editor that hold for a folder give this very rule a severity: they take precedence over the file.
+    pub(super) fn editor_sets_severity(&self, folder: &Path, rule: &Rule) -> bool {
+        let number = self.overrides.editor_of(folder);
+        let own = number.and_then(|number| self.overrides.editor.get(number));
+        let severities = own.and_then(|(settings, _)| settings.get("severity")?.as_object());
+        severities
+            .is_some_and(|given| given.contains_key(rule.name) || given.contains_key(rule.code))
+    }
+
     /// The configurations that could not be read so far.
     pub(super) fn unreadable(&self) -> Vec<LoadError> {
         self.lock().unreadable.clone()

@@ -10,7 +10,7 @@ use super::lock::locked;
 use super::run_cache::Runs;
 use base::{FastMap, FastSet};
 use model::Meshes;
-use rules::{Manifests, RuleEnv};
+use rules::{Manifests, Rule, RuleEnv};
 use vfs::{Environment, LoadError, Vfs};
 use workspace::config::{self, Axes, Config, ConfigWarning};
 use workspace::{Caller, Callers, Era, Excluded, GivenArg, PackageOptions, Packages, RobotCall};
@@ -452,6 +452,12 @@ impl Session {
     /// What in the configurations read so far has no effect.
     pub fn config_warnings(&self) -> Vec<ConfigWarning> {
         self.configs.warnings()
+    }
+
+    /// Whether the editor gives this very rule a severity for a file, whatever its configuration says.
+    pub fn editor_sets_severity(&self, file: &Path, rule: &Rule) -> bool {
+        let folder = file.parent().unwrap_or(file);
+        self.configs.editor_sets_severity(folder, rule)
     }
 
     /// The configurations that could not be read so far: nothing of them holds.

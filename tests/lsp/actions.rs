@@ -377,6 +377,20 @@ fn a_rule_can_be_configured_in_a_file_that_is_made_for_it() {
     let edit = &changes[0]["edits"][0];
     assert_eq!(edit["newText"], "undefined-property = \"warning\"\n");
     assert_eq!(edit["range"]["start"], json!({ "line": 4, "character": 0 }));
+    // the settings of an editor take precedence
+    let mut client = Client::with(
+        pan_tilt(),
+        Options {
+            settings: json!({ "severity": { "undefined-property": "warning" } }),
+            ..options()
+        },
+    );
+    show(&mut client, &robot("  <link name=\"${nothing}\"/>"));
+    let found = fixes(&mut client, FILE, "undefined-property");
+    let _ = titled(
+        &found,
+        "as info for this project (overridden here by the editor's `severity` setting)",
+    );
     // clients that make no files are offered nothing that they cannot do
     let mut client = Client::start();
     show(&mut client, &robot("  <link name=\"${nothing}\"/>"));

@@ -35,7 +35,14 @@ pub(super) fn configured(
     if let Some(severity) = below(finding.severity) {
         let name = severity.name();
         let lower = |text: &str| ide::severity_in_config(text, rule, name);
-        let title = format!("configure `{rule}` as {name} for this project");
+        let mut title = format!("configure `{rule}` as {name} for this project");
+        if state
+            .host
+            .session()
+            .editor_sets_severity(path, finding.rule)
+        {
+            title.push_str(" (overridden here by the editor's `severity` setting)");
+        }
         found.extend(changed(state, path, title, &lower, shown));
     }
     found
