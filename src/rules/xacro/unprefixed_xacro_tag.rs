@@ -29,11 +29,19 @@ pub(in super::super) fn is_unprefixed(
     document: &Document,
     node: Node<'_>,
 ) -> bool {
-    is_forgotten_prefix(node.name()) && declares(document)
-        || (OWN_TAGS.contains(&node.name())
-            || node.name() == "include" && node.attr("filename").is_some())
-            && document.root().is_some_and(|root| root.name() == "robot")
-            && is_in_xacro(expansion)
+    let is_own = || {
+        OWN_TAGS.contains(&node.name())
+            || node.name() == "include" && node.attr("filename").is_some()
+    };
+    (is_forgotten_prefix(node.name()) && declares(document) || is_own() && is_in_xacro(expansion))
+        && is_of_robot(expansion, document)
+}
+
+/// Whether a document is a robot, or a part that one includes: the root element of a part may have any name.
+fn is_of_robot(expansion: &Expansion, document: &Document) -> bool {
+    let root = expansion.files.first().map(|file| &file.source.document);
+    let is_robot = |document: &Document| document.root().is_some_and(|root| root.name() == "robot");
+    is_robot(document) || root.is_some_and(|root| !std::ptr::eq(root, document) && is_robot(root))
 }
 
 /// Whether the robot is in xacro by the name of its file or the prefix that it declares.
@@ -51,7 +59,7 @@ fn is_in_xacro(expansion: &Expansion) -> bool {
 fn declares(document: &Document) -> bool {
     document
         .root()
-        .is_some_and(|root| root.name() == "robot" && root.attr("xmlns:xacro").is_some())
+        .is_some_and(|root| root.attr("xmlns:xacro").is_some())
 }
 
 fn check(cx: &FileCx<'_>, out: &mut Sink<'_>) {
