@@ -22,8 +22,8 @@ use super::suppress::SuppressionFilter;
 use base::limits::MESSAGE_LETTERS;
 use base::{FastMap, FastSet, FileId};
 use expand::large_stacks;
+use packages::UNQUOTED;
 use rules::{Finding, Severity, named};
-use workspace::UNQUOTED;
 
 /// What a check did, for another one of the same files.
 #[derive(Default)]

@@ -72,7 +72,7 @@ pub use origin::{FileIdx, Frame, FrameId, FrameKind, Origin, SourceItem, SrcId};
 pub use params::parse as parse_params;
 pub use problem::{Detail, FileRange, Outside, Problem, Severity, TraceStep};
 pub use record::{Read, Record};
-pub use request::{ExpansionLimits, Forced, Request, Sources};
+pub use request::{Forced, Request, Sources};
 pub use slips::meant_number;
 pub use source_map::{MapEntry, MapKind};
 pub use stack::{large_stacks, on_first_thread, spawn_on_large_stack};

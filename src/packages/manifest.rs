@@ -8,7 +8,7 @@ use base::limits::MANIFEST_NODES;
 use vfs::Vfs;
 
 /// File that makes a folder a package.
-pub(super) const MANIFEST: &str = "package.xml";
+pub const MANIFEST: &str = "package.xml";
 
 /// The `<name>` of the package whose folder is `folder`; `None` when it holds no usable `package.xml`.
 pub(super) fn package_name(vfs: &Vfs, folder: &Path) -> Option<String> {
