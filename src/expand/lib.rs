@@ -75,7 +75,7 @@ pub use record::{Read, Record};
 pub use request::{Forced, Request, Sources};
 pub use slips::meant_number;
 pub use source_map::{MapEntry, MapKind};
-pub use stack::{large_stacks, on_first_thread, spawn_on_large_stack};
+pub use stack::{LARGE_STACK, on_first_thread, on_large_thread, spawn_on_large_stack};
 pub use symbols::{Definition, DefinitionId, SourceRange, SymbolKind, Symbols, Use, UseKind};
 pub use tree::{Attrs, Piece, XAttr, XId, XKind, XNode, XTree};
 pub use write::{Written, banner, write, write_lined, write_mapped};
